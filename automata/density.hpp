@@ -1,0 +1,35 @@
+// Distributions of the time a timed transition takes (6.2.2; language.md "Timing").
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "automata/time.hpp"
+
+namespace automata {
+
+/// A density over the clock of the source mode, truncated to the bounds of the transition. Parameters are in seconds.
+struct Density {
+  enum class Kind { uniform, exponential, normal };
+  Kind kind = Kind::uniform;
+  double mean = 0;                ///< exponential, normal
+  double standard_deviation = 0;  ///< normal
+  bool operator==(const Density&) const = default;
+};
+
+/// The time bounds [lower, upper] of a transition, and how probability is spread between them.
+/// lower <= upper; an infinite upper bound excludes `uniform`; lower = upper is a point mass whatever the density.
+struct Timing {
+  Ticks lower;
+  Ticks upper;
+  Density density;
+  bool operator==(const Timing&) const = default;
+
+  /// 1 - G(at): the probability that the transition takes longer than `at`. In [0, 1], falling, 0 from `upper` on.
+  [[nodiscard]] double survival(Ticks at) const;
+  /// The probability of not firing in the step that takes the clock from `from` to `to`, given that it has not fired
+  /// before: (1 - G(to)) / (1 - G(from)), and 0 where G(from) = 1 (semantics 3).
+  [[nodiscard]] double step_survival(Ticks from, Ticks to) const;
+  /// -ln of `step_survival`, kept exact where the survival is close to 1; +infinity where it is 0.
+  [[nodiscard]] double step_hazard(Ticks from, Ticks to) const;
+};
+
+}  // namespace automata

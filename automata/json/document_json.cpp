@@ -1,0 +1,55 @@
+// Compiled documents as JSON, and back.
+// SPDX-License-Identifier: MIT
+#include "automata/json/document.hpp"
+
+namespace automata {
+namespace {
+constexpr const char* format_name = "rmpl-automata";
+constexpr int format_version = 1;
+}  // namespace
+
+Json to_json(const Document& document) {
+  Json plants = Json::array();
+  for (const Plant& plant : document.plants) plants.push_back(to_json(plant));
+  Json programs = Json::array();
+  for (const Program& program : document.programs) programs.push_back(to_json(program));
+  Json scenarios = Json::array();
+  for (const Scenario& scenario : document.scenarios) scenarios.push_back(to_json(scenario, document));
+  return {{"format", format_name},
+          {"version", format_version},
+          {"plants", std::move(plants)},
+          {"programs", std::move(programs)},
+          {"scenarios", std::move(scenarios)}};
+}
+
+std::string to_text(const Document& document) { return to_json(document).dump(2) + "\n"; }
+
+Document document_from_json(const Json& json) {
+  const Node root(json, "");
+  if (root.at("format").text() != format_name) root.at("format").fail(std::string("\"") + format_name + "\"");
+  if (root.at("version").natural() != format_version) root.at("version").fail(std::to_string(format_version));
+  Document document;
+  for (const Node& item : root.at("plants").items()) document.plants.push_back(plant_from_json(item));
+  for (const Node& item : root.at("programs").items()) document.programs.push_back(program_from_json(item));
+  for (const Node& item : root.at("scenarios").items()) {
+    document.scenarios.push_back(scenario_from_json(item, document));
+  }
+  for (const Scenario& scenario : document.scenarios) {
+    if (!(document.programs[scenario.program].variables == document.plants[scenario.plant].variables)) {
+      throw InputError("/scenarios: expected each program to be bound to its scenario's plant");
+    }
+  }
+  return document;
+}
+
+Document read_document(std::string_view text, const std::string& name) {
+  try {
+    return document_from_json(Json::parse(text));
+  } catch (const Json::exception& error) {
+    throw InputError(name + ": " + error.what());
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
+}  // namespace automata

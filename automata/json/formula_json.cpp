@@ -1,0 +1,146 @@
+// Formulas, assignments, times and origins as JSON.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <utility>
+
+#include "automata/json/document.hpp"
+
+namespace automata {
+namespace {
+
+constexpr std::array<std::pair<Comparison, const char*>, 4> comparisons{
+    {{Comparison::less, "<"}, {Comparison::at_most, "<="}, {Comparison::greater, ">"}, {Comparison::at_least, ">="}}};
+
+/// Deeper formulas than any source can give are refused, so that reading never runs out of stack.
+constexpr std::size_t depth_limit = 2000;
+
+VariableId variable_from_json(const Node& node, const Variables& variables) {
+  const auto id = variables.find(node.text());
+  if (!id) node.fail("the name of a variable, not '" + node.text() + "'");
+  return *id;
+}
+
+ValueId value_from_json(const Node& node, VariableId id, const Variables& variables) {
+  const auto value = variables[id].find(node.text());
+  if (!value) node.fail("a value of '" + variables.name(id) + "', not '" + node.text() + "'");
+  return *value;
+}
+
+Formula read(const Node& node, const Variables& variables, std::span<const std::string> clocks, std::size_t depth) {
+  if (depth > depth_limit) node.fail("a formula of at most " + std::to_string(depth_limit) + " levels");
+  if (node.json().is_boolean()) return constant(node.truth());
+  const auto operands = [&](const char* key, std::size_t count) {
+    std::vector<Formula> all;
+    for (const Node& item : node.at(key).items()) all.push_back(read(item, variables, clocks, depth + 1));
+    if (count != 0 && all.size() != count) node.at(key).fail("two operands");
+    return all;
+  };
+  if (node.has("in")) {
+    const VariableId id = variable_from_json(node.at("variable"), variables);
+    std::vector<ValueId> values;
+    for (const Node& value : node.at("in").items()) values.push_back(value_from_json(value, id, variables));
+    return member(id, std::move(values));
+  }
+  if (node.has("equals")) {
+    const VariableId left = variable_from_json(node.at("variable"), variables);
+    const VariableId right = variable_from_json(node.at("equals"), variables);
+    if (variables[left].values != variables[right].values) node.fail("two variables of one domain");
+    return equality(left, right);
+  }
+  if (node.has("clock")) {
+    const std::string clock = node.at("clock").text();
+    const std::string comparison = node.at("is").text();
+    for (std::size_t c = 0; c < clocks.size(); ++c) {
+      if (clocks[c] != clock) continue;
+      for (const auto& [kind, spelling] : comparisons) {
+        if (comparison == spelling) return clock_bound(ClockId(c), kind, node.at("bound").ticks());
+      }
+      node.at("is").fail("<, <=, > or >=");
+    }
+    node.at("clock").fail("the name of a clock, not '" + clock + "'");
+  }
+  if (node.has("not")) return negation(read(node.at("not"), variables, clocks, depth + 1));
+  for (const auto& [key, kind] : {std::pair{"and", Formula::Kind::conjunction}, {"or", Formula::Kind::disjunction}}) {
+    if (!node.has(key)) continue;
+    Formula formula;
+    formula.kind = kind;
+    formula.operands = operands(key, 0);
+    if (formula.operands.size() < 2) node.at(key).fail("two operands or more");
+    return formula;
+  }
+  if (node.has("implies")) {
+    auto pair = operands("implies", 2);
+    return implication(std::move(pair[0]), std::move(pair[1]));
+  }
+  if (node.has("iff")) {
+    auto pair = operands("iff", 2);
+    return equivalence(std::move(pair[0]), std::move(pair[1]));
+  }
+  node.fail("a formula");
+}
+
+}  // namespace
+
+Json to_json(const Formula& formula, const Variables& variables, std::span<const std::string> clocks) {
+  const auto operands = [&] {
+    Json all = Json::array();
+    for (const Formula& operand : formula.operands) all.push_back(to_json(operand, variables, clocks));
+    return all;
+  };
+  switch (formula.kind) {
+    case Formula::Kind::constant:
+      return formula.truth;
+    case Formula::Kind::member: {
+      Json values = Json::array();
+      for (const ValueId value : formula.values) values.push_back(variables.value({formula.variable, value}));
+      return {{"variable", variables.name(formula.variable)}, {"in", std::move(values)}};
+    }
+    case Formula::Kind::equality:
+      return {{"variable", variables.name(formula.variable)}, {"equals", variables.name(formula.other)}};
+    case Formula::Kind::clock:
+      for (const auto& [kind, spelling] : comparisons) {
+        if (kind == formula.comparison) {
+          return {{"clock", clocks[formula.clock.index()]}, {"is", spelling}, {"bound", to_json(formula.bound)}};
+        }
+      }
+      break;
+    case Formula::Kind::negation:
+      return {{"not", to_json(formula.operands[0], variables, clocks)}};
+    case Formula::Kind::conjunction:
+      return {{"and", operands()}};
+    case Formula::Kind::disjunction:
+      return {{"or", operands()}};
+    case Formula::Kind::implication:
+      return {{"implies", operands()}};
+    case Formula::Kind::equivalence:
+      return {{"iff", operands()}};
+  }
+  return nullptr;
+}
+
+Formula formula_from_json(const Node& node, const Variables& variables, std::span<const std::string> clocks) {
+  return read(node, variables, clocks, 0);
+}
+
+Json to_json(const Assignment& assignment, const Variables& variables) {
+  return Json::array({variables.name(assignment.variable), variables.value(assignment)});
+}
+
+Assignment assignment_from_json(const Node& node, const Variables& variables) {
+  const auto pair = node.items();
+  if (pair.size() != 2) node.fail("a pair of variable and value");
+  const VariableId id = variable_from_json(pair[0], variables);
+  return {id, value_from_json(pair[1], id, variables)};
+}
+
+Json to_json(Ticks time) { return time.is_infinite() ? Json("inf") : Json(time.count); }
+
+Json to_json(const Origin& origin) { return {{"file", origin.file}, {"line", origin.line}, {"column", origin.column}}; }
+
+Origin origin_from_json(const Node& node) {
+  constexpr std::size_t limit = 1u << 31;
+  return {node.at("file").text(), static_cast<std::uint32_t>(node.at("line").index(limit)),
+          static_cast<std::uint32_t>(node.at("column").index(limit))};
+}
+
+}  // namespace automata

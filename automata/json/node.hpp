@@ -1,0 +1,83 @@
+// A place in a JSON input, with its path: every look-up that fails says where and what was expected.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "automata/error.hpp"
+#include "automata/time.hpp"
+
+namespace automata {
+
+using Json = nlohmann::ordered_json;
+
+/// A JSON value and the path that leads to it. Cheap to copy; refers to the value.
+class Node {
+ public:
+  Node(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw InputError((path_.empty() ? "/" : path_) + ": expected " + expected);
+  }
+  [[nodiscard]] const Json& json() const { return *json_; }
+  [[nodiscard]] bool has(std::string_view key) const { return json_->is_object() && json_->contains(key); }
+  [[nodiscard]] Node at(std::string_view key) const {
+    if (!json_->is_object()) fail("an object");
+    const auto found = json_->find(key);
+    if (found == json_->end()) fail("the key '" + std::string(key) + "'");
+    return {*found, path_ + "/" + std::string(key)};
+  }
+  [[nodiscard]] std::vector<Node> items() const {
+    if (!json_->is_array()) fail("an array");
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < json_->size(); ++i) nodes.emplace_back((*json_)[i], path_ + "/" + std::to_string(i));
+    return nodes;
+  }
+  [[nodiscard]] std::string text() const {
+    if (!json_->is_string()) fail("a string");
+    return json_->get<std::string>();
+  }
+  [[nodiscard]] bool truth() const {
+    if (!json_->is_boolean()) fail("true or false");
+    return json_->get<bool>();
+  }
+  [[nodiscard]] double number() const {
+    if (!json_->is_number() || !std::isfinite(json_->get<double>())) fail("a number");
+    return json_->get<double>();
+  }
+  [[nodiscard]] double probability() const {
+    const double value = number();
+    if (value < 0 || value > 1) fail("a probability, from 0 to 1");
+    return value;
+  }
+  /// A whole number from 0 to `limit` - 1.
+  [[nodiscard]] std::size_t index(std::size_t limit) const {
+    if (!json_->is_number_unsigned() || json_->get<std::uint64_t>() >= limit) {
+      fail(limit == 0 ? "nothing to refer to" : "a whole number below " + std::to_string(limit));
+    }
+    return json_->get<std::size_t>();
+  }
+  [[nodiscard]] std::uint64_t natural() const {
+    if (!json_->is_number_unsigned()) fail("a whole number");
+    return json_->get<std::uint64_t>();
+  }
+  /// Whole nanoseconds, or "inf".
+  [[nodiscard]] Ticks ticks() const {
+    if (json_->is_string() && *json_ == "inf") return Ticks::infinite();
+    if (!json_->is_number_integer() || json_->get<std::int64_t>() < 0 ||
+        (json_->is_number_unsigned() && json_->get<std::uint64_t>() >= std::uint64_t(Ticks::infinite().count))) {
+      fail("a time in whole nanoseconds, or \"inf\"");
+    }
+    return {json_->get<std::int64_t>()};
+  }
+
+ private:
+  const Json* json_;
+  std::string path_;
+};
+
+}  // namespace automata

@@ -1,0 +1,120 @@
+// Control programs as JSON, and back.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "automata/json/document.hpp"
+
+namespace automata {
+namespace {
+
+Json condition_to_json(const Condition& condition, const Program& program) {
+  return {{condition.entailed ? "entailed" : "not_entailed",
+           to_json(condition.constraint, program.variables, program.clocks)}};
+}
+
+Condition condition_from_json(const Node& node, const Program& program) {
+  const bool entailed = node.has("entailed");
+  return {entailed,
+          formula_from_json(node.at(entailed ? "entailed" : "not_entailed"), program.variables, program.clocks)};
+}
+
+Json location_to_json(const Location& location, std::size_t number, const Program& program) {
+  Json json{{"number", number}, {"kind", location.composite ? "composite" : "primitive"}};
+  if (location.parent) json["parent"] = location.parent->value + 1;
+  json["start"] = location.start;
+  if (!location.goal.empty()) {
+    json["goal"] = Json::array();
+    for (const Assignment& goal : location.goal) json["goal"].push_back(to_json(goal, program.variables));
+  }
+  if (location.clock_start) json["clock_start"] = program.clocks[location.clock_start->index()];
+  if (!location.maintenance.is_trivial()) json["maintain"] = condition_to_json(location.maintenance, program);
+  json["arcs"] = Json::array();
+  for (const Arc& arc : location.arcs) {
+    Json item;
+    if (!arc.guard.is_trivial()) item["guard"] = condition_to_json(arc.guard, program);
+    item["target"] = arc.target.value + 1;
+    json["arcs"].push_back(std::move(item));
+  }
+  json["label"] = location.label;
+  json["origin"] = to_json(location.origin);
+  return json;
+}
+
+Location location_from_json(const Node& node, std::size_t position, std::size_t count, const Program& program) {
+  Location location;
+  if (node.at("number").natural() != position + 1) node.at("number").fail(std::to_string(position + 1));
+  const std::string kind = node.at("kind").text();
+  if (kind != "composite" && kind != "primitive") node.at("kind").fail("composite or primitive");
+  location.composite = kind == "composite";
+  if (position == 0 && (node.has("parent") || !location.composite)) node.fail("the program itself, a composite");
+  if (position > 0) {
+    const std::size_t parent = node.at("parent").index(position + 1);
+    if (parent == 0 || !program.locations[parent - 1].composite)
+      node.at("parent").fail("a composite that comes before");
+    location.parent = LocationId(parent - 1);
+  }
+  location.start = node.at("start").truth();
+  if (node.has("goal")) {
+    for (const Node& item : node.at("goal").items()) {
+      location.goal.push_back(assignment_from_json(item, program.variables));
+    }
+  }
+  if (node.has("clock_start")) {
+    const std::string clock = node.at("clock_start").text();
+    const auto at = std::find(program.clocks.begin(), program.clocks.end(), clock);
+    if (at == program.clocks.end()) node.at("clock_start").fail("the name of a clock, not '" + clock + "'");
+    location.clock_start = ClockId(static_cast<std::size_t>(at - program.clocks.begin()));
+  }
+  if (node.has("maintain")) location.maintenance = condition_from_json(node.at("maintain"), program);
+  for (const Node& item : node.at("arcs").items()) {
+    Arc arc;
+    if (item.has("guard")) arc.guard = condition_from_json(item.at("guard"), program);
+    const std::size_t target = item.at("target").index(count + 1);
+    if (target == 0) item.at("target").fail("the number of a location, from 1");
+    arc.target = LocationId(target - 1);
+    location.arcs.push_back(std::move(arc));
+  }
+  location.label = node.at("label").text();
+  location.origin = origin_from_json(node.at("origin"));
+  return location;
+}
+
+}  // namespace
+
+Json to_json(const Program& program) {
+  Json variables = Json::array();
+  for (const Variable& variable : program.variables) {
+    variables.push_back({{"name", variable.name}, {"values", variable.values}});
+  }
+  Json locations = Json::array();
+  for (std::size_t l = 0; l < program.locations.size(); ++l) {
+    locations.push_back(location_to_json(program.locations[l], l + 1, program));
+  }
+  return {{"name", program.name},
+          {"variables", std::move(variables)},
+          {"clocks", program.clocks},
+          {"locations", std::move(locations)}};
+}
+
+Program program_from_json(const Node& node) {
+  Program program;
+  program.name = node.at("name").text();
+  for (const Node& item : node.at("variables").items()) {
+    Variable variable{item.at("name").text(), {}};
+    if (program.variables.find(variable.name)) item.at("name").fail("a name that is new");
+    for (const Node& value : item.at("values").items()) {
+      if (variable.find(value.text())) value.fail("a value that is new");
+      variable.values.push_back(value.text());
+    }
+    program.variables.add(std::move(variable));
+  }
+  for (const Node& item : node.at("clocks").items()) program.clocks.push_back(item.text());
+  const auto locations = node.at("locations").items();
+  if (locations.empty()) node.at("locations").fail("at least one location");
+  for (std::size_t l = 0; l < locations.size(); ++l) {
+    program.locations.push_back(location_from_json(locations[l], l, locations.size(), program));
+  }
+  return program;
+}
+
+}  // namespace automata

@@ -1,0 +1,151 @@
+// Scenarios as JSON, and back.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <utility>
+
+#include "automata/json/document.hpp"
+
+namespace automata {
+namespace {
+
+constexpr std::array<std::pair<Expectation::Kind, const char*>, 3> kinds{{{Expectation::Kind::eventually, "eventually"},
+                                                                          {Expectation::Kind::never, "never"},
+                                                                          {Expectation::Kind::finished, "finished"}}};
+
+Json rule_to_json(const Rule& rule, const Plant& plant) {
+  Json json{{"stream", rule.stream == Rule::Stream::command ? "command" : "estimate"},
+            {"trigger", to_json(rule.trigger, plant.variables)}};
+  if (rule.delay) {
+    json["delay"] = to_json(*rule.delay);
+  } else {
+    json["delay_cycles"] = rule.delay_cycles;
+  }
+  json["reading"] = to_json(rule.reading, plant.variables);
+  json["duration"] = to_json(rule.duration);
+  json["origin"] = to_json(rule.origin);
+  return json;
+}
+
+Rule rule_from_json(const Node& node, const Plant& plant) {
+  Rule rule;
+  const std::string stream = node.at("stream").text();
+  if (stream != "command" && stream != "estimate") node.at("stream").fail("command or estimate");
+  rule.stream = stream == "command" ? Rule::Stream::command : Rule::Stream::estimate;
+  rule.trigger = formula_from_json(node.at("trigger"), plant.variables);
+  if (node.has("delay")) {
+    rule.delay = node.at("delay").ticks();
+  } else {
+    rule.delay_cycles = node.at("delay_cycles").natural();
+  }
+  rule.reading = assignment_from_json(node.at("reading"), plant.variables);
+  rule.duration = node.at("duration").ticks();
+  rule.origin = origin_from_json(node.at("origin"));
+  return rule;
+}
+
+Json expectation_to_json(const Expectation& expectation, const Plant& plant) {
+  Json json;
+  for (const auto& [kind, name] : kinds) {
+    if (kind == expectation.kind) json["kind"] = name;
+  }
+  json["truth"] = expectation.truth;
+  json["condition"] = to_json(expectation.condition, plant.variables);
+  if (expectation.after) json["after"] = to_json(*expectation.after, plant.variables);
+  if (expectation.within) json["within"] = to_json(*expectation.within);
+  json["text"] = expectation.text;
+  json["origin"] = to_json(expectation.origin);
+  return json;
+}
+
+Expectation expectation_from_json(const Node& node, const Plant& plant) {
+  Expectation expectation;
+  const std::string name = node.at("kind").text();
+  bool known = false;
+  for (const auto& [kind, spelling] : kinds) {
+    if (name != spelling) continue;
+    expectation.kind = kind;
+    known = true;
+  }
+  if (!known) node.at("kind").fail("eventually, never or finished");
+  expectation.truth = node.at("truth").truth();
+  expectation.condition = formula_from_json(node.at("condition"), plant.variables);
+  if (node.has("after")) expectation.after = formula_from_json(node.at("after"), plant.variables);
+  if (node.has("within")) expectation.within = node.at("within").ticks();
+  expectation.text = node.at("text").text();
+  expectation.origin = origin_from_json(node.at("origin"));
+  return expectation;
+}
+
+}  // namespace
+
+Json to_json(const Scenario& scenario, const Document& document) {
+  const Plant& plant = document.plants[scenario.plant];
+  Json truth = Json::array();
+  for (const Assignment& a : scenario.truth) truth.push_back(to_json(a, plant.variables));
+  Json forced = Json::array();
+  for (const ForcedMode& f : scenario.forced) {
+    const Assignment mode{plant[f.component].mode, ValueId(f.mode.index())};
+    forced.push_back({{"at", to_json(f.at)}, {"mode", to_json(mode, plant.variables)}, {"origin", to_json(f.origin)}});
+  }
+  Json overrides = Json::array();
+  for (const SensorOverride& o : scenario.overrides) {
+    overrides.push_back({{"at", to_json(o.at)},
+                         {"duration", to_json(o.duration)},
+                         {"reading", to_json(o.reading, plant.variables)},
+                         {"origin", to_json(o.origin)}});
+  }
+  Json rules = Json::array();
+  for (const Rule& rule : scenario.rules) rules.push_back(rule_to_json(rule, plant));
+  Json expectations = Json::array();
+  for (const Expectation& e : scenario.expectations) expectations.push_back(expectation_to_json(e, plant));
+  return {{"name", scenario.name},
+          {"program", scenario.program},
+          {"plant", scenario.plant},
+          {"rules_only", scenario.rules_only},
+          {"cycle", to_json(scenario.cycle)},
+          {"duration", to_json(scenario.duration)},
+          {"seed", scenario.seed},
+          {"truth", std::move(truth)},
+          {"forced", std::move(forced)},
+          {"overrides", std::move(overrides)},
+          {"rules", std::move(rules)},
+          {"expectations", std::move(expectations)},
+          {"origin", to_json(scenario.origin)}};
+}
+
+Scenario scenario_from_json(const Node& node, const Document& document) {
+  Scenario scenario;
+  scenario.name = node.at("name").text();
+  scenario.program = node.at("program").index(document.programs.size());
+  scenario.plant = node.at("plant").index(document.plants.size());
+  const Plant& plant = document.plants[scenario.plant];
+  scenario.rules_only = node.at("rules_only").truth();
+  scenario.cycle = node.at("cycle").ticks();
+  if (scenario.cycle <= Ticks{0} || scenario.cycle.is_infinite()) node.at("cycle").fail("a time above 0");
+  scenario.duration = node.at("duration").ticks();
+  scenario.seed = node.at("seed").natural();
+  const auto mode_of = [&](const Node& item) {
+    const Assignment mode = assignment_from_json(item, plant.variables);
+    if (!plant.component_of(mode.variable)) item.fail("a component and its mode");
+    return mode;
+  };
+  for (const Node& item : node.at("truth").items()) scenario.truth.push_back(mode_of(item));
+  for (const Node& item : node.at("forced").items()) {
+    const Assignment mode = mode_of(item.at("mode"));
+    scenario.forced.push_back({item.at("at").ticks(), *plant.component_of(mode.variable), ModeId(mode.value.index()),
+                               origin_from_json(item.at("origin"))});
+  }
+  for (const Node& item : node.at("overrides").items()) {
+    scenario.overrides.push_back({item.at("at").ticks(), item.at("duration").ticks(),
+                                  assignment_from_json(item.at("reading"), plant.variables),
+                                  origin_from_json(item.at("origin"))});
+  }
+  for (const Node& item : node.at("rules").items()) scenario.rules.push_back(rule_from_json(item, plant));
+  for (const Node& item : node.at("expectations").items()) {
+    scenario.expectations.push_back(expectation_from_json(item, plant));
+  }
+  scenario.origin = origin_from_json(node.at("origin"));
+  return scenario;
+}
+
+}  // namespace automata

@@ -1,0 +1,47 @@
+// CaDiCaL behind the small interface.
+// SPDX-License-Identifier: MIT
+#include "automata/logic/sat.hpp"
+
+#include <cadical.hpp>
+#include <cassert>
+
+namespace automata {
+
+struct Sat::Solver {
+  CaDiCaL::Solver cadical;
+};
+
+namespace {
+constexpr int satisfiable = 10;
+}
+
+Sat::Sat() : solver_(std::make_unique<Solver>()) {
+  // Questions are many and small: simplification between them costs more than it saves.
+  solver_->cadical.set("quiet", 1);
+  solver_->cadical.set("elim", 0);
+  solver_->cadical.set("lucky", 0);
+}
+Sat::~Sat() = default;
+Sat::Sat(Sat&&) noexcept = default;
+Sat& Sat::operator=(Sat&&) noexcept = default;
+
+Literal Sat::fresh() { return ++last_; }
+
+void Sat::add(std::span<const Literal> clause) {
+  for (const Literal literal : clause) solver_->cadical.add(literal);
+  solver_->cadical.add(0);
+}
+
+bool Sat::solve(std::span<const Literal> assumptions) {
+  for (const Literal literal : assumptions) solver_->cadical.assume(literal);
+  ++calls_;
+  const int status = solver_->cadical.solve();
+  assert(status != 0 && "no limit is set, so the solver decides");
+  return status == satisfiable;
+}
+
+bool Sat::failed(Literal assumption) const { return solver_->cadical.failed(assumption); }
+
+bool Sat::value(Literal literal) const { return solver_->cadical.val(literal) > 0; }
+
+}  // namespace automata

@@ -1,0 +1,93 @@
+// Timed concurrent constraint automata: the plant model (thesis 6.1.2, 6.1.3).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/density.hpp"
+#include "automata/ids.hpp"
+#include "automata/logic/formula.hpp"
+#include "automata/logic/variables.hpp"
+#include "automata/origin.hpp"
+
+namespace automata {
+
+/// One mode of a component, with its constraint M(x = v) and reward R(x = v).
+struct Mode {
+  std::string name;
+  bool fault = false;
+  Formula constraint = constant(true);
+  double reward = 0;
+  Origin origin;
+  bool operator==(const Mode&) const = default;
+};
+
+/// How likely, or how heavy, a transition is.
+struct Weight {
+  enum class Kind {
+    none,         ///< nominal only
+    probability,  ///< of a fault: per step, in [0, 1]; of a nominal transition: its share among the enabled ones
+    rate          ///< faults only: per second, at least 0; 1 - exp(-rate * step)
+  };
+  Kind kind = Kind::none;
+  double value = 0;
+  bool operator==(const Weight&) const = default;
+};
+
+/// A transition <v, g, v'>. Into a fault mode it is a fault transition, and has a probability or a rate.
+struct Transition {
+  ModeId from;
+  ModeId to;
+  Formula guard = constant(true);  ///< over attributes
+  std::optional<Timing> timing;
+  Weight weight;
+  /// Transitions of one component with the same branch and source were written as one `-> { a with p, b with q }`:
+  /// timed, they are one risk whose outcome the weights decide.
+  std::uint32_t branch = 0;
+  Origin origin;
+  bool operator==(const Transition&) const = default;
+};
+
+/// A timed constraint automaton. Its mode variable's values are its modes, in order; its clock tells the time since
+/// it entered its mode.
+struct Component {
+  std::string name;  ///< instance path, also the name of the mode variable
+  std::string type;
+  VariableId mode;
+  std::vector<Mode> modes;
+  std::vector<double> initial;  ///< per mode; sums to 1
+  std::vector<Transition> transitions;
+  Origin origin;
+  bool operator==(const Component&) const = default;
+
+  [[nodiscard]] bool is_fault(const Transition& t) const { return modes[t.to.index()].fault; }
+};
+
+/// A control variable with the value it has when nothing is commanded.
+struct Control {
+  VariableId variable;
+  ValueId idle;
+  bool operator==(const Control&) const = default;
+};
+
+/// The plant: components, variables (mode variables and attributes), interconnections Q.
+struct Plant {
+  std::string name;
+  Variables variables;
+  std::vector<Component> components;
+  std::vector<Formula> interconnections;
+  std::vector<Control> controls;        ///< declaration order
+  std::vector<VariableId> observables;  ///< declaration order
+  bool operator==(const Plant&) const = default;
+
+  [[nodiscard]] std::optional<ComponentId> find_component(std::string_view component) const;
+  [[nodiscard]] const Component& operator[](ComponentId id) const { return components[id.index()]; }
+  /// The component whose mode variable this is, if it is one.
+  [[nodiscard]] std::optional<ComponentId> component_of(VariableId variable) const;
+  /// Whether the clock of a component matters in a mode: some transition leaves the mode with time bounds.
+  [[nodiscard]] bool has_timed_exit(ComponentId component, ModeId mode) const;
+};
+
+}  // namespace automata

@@ -1,0 +1,61 @@
+// Timed hierarchical constraint automata: the control program (thesis 5.2.1).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/ids.hpp"
+#include "automata/logic/formula.hpp"
+#include "automata/logic/variables.hpp"
+#include "automata/origin.hpp"
+#include "automata/plant.hpp"
+
+namespace automata {
+
+/// A label or a maintenance constraint: |= c where `entailed`, else the overbar, not |= c.
+struct Condition {
+  bool entailed = true;
+  Formula constraint = constant(true);
+  bool operator==(const Condition&) const = default;
+  [[nodiscard]] bool is_trivial() const { return entailed && constraint.is_true(); }
+};
+
+/// One transition of a location, to one target; several can be taken at once.
+struct Arc {
+  Condition guard;
+  LocationId target;
+  bool operator==(const Arc&) const = default;
+};
+
+/// A location: primitive (it may assert a goal and start clocks) or composite (it holds other locations).
+struct Location {
+  bool composite = false;
+  std::optional<LocationId> parent;  ///< none for location 1, the program itself
+  bool start = false;                ///< one of its parent's start locations
+  std::vector<Assignment> goal;      ///< conjunction of mode assignments; empty means true
+  std::optional<ClockId> clock_start;
+  Condition maintenance;  ///< applies to all that is inside
+  std::vector<Arc> arcs;
+  std::string label;  ///< what it is, for people: `engine = standby`, `when t1 >= 16200 s`, `EntrySequence()`
+  Origin origin;
+  bool operator==(const Location&) const = default;
+};
+
+/// A THCA. Location k (from 0) is printed as k + 1; a child comes after its parent (pre-order of the source).
+/// `variables` holds what the program mentions; `bind` replaces it by a plant's table.
+struct Program {
+  std::string name;
+  Variables variables;
+  std::vector<std::string> clocks;
+  std::vector<Location> locations;
+  bool operator==(const Program&) const = default;
+};
+
+/// The program with its variables and values replaced by the plant's. An atom `x = y` whose right side is no value of
+/// x but a variable of the same domain becomes an equality. Throws InputError naming every variable or value that the
+/// plant lacks, with its source line.
+Program bind(const Program& program, const Plant& plant);
+
+}  // namespace automata

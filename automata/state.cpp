@@ -1,0 +1,62 @@
+// Modes, control actions, observations: conversions.
+// SPDX-License-Identifier: MIT
+#include "automata/state.hpp"
+
+#include <algorithm>
+
+#include "automata/error.hpp"
+
+namespace automata {
+
+ControlAction idle_action(const Plant& plant) {
+  ControlAction action;
+  action.reserve(plant.controls.size());
+  for (const Control& control : plant.controls) action.push_back(control.idle);
+  return action;
+}
+
+std::vector<Assignment> commanded(const Plant& plant, const ControlAction& action) {
+  std::vector<Assignment> off_idle;
+  for (std::size_t i = 0; i < action.size(); ++i) {
+    if (action[i] != plant.controls[i].idle) off_idle.push_back({plant.controls[i].variable, action[i]});
+  }
+  return off_idle;
+}
+
+std::vector<Assignment> assignments_of(const Plant& plant, const ControlAction& action) {
+  std::vector<Assignment> all;
+  all.reserve(action.size());
+  for (std::size_t i = 0; i < action.size(); ++i) all.push_back({plant.controls[i].variable, action[i]});
+  return all;
+}
+
+std::vector<Assignment> assignments_of(const Plant& plant, const Modes& modes) {
+  std::vector<Assignment> all;
+  all.reserve(modes.size());
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    all.push_back({plant.components[i].mode, ValueId(modes[i].index())});
+  }
+  return all;
+}
+
+ControlAction action_from(const Plant& plant, std::span<const Assignment> assignments) {
+  ControlAction action = idle_action(plant);
+  for (const Assignment& a : assignments) {
+    const auto at = std::find_if(plant.controls.begin(), plant.controls.end(),
+                                 [&](const Control& control) { return control.variable == a.variable; });
+    if (at == plant.controls.end()) {
+      throw InputError("'" + plant.variables.name(a.variable) + "' is no control variable of plant '" + plant.name +
+                       "'");
+    }
+    action[static_cast<std::size_t>(at - plant.controls.begin())] = a.value;
+  }
+  return action;
+}
+
+std::size_t ModesHash::operator()(const Modes& modes) const noexcept {
+  std::size_t hash = 0xcbf29ce484222325u;
+  for (const ModeId mode : modes) hash = (hash ^ mode.value) * 0x100000001b3u;
+  return hash;
+}
+
+}  // namespace automata

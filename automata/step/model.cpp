@@ -1,0 +1,19 @@
+// The plant model as a constraint store.
+// SPDX-License-Identifier: MIT
+#include "automata/step/model.hpp"
+
+namespace automata {
+
+Theory model_theory(const Plant& plant) {
+  Theory theory(plant.variables);
+  for (const Formula& q : plant.interconnections) theory.tell(q);
+  for (const Component& component : plant.components) {
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      const Formula& constraint = component.modes[m].constraint;
+      if (!constraint.is_true()) theory.tell_if({component.mode, ValueId(m)}, constraint);
+    }
+  }
+  return theory;
+}
+
+}  // namespace automata

@@ -1,0 +1,92 @@
+// One step of a TCCA: which transitions are enabled and with what probability (semantics 3; thesis Fig. 6-6, 6.2.2).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "automata/logic/theory.hpp"
+#include "automata/plant.hpp"
+#include "automata/state.hpp"
+
+namespace automata {
+
+/// What one component may do in one step: go to `mode` (staying is going to its own mode) with `probability` > 0.
+struct Move {
+  ModeId mode;
+  double probability;
+};
+
+/// The transitions of one component that its mode and the guards allow; time bounds are not looked at yet.
+struct Enabled {
+  std::vector<TransitionId> faults;   ///< guard holds, weight above zero
+  std::vector<TransitionId> untimed;  ///< nominal, without time bounds, weight above zero
+  std::vector<TransitionId> timed;    ///< nominal, with time bounds
+};
+
+/// The step function of a plant. Holds one incremental solver and remembers what it has proved: a question about the
+/// same modes and control action costs a look-up. Not for use from two threads at once. Keeps a reference to the plant.
+class PlantStep {
+ public:
+  explicit PlantStep(const Plant& plant);
+
+  [[nodiscard]] const Plant& plant() const { return plant_; }
+  Theory& theory() { return theory_; }
+
+  /// Whether the store of these modes (Q and the mode constraints) is consistent; else the state is impossible.
+  bool possible(const Modes& modes);
+  /// Per component, what the store of `modes` and the control action enable. The reference lasts until the next call.
+  const std::vector<Enabled>& enabled(const Modes& modes, const ControlAction& action);
+
+  /// What `component` may do in the step that ends at `now`, the step before having ended at `before`: every mode with
+  /// a positive probability, each once, in order of mode; they sum to 1.
+  [[nodiscard]] std::vector<Move> moves(ComponentId component, ModeId mode, const Enabled& enabled, Ticks clock_start,
+                                        Ticks before, Ticks now) const;
+  /// `moves` for every component of a state.
+  std::vector<std::vector<Move>> moves(const SystemState& state, const ControlAction& action, Ticks before, Ticks now);
+
+  /// The probability of going from `state` to exactly `next` (modes, and the clocks that follow from them), before
+  /// the consistency of `next` is looked at.
+  double probability(const SystemState& state, const ControlAction& action, Ticks before, Ticks now, const Modes& next);
+
+  /// The system state after moving to `next` at `now`: a clock restarts when its mode changes.
+  [[nodiscard]] static SystemState advance(const SystemState& state, const Modes& next, Ticks now);
+
+  /// P_O of semantics 4: per observation 1 if the store of `modes` entails it, 0 if it refutes it, 1/m otherwise; 0 if
+  /// store and observations are jointly inconsistent (so also where the state itself is impossible).
+  double observation_factor(const Modes& modes, const Observation& observation);
+  /// Whether store and observations are jointly consistent: the factor without its 1/m.
+  bool explains(const Modes& modes, const Observation& observation);
+
+  /// Per component, the initial moves: modes with positive initial probability.
+  [[nodiscard]] std::vector<std::vector<Move>> initial_moves() const;
+
+ private:
+  const Plant& plant_;
+  Theory theory_;
+  std::vector<std::vector<Theory::Handle>> guards_;  ///< per component, per transition
+
+  struct StateAction {
+    Modes modes;
+    ControlAction action;
+    bool operator==(const StateAction&) const = default;
+  };
+  struct StateActionHash {
+    std::size_t operator()(const StateAction& key) const noexcept;
+  };
+  struct StateObservation {
+    Modes modes;
+    Observation observation;
+    bool operator==(const StateObservation&) const = default;
+  };
+  struct StateObservationHash {
+    std::size_t operator()(const StateObservation& key) const noexcept;
+  };
+  std::unordered_map<Modes, bool, ModesHash> possible_;
+  std::unordered_map<StateAction, std::vector<Enabled>, StateActionHash> enabled_;
+  std::unordered_map<StateObservation, double, StateObservationHash> factors_;
+};
+
+}  // namespace automata

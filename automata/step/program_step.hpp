@@ -1,0 +1,99 @@
+// One step of a THCA: the ten steps of thesis Fig. 5-3 (semantics 2).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "automata/logic/theory.hpp"
+#include "automata/plant.hpp"
+#include "automata/program.hpp"
+#include "automata/state.hpp"
+
+namespace automata {
+
+/// Marked locations, ascending. Empty: the program has ended.
+using Marking = std::vector<LocationId>;
+
+/// What the sequencer knows of the plant at one time: the estimated modes and the observations of that cycle, both as
+/// assignments over the program's variables.
+struct Knowledge {
+  std::vector<Assignment> assignments;
+};
+
+/// Two locations that assert different modes of one component in the same cycle (semantics 2).
+struct GoalConflict {
+  LocationId first, second;
+  Assignment asserted, contradicted;
+};
+
+/// The first half of a cycle, steps 1 to 4 of Fig. 5-3: what is asserted before the plant is acted on.
+struct Asserted {
+  std::vector<Assignment> goal;         ///< the configuration goal, sorted by variable, each once
+  std::vector<GoalConflict> conflicts;  ///< where not empty, the goal is not to be acted on
+};
+
+/// A THCA that is being executed. The second half of a cycle (steps 7 to 10) needs the estimate read back in step 6.
+class ProgramStep {
+ public:
+  /// For a program bound to a plant: entailment by the plant's model. Keeps references to both.
+  ProgramStep(const Program& program, const Plant& plant);
+  /// For the sequencer alone: entailment by the assignments and the domains of the program's own variables.
+  explicit ProgramStep(const Program& program);
+
+  /// m_F of the program; all clocks inactive.
+  void reset();
+  [[nodiscard]] const Marking& marking() const { return marking_; }
+  [[nodiscard]] bool ended() const { return marking_.empty(); }
+
+  /// Steps 1 to 4 at absolute time `now`, with the knowledge at the start of the cycle.
+  const Asserted& begin(const Knowledge& knowledge, Ticks now);
+  /// Steps 7 to 10 with the knowledge read back after the command; advances the marking.
+  void finish(const Knowledge& knowledge);
+
+  /// The readings of the active clocks as of the last `begin`, by `ClockId`; nothing where inactive.
+  [[nodiscard]] const std::vector<std::optional<Ticks>>& clocks() const { return readings_; }
+
+ private:
+  /// A question about a formula without clocks; its answer is remembered while the knowledge stays the same.
+  struct Question {
+    Theory::Handle handle;
+    std::optional<bool> entailed;
+  };
+  /// A condition, compiled: one question, or, where clocks occur, one for each formula that their readings leave.
+  struct Compiled {
+    const Condition* condition;
+    std::optional<std::size_t> question;
+    std::vector<std::pair<Formula, std::size_t>> variants;
+  };
+
+  void initialise();
+  std::size_t question(const Formula& formula);
+  Compiled compile(const Condition& condition);
+  void know(const Knowledge& knowledge);
+  bool entailed(std::size_t question);
+  bool holds(Compiled& condition);
+  void mark_fully(LocationId location, std::vector<bool>& marked) const;
+  [[nodiscard]] bool achieved(LocationId location);
+
+  const Program& program_;
+  Theory theory_;
+  std::vector<std::vector<LocationId>> children_;
+  std::vector<Question> questions_;
+  std::vector<Compiled> maintenance_;          ///< per location
+  std::vector<std::vector<Compiled>> guards_;  ///< per location, per arc
+  std::vector<std::size_t> goals_;             ///< per location: the question of its goal
+  std::vector<Assignment> known_;              ///< the knowledge that the remembered answers are about
+
+  Marking marking_;
+  std::vector<std::optional<Ticks>> started_;
+  std::vector<std::optional<Ticks>> readings_;
+  // Between begin and finish:
+  std::vector<bool> working_;   ///< m(i) after step 2
+  std::vector<bool> violated_;  ///< per location: its own maintenance constraint was violated
+  std::vector<std::optional<Ticks>> next_started_;
+  Asserted asserted_;
+};
+
+}  // namespace automata

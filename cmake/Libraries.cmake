@@ -1,0 +1,34 @@
+# What the house stands on, all from Debian; and the one way a folder becomes a library.
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Threads REQUIRED)
+find_library(CADICAL_LIBRARY cadical REQUIRED)
+find_path(CADICAL_INCLUDE_DIR cadical.hpp REQUIRED)
+add_library(rmpl_cadical INTERFACE)
+target_link_libraries(rmpl_cadical INTERFACE ${CADICAL_LIBRARY})
+target_include_directories(rmpl_cadical SYSTEM INTERFACE ${CADICAL_INCLUDE_DIR})
+
+# rmpl_folder(<name> [links…]): every .cpp below this folder but *_main.cpp, as one static library.
+# A folder sees another only through a link named here; the test `arrows` checks the includes against the links.
+function(rmpl_folder name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
+  if(NOT sources)
+    file(WRITE ${CMAKE_BINARY_DIR}/${name}_empty.cpp "")
+    set(sources ${CMAKE_BINARY_DIR}/${name}_empty.cpp)
+  endif()
+  add_library(${name} STATIC ${sources})
+  target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${ARGN} PRIVATE rmpl_warnings)
+endfunction()
+
+# rmpl_program(<name> <main> <links…>): one command-line program.
+function(rmpl_program name main)
+  if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${main})
+    file(WRITE ${CMAKE_BINARY_DIR}/${name}_empty_main.cpp "int main() {}")
+    set(main ${CMAKE_BINARY_DIR}/${name}_empty_main.cpp)
+  endif()
+  add_executable(${name} ${main})
+  target_link_libraries(${name} PRIVATE ${ARGN} CLI11::CLI11 rmpl_warnings)
+  target_compile_definitions(${name} PRIVATE RMPL_VERSION="${PROJECT_VERSION}")
+endfunction()

@@ -1,0 +1,19 @@
+# Manual pages from their scdoc sources, where scdoc is present.
+include(GNUInstallDirs)
+find_program(SCDOC_PROGRAM scdoc)
+if(SCDOC_PROGRAM)
+  foreach(page rmplc.1 rmpl-run.1 tcca-check.1 rmpl.5 tcca.5)
+    set(source ${CMAKE_SOURCE_DIR}/man/${page}.scd)
+    set(manual ${CMAKE_BINARY_DIR}/man/${page})
+    string(REGEX MATCH "[0-9]$" section ${page})
+    add_custom_command(
+      OUTPUT ${manual}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man
+      COMMAND ${SCDOC_PROGRAM} < ${source} > ${manual}
+      DEPENDS ${source}
+      VERBATIM)
+    list(APPEND manuals ${manual})
+    install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section})
+  endforeach()
+  add_custom_target(man ALL DEPENDS ${manuals})
+endif()

@@ -1,0 +1,59 @@
+// Mode estimation: the interface behind which exact and k-best estimators stand (semantics 4; thesis 6.2).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+
+namespace runtime {
+
+/// One system state with its probability.
+struct BeliefEntry {
+  automata::SystemState state;
+  double probability = 0;
+};
+
+/// Most probable first; ties in order of modes (components, then modes, in declaration order), then of clock starts.
+using Belief = std::vector<BeliefEntry>;
+
+/// What one update gives.
+struct Estimate {
+  automata::Modes modes;      ///< the most likely plant state: summed over clocks; ties to the first in declaration order
+  double probability = 0;     ///< its share of the belief
+  bool consistent = true;     ///< false: no extension explains the observations; the belief is the last one predicted forward
+  bool cut = false;           ///< a limit of time ended the search early
+  std::size_t checked = 0;    ///< candidates checked in this update
+  double missing_mass = 0;    ///< k-best: an upper bound of the probability that was not kept, of the whole before normalisation
+};
+
+struct EstimatorOptions {
+  std::size_t k = 16;                 ///< system states kept by k-best
+  bool merge_trajectories = true;     ///< add up trajectories that meet in one system state; off in `--thesis`
+  bool observation_factor = true;     ///< apply the 1/m of semantics 4; off in `--thesis`
+  bool normalise = true;              ///< off in `--thesis`: Fig. 6-11 returns f(tau) as it is
+  /// Forget the clock of a component while its mode has no timed exit: exact on modes, and states that differ only in
+  /// such clocks become one. The executive sets it; `estimate` keeps all clocks, as Fig. 6-10 does.
+  bool live_clocks_only = false;
+};
+
+/// An estimator starts at time 0 with all clocks 0 and the initial distribution.
+class Estimator {
+ public:
+  virtual ~Estimator() = default;
+  /// The belief after the control action that was in force since the last update and the observations at `now`.
+  virtual const Estimate& update(const automata::ControlAction& action, const automata::Observation& observation,
+                                 automata::Ticks now) = 0;
+  [[nodiscard]] virtual const Belief& belief() const = 0;
+  [[nodiscard]] virtual const Estimate& estimate() const = 0;  ///< of the last update, or of the initial belief
+};
+
+/// BeliefUpdate of Fig. 6-10, with normalisation: the whole belief. The reference; exponential in the components.
+std::unique_ptr<Estimator> make_exact_estimator(automata::PlantStep& step, const EstimatorOptions& options);
+/// TimedME of Fig. 6-11 by conflict-directed A*, with the corrections of semantics 4 as `options` say.
+std::unique_ptr<Estimator> make_k_best_estimator(automata::PlantStep& step, const EstimatorOptions& options);
+
+}  // namespace runtime

@@ -1,0 +1,43 @@
+// Mode reconfiguration: from an estimate and a configuration goal to the next command (semantics 5; thesis 6.3).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "automata/logic/formula.hpp"
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+
+namespace runtime {
+
+/// What reconfiguration answers in one cycle.
+struct Reconfiguration {
+  enum class Outcome {
+    command,         ///< issue `action`
+    wait,            ///< stay idle: a timed transition will do the next thing
+    nothing_to_do,   ///< the estimate is the goal state
+    no_plan          ///< no reachable state entails the goal, or no commands lead there; `reason` says why
+  };
+  Outcome outcome = Outcome::nothing_to_do;
+  automata::ControlAction action;                     ///< idle unless `command`
+  std::optional<automata::Modes> goal_state;          ///< chosen by the goal interpreter
+  std::optional<automata::ComponentId> component;     ///< with `no_plan`: the one to blame, where there is one
+  std::string reason;                                 ///< with `no_plan`: in words
+  bool irreversible = false;                          ///< the command leads where no nominal sequence leads back from
+};
+
+/// A reconfigurer answers for one plant. Answers depend on the arguments alone.
+class Reconfigurer {
+ public:
+  virtual ~Reconfigurer() = default;
+  /// The first control action of a sequence from `modes` to the best reachable state that entails `goal` (over modes
+  /// and attributes; no clock atoms). `true` as goal asks for nothing: the answer is `nothing_to_do`.
+  virtual Reconfiguration next(const automata::Modes& modes, const automata::Formula& goal) = 0;
+};
+
+/// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction.
+std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step);
+
+}  // namespace runtime
