@@ -54,24 +54,23 @@ class Node {
     if (value < 0 || value > 1) fail("a probability, from 0 to 1");
     return value;
   }
+  /// A whole number, at least 0.
+  [[nodiscard]] std::uint64_t natural() const {
+    if (!json_->is_number_integer() || (!json_->is_number_unsigned() && json_->get<std::int64_t>() < 0)) {
+      fail("a whole number");
+    }
+    return json_->get<std::uint64_t>();
+  }
   /// A whole number from 0 to `limit` - 1.
   [[nodiscard]] std::size_t index(std::size_t limit) const {
-    if (!json_->is_number_unsigned() || json_->get<std::uint64_t>() >= limit) {
-      fail(limit == 0 ? "nothing to refer to" : "a whole number below " + std::to_string(limit));
-    }
+    if (natural() >= limit) fail(limit == 0 ? "nothing to refer to" : "a whole number below " + std::to_string(limit));
     return json_->get<std::size_t>();
-  }
-  [[nodiscard]] std::uint64_t natural() const {
-    if (!json_->is_number_unsigned()) fail("a whole number");
-    return json_->get<std::uint64_t>();
   }
   /// Whole nanoseconds, or "inf".
   [[nodiscard]] Ticks ticks() const {
     if (json_->is_string() && *json_ == "inf") return Ticks::infinite();
-    if (!json_->is_number_integer() || json_->get<std::int64_t>() < 0 ||
-        (json_->is_number_unsigned() && json_->get<std::uint64_t>() >= std::uint64_t(Ticks::infinite().count))) {
-      fail("a time in whole nanoseconds, or \"inf\"");
-    }
+    constexpr auto limit = static_cast<std::uint64_t>(Ticks::infinite().count);
+    if (!json_->is_number_integer() || natural() >= limit) fail("a time in whole nanoseconds, or \"inf\"");
     return {json_->get<std::int64_t>()};
   }
 
