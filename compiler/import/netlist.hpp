@@ -1,0 +1,61 @@
+// A combinational circuit as its file gives it: ports, gates, and which net each pin is on.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace compiler {
+
+enum class GateFunction {
+  conjunction,
+  negated_conjunction,
+  disjunction,
+  negated_disjunction,
+  exclusive,
+  negation,
+  buffer
+};
+
+/// A position in `Netlist::nets`.
+using Net = std::size_t;
+
+struct Gate {
+  std::string name;
+  GateFunction function = GateFunction::buffer;
+  std::vector<Net> inputs;
+  Net output = 0;
+};
+
+/// A named port: the outside drives an input, and sees an output.
+struct Port {
+  std::string name;
+  Net net = 0;
+};
+
+struct Netlist {
+  std::string name;
+  std::size_t nets = 0;
+  std::vector<Port> inputs, outputs;
+  std::vector<Gate> gates;
+};
+
+/// Reads a netlist in the `.bench` format of the ISCAS benchmarks. A gate is named by the net that it drives; so is an
+/// output. Throws InputError with file and line.
+Netlist read_bench(std::string_view text, const std::string& file);
+
+/// Reads a system catalogue of the diagnostic competition (DXC, `systemCatalog`): gates with pins `o`, `i1`, `i2` …,
+/// ports, and connections. Throws InputError with the file and what is missing.
+Netlist read_catalogue(std::string_view text, const std::string& file);
+
+enum class FaultModel {
+  weak,   ///< ok or faulty, a faulty gate being unconstrained
+  strong  ///< ok, stuck-at-0, stuck-at-1, unknown, with 0.099, 0.099, 0.002 (livingstone's protocol)
+};
+
+/// The circuit as a plant in the surface language: gates are instances named as in the file, ports are observed.
+std::string to_tcca(const Netlist& netlist, FaultModel faults);
+
+}  // namespace compiler

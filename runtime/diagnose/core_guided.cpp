@@ -1,0 +1,108 @@
+// OLL: cores, totalizers, and the bound made permanent.
+// SPDX-License-Identifier: MIT
+#include "runtime/diagnose/core_guided.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace runtime {
+
+using automata::Literal;
+
+CoreGuided::CoreGuided(automata::Sat& sat, std::span<const Literal> softs)
+    : sat_(sat), active_(softs.begin(), softs.end()) {}
+
+bool CoreGuided::minimise() {
+  while (!sat_.solve(active_)) {
+    std::vector<Literal> core = core_of(active_);
+    if (core.empty()) return false;
+    reduce(core);
+    relax(core);
+  }
+  return true;
+}
+
+std::vector<Literal> CoreGuided::core_of(const std::vector<Literal>& assumptions) const {
+  std::vector<Literal> core;
+  for (const Literal soft : assumptions) {
+    if (sat_.failed(soft)) core.push_back(soft);
+  }
+  return core;
+}
+
+// A smaller core makes a smaller totalizer and a better next bound: first let the solver prove it again from the core
+// alone while that helps, then try each member of a small one.
+void CoreGuided::reduce(std::vector<Literal>& core) {
+  constexpr std::size_t small = 24;
+  for (std::size_t before = core.size() + 1; core.size() < before;) {
+    before = core.size();
+    const bool possible = sat_.solve(core);
+    assert(!possible && "a core is inconsistent");
+    (void)possible;
+    core = core_of(core);
+  }
+  if (core.size() > small) return;
+  for (std::size_t i = 0; i < core.size();) {
+    std::vector<Literal> rest = core;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+    if (sat_.solve(rest)) {
+      ++i;
+    } else {
+      core = core_of(rest);
+      i = 0;
+    }
+  }
+}
+
+void CoreGuided::relax(const std::vector<Literal>& core) {
+  ++cost_;
+  ++cores_;
+  std::vector<Literal> broken;
+  for (const Literal soft : core) {
+    broken.push_back(-soft);
+    active_.erase(std::find(active_.begin(), active_.end(), soft));
+    // A bound that gives way lets one input more hold: the next output of its totalizer takes its place.
+    const auto bound = bounds_.find(soft);
+    if (bound == bounds_.end()) continue;
+    const auto [totalizer, limit] = bound->second;
+    bounds_.erase(bound);
+    if (limit < totalizers_[totalizer].size()) {
+      const Literal next = -totalizers_[totalizer][limit];
+      bounds_.emplace(next, Bound{totalizer, limit + 1});
+      active_.push_back(next);
+    }
+  }
+  sat_.add(broken);
+  if (broken.size() == 1) return;
+  totalizers_.push_back(totalize(broken));
+  const Literal second = -totalizers_.back()[1];
+  bounds_.emplace(second, Bound{totalizers_.size() - 1, 2});
+  active_.push_back(second);
+}
+
+// Only "inputs imply outputs" is needed: an output may hold without cause, but then it breaks a soft literal for
+// nothing.
+std::vector<Literal> CoreGuided::totalize(std::span<const Literal> inputs) {
+  if (inputs.size() == 1) return {inputs[0]};
+  const std::vector<Literal> left = totalize(inputs.first(inputs.size() / 2));
+  const std::vector<Literal> right = totalize(inputs.subspan(inputs.size() / 2));
+  std::vector<Literal> outputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) outputs.push_back(sat_.fresh());
+  for (std::size_t l = 0; l <= left.size(); ++l) {
+    for (std::size_t r = 0; r <= right.size(); ++r) {
+      if (l + r == 0) continue;
+      std::vector<Literal> clause{outputs[l + r - 1]};
+      if (l > 0) clause.push_back(-left[l - 1]);
+      if (r > 0) clause.push_back(-right[r - 1]);
+      sat_.add(clause);
+    }
+  }
+  return outputs;
+}
+
+void CoreGuided::commit() {
+  for (const Literal soft : active_) sat_.add({soft});
+  active_.clear();
+}
+
+}  // namespace runtime

@@ -1,0 +1,51 @@
+// Minimum-cardinality diagnosis by unsatisfiable cores: OLL over an incremental solver.
+//
+// Soft literals say "this component works". While they cannot all hold, a core of them (a conflict in the sense of
+// livingstone) costs one fault, and is relaxed by a totalizer that lets one of its members, and no second, fail
+// (Andres, Kaufmann, Matheis, Schaub 2012). The cost of every model is the bound plus the soft literals that it
+// breaks, so once all hold, the models are exactly the diagnoses of minimum cardinality.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "automata/logic/sat.hpp"
+
+namespace runtime {
+
+class CoreGuided {
+ public:
+  /// `softs`: the literals to keep, each worth one. The solver must outlive this object.
+  CoreGuided(automata::Sat& sat, std::span<const automata::Literal> softs);
+
+  /// Finds the smallest number of soft literals that must be broken; nothing else may be asked before. False where the
+  /// hard clauses alone contradict each other.
+  bool minimise();
+  /// That number. Proved: each core needs one fault more.
+  [[nodiscard]] std::size_t cost() const { return cost_; }
+  /// Makes the bound permanent, so that every further model has minimum cost, and no assumptions are needed.
+  void commit();
+  [[nodiscard]] std::size_t cores() const { return cores_; }
+
+ private:
+  struct Bound {
+    std::size_t totalizer;
+    std::size_t limit;  ///< this soft literal says: fewer than `limit` of the totalizer's inputs hold
+  };
+  std::vector<automata::Literal> core_of(const std::vector<automata::Literal>& assumptions) const;
+  void reduce(std::vector<automata::Literal>& core);
+  void relax(const std::vector<automata::Literal>& core);
+  std::vector<automata::Literal> totalize(std::span<const automata::Literal> inputs);
+
+  automata::Sat& sat_;
+  std::vector<automata::Literal> active_;                   ///< soft literals, in order of birth
+  std::vector<std::vector<automata::Literal>> totalizers_;  ///< outputs: k-th holds if k + 1 inputs do
+  std::map<automata::Literal, Bound> bounds_;               ///< of soft literals that are negated outputs
+  std::size_t cost_ = 0;
+  std::size_t cores_ = 0;
+};
+
+}  // namespace runtime
