@@ -22,7 +22,7 @@ std::optional<ComponentId> Plant::component_of(VariableId variable) const {
 bool Plant::has_timed_exit(ComponentId component, ModeId mode) const {
   const auto& transitions = (*this)[component].transitions;
   return std::any_of(transitions.begin(), transitions.end(),
-                     [&](const Transition& t) { return t.from == mode && t.to != mode && t.timing.has_value(); });
+                     [&](const Transition& t) { return t.from == mode && t.timing.has_value(); });
 }
 
 }  // namespace automata

@@ -86,7 +86,8 @@ struct Plant {
   [[nodiscard]] const Component& operator[](ComponentId id) const { return components[id.index()]; }
   /// The component whose mode variable this is, if it is one.
   [[nodiscard]] std::optional<ComponentId> component_of(VariableId variable) const;
-  /// Whether the clock of a component matters in a mode: some transition leaves the mode with time bounds.
+  /// Whether the clock of a component matters in a mode: some transition out of it, be it to itself, has time bounds
+  /// (one to itself competes with the others).
   [[nodiscard]] bool has_timed_exit(ComponentId component, ModeId mode) const;
 };
 

@@ -1,0 +1,111 @@
+// Scenarios as written (language.md "Scenarios").
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "grammar/ast/constraint.hpp"
+#include "grammar/ast/token.hpp"
+
+namespace grammar {
+
+/// `program "mars_entry.rmpl" main EntrySequence;`
+struct ProgramPart {
+  Span span;
+  String path;
+  std::optional<Name> main;
+};
+
+/// `plant "mars_lander.tcca" rules only;`
+struct PlantPart {
+  Span span;
+  String path;
+  bool rules_only = false;
+};
+
+/// `cycle 0.5 s;`
+struct CyclePart {
+  Span span;
+  Duration period;
+};
+
+/// `duration 6 h;`
+struct DurationPart {
+  Span span;
+  Duration duration;
+};
+
+/// `seed 7;`, a whole number below 2^64.
+struct SeedPart {
+  Span span;
+  std::uint64_t seed = 0;
+};
+
+/// `truth engine = off, lander = connected;`
+struct TruthPart {
+  Span span;
+  std::vector<AssignmentText> modes;
+};
+
+/// `at 16498 s fault lander = unsuccessful-attempt;`
+struct FaultEvent {
+  Span span;
+  Duration at;
+  AssignmentText mode;
+};
+
+/// `at 100 s observe engine.temp = low for 20 s;`
+struct ObserveEvent {
+  Span span;
+  Duration at;
+  AssignmentText reading;
+  std::optional<Duration> duration;
+};
+
+/// `86 cycles`.
+struct Cycles {
+  Span span;
+  std::uint64_t count = 0;
+};
+
+/// `when command engine.cmd = standby after 86 cycles observe engine.temp = nominal for 5 s;`
+struct RuleText {
+  enum class Stream { command, estimate };
+  Span span;
+  Stream stream = Stream::command;
+  Constraint trigger;
+  std::optional<std::variant<Cycles, Duration>> delay;  ///< none: at once
+  AssignmentText reading;
+  std::optional<Duration> duration;
+};
+
+/// `expect [truth] [never] φ [within T] [after ψ];`, `expect finished [within T];`
+struct ExpectText {
+  enum class Kind { eventually, never, finished };
+  Span span;
+  Kind kind = Kind::eventually;
+  bool truth = false;
+  std::optional<Constraint> condition;  ///< none where `finished`
+  std::optional<Constraint> after;
+  std::optional<Duration> within;
+};
+
+using ScenarioItem = std::variant<ProgramPart, PlantPart, CyclePart, DurationPart, SeedPart, TruthPart, FaultEvent,
+                                  ObserveEvent, RuleText, ExpectText>;
+
+/// `scenario "name" { … }`
+struct ScenarioDefinition {
+  Span span;
+  String name;
+  std::vector<ScenarioItem> items;
+};
+
+/// A whole `.scn` file.
+struct ScenarioFile {
+  std::vector<ScenarioDefinition> scenarios;
+};
+
+}  // namespace grammar

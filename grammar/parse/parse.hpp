@@ -1,0 +1,34 @@
+// From text to trees: one function per language.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "grammar/ast/constraint.hpp"
+#include "grammar/ast/plant.hpp"
+#include "grammar/ast/program.hpp"
+#include "grammar/ast/scenario.hpp"
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
+
+namespace grammar {
+
+/// How deep constraints and steps may nest: a limit that keeps every recursive pass far from the end of the stack.
+inline constexpr std::size_t nesting_limit = 400;
+
+// Each parses the whole text of `sources[file]`. Where the text has errors, all of them are reported (of one place only
+// the first, and at most a hundred), and there is no tree: nothing is half accepted. Linear in the length of the text.
+
+std::optional<ProgramFile> parse_program(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+std::optional<PlantFile> parse_plant(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+std::optional<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+
+/// A lone constraint, as on a command line.
+std::optional<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+/// A lone list of assignments, `x = v, y = w` or `x = v & y = w`; an empty text is an empty list.
+std::optional<std::vector<AssignmentText>> parse_assignments(const Sources& sources, std::uint32_t file,
+                                                             Diagnostics& diagnostics);
+
+}  // namespace grammar

@@ -1,0 +1,32 @@
+// Whole `.rmpl` files: imports, definitions, declarations of model programs.
+// SPDX-License-Identifier: MIT
+#include "grammar/parse/rules.hpp"
+
+namespace grammar {
+namespace {
+
+const Rule<struct DefinitionId, Definition> definition{"a definition"};
+const Rule<struct VariableId, VariableDeclaration> variable{"a variable"};
+
+const auto definition_def =
+    record[-set<&Definition::model, true>[Keyword("model") >> &name] >> field<&Definition::name>[name] > open_paren >
+           -comma_list(append<&Definition::parameters>[name]) > named("a parameter, `,` or `)`", close_paren) >
+           defined_as > open_brace > field<&Definition::body>[body] > close_brace];
+
+const auto variable_def = record[Keyword("variable") >> comma_list(append<&VariableDeclaration::names>[name]) > colon >
+                                 domain_reference<&VariableDeclaration::domain>() > semicolon];
+
+constexpr auto items = &ProgramFile::items;
+const auto program_file_def =
+    record[statements_of_file("a definition `Name() :: { … }` or `import`",
+                              append<items>[import] | append<items>[variable] | append<items>[observe] |
+                                  append<items>[control] | append<items>[domain] | append<items>[definition])];
+
+BOOST_SPIRIT_DEFINE(definition, variable)
+
+}  // namespace
+
+BOOST_SPIRIT_DEFINE(program_file)
+BOOST_SPIRIT_INSTANTIATE(decltype(program_file), Iterator, Context)
+
+}  // namespace grammar

@@ -1,0 +1,182 @@
+// The steps of control programs (language.md "Control programs"; thesis 5.1.2).
+// SPDX-License-Identifier: MIT
+#include "grammar/parse/rules.hpp"
+
+namespace grammar {
+namespace {
+
+/// Takes the `maintaining c` that ends a step away from it. The text `do when d donext A maintaining c` binds c to A at
+/// first; the `do` needs it.
+bool detach_maintaining(Step& from, Constraint& condition);
+
+bool detach_from(Step& from, Box<Step>& inner, Constraint& condition) {
+  if (!detach_maintaining(*inner, condition)) return false;
+  from.span.end = inner->span.end;
+  return true;
+}
+
+struct Detach {
+  Step& from;
+  Constraint& condition;
+
+  bool operator()(Maintaining& node) const {
+    if (node.with_do) return take_over(node);
+    condition = std::move(node.condition);
+    Step inner = std::move(*node.step);
+    from = std::move(inner);
+    return true;
+  }
+  bool operator()(If& node) const { return detach_from(from, node.otherwise ? *node.otherwise : node.step, condition); }
+  bool operator()(Unless& node) const { return detach_from(from, node.step, condition); }
+  bool operator()(When& node) const { return detach_from(from, node.step, condition); }
+  bool operator()(Whenever& node) const { return detach_from(from, node.step, condition); }
+  bool operator()(Always& node) const { return detach_from(from, node.step, condition); }
+  bool operator()(Next& node) const { return detach_from(from, node.step, condition); }
+  // These end with something of their own.
+  bool operator()(Goal&) const { return false; }
+  bool operator()(ClockStart&) const { return false; }
+  bool operator()(Call&) const { return false; }
+  bool operator()(Block&) const { return false; }
+  bool operator()(Watching&) const { return false; }
+  bool operator()(Choose&) const { return false; }
+
+ private:
+  /// `do do A maintaining c maintaining d`: the inner `do` took d, but c does for it.
+  [[nodiscard]] bool take_over(Maintaining& node) const {
+    Constraint before;
+    if (!detach_maintaining(*node.step, before)) return false;
+    condition = std::exchange(node.condition, std::move(before));
+    from.span.end = node.condition.span.end;
+    return true;
+  }
+};
+
+bool detach_maintaining(Step& from, Constraint& condition) { return std::visit(Detach{from, condition}, from.node); }
+
+/// `do A watching c`, `do A maintaining c`.
+struct DoStep : x3::parser<DoStep> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+
+  template <class C, class Unused>
+  bool parse(Iterator& first, const Iterator& last, const C& context, Step& target, Unused&) const {
+    ParseState& state = state_of(context);
+    if (!scan_word(first, state, "do")) return false;
+    Step inner;
+    x3::expect[step].parse(first, last, context, x3::unused, inner);
+    Constraint condition;
+    if (scan_word(first, state, "watching")) {
+      x3::expect[constraint].parse(first, last, context, x3::unused, condition);
+      target.node = Watching{std::move(inner), std::move(condition)};
+    } else if (detach_maintaining(inner, condition)) {
+      target.node = Maintaining{std::move(inner), std::move(condition), true};
+    } else {
+      throw x3::expectation_failure<Iterator>(first, "`watching` or `maintaining`");
+    }
+    return true;
+  }
+};
+
+/// A step and any number of `maintaining c` behind it, each around what stands before it.
+template <class Subject>
+struct Maintained : x3::parser<Maintained<Subject>> {
+  using attribute_type = Step;
+  static constexpr bool has_attribute = true;
+  Subject subject;
+  constexpr explicit Maintained(Subject s) : subject(s) {}
+
+  template <class C, class R>
+  bool parse(Iterator& first, const Iterator& last, const C& context, R& unused, Step& all) const {
+    if (!subject.parse(first, last, context, unused, all)) return false;
+    for (std::size_t levels = 1; scan_word(first, state_of(context), "maintaining"); ++levels) {
+      state_of(context).check_depth(first, levels);
+      Constraint condition;
+      x3::expect[constraint].parse(first, last, context, unused, condition);
+      const Span span = join(all.span, condition.span);
+      Step inner = std::move(all);
+      all = Step{span, Maintaining{std::move(inner), std::move(condition), false}};
+    }
+    return true;
+  }
+};
+
+const Rule<struct GoalId, Goal> goal{"a goal"};
+const Rule<struct ClockStartId, ClockStart> clock_start{"a clock start"};
+const Rule<struct ArgumentId, Argument> argument{"an argument"};
+const Rule<struct CallId, Call> call{"a call"};
+const Rule<struct SequenceId, Sequence> sequence{"a step"};
+const Rule<struct BlockId, Block> block{"a block"};
+const Rule<struct IfId, If> if_{"`if`"};
+const Rule<struct UnlessId, Unless> unless{"`unless`"};
+const Rule<struct WhenId, When> when{"`when`"};
+const Rule<struct WheneverId, Whenever> whenever{"`whenever`"};
+const Rule<struct AlwaysId, Always> always{"`always`"};
+const Rule<struct NextId, Next> next{"`next`"};
+const Rule<struct ChoiceId, Choice> choice{"an alternative"};
+const Rule<struct ChooseId, Choose> choose{"`choose`"};
+const Rule<struct SimpleStepId, Step> simple_step{"a step"};
+
+const auto goal_def = record[field<&Goal::constraint>[constraint]];
+
+const auto clock_start_def = record[field<&ClockStart::clock>[name] >> equals >> &number > zero];
+
+const auto argument_def =
+    record[(field<&Argument::node>[name] >> &(comma | close_paren)) | field<&Argument::node>[constraint]];
+
+const auto call_def =
+    record[field<&Call::definition>[name] >> open_paren >>
+           (close_paren | (x3::expect[append<&Call::arguments>[argument]] >>
+                           *(comma > append<&Call::arguments>[argument]) > named("`,` or `)`", close_paren)))];
+
+const auto block_def = record[open_brace > field<&Block::body>[body] > close_brace];
+
+const auto if__def = record[Keyword("if") > field<&If::condition>[constraint] > Keyword("thennext") >
+                            field<&If::step>[step] > -(Keyword("elsenext") > field<&If::otherwise>[step])];
+
+const auto unless_def = record[Keyword("unless") > field<&Unless::condition>[constraint] > Keyword("thennext") >
+                               field<&Unless::step>[step]];
+
+const auto when_def =
+    record[Keyword("when") > field<&When::condition>[constraint] > Keyword("donext") > field<&When::step>[step]];
+
+const auto whenever_def = record[Keyword("whenever") > field<&Whenever::condition>[constraint] > Keyword("donext") >
+                                 field<&Whenever::step>[step]];
+
+const auto always_def = record[Keyword("always") > field<&Always::step>[step]];
+
+const auto next_def = record[Keyword("next") > field<&Next::step>[step]];
+
+const auto choice_def =
+    record[field<&Choice::step>[step] > Keyword("with") > field<&Choice::probability>[signed_number]];
+
+const auto choose_def = record[Keyword("choose") > open_brace > comma_list(append<&Choose::choices>[choice]) >
+                               named("`,` or `}`", close_brace)];
+
+const auto simple_step_def =
+    record[DoStep{} | field<&Step::node>[if_] | field<&Step::node>[unless] | field<&Step::node>[when] |
+           field<&Step::node>[whenever] | field<&Step::node>[always] | field<&Step::node>[next] |
+           field<&Step::node>[choose] | field<&Step::node>[block] | field<&Step::node>[call] |
+           field<&Step::node>[clock_start] | field<&Step::node>[goal]];
+
+const auto step_def = nested[Maintained<decltype(simple_step)>(simple_step)];
+
+// Each step of a sequence recovers by itself, and so does what follows it.
+const auto step_end =
+    recovering<Resume::at_semicolon>[named("`;`, `,` or `}`", &(semicolon | comma | close_brace | end_of_text))];
+const auto slot = recovering<Resume::at_semicolon>[append<&Sequence::steps>[step]] >> step_end;
+
+const auto sequence_def = record[slot >> *(semicolon >> !(close_brace | end_of_text) >> slot)];
+
+const auto body_def =
+    record[append<&Body::threads>[sequence] >> *(comma >> append<&Body::threads>[sequence]) >> -semicolon];
+
+BOOST_SPIRIT_DEFINE(goal, clock_start, argument, call, sequence, block, if_, unless, when, whenever, always, next)
+BOOST_SPIRIT_DEFINE(choice, choose, simple_step)
+
+}  // namespace
+
+BOOST_SPIRIT_DEFINE(step, body)
+BOOST_SPIRIT_INSTANTIATE(decltype(step), Iterator, Context)
+BOOST_SPIRIT_INSTANTIATE(decltype(body), Iterator, Context)
+
+}  // namespace grammar

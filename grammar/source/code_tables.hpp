@@ -1,0 +1,18 @@
+// The registry of codes in parts, one per subject.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "grammar/source/codes.hpp"
+
+namespace grammar {
+
+std::span<const CodeInfo> text_codes();
+std::span<const CodeInfo> name_codes();
+std::span<const CodeInfo> plant_codes();
+std::span<const CodeInfo> program_codes();
+std::span<const CodeInfo> scenario_codes();
+std::span<const CodeInfo> document_codes();
+
+}  // namespace grammar

@@ -1,0 +1,103 @@
+// Every diagnostic has a code, stable for ever; this is the registry of them, which `rmplc explain` prints.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grammar {
+
+/// The number of a code: `RMPL0001` is 1. A number is never given to another meaning. Hundreds group by subject:
+/// 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled documents.
+enum class Code : std::uint16_t {
+  // Text.
+  syntax = 1,
+  invalid_encoding = 2,
+  nesting_too_deep = 3,
+  number_out_of_range = 4,
+  duration_out_of_range = 5,
+  import_not_found = 6,
+  import_cycle = 7,
+  too_many_errors = 8,
+  text_too_long = 9,
+  too_large = 10,
+  // Names and values.
+  unknown_name = 100,
+  duplicate_name = 101,
+  value_outside_domain = 102,
+  different_domains = 103,
+  ambiguous_name = 104,
+  empty_domain = 105,
+  wrong_kind_of_name = 106,
+  // Plants.
+  probability_out_of_range = 200,
+  probabilities_exceed_one = 201,
+  reversed_bounds = 202,
+  density_required = 203,
+  fault_without_probability = 204,
+  foreign_guard = 205,
+  clock_in_plant = 206,
+  no_plant = 207,
+  several_plants = 208,
+  no_instances = 209,
+  instance_cycle = 210,
+  no_modes = 211,
+  weight_not_allowed = 212,
+  density_out_of_range = 213,
+  initial_distribution = 214,
+  no_default = 215,
+  direction = 216,
+  negative_rate = 217,
+  // Control programs.
+  clock_never_started = 300,
+  clock_not_allowed = 301,
+  unguarded_recursion = 302,
+  non_tail_recursion = 303,
+  not_a_mode_goal = 304,
+  wrong_argument_count = 305,
+  ambiguous_entry = 306,
+  no_entry = 307,
+  not_in_plant = 308,
+  wrong_argument = 309,
+  model_program = 310,
+  contradictory_goal = 311,
+  no_program = 312,
+  several_programs = 313,
+  // Scenarios.
+  scenario_missing_part = 400,
+  scenario_repeated_part = 401,
+  scenario_not_a_mode = 402,
+  scenario_not_observable = 403,
+  scenario_not_a_command = 404,
+  scenario_after_end = 405,
+  scenario_finer_than_cycle = 406,
+  // Compiled documents.
+  document_schema = 600,
+};
+
+/// What a code means.
+struct CodeInfo {
+  Code code;
+  std::string_view title;        ///< a few words, lower case
+  std::string_view explanation;  ///< what it means and why it is wrong, in sentences
+  std::string_view wrong;        ///< a shortest input that has it
+  std::string_view right;        ///< the same, put right
+};
+
+/// `RMPL0001`.
+std::string to_string(Code code);
+
+/// The code that a text names: `RMPL0001`, `rmpl0001` or `1`. Nothing where there is no such code.
+std::optional<Code> find_code(std::string_view text);
+
+/// The entry of a code. Every enumerator has one.
+const CodeInfo& info(Code code);
+
+/// All entries, by number.
+std::vector<CodeInfo> all_codes();
+
+}  // namespace grammar

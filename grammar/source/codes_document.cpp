@@ -1,0 +1,21 @@
+// Codes of the registry: compiled documents.
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "grammar/source/code_tables.hpp"
+
+namespace grammar {
+namespace {
+
+constexpr std::array table = {
+    CodeInfo{Code::document_schema, "not a compiled document",
+             "The JSON is not what `rmplc compile` writes: a key is missing, of the wrong type, or names what is not "
+             "there. The message gives the path in the document.",
+             R"({"plants": 3})", R"({"plants": [], "programs": [], "scenarios": []})"},
+};
+
+}  // namespace
+
+std::span<const CodeInfo> document_codes() { return table; }
+
+}  // namespace grammar

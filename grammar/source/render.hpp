@@ -1,0 +1,23 @@
+// Diagnostics for people and for programs.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
+
+namespace grammar {
+
+/// The manner of rustc: a headline with severity and code, the place, the source line with carets under the span, each
+/// note with its own line and carets, the suggestion as `help:`. Long lines are shown through a window around the span,
+/// tabs as four columns. One blank line after each. `color`: with ANSI escapes.
+std::string render_text(std::span<const Diagnostic> diagnostics, const Sources& sources, bool color);
+
+/// A JSON array of {code, severity, file, line, column, end_line, end_column, message, notes[], suggestion}; a note has
+/// the place keys and message; `suggestion` is null where there is none. Lines and columns count from 1, columns in
+/// code points, the end is exclusive. Schema: grammar/schema/diagnostics.schema.json.
+std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& sources);
+
+}  // namespace grammar

@@ -1,0 +1,111 @@
+// Source texts, their lines, and whether they are text at all.
+// SPDX-License-Identifier: MIT
+#include "grammar/source/source_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+
+#include "grammar/source/diagnostic.hpp"
+
+namespace grammar {
+namespace {
+
+constexpr std::size_t longest_text = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t most_encoding_errors = 10;
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::string hexadecimal(char c) {
+  std::array<char, 5> text{};
+  std::snprintf(text.data(), text.size(), "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  return text.data();
+}
+
+}  // namespace
+
+SourceFile::SourceFile(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+  if (text_.size() > longest_text) {
+    text_.resize(longest_text);
+    cut_ = true;
+  }
+  line_starts_.push_back(0);
+  for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
+    line_starts_.push_back(static_cast<std::uint32_t>(at + 1));
+}
+
+std::string_view SourceFile::line(std::uint32_t number) const {
+  const std::size_t begin = line_starts_[number - 1];
+  const std::size_t end = number < line_starts_.size() ? line_starts_[number] - 1 : text_.size();
+  std::string_view line = std::string_view(text_).substr(begin, end - begin);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+Place SourceFile::place(std::uint32_t offset) const {
+  const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  const auto line = static_cast<std::uint32_t>(next - line_starts_.begin());
+  const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(line_starts_[line - 1]);
+  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(offset, text_.size()));
+  const auto before = std::count_if(begin, end, [](char c) { return !is_continuation(c); });
+  return {line, static_cast<std::uint32_t>(before) + 1};
+}
+
+std::uint32_t Sources::add(std::string name, std::string text) {
+  files_.emplace_back(std::move(name), std::move(text));
+  return static_cast<std::uint32_t>(files_.size() - 1);
+}
+
+std::size_t code_point_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return 1;
+  // Table 3-7 of the Unicode standard: the second byte's range keeps out overlong forms, surrogates and what is
+  // beyond U+10FFFF.
+  std::size_t length = 0;
+  unsigned char low = 0x80;
+  unsigned char high = 0xBF;
+  if (lead >= 0xC2 && lead <= 0xDF) {
+    length = 2;
+  } else if (lead >= 0xE0 && lead <= 0xEF) {
+    length = 3;
+    if (lead == 0xE0) low = 0xA0;
+    if (lead == 0xED) high = 0x9F;
+  } else if (lead >= 0xF0 && lead <= 0xF4) {
+    length = 4;
+    if (lead == 0xF0) low = 0x90;
+    if (lead == 0xF4) high = 0x8F;
+  }
+  if (length == 0 || text.size() < length || byte(1) < low || byte(1) > high) return 0;
+  for (std::size_t i = 2; i < length; ++i)
+    if (!is_continuation(text[i])) return 0;
+  return length;
+}
+
+bool check_encoding(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+  const std::string_view text = sources[file].text();
+  std::size_t errors = 0;
+  std::size_t at = 0;
+  while (at < text.size() && errors < most_encoding_errors) {
+    const std::size_t length = text[at] == '\0' ? 0 : code_point_length(text.substr(at));
+    if (length > 0) {
+      at += length;
+      continue;
+    }
+    const std::size_t begin = at;
+    const bool nul = text[at] == '\0';
+    do {
+      ++at;
+    } while (at < text.size() && (nul ? text[at] == '\0' : code_point_length(text.substr(at)) == 0));
+    const Span span{file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at)};
+    diagnostics.error(Code::invalid_encoding, span,
+                      nul ? "NUL byte in the text: UTF-8 text was expected"
+                          : "byte " + hexadecimal(text[begin]) + " is not UTF-8: text in UTF-8 was expected");
+    ++errors;
+  }
+  return errors == 0;
+}
+
+}  // namespace grammar

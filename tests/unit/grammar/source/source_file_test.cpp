@@ -1,0 +1,53 @@
+// Lines, columns and encodings.
+// SPDX-License-Identifier: MIT
+#include "grammar/source/source_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "grammar/source/diagnostic.hpp"
+
+namespace grammar {
+namespace {
+
+TEST(SourceFile, CountsLinesFromOneAndColumnsInCodePoints) {
+  const SourceFile file("f", "a ≥ b\r\n\nlast");
+  EXPECT_EQ(file.line_count(), 3u);
+  EXPECT_EQ(file.line(1), "a ≥ b");
+  EXPECT_EQ(file.line(2), "");
+  EXPECT_EQ(file.line(3), "last");
+  EXPECT_EQ(file.place(0), (Place{1, 1}));
+  EXPECT_EQ(file.place(6), (Place{1, 5}));  // the b, behind two bytes more than columns
+  EXPECT_EQ(file.place(file.line_start(3)), (Place{3, 1}));
+  EXPECT_EQ(file.place(static_cast<std::uint32_t>(file.text().size())), (Place{3, 5}));
+}
+
+TEST(SourceFile, AnEmptyTextHasOneLine) {
+  const SourceFile file("f", "");
+  EXPECT_EQ(file.line_count(), 1u);
+  EXPECT_EQ(file.line(1), "");
+  EXPECT_EQ(file.place(0), (Place{1, 1}));
+}
+
+TEST(Encoding, KnowsWellFormedCodePoints) {
+  EXPECT_EQ(code_point_length("a"), 1u);
+  EXPECT_EQ(code_point_length("é"), 2u);
+  EXPECT_EQ(code_point_length("≥"), 3u);
+  EXPECT_EQ(code_point_length("🚀"), 4u);
+  for (const char* wrong :
+       {"", "\x80", "\xC0\xAF", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x89", "\xFF"})
+    EXPECT_EQ(code_point_length(wrong), 0u) << wrong;
+}
+
+TEST(Encoding, ReportsRunsOfWrongBytesAndNotTooMany) {
+  Sources sources;
+  Diagnostics diagnostics;
+  EXPECT_TRUE(check_encoding(sources, sources.add("good", "≥ fine"), diagnostics));
+  std::string bad;
+  for (int i = 0; i < 50; ++i) bad += "\xFF\xFF ";
+  EXPECT_FALSE(check_encoding(sources, sources.add("bad", bad), diagnostics));
+  EXPECT_EQ(diagnostics.all().size(), 10u);
+  EXPECT_EQ(diagnostics.all()[1].span, (Span{1, 3, 5}));
+}
+
+}  // namespace
+}  // namespace grammar
