@@ -1,0 +1,282 @@
+// Which clocks a program reads before any path can have started them.
+// SPDX-License-Identifier: MIT
+#include "compiler/check/clocks.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "compiler/check/vocabulary.hpp"
+#include "compiler/overloaded.hpp"
+
+namespace compiler {
+
+using grammar::Code;
+using grammar::Span;
+
+namespace {
+
+/// What a step does with clocks: which it reads before it has started them itself, and which it may start. Parameters
+/// count among the names of clocks.
+struct Summary {
+  std::map<std::string, std::vector<Span>> needs;
+  std::set<std::string> starts;
+  std::set<std::string> asks;  ///< parameters that stand for constraints: what their arguments read, the step reads
+};
+
+/// Adds `more`; the larger set stays in place, so that a long way up costs little.
+void merge(Summary& into, Summary more) {
+  if (into.starts.size() < more.starts.size()) std::swap(into.starts, more.starts);
+  into.starts.merge(more.starts);
+  into.asks.merge(more.asks);
+  if (into.needs.size() < more.needs.size()) std::swap(into.needs, more.needs);
+  for (auto& [clock, spans] : more.needs) {
+    auto& known = into.needs[clock];
+    known.insert(known.end(), spans.begin(), spans.end());
+  }
+}
+
+void satisfy(Summary& summary, const std::set<std::string>& started) {
+  std::erase_if(summary.needs, [&](const auto& need) { return started.count(need.first) != 0; });
+}
+
+class Summaries {
+ public:
+  Summaries(const Definitions& definitions, const Recursion& recursion)
+      : definitions_(definitions), recursion_(recursion), summaries_(definitions.all.size()) {
+    for (std::size_t group = 0; group < recursion.members.size(); ++group) close(group);
+  }
+
+  [[nodiscard]] const Summary& operator[](std::size_t definition) const { return summaries_[definition]; }
+
+ private:
+  /// The members of a set of definitions that call each other form a loop: what one starts, another may read later.
+  void close(std::size_t group) {
+    const auto& members = recursion_.members[group];
+    for (const std::size_t d : members) {
+      caller_ = d;
+      Summary whole = body(definitions_.all[d].definition->body);
+      summaries_[d] = std::move(whole);
+    }
+    if (members.size() == 1) return satisfy_own(summaries_[members.front()], recursion_.recursive[group]);
+    Summary all;
+    for (const std::size_t d : members) merge(all, summaries_[d]);
+    satisfy(all, all.starts);
+    std::set<std::string> parameters;
+    for (const std::size_t d : members) {
+      for (const grammar::Name& parameter : definitions_.all[d].definition->parameters)
+        parameters.insert(parameter.text);
+    }
+    satisfy(all, parameters);
+    for (const std::size_t d : members) summaries_[d] = all;
+  }
+
+  static void satisfy_own(Summary& summary, bool recursive) {
+    if (recursive) satisfy(summary, summary.starts);
+  }
+
+  Summary body(const grammar::Body& body) {
+    std::vector<Summary> threads;
+    for (const grammar::Sequence& thread : body.threads) threads.push_back(sequence(thread));
+    // A thread is helped by the starts of every other; its own have been looked at in order.
+    std::map<std::string, std::size_t> starters;
+    for (const Summary& thread : threads) {
+      for (const std::string& clock : thread.starts) ++starters[clock];
+    }
+    Summary result;
+    for (Summary& thread : threads) {
+      std::erase_if(thread.needs, [&](const auto& need) {
+        const auto known = starters.find(need.first);
+        return known != starters.end() && known->second > thread.starts.count(need.first);
+      });
+      merge(result, std::move(thread));
+    }
+    return result;
+  }
+
+  Summary sequence(const grammar::Sequence& sequence) {
+    Summary result;
+    for (const grammar::Step& s : sequence.steps) {
+      Summary next = step(s);
+      satisfy(next, result.starts);
+      merge(result, std::move(next));
+    }
+    return result;
+  }
+
+  Summary guarded(const grammar::Constraint& condition, const grammar::Step& body) {
+    Summary result = reads(condition);
+    merge(result, step(body));
+    return result;
+  }
+
+  static Summary looped(Summary summary) {
+    satisfy(summary, summary.starts);
+    return summary;
+  }
+
+  /// A maintained condition is asked while the body runs, so after what the body starts.
+  Summary around(const grammar::Step& body, const grammar::Constraint& condition) {
+    Summary inner = step(body);
+    Summary asked = reads(condition);
+    satisfy(asked, inner.starts);
+    merge(inner, std::move(asked));
+    return inner;
+  }
+
+  Summary step(const grammar::Step& s) {
+    return std::visit(Overloaded{[](const grammar::Goal&) { return Summary{}; },
+                                 [](const grammar::ClockStart& c) {
+                                   return Summary{{}, {c.clock.text}, {}};
+                                 },
+                                 [&](const grammar::Call& c) { return call(c); },
+                                 [&](const grammar::Block& b) { return body(b.body); },
+                                 [&](const grammar::Watching& w) { return around(*w.step, w.condition); },
+                                 [&](const grammar::Maintaining& m) { return around(*m.step, m.condition); },
+                                 [&](const grammar::If& i) {
+                                   Summary result = guarded(i.condition, *i.step);
+                                   if (i.otherwise) merge(result, step(**i.otherwise));
+                                   return result;
+                                 },
+                                 [&](const grammar::Unless& u) { return guarded(u.condition, *u.step); },
+                                 [&](const grammar::When& w) { return guarded(w.condition, *w.step); },
+                                 [&](const grammar::Whenever& w) { return looped(guarded(w.condition, *w.step)); },
+                                 [&](const grammar::Always& a) { return looped(step(*a.step)); },
+                                 [&](const grammar::Next& n) { return step(*n.step); },
+                                 [&](const grammar::Choose& c) {
+                                   Summary result;
+                                   for (const grammar::Choice& choice : c.choices) merge(result, step(choice.step));
+                                   return result;
+                                 }},
+                      s.node);
+  }
+
+  /// The summary of the callee with arguments for parameters. A call within a loop of definitions adds nothing: `close`
+  /// sees to it.
+  Summary call(const grammar::Call& c) {
+    const auto known = definitions_.by_name.find(c.definition.text);
+    if (known == definitions_.by_name.end()) return {};
+    const grammar::Definition& callee = *definitions_.all[known->second].definition;
+    if (callee.parameters.size() != c.arguments.size()) return {};
+    if (recursion_.group[known->second] == recursion_.group[caller_]) return {};
+    Summary result = summaries_[known->second];
+    result.asks.clear();
+    std::vector<bool> needed;
+    std::vector<bool> started;
+    for (const grammar::Name& parameter : callee.parameters) {
+      needed.push_back(result.needs.erase(parameter.text) != 0);
+      started.push_back(result.starts.erase(parameter.text) != 0);
+    }
+    for (std::size_t a = 0; a < c.arguments.size(); ++a) {
+      const bool asked = summaries_[known->second].asks.count(callee.parameters[a].text) != 0;
+      if (const auto* name = std::get_if<grammar::Name>(&c.arguments[a].node)) {
+        if (started[a]) result.starts.insert(name->text);
+        if (needed[a]) result.needs[name->text].push_back(name->span);
+        if (asked && is_parameter(name->text)) result.asks.insert(name->text);
+      } else if (asked) {
+        merge(result, reads(std::get<grammar::Constraint>(c.arguments[a].node)));
+      }
+    }
+    return result;
+  }
+
+  /// The clocks that a constraint reads.
+  Summary reads(const grammar::Constraint& constraint) {
+    Summary result;
+    collect(constraint, result);
+    return result;
+  }
+
+  void collect(const grammar::Constraint& constraint, Summary& into) {
+    const auto all = [&](const auto& connective) {
+      for (const grammar::Constraint& operand : connective.operands) collect(operand, into);
+    };
+    std::visit(
+        Overloaded{[](const grammar::Truth&) {},
+                   [&](const grammar::Reference& r) {
+                     if (is_parameter(r.name.text)) into.asks.insert(r.name.text);
+                   },
+                   [](const grammar::Comparison&) {}, [](const grammar::Membership&) {},
+                   [&](const grammar::ClockBound& b) { into.needs[b.clock.text].push_back(b.clock.span); },
+                   [&](const grammar::Negation& n) { all(n); }, [&](const grammar::Conjunction& c) { all(c); },
+                   [&](const grammar::Disjunction& d) { all(d); }, [&](const grammar::Implication& i) { all(i); },
+                   [&](const grammar::Equivalence& e) { all(e); }},
+        constraint.node);
+  }
+
+  [[nodiscard]] bool is_parameter(const std::string& name) const {
+    const auto& parameters = definitions_.all[caller_].definition->parameters;
+    return std::any_of(parameters.begin(), parameters.end(), [&](const grammar::Name& p) { return p.text == name; });
+  }
+
+  const Definitions& definitions_;
+  const Recursion& recursion_;
+  std::vector<Summary> summaries_;
+  std::size_t caller_ = 0;
+};
+
+/// The places at which clocks are started, by name; and the names of clocks.
+class Starts {
+ public:
+  explicit Starts(const Definitions& definitions) {
+    for (const Definitions::Entry& entry : definitions.all) body(entry.definition->body);
+  }
+
+  std::map<std::string, Span> first;
+
+ private:
+  void body(const grammar::Body& body) {
+    for (const grammar::Sequence& thread : body.threads) {
+      for (const grammar::Step& s : thread.steps) step(s);
+    }
+  }
+
+  void step(const grammar::Step& s) {
+    std::visit(Overloaded{[](const grammar::Goal&) {}, [](const grammar::Call&) {},
+                          [&](const grammar::ClockStart& c) { first.emplace(c.clock.text, c.clock.span); },
+                          [&](const grammar::Block& b) { body(b.body); },
+                          [&](const grammar::If& i) {
+                            step(*i.step);
+                            if (i.otherwise) step(**i.otherwise);
+                          },
+                          [&](const grammar::Choose& c) {
+                            for (const grammar::Choice& choice : c.choices) step(choice.step);
+                          },
+                          [&](const auto& with_body) { step(*with_body.step); }},
+               s.node);
+  }
+};
+
+}  // namespace
+
+void check_clocks(const Definitions& definitions, const Recursion& recursion, const std::vector<std::size_t>& roots,
+                  grammar::Diagnostics& diagnostics) {
+  const Summaries summaries(definitions, recursion);
+  const Starts starts(definitions);
+  std::vector<std::string> clocks;
+  for (const auto& [clock, span] : starts.first) clocks.push_back(clock);
+  for (const std::size_t root : roots) {
+    const grammar::Definition& definition = *definitions.all[root].definition;
+    for (const auto& [clock, spans] : summaries[root].needs) {
+      const auto is_it = [&, &name = clock](const grammar::Name& parameter) { return parameter.text == name; };
+      if (std::any_of(definition.parameters.begin(), definition.parameters.end(), is_it)) continue;
+      for (const Span span : spans) {
+        const std::size_t before = diagnostics.error_count();
+        const auto start = starts.first.find(clock);
+        auto& error = diagnostics.error(Code::clock_never_started, span,
+                                        "clock " + backquoted(clock) + " is read, but no path " +
+                                            (start == starts.first.end() ? "starts it" : "has started it before"));
+        if (start == starts.first.end()) {
+          suggest(error, before, clock, clocks);
+          if (!error.suggestion) error.suggestion = "start it first, with `" + clock + " = 0`";
+        } else {
+          error.notes.push_back({start->second, backquoted(clock) + " is started here"});
+        }
+      }
+    }
+  }
+}
+
+}  // namespace compiler

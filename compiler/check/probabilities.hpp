@@ -1,0 +1,33 @@
+// Probabilities: each in [0, 1], and together at most 1 wherever they can apply together.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/lower/part.hpp"
+#include "grammar/ast/plant.hpp"
+#include "grammar/ast/token.hpp"
+#include "grammar/source/diagnostic.hpp"
+
+namespace compiler {
+
+/// Sums of written decimals are compared with 1 up to this.
+inline constexpr double probability_tolerance = 1e-9;
+
+/// A number for messages, with at most six significant digits.
+std::string decimal(double value);
+
+/// Whether a written probability is in [0, 1]; reports it where it is not.
+bool check_probability(const grammar::Number& probability, grammar::Diagnostics& diagnostics);
+
+/// Reports `-> { a with p, b with q }` where the probabilities sum above 1.
+void check_branch_sum(const grammar::TransitionText& text, grammar::Diagnostics& diagnostics);
+
+/// Reports each mode of a component type whose fault probabilities sum above 1, and whose guards can hold together
+/// under the mode's constraint: found by proof, so that exclusive guards are no error. `spans` has the place of each
+/// transition, `modes` of each mode.
+void check_fault_sums(const Part& type, const std::vector<grammar::Span>& spans,
+                      const std::vector<grammar::Span>& modes, grammar::Diagnostics& diagnostics);
+
+}  // namespace compiler

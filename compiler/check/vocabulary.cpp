@@ -1,0 +1,44 @@
+// Names in messages: lists of them, and the nearest to a misspelled one.
+// SPDX-License-Identifier: MIT
+#include "compiler/check/vocabulary.hpp"
+
+#include "grammar/source/nearest.hpp"
+
+namespace compiler {
+
+std::optional<grammar::Span> Vocabulary::declaration(automata::VariableId id) const {
+  if (declared == nullptr || id.index() >= declared->size()) return std::nullopt;
+  return (*declared)[id.index()];
+}
+
+std::string backquoted(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+std::string one_of(const std::vector<std::string>& names) {
+  constexpr std::size_t shown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < shown; ++i) {
+    const bool last = i + 1 == names.size();
+    if (i > 0) text += last ? " or " : ", ";
+    text += backquoted(names[i]);
+  }
+  if (names.size() > shown) text += " or one of " + std::to_string(names.size() - shown) + " more";
+  return text;
+}
+
+void suggest(grammar::Diagnostic& diagnostic, std::size_t errors_so_far, std::string_view name,
+             const std::vector<std::string>& candidates) {
+  constexpr std::size_t patience = 50;
+  if (errors_so_far > patience) return;
+  if (const auto near = grammar::nearest(name, candidates))
+    diagnostic.suggestion = "did you mean " + backquoted(*near) + "?";
+}
+
+std::vector<std::string> names_of(const automata::Variables& variables) {
+  std::vector<std::string> names;
+  for (const automata::Variable& variable : variables) {
+    if (!variable.name.empty()) names.push_back(variable.name);
+  }
+  return names;
+}
+
+}  // namespace compiler

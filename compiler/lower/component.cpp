@@ -1,0 +1,214 @@
+// Component types become automata: modes, attributes, transitions.
+// SPDX-License-Identifier: MIT
+#include "compiler/lower/component.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/check/probabilities.hpp"
+#include "compiler/lower/attributes.hpp"
+#include "compiler/lower/initial.hpp"
+#include "compiler/lower/timing.hpp"
+
+namespace compiler {
+
+using automata::ModeId;
+using automata::Transition;
+using automata::Weight;
+using grammar::Code;
+
+namespace {
+
+/// The names of a component type: its own attributes. A name of another component gets an error of its own.
+class ComponentResolver final : public Resolver {
+ public:
+  using Resolver::Resolver;
+
+ protected:
+  void report_unknown(const grammar::Name& name) override {
+    if (name.text.find('.') == std::string::npos) return Resolver::report_unknown(name);
+    auto& error = diagnostics().error(Code::foreign_guard, name.span,
+                                      backquoted(name.text) + " is no attribute of " + vocabulary().owner +
+                                          ", which speaks of its own attributes only");
+    error.suggestion = "declare an input, and connect it in the module or plant that holds the instance";
+  }
+};
+
+Vocabulary vocabulary_of(const Part& part) {
+  return {part.plant.variables, &part.declared, "component " + backquoted(part.plant.name), Code::unknown_name};
+}
+
+std::vector<std::string> mode_names(const automata::Component& component) {
+  std::vector<std::string> names;
+  for (const automata::Mode& mode : component.modes) names.push_back(mode.name);
+  return names;
+}
+
+}  // namespace
+
+Part ComponentLowering::run(const grammar::ComponentDefinition& definition) {
+  part_.plant.name = definition.name.text;
+  automata::Component& automaton = part_.plant.components.emplace_back();
+  automaton.type = definition.name.text;
+  automaton.origin = origin_of(sources_, definition.name.span);
+  declare_modes(definition);
+  declare_attributes(definition);
+  constrain_modes(definition);
+  set_initial(definition);
+  ComponentResolver resolver(vocabulary_of(part_), diagnostics_);
+  for (const grammar::ComponentItem& item : definition.items) {
+    if (const auto* text = std::get_if<grammar::TransitionText>(&item)) add_transitions(*text, resolver);
+  }
+  check_fault_sums(part_, transition_spans_, mode_names_, diagnostics_);
+  return std::move(part_);
+}
+
+void ComponentLowering::declare_modes(const grammar::ComponentDefinition& definition) {
+  Uniqueness names("mode", diagnostics_);
+  automata::Variable variable;
+  for (const grammar::ComponentItem& item : definition.items) {
+    const auto* declaration = std::get_if<grammar::ModeDeclaration>(&item);
+    if (declaration == nullptr || !names.add(declaration->name)) continue;
+    automata::Mode mode;
+    mode.name = declaration->name.text;
+    mode.fault = declaration->fault;
+    mode.reward = declaration->reward ? declaration->reward->value : 0;
+    mode.origin = origin_of(sources_, declaration->name.span);
+    modes_.emplace(mode.name, ModeId(component().modes.size()));
+    variable.values.push_back(mode.name);
+    component().modes.push_back(std::move(mode));
+    mode_names_.push_back(declaration->name.span);
+  }
+  if (component().modes.empty()) {
+    diagnostics_.error(Code::no_modes, definition.name.span,
+                       "component " + backquoted(definition.name.text) + " has no mode, expected at least one");
+  }
+  component().mode = part_.plant.variables.add(std::move(variable));
+  part_.declared.push_back(definition.name.span);
+  // A component costs about as much as eight values, and its modes stand in its domain too.
+  make_room(part_, 8 + 2 * component().modes.size(), definition.name.span, diagnostics_);
+}
+
+void ComponentLowering::declare_attributes(const grammar::ComponentDefinition& definition) {
+  Uniqueness names("attribute", diagnostics_);
+  for (const grammar::ComponentItem& item : definition.items) {
+    if (const auto* declaration = std::get_if<grammar::AttributeDeclaration>(&item)) {
+      declare(part_, *declaration, names, domains_, diagnostics_);
+    }
+  }
+}
+
+void ComponentLowering::constrain_modes(const grammar::ComponentDefinition& definition) {
+  ComponentResolver resolver(vocabulary_of(part_), diagnostics_);
+  std::vector<bool> constrained(component().modes.size(), false);
+  for (const grammar::ComponentItem& item : definition.items) {
+    const auto* declaration = std::get_if<grammar::ModeDeclaration>(&item);
+    if (declaration == nullptr || !declaration->constraint) continue;
+    automata::Formula constraint = resolver.resolve(*declaration->constraint);
+    const std::size_t position = modes_.at(declaration->name.text).index();
+    if (constrained[position]) continue;  // a second mode of this name, reported
+    constrained[position] = true;
+    component().modes[position].constraint = std::move(constraint);
+  }
+}
+
+void ComponentLowering::set_initial(const grammar::ComponentDefinition& definition) {
+  const grammar::Initial* first = nullptr;
+  for (const grammar::ComponentItem& item : definition.items) {
+    const auto* initial = std::get_if<grammar::Initial>(&item);
+    if (initial == nullptr) continue;
+    if (first != nullptr) {
+      auto& error =
+          diagnostics_.error(Code::duplicate_name, initial->span,
+                             "component " + backquoted(definition.name.text) + " has two initial distributions");
+      error.notes.push_back({first->span, "the first is here"});
+      continue;
+    }
+    first = initial;
+    if (auto distribution = initial_distribution(*initial, component(), diagnostics_)) {
+      component().initial = std::move(*distribution);
+    }
+  }
+  if (first == nullptr && !component().modes.empty()) {
+    auto& error = diagnostics_.error(Code::initial_distribution, definition.name.span,
+                                     "component " + backquoted(definition.name.text) + " has no initial mode");
+    error.suggestion = "add `initial " + component().modes.front().name + ";`";
+  }
+}
+
+void ComponentLowering::add_transitions(const grammar::TransitionText& text, Resolver& resolver) {
+  Transition common;
+  common.branch = branches_++;
+  common.origin = origin_of(sources_, text.span);
+  if (text.guard) common.guard = resolver.resolve(*text.guard);
+  if (text.timing) common.timing = timing_of(*text.timing, diagnostics_);
+  if (text.braced) {
+    Uniqueness targets("target", diagnostics_);
+    for (const grammar::Branch& branch : text.branches) targets.add(branch.target);
+    check_branch_sum(text, diagnostics_);
+  }
+  for (const grammar::Branch& branch : text.branches) add_transition(text, branch, common);
+}
+
+void ComponentLowering::add_transition(const grammar::TransitionText& text, const grammar::Branch& branch,
+                                       Transition common) {
+  if (branch.weight) {
+    if (const auto weight = weight_of(*branch.weight, diagnostics_)) common.weight = *weight;
+  }
+  const auto target = mode(branch.target);
+  if (!target) {
+    sources_of(text, ModeId(component().modes.size()));  // for the errors in the sources
+    return;
+  }
+  const bool fault = component().modes[target->index()].fault;
+  if (fault && !branch.weight) {
+    auto& error = diagnostics_.error(
+        Code::fault_without_probability, branch.target.span,
+        "a transition into the fault mode " + backquoted(branch.target.text) + " needs a probability or a rate");
+    error.notes.push_back({mode_names_[target->index()], backquoted(branch.target.text) + " is declared a fault here"});
+    error.suggestion = "add `with 0.001` or `with rate 1e-6 /h`";
+  }
+  if (!fault && branch.weight && std::holds_alternative<grammar::RateWeight>(*branch.weight)) {
+    auto& error = diagnostics_.error(Code::weight_not_allowed, std::get<grammar::RateWeight>(*branch.weight).rate.span,
+                                     "a rate on a transition into " + backquoted(branch.target.text) +
+                                         ", which is no fault mode: rates are of faults only");
+    error.notes.push_back({mode_names_[target->index()], backquoted(branch.target.text) + " is declared here"});
+  }
+  common.to = *target;
+  for (const ModeId source : sources_of(text, *target)) {
+    if (!make_room(part_, 1, branch.span, diagnostics_)) return;
+    Transition transition = common;
+    transition.from = source;
+    component().transitions.push_back(std::move(transition));
+    transition_spans_.push_back(branch.span);
+  }
+}
+
+std::vector<ModeId> ComponentLowering::sources_of(const grammar::TransitionText& text, ModeId target) {
+  std::vector<ModeId> found;
+  if (const auto* named = std::get_if<grammar::NamedSources>(&text.sources.node)) {
+    Uniqueness names("source", diagnostics_);
+    for (const grammar::Name& name : named->modes) {
+      if (!names.add(name)) continue;
+      if (const auto source = mode(name)) found.push_back(*source);
+    }
+    return found;
+  }
+  const bool nominal = std::get<grammar::AnySource>(text.sources.node).nominal;
+  for (std::size_t m = 0; m < component().modes.size(); ++m) {
+    if (ModeId(m) != target && !(nominal && component().modes[m].fault)) found.emplace_back(m);
+  }
+  return found;
+}
+
+std::optional<ModeId> ComponentLowering::mode(const grammar::Name& name) {
+  if (const auto known = modes_.find(name.text); known != modes_.end()) return known->second;
+  const std::size_t before = diagnostics_.error_count();
+  auto& error =
+      diagnostics_.error(Code::unknown_name, name.span,
+                         "component " + backquoted(part_.plant.name) + " has no mode " + backquoted(name.text));
+  suggest(error, before, name.text, mode_names(component()));
+  return std::nullopt;
+}
+
+}  // namespace compiler

@@ -1,0 +1,45 @@
+// A part of a plant: a component type or a module, flattened, with names relative to itself.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "automata/plant.hpp"
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
+#include "grammar/source/span.hpp"
+
+namespace compiler {
+
+/// A plant is its root module as a part. The mode variable and the component of a component type are named "", so that
+/// an instance of it takes the instance's name.
+struct Part {
+  automata::Plant plant;
+  std::vector<grammar::Span> declared;  ///< per variable, where its domain is written; a mode variable's: the type
+  std::size_t size = 0;                 ///< values, modes and transitions: what a copy costs
+};
+
+/// How large a part may become, in values, modes and transitions.
+inline constexpr std::size_t size_limit = 4'000'000;
+
+/// Makes room in a part for so many values, modes and transitions more. Parts multiply (`any` by modes, domains by
+/// attributes, modules within modules): this is where that ends. False where the part is too large; the first time it
+/// is reported at `blame`.
+bool make_room(Part& part, std::size_t more, grammar::Span blame, grammar::Diagnostics& diagnostics);
+
+/// `engine` and `temp` make `engine.temp`; `engine` and nothing make `engine`.
+std::string qualified(std::string_view instance, std::string_view name);
+
+/// Puts a copy of `type` into `whole` under the name of an instance; there must be room. What it brings stays together
+/// and in order, so renaming is adding an offset. The names must be new; see `first_clash`.
+void instantiate(Part& whole, const std::string& instance, const Part& type);
+
+/// The first name of `type` as `instance` that `whole` already has, empty where there is none.
+std::string first_clash(const Part& whole, const std::string& instance, const Part& type);
+
+/// A span as a place in the automata.
+automata::Origin origin_of(const grammar::Sources& sources, grammar::Span span);
+
+}  // namespace compiler

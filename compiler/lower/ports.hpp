@@ -1,0 +1,14 @@
+// What holds a module's instances together: interconnections, control variables, observables.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "compiler/lower/part.hpp"
+#include "grammar/ast/plant.hpp"
+#include "grammar/source/diagnostic.hpp"
+
+namespace compiler {
+
+/// Resolves the interconnections, controls and observables of a module over its ports and instances, and adds them.
+void connect(const grammar::ModuleDefinition& definition, Part& part, grammar::Diagnostics& diagnostics);
+
+}  // namespace compiler

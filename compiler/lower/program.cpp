@@ -1,0 +1,445 @@
+// RMPL becomes THCA: one function a construct, as in thesis Fig. 5-2 and the table of semantics 1.
+//
+// A construct becomes a fragment: the locations where it starts, and its ends, each a location with the guard under
+// which the construct ends there. Sequence joins ends to starts. Locations are numbered as they are made, so each is
+// made before what is inside it or follows from it: pre-order of the source.
+// SPDX-License-Identifier: MIT
+#include "compiler/lower/program.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <deque>
+#include <utility>
+
+#include "compiler/check/vocabulary.hpp"
+#include "compiler/lower/program_resolver.hpp"
+
+namespace compiler {
+
+using automata::Condition;
+using automata::Formula;
+using automata::Location;
+using automata::LocationId;
+using grammar::Code;
+
+namespace {
+
+/// Steps within steps, through calls: recursion stays this far from the end of the stack.
+constexpr std::size_t depth_limit = 600;
+
+/// Locations, arcs and conditions of one program; calls multiply, and this is where it ends.
+constexpr std::size_t size_limit = 1'000'000;
+
+/// One error in a definition comes back with each call of it.
+constexpr std::size_t error_limit = 1000;
+
+/// Where an arc leads, or a fragment starts: a location, or the starts of an expansion that is still open (a tail
+/// call), known when it is closed.
+struct Target {
+  bool expansion = false;
+  std::size_t index = 0;
+};
+
+struct End {
+  LocationId location;
+  Condition guard;
+};
+
+struct Fragment {
+  std::vector<Target> starts;
+  std::vector<End> ends;
+};
+
+/// An arc whose target may still be an expansion.
+struct DraftArc {
+  Condition guard;
+  Target target;
+};
+
+/// One expansion of a definition: the entry, or a call with its arguments.
+struct Expansion {
+  std::size_t definition;
+  std::string arguments;  ///< their text: equal texts are equal arguments
+  std::vector<Target> starts;
+};
+
+class ProgramLowering {
+ public:
+  ProgramLowering(const grammar::Sources& sources, const Definitions& definitions, const Recursion& recursion,
+                  Purpose purpose, const Part* plant, std::vector<bool>& reached, grammar::Diagnostics& diagnostics)
+      : sources_(sources),
+        definitions_(definitions),
+        recursion_(recursion),
+        purpose_(purpose),
+        reached_(reached),
+        diagnostics_(diagnostics),
+        errors_before_(diagnostics.error_count()),
+        resolver_(result_.program, plant, diagnostics) {}
+
+  LoweredProgram run(std::size_t entry) {
+    const grammar::Definition& definition = *definitions_.all[entry].definition;
+    Environment environment;
+    for (const grammar::Name& parameter : definition.parameters)
+      environment.parameters.emplace(parameter.text, Anything{});
+    resolver_.enter(&environment);
+    result_.program.name = definition.name.text;
+    const LocationId program = composite(definition.name.text + "()", definition.name.span, {});
+    expand(entry, "", program);
+    if (result_.complete) connect();
+    return std::move(result_);
+  }
+
+ private:
+  // Locations.
+
+  LocationId location(std::string label, grammar::Span span) {
+    Location made;
+    if (!parents_.empty()) made.parent = parents_.back();
+    made.label = std::move(label);
+    made.origin = origin_of(sources_, span);
+    const LocationId id(locations().size());
+    locations().push_back(std::move(made));
+    arcs_.emplace_back();
+    grow(1, span);
+    return id;
+  }
+
+  LocationId composite(std::string label, grammar::Span span, Condition maintenance) {
+    const LocationId id = location(std::move(label), span);
+    locations()[id.index()].composite = true;
+    locations()[id.index()].maintenance = std::move(maintenance);
+    return id;
+  }
+
+  /// Makes what `make` makes the inside of a composite. What is inside ends with the composite.
+  template <class Make>
+  Fragment inside(LocationId composite, const Make& make) {
+    parents_.push_back(composite);
+    const Fragment inner = make();
+    parents_.pop_back();
+    for (const Target& start : inner.starts) {
+      if (!start.expansion) locations()[start.index].start = true;
+    }
+    return {{{false, composite.index()}}, {{composite, {}}}};
+  }
+
+  void arc(LocationId from, Condition guard, Target target) {
+    arcs_[from.index()].push_back({std::move(guard), target});
+    grow(1, {});
+  }
+
+  void arcs(LocationId from, const Condition& guard, const std::vector<Target>& targets) {
+    for (const Target& target : targets) arc(from, guard, target);
+  }
+
+  /// Counts what is made; beyond the limit it is reported once, and nothing more is made.
+  void grow(std::size_t more, grammar::Span blame) {
+    size_ += more;
+    if (size_ <= size_limit || !result_.complete) return;
+    result_.complete = false;
+    const grammar::Definition& entry = *definitions_.all[expansions_.front().definition].definition;
+    diagnostics_.error(Code::too_large, blame == grammar::Span{} ? entry.name.span : blame,
+                       "program " + backquoted(entry.name.text) + " grows beyond " + std::to_string(size_limit) +
+                           " locations, arcs and conditions");
+  }
+
+  // Conditions.
+
+  Condition condition(const grammar::Constraint& constraint, bool entailed) {
+    constexpr std::size_t bytes_a_unit = 32;
+    grow((constraint.span.end - constraint.span.begin) / bytes_a_unit, constraint.span);
+    return {entailed, resolver_.resolve(constraint)};
+  }
+
+  static Condition opposite(const Condition& condition) { return {!condition.entailed, condition.constraint}; }
+
+  [[nodiscard]] std::string text(const Condition& condition) const {
+    return automata::to_text(condition.constraint, result_.program.variables, result_.program.clocks);
+  }
+
+  // Constructs.
+
+  /// A body: a block of parallel threads, or what is within the only braces. `whole`: it is the whole of a composite.
+  Fragment body(const grammar::Body& body, bool whole) {
+    if (body.threads.size() == 1) return sequence(body.threads.front(), whole);
+    if (whole) return threads(body);
+    const LocationId block = composite("{ … , … }", body.span, {});
+    return inside(block, [&] { return threads(body); });
+  }
+
+  Fragment threads(const grammar::Body& body) {
+    Fragment all;
+    for (const grammar::Sequence& thread : body.threads) {
+      Fragment one = sequence(thread, false);
+      std::move(one.starts.begin(), one.starts.end(), std::back_inserter(all.starts));
+      std::move(one.ends.begin(), one.ends.end(), std::back_inserter(all.ends));
+    }
+    return all;
+  }
+
+  Fragment sequence(const grammar::Sequence& sequence, bool whole) {
+    Fragment all;
+    for (std::size_t s = 0; s < sequence.steps.size(); ++s) {
+      Fragment next = step(sequence.steps[s], whole && sequence.steps.size() == 1);
+      for (const End& end : all.ends) arcs(end.location, end.guard, next.starts);
+      if (s == 0) all.starts = std::move(next.starts);
+      all.ends = std::move(next.ends);
+    }
+    return all;
+  }
+
+  Fragment step(const grammar::Step& s, bool whole) {
+    if (!result_.complete) return {};
+    if (++depth_ > depth_limit) {
+      return abandon(Code::nesting_too_deep, s.span, "steps and calls nest deeper than " + std::to_string(depth_limit));
+    }
+    if (diagnostics_.error_count() - errors_before_ > error_limit) {
+      return abandon(Code::too_many_errors, s.span, "too many errors: the rest is not looked at");
+    }
+    Fragment made = std::visit([&](const auto& node) { return lower(node, s.span, whole); }, s.node);
+    --depth_;
+    return made;
+  }
+
+  Fragment abandon(Code code, grammar::Span span, std::string reason) {
+    diagnostics_.error(code, span, std::move(reason));
+    result_.complete = false;
+    return {};
+  }
+
+  Fragment lower(const grammar::Goal& goal, grammar::Span span, bool) {
+    constexpr std::size_t bytes_a_unit = 32;
+    grow((span.end - span.begin) / bytes_a_unit, span);
+    const auto assignments = resolver_.goal(goal.constraint);
+    const Formula formula = automata::conjunction_of(assignments);
+    const LocationId id = location(automata::to_text(formula, result_.program.variables), span);
+    locations()[id.index()].goal = assignments;
+    return primitive(id);
+  }
+
+  Fragment lower(const grammar::ClockStart& start, grammar::Span span, bool) {
+    const auto clock = resolver_.start(start.clock);
+    const LocationId id = location((clock ? result_.program.clocks[clock->index()] : start.clock.text) + " = 0", span);
+    locations()[id.index()].clock_start = clock;
+    return primitive(id);
+  }
+
+  static Fragment primitive(LocationId id) { return {{{false, id.index()}}, {{id, {}}}}; }
+
+  Fragment lower(const grammar::Block& block, grammar::Span, bool whole) { return body(block.body, whole); }
+
+  Fragment lower(const grammar::Watching& watching, grammar::Span span, bool) {
+    Condition maintained = condition(watching.condition, false);
+    const std::string label = "do … watching " + text(maintained);
+    const LocationId id = composite(label, span, std::move(maintained));
+    return inside(id, [&] { return step(*watching.step, true); });
+  }
+
+  Fragment lower(const grammar::Maintaining& maintaining, grammar::Span span, bool) {
+    Condition maintained = condition(maintaining.condition, true);
+    const std::string label = "do … maintaining " + text(maintained);
+    const LocationId id = composite(label, span, std::move(maintained));
+    return inside(id, [&] { return step(*maintaining.step, true); });
+  }
+
+  /// An empty location with a guarded transition to the starts of A; where the guard fails, the construct ends there.
+  Fragment branch(const char* keyword, Condition guard, const grammar::Step& then, grammar::Span span) {
+    const LocationId id = location(keyword + text(guard), span);
+    Fragment inner = step(then, false);
+    arcs(id, guard, inner.starts);
+    inner.ends.push_back({id, opposite(guard)});
+    return {{{false, id.index()}}, std::move(inner.ends)};
+  }
+
+  Fragment lower(const grammar::If& conditional, grammar::Span span, bool) {
+    Condition guard = condition(conditional.condition, true);
+    if (!conditional.otherwise) return branch("if ", std::move(guard), *conditional.step, span);
+    const LocationId id = location("if " + text(guard), span);
+    Fragment then = step(*conditional.step, false);
+    arcs(id, guard, then.starts);
+    Fragment otherwise = step(**conditional.otherwise, false);
+    arcs(id, opposite(guard), otherwise.starts);
+    std::move(otherwise.ends.begin(), otherwise.ends.end(), std::back_inserter(then.ends));
+    return {{{false, id.index()}}, std::move(then.ends)};
+  }
+
+  Fragment lower(const grammar::Unless& unless, grammar::Span span, bool) {
+    return branch("unless ", condition(unless.condition, false), *unless.step, span);
+  }
+
+  Fragment lower(const grammar::When& when, grammar::Span span, bool) {
+    const Condition guard = condition(when.condition, true);
+    const LocationId id = location("when " + text(guard), span);
+    arc(id, opposite(guard), {false, id.index()});
+    Fragment inner = step(*when.step, false);
+    arcs(id, guard, inner.starts);
+    return {{{false, id.index()}}, std::move(inner.ends)};
+  }
+
+  Fragment lower(const grammar::Whenever& whenever, grammar::Span span, bool) {
+    const Condition guard = condition(whenever.condition, true);
+    const LocationId id = location("whenever " + text(guard), span);
+    arc(id, {}, {false, id.index()});
+    arcs(id, guard, step(*whenever.step, false).starts);
+    return {{{false, id.index()}}, {}};
+  }
+
+  Fragment lower(const grammar::Always& always, grammar::Span span, bool) {
+    const LocationId id = location("always", span);
+    arc(id, {}, {false, id.index()});
+    Fragment inner = step(*always.step, false);
+    arcs(id, {}, inner.starts);
+    inner.starts.insert(inner.starts.begin(), Target{false, id.index()});
+    return {std::move(inner.starts), {}};
+  }
+
+  Fragment lower(const grammar::Next& next, grammar::Span span, bool) {
+    const LocationId id = location("next", span);
+    Fragment inner = step(*next.step, false);
+    arcs(id, {}, inner.starts);
+    return {{{false, id.index()}}, std::move(inner.ends)};
+  }
+
+  /// Reported as belonging in model programs; its steps are looked at for their own errors.
+  Fragment lower(const grammar::Choose& choose, grammar::Span, bool) {
+    for (const grammar::Choice& choice : choose.choices) step(choice.step, false);
+    return {};
+  }
+
+  // Calls.
+
+  Fragment lower(const grammar::Call& call, grammar::Span span, bool) {
+    const auto site = definitions_.callees.find(&call);
+    if (site == definitions_.callees.end() || recursion_.cut.count(&call) != 0) return {};  // an error, reported
+    const std::size_t callee = site->second;
+    if (purpose_ == Purpose::check && reached_[callee] && !is_open(callee)) return {};
+    const Environment* caller = resolver_.environment();
+    Environment& environment = environments_.emplace_back();
+    std::string arguments = pass(call, *definitions_.all[callee].definition, environment);
+    if (const auto open = open_expansion(callee, arguments)) {
+      environments_.pop_back();
+      return {{{true, *open}}, {}};
+    }
+    resolver_.enter(&environment);
+    Fragment made;
+    if (const auto onward = forwarded(callee)) {
+      made = {{{true, *onward}}, {}};
+    } else {
+      const LocationId id = composite(call.definition.text + "(" + arguments + ")", span, {});
+      made = expand(callee, std::move(arguments), id);
+    }
+    resolver_.enter(caller);
+    environments_.pop_back();
+    return made;
+  }
+
+  std::string pass(const grammar::Call& call, const grammar::Definition& callee, Environment& environment) {
+    std::string text;
+    environment.call = &call;
+    for (std::size_t a = 0; a < call.arguments.size(); ++a) {
+      Passed passed = resolver_.pass(call.arguments[a]);
+      if (a > 0) text += ", ";
+      if (const auto* name = std::get_if<grammar::Name>(&passed)) text += name->text;
+      if (const auto* constraint = std::get_if<PassedConstraint>(&passed)) text += constraint->text;
+      if (std::holds_alternative<Anything>(passed)) text += "…";
+      environment.parameters.emplace(callee.parameters[a].text, std::move(passed));
+    }
+    return text;
+  }
+
+  [[nodiscard]] bool is_open(std::size_t definition) const {
+    return std::any_of(open_.begin(), open_.end(),
+                       [&](std::size_t e) { return expansions_[e].definition == definition; });
+  }
+
+  /// The expansion of the same definition with the same arguments that this call is inside of: a tail call leads back
+  /// to its starts.
+  [[nodiscard]] std::optional<std::size_t> open_expansion(std::size_t definition, const std::string& arguments) const {
+    if (!recursion_.recursive[recursion_.group[definition]]) return std::nullopt;
+    for (const std::size_t e : open_) {
+      if (expansions_[e].definition == definition && expansions_[e].arguments == arguments) return e;
+    }
+    return std::nullopt;
+  }
+
+  /// A definition that consists of one call that leads back: a composite for it would have nothing inside, so the call
+  /// leads back directly. The environment in use is that of the definition.
+  std::optional<std::size_t> forwarded(std::size_t definition) {
+    if (!recursion_.recursive[recursion_.group[definition]]) return std::nullopt;
+    const auto& calls = definitions_.all[definition].calls;
+    if (calls.size() != 1 || !calls.front().immediate || !calls.front().not_last.empty()) return std::nullopt;
+    const CallSite& onward = calls.front();
+    if (recursion_.cut.count(onward.call) != 0) return std::nullopt;
+    const Environment* own = resolver_.environment();
+    Environment& environment = environments_.emplace_back();
+    const std::string arguments = pass(*onward.call, *definitions_.all[onward.callee].definition, environment);
+    auto found = open_expansion(onward.callee, arguments);
+    if (!found) {
+      resolver_.enter(&environment);
+      found = forwarded(onward.callee);
+      resolver_.enter(own);
+    }
+    environments_.pop_back();
+    return found;
+  }
+
+  Fragment expand(std::size_t definition, std::string arguments, LocationId composite) {
+    const std::size_t expansion = expansions_.size();
+    expansions_.push_back({definition, std::move(arguments), {}});
+    open_.push_back(expansion);
+    reached_[definition] = true;
+    const Fragment made = inside(composite, [&] {
+      Fragment inner = body(definitions_.all[definition].definition->body, true);
+      expansions_[expansion].starts = inner.starts;
+      return inner;
+    });
+    open_.pop_back();
+    return made;
+  }
+
+  /// The drafts become arcs, now that every expansion knows its starts.
+  void connect() {
+    for (std::size_t l = 0; l < locations().size() && result_.complete; ++l) {
+      for (DraftArc& draft : arcs_[l]) {
+        if (!draft.target.expansion) {
+          locations()[l].arcs.push_back({std::move(draft.guard), LocationId(draft.target.index)});
+          continue;
+        }
+        for (const Target& start : expansions_[draft.target.index].starts) {
+          if (start.expansion) continue;  // only where recursion was reported
+          locations()[l].arcs.push_back({draft.guard, LocationId(start.index)});
+          grow(1, {});
+        }
+      }
+    }
+  }
+
+  std::vector<Location>& locations() { return result_.program.locations; }
+
+  const grammar::Sources& sources_;
+  const Definitions& definitions_;
+  const Recursion& recursion_;
+  const Purpose purpose_;
+  std::vector<bool>& reached_;
+  grammar::Diagnostics& diagnostics_;
+  const std::size_t errors_before_;
+  LoweredProgram result_;
+  ProgramResolver resolver_;
+  std::vector<std::vector<DraftArc>> arcs_;  ///< per location
+  std::vector<LocationId> parents_;          ///< the composites that are open, outermost first
+  std::vector<Expansion> expansions_;
+  std::vector<std::size_t> open_;         ///< expansions, outermost first
+  std::deque<Environment> environments_;  ///< of the open expansions; a deque, for they are referred to
+  std::size_t depth_ = 0;
+  std::size_t size_ = 0;
+};
+
+}  // namespace
+
+LoweredProgram lower_program(const grammar::Sources& sources, const Definitions& definitions,
+                             const Recursion& recursion, std::size_t entry, Purpose purpose, const Part* plant,
+                             std::vector<bool>& reached, grammar::Diagnostics& diagnostics) {
+  return ProgramLowering(sources, definitions, recursion, purpose, plant, reached, diagnostics).run(entry);
+}
+
+}  // namespace compiler

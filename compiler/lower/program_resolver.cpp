@@ -1,0 +1,235 @@
+// Constraints of control programs become conditions and goals.
+// SPDX-License-Identifier: MIT
+#include "compiler/lower/program_resolver.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/lower/timing.hpp"
+
+namespace compiler {
+
+using automata::Assignment;
+using automata::ClockId;
+using automata::Formula;
+using automata::ValueId;
+using automata::VariableId;
+using grammar::Code;
+using grammar::Name;
+
+namespace {
+
+/// Without a plant a program's variables take the values it mentions, up to this many.
+constexpr std::size_t open_domain_limit = 4096;
+
+Vocabulary vocabulary_of(const automata::Program& program, const Part* plant) {
+  if (plant == nullptr) return {program.variables, nullptr, "the program", Code::unknown_name};
+  return {program.variables, &plant->declared, "plant " + backquoted(plant->plant.name), Code::not_in_plant};
+}
+
+automata::Comparison comparison_of(grammar::ClockRelation relation) {
+  switch (relation) {
+    case grammar::ClockRelation::less:
+      return automata::Comparison::less;
+    case grammar::ClockRelation::at_most:
+      return automata::Comparison::at_most;
+    case grammar::ClockRelation::greater:
+      return automata::Comparison::greater;
+    case grammar::ClockRelation::at_least:
+      return automata::Comparison::at_least;
+  }
+  return automata::Comparison::less;
+}
+
+}  // namespace
+
+ProgramResolver::ProgramResolver(automata::Program& program, const Part* plant, grammar::Diagnostics& diagnostics)
+    : Resolver(vocabulary_of(program, plant), diagnostics), program_(program), plant_(plant) {
+  if (plant == nullptr) return;
+  program.variables = plant->plant.variables;
+  for (const automata::Component& component : plant->plant.components) modes_.insert(component.mode);
+}
+
+const Passed* ProgramResolver::passed(const std::string& name) const {
+  if (environment_ == nullptr) return nullptr;
+  const auto known = environment_->parameters.find(name);
+  return known == environment_->parameters.end() ? nullptr : &known->second;
+}
+
+void ProgramResolver::annotate(grammar::Diagnostic& diagnostic) {
+  if (environment_ == nullptr || environment_->call == nullptr || environment_->parameters.empty()) return;
+  diagnostic.notes.push_back({environment_->call->definition.span, "in the expansion of this call"});
+}
+
+std::optional<Name> ProgramResolver::meaning(const Name& name) {
+  const Passed* argument = passed(name.text);
+  if (argument == nullptr) return name;
+  if (const auto* stands_for = std::get_if<Name>(argument)) return *stands_for;
+  if (const auto* constraint = std::get_if<PassedConstraint>(argument)) {
+    auto& error =
+        diagnostics().error(Code::wrong_argument, name.span,
+                            "parameter " + backquoted(name.text) + " stands for a constraint, and a name is needed");
+    error.notes.push_back({constraint->constraint->span, "the argument is here"});
+  }
+  return std::nullopt;
+}
+
+Formula ProgramResolver::reference(const grammar::Reference& reference) {
+  const Passed* argument = passed(reference.name.text);
+  if (argument == nullptr) return Resolver::reference(reference);
+  if (const auto* name = std::get_if<Name>(argument)) {
+    auto& error = diagnostics().error(Code::wrong_argument, reference.name.span,
+                                      "parameter " + backquoted(reference.name.text) + " stands for the name " +
+                                          backquoted(name->text) + ", and a constraint is needed");
+    error.notes.push_back({name->span, "the argument is here"});
+    return automata::constant(true);
+  }
+  if (const auto* constraint = std::get_if<PassedConstraint>(argument)) {
+    const Environment* inner = std::exchange(environment_, constraint->environment);
+    Formula formula = resolve(*constraint->constraint);
+    environment_ = inner;
+    return formula;
+  }
+  return automata::constant(true);
+}
+
+ClockId ProgramResolver::clock_named(const std::string& name) {
+  const auto [known, fresh] = clocks_.emplace(name, ClockId(program_.clocks.size()));
+  if (fresh) program_.clocks.push_back(name);
+  return known->second;
+}
+
+Formula ProgramResolver::clock(const grammar::ClockBound& bound) {
+  const auto name = meaning(bound.clock);
+  const auto ticks = ticks_of(bound.bound, diagnostics());
+  if (!name || !ticks) return automata::constant(true);
+  return automata::clock_bound(clock_named(name->text), comparison_of(bound.relation), *ticks);
+}
+
+std::optional<ClockId> ProgramResolver::start(const Name& name) {
+  const auto meant = meaning(name);
+  if (!meant) return std::nullopt;
+  if (const auto variable = program_.variables.find(meant->text)) {
+    auto& error = diagnostics().error(
+        Code::duplicate_name, meant->span,
+        "clock " + backquoted(meant->text) + " has the name of a variable of " + vocabulary().owner);
+    if (const auto place = vocabulary().declaration(*variable)) {
+      error.notes.push_back({*place, "the domain of the variable is here"});
+    }
+    annotate(error);
+    return std::nullopt;
+  }
+  return clock_named(meant->text);
+}
+
+std::optional<VariableId> ProgramResolver::variable(const Name& name) {
+  if (closed()) return Resolver::variable(name);
+  const auto meant = meaning(name);
+  if (!meant) return std::nullopt;
+  if (const auto known = program_.variables.find(meant->text)) return known;
+  if (clocks_.count(meant->text) != 0) {
+    auto& error = diagnostics().error(Code::wrong_kind_of_name, meant->span,
+                                      backquoted(meant->text) + " is a clock, and a variable is needed");
+    error.suggestion = "compare a clock with <, <=, > or >=";
+    return std::nullopt;
+  }
+  return program_.variables.add({meant->text, {}});
+}
+
+std::optional<ValueId> ProgramResolver::find_value(VariableId id, const std::string& value) {
+  if (closed()) return Resolver::find_value(id, value);
+  auto& values = seen_[id];
+  if (const auto known = values.find(value); known != values.end()) return known->second;
+  if (values.size() == open_domain_limit) return std::nullopt;
+  return values.emplace(value, program_.variables.add_value(id, value)).first->second;
+}
+
+std::vector<Assignment> ProgramResolver::goal(const grammar::Constraint& constraint) {
+  Goals goals;
+  add_goals(constraint, goals);
+  return std::move(goals.list);
+}
+
+void ProgramResolver::add_goals(const grammar::Constraint& constraint, Goals& goals) {
+  if (const auto* truth = std::get_if<grammar::Truth>(&constraint.node)) {
+    if (!truth->value) report_goal(constraint.span, "`false`");
+  } else if (const auto* comparison = std::get_if<grammar::Comparison>(&constraint.node)) {
+    if (!comparison->equal) return report_goal(constraint.span, "`!=`");
+    add_assignment(*comparison, constraint.span, goals);
+  } else if (const auto* conjunction = std::get_if<grammar::Conjunction>(&constraint.node)) {
+    for (const grammar::Constraint& operand : conjunction->operands) add_goals(operand, goals);
+  } else if (const auto* reference = std::get_if<grammar::Reference>(&constraint.node)) {
+    const Passed* argument = passed(reference->name.text);
+    const auto* passed_on = argument == nullptr ? nullptr : std::get_if<PassedConstraint>(argument);
+    if (passed_on == nullptr) {
+      this->reference(*reference);
+      return;
+    }
+    const Environment* inner = std::exchange(environment_, passed_on->environment);
+    add_goals(*passed_on->constraint, goals);
+    environment_ = inner;
+  } else if (std::holds_alternative<grammar::ClockBound>(constraint.node)) {
+    auto& error = diagnostics().error(Code::clock_not_allowed, constraint.span,
+                                      "a clock bound in a goal: no command can achieve it");
+    error.suggestion = "wait for it: `when … donext …`";
+  } else if (std::holds_alternative<grammar::Membership>(constraint.node)) {
+    report_goal(constraint.span, "`in`");
+  } else if (std::holds_alternative<grammar::Negation>(constraint.node)) {
+    report_goal(constraint.span, "a negation");
+  } else if (std::holds_alternative<grammar::Disjunction>(constraint.node)) {
+    report_goal(constraint.span, "a disjunction");
+  } else {
+    report_goal(constraint.span, "an implication");
+  }
+}
+
+void ProgramResolver::report_goal(grammar::Span span, const std::string& found) {
+  auto& error = diagnostics().error(
+      Code::not_a_mode_goal, span,
+      found + " in a goal, expected a conjunction of mode assignments, such as `engine = standby & nav = inertial`");
+  annotate(error);
+}
+
+void ProgramResolver::add_assignment(const grammar::Comparison& comparison, grammar::Span span, Goals& goals) {
+  const auto id = variable(comparison.left);
+  if (!id) return;
+  if (closed() && modes_.count(*id) == 0) {
+    const std::string& name = program_.variables.name(*id);
+    auto& error = diagnostics().error(Code::not_a_mode_goal, comparison.left.span,
+                                      backquoted(name) + " is an attribute, and a goal names the mode of a component");
+    if (const auto place = vocabulary().declaration(*id)) error.notes.push_back({*place, "its domain is here"});
+    const std::string owner = name.substr(0, name.rfind('.'));
+    if (program_.variables.find(owner))
+      error.suggestion = "name the mode of " + backquoted(owner) + " that achieves it";
+    annotate(error);
+    return;
+  }
+  const auto assignment = this->assignment(comparison.left, comparison.right);
+  if (!assignment) return;
+  const auto [first, fresh] = goals.asked.emplace(assignment->variable, assignment->value);
+  if (fresh) {
+    goals.list.push_back(*assignment);
+  } else if (first->second != assignment->value) {
+    auto& error = diagnostics().error(Code::contradictory_goal, span,
+                                      "the goal asks for " + backquoted(program_.variables.name(*id)) + " to be both " +
+                                          backquoted(program_.variables.value({*id, first->second})) + " and " +
+                                          backquoted(program_.variables.value(*assignment)));
+    annotate(error);
+  }
+}
+
+Passed ProgramResolver::pass(const grammar::Argument& argument) {
+  if (const auto* name = std::get_if<Name>(&argument.node)) {
+    const Passed* own = passed(name->text);
+    return own != nullptr ? *own : Passed{*name};
+  }
+  const auto& constraint = std::get<grammar::Constraint>(argument.node);
+  if (const auto* reference = std::get_if<grammar::Reference>(&constraint.node)) {
+    const Passed* own = passed(reference->name.text);
+    return own != nullptr ? *own : Passed{reference->name};
+  }
+  const Formula formula = resolve(constraint);  // which may add a clock: not while its name is asked for
+  return PassedConstraint{&constraint, environment_, to_text(formula, program_.variables, program_.clocks)};
+}
+
+}  // namespace compiler

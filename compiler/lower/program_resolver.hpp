@@ -1,0 +1,65 @@
+// Constraints of control programs: parameters, clocks, goals; checked against a plant, or names as they come.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "automata/program.hpp"
+#include "compiler/check/resolve.hpp"
+#include "compiler/lower/arguments.hpp"
+#include "compiler/lower/part.hpp"
+
+namespace compiler {
+
+/// Fills in the variables and clocks of a program. With a plant, the table is the plant's and every name is checked;
+/// without, the table collects what is mentioned, and `x = y` takes y for a value.
+class ProgramResolver final : public Resolver {
+ public:
+  ProgramResolver(automata::Program& program, const Part* plant, grammar::Diagnostics& diagnostics);
+
+  /// What names stand for from now on. The environment must live as long as it is in use.
+  void enter(const Environment* environment) { environment_ = environment; }
+  [[nodiscard]] const Environment* environment() const { return environment_; }
+
+  /// A conjunction of mode assignments (thesis 5.1.1); `true` is the empty one. What is none is reported.
+  std::vector<automata::Assignment> goal(const grammar::Constraint& constraint);
+  /// The clock that a step starts; nothing where the name is a variable of the plant, and then it has been reported.
+  std::optional<automata::ClockId> start(const grammar::Name& name);
+  /// What a call passes on from here.
+  Passed pass(const grammar::Argument& argument);
+
+  std::optional<automata::VariableId> variable(const grammar::Name& name) override;
+
+ protected:
+  std::optional<grammar::Name> meaning(const grammar::Name& name) override;
+  automata::Formula reference(const grammar::Reference& reference) override;
+  automata::Formula clock(const grammar::ClockBound& bound) override;
+  std::optional<automata::ValueId> find_value(automata::VariableId variable, const std::string& value) override;
+  [[nodiscard]] bool closed() const override { return plant_ != nullptr; }
+  void annotate(grammar::Diagnostic& diagnostic) override;
+
+ private:
+  struct Goals {
+    std::vector<automata::Assignment> list;
+    std::unordered_map<automata::VariableId, automata::ValueId> asked;
+  };
+  void add_goals(const grammar::Constraint& constraint, Goals& goals);
+  void add_assignment(const grammar::Comparison& comparison, grammar::Span span, Goals& goals);
+  void report_goal(grammar::Span span, const std::string& found);
+  [[nodiscard]] const Passed* passed(const std::string& name) const;
+  automata::ClockId clock_named(const std::string& name);
+
+  automata::Program& program_;
+  const Part* plant_;
+  const Environment* environment_ = nullptr;
+  std::unordered_set<automata::VariableId> modes_;  ///< of the plant
+  std::unordered_map<std::string, automata::ClockId> clocks_;
+  /// Without a plant: the values seen so far, so that a mention costs no walk through the domain.
+  std::unordered_map<automata::VariableId, std::unordered_map<std::string, automata::ValueId>> seen_;
+};
+
+}  // namespace compiler

@@ -1,0 +1,282 @@
+// Scenarios: times, events, rules and expectations over a plant.
+// SPDX-License-Identifier: MIT
+#include "compiler/lower/scenario.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "compiler/check/resolve.hpp"
+#include "compiler/lower/timing.hpp"
+#include "compiler/overloaded.hpp"
+
+namespace compiler {
+
+using automata::Assignment;
+using automata::Formula;
+using automata::Ticks;
+using automata::VariableId;
+using grammar::Code;
+
+namespace {
+
+class ScenarioLowering {
+ public:
+  ScenarioLowering(const grammar::Sources& sources, const Part* plant, grammar::Diagnostics& diagnostics)
+      : sources_(sources), plant_(plant), diagnostics_(diagnostics) {
+    if (plant == nullptr) return;
+    const automata::Plant& p = plant->plant;
+    resolver_.emplace(Vocabulary{p.variables, &plant->declared, "plant " + backquoted(p.name), Code::not_in_plant},
+                      diagnostics);
+    for (std::size_t c = 0; c < p.components.size(); ++c) {
+      components_.emplace(p.components[c].mode, automata::ComponentId(c));
+    }
+    observables_.insert(p.observables.begin(), p.observables.end());
+    for (const automata::Control& control : p.controls) controls_.insert(control.variable);
+  }
+
+  automata::Scenario run(const grammar::ScenarioDefinition& definition) {
+    scenario_.name = definition.name.text;
+    scenario_.origin = origin_of(sources_, definition.span);
+    set_frame(definition);
+    for (const grammar::ScenarioItem& item : definition.items) {
+      std::visit([&](const auto& part) { add(part); }, item);
+    }
+    return std::move(scenario_);
+  }
+
+ private:
+  /// Cycle, duration and seed come first: other parts are judged by them.
+  void set_frame(const grammar::ScenarioDefinition& definition) {
+    const grammar::Span* cycle = nullptr;
+    const grammar::Span* duration = nullptr;
+    const grammar::Span* seed = nullptr;
+    for (const grammar::ScenarioItem& item : definition.items) {
+      std::visit(Overloaded{[&](const grammar::CyclePart& part) {
+                              const auto period = ticks_of(part.period, diagnostics_);
+                              if (!once(part.span, cycle, "cycle") || !period) return;
+                              if (*period == Ticks{0}) report_cycle(part.period.span);
+                              scenario_.cycle = *period;
+                            },
+                            [&](const grammar::DurationPart& part) {
+                              const auto length = ticks_of(part.duration, diagnostics_);
+                              if (once(part.span, duration, "duration") && length) scenario_.duration = *length;
+                            },
+                            [&](const grammar::SeedPart& part) {
+                              if (once(part.span, seed, "seed")) scenario_.seed = part.seed;
+                            },
+                            [](const auto&) {}},
+                 item);
+    }
+  }
+
+  bool once(const grammar::Span& span, const grammar::Span*& first, const char* what) {
+    if (first == nullptr) {
+      first = &span;
+      return true;
+    }
+    auto& error = diagnostics_.error(Code::scenario_repeated_part, span, std::string("a second ") + what);
+    error.notes.push_back({*first, "the first is here"});
+    return false;
+  }
+
+  void report_cycle(grammar::Span span) {
+    diagnostics_.error(Code::scenario_finer_than_cycle, span, "a cycle is longer than 0");
+  }
+
+  void add(const grammar::ProgramPart&) {}
+  void add(const grammar::CyclePart&) {}
+  void add(const grammar::DurationPart&) {}
+  void add(const grammar::SeedPart&) {}
+  void add(const grammar::PlantPart& part) { scenario_.rules_only = part.rules_only; }
+
+  void add(const grammar::TruthPart& part) {
+    for (const grammar::AssignmentText& text : part.modes) {
+      const auto mode = mode_of(text);
+      if (!mode) continue;
+      const auto [first, fresh] = truths_.emplace(mode->variable, text.span);
+      if (fresh) {
+        scenario_.truth.push_back(*mode);
+        continue;
+      }
+      auto& error = diagnostics_.error(Code::scenario_repeated_part, text.span,
+                                       "the initial mode of " + backquoted(text.variable.text) + " is given twice");
+      error.notes.push_back({first->second, "the first is here"});
+    }
+  }
+
+  void add(const grammar::FaultEvent& event) {
+    const auto at = time_of(event.at, event.span);
+    const auto mode = mode_of(event.mode);
+    if (!at || !mode) return;
+    scenario_.forced.push_back(
+        {*at, components_.at(mode->variable), automata::ModeId(mode->value.index()), origin_of(sources_, event.span)});
+  }
+
+  void add(const grammar::ObserveEvent& event) {
+    const auto at = time_of(event.at, event.span);
+    const auto length = event.duration ? ticks_of(*event.duration, diagnostics_) : Ticks::infinite();
+    const auto reading = reading_of(event.reading);
+    if (!at || !length || !reading) return;
+    scenario_.overrides.push_back({*at, *length, *reading, origin_of(sources_, event.span)});
+  }
+
+  void add(const grammar::RuleText& text) {
+    const bool command = text.stream == grammar::RuleText::Stream::command;
+    automata::Rule rule;
+    rule.stream = command ? automata::Rule::Stream::command : automata::Rule::Stream::estimate;
+    rule.origin = origin_of(sources_, text.span);
+    if (text.delay) {
+      if (const auto* cycles = std::get_if<grammar::Cycles>(&*text.delay)) rule.delay_cycles = cycles->count;
+      if (const auto* delay = std::get_if<grammar::Duration>(&*text.delay)) rule.delay = ticks_of(*delay, diagnostics_);
+    }
+    const auto length = text.duration ? ticks_of(*text.duration, diagnostics_) : Ticks::infinite();
+    const auto trigger = condition(text.trigger);
+    const auto reading = reading_of(text.reading);
+    if (trigger) check_trigger(*trigger, command, text.trigger.span);
+    if (!length || !trigger || !reading) return;
+    rule.trigger = *trigger;
+    rule.reading = *reading;
+    rule.duration = *length;
+    scenario_.rules.push_back(std::move(rule));
+  }
+
+  void add(const grammar::ExpectText& text) {
+    automata::Expectation expectation;
+    switch (text.kind) {
+      case grammar::ExpectText::Kind::eventually:
+        expectation.kind = automata::Expectation::Kind::eventually;
+        break;
+      case grammar::ExpectText::Kind::never:
+        expectation.kind = automata::Expectation::Kind::never;
+        break;
+      case grammar::ExpectText::Kind::finished:
+        expectation.kind = automata::Expectation::Kind::finished;
+        break;
+    }
+    expectation.truth = text.truth;
+    expectation.origin = origin_of(sources_, text.span);
+    expectation.text = written(text.span);
+    if (text.within) expectation.within = ticks_of(*text.within, diagnostics_);
+    if (text.condition) {
+      if (auto formula = condition(*text.condition)) expectation.condition = std::move(*formula);
+    }
+    if (text.after) expectation.after = condition(*text.after);
+    scenario_.expectations.push_back(std::move(expectation));
+  }
+
+  /// What stands between `expect` and `;`.
+  std::string written(grammar::Span span) {
+    constexpr std::string_view keyword = "expect";
+    constexpr std::string_view space = " \t\r\n";
+    std::string_view text = sources_.text(span);
+    if (text.substr(0, keyword.size()) == keyword) text.remove_prefix(keyword.size());
+    if (!text.empty() && text.back() == ';') text.remove_suffix(1);
+    const auto first = text.find_first_not_of(space);
+    if (first == std::string_view::npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(space) - first + 1));
+  }
+
+  std::optional<Formula> condition(const grammar::Constraint& constraint) {
+    if (!resolver_) return std::nullopt;
+    return resolver_->resolve(constraint);
+  }
+
+  /// A time of an event; one behind the end of the scenario gets a warning, since the event never comes.
+  std::optional<Ticks> time_of(const grammar::Duration& at, grammar::Span event) {
+    const auto ticks = ticks_of(at, diagnostics_);
+    if (ticks && *ticks > scenario_.duration) {
+      diagnostics_.warning(
+          Code::scenario_after_end, event,
+          "the scenario ends after " + automata::format_seconds(scenario_.duration) + " s, before this comes about");
+    }
+    return ticks;
+  }
+
+  std::optional<Assignment> mode_of(const grammar::AssignmentText& text) {
+    if (!resolver_) return std::nullopt;
+    const auto mode = resolver_->assignment(text.variable, text.value);
+    if (!mode || components_.count(mode->variable) != 0) return mode;
+    auto& error = diagnostics_.error(Code::scenario_not_a_mode, text.variable.span,
+                                     backquoted(text.variable.text) + " is an attribute, expected a component");
+    note_domain(error, mode->variable);
+    return std::nullopt;
+  }
+
+  std::optional<Assignment> reading_of(const grammar::AssignmentText& text) {
+    if (!resolver_) return std::nullopt;
+    const auto reading = resolver_->assignment(text.variable, text.value);
+    if (!reading || observables_.count(reading->variable) != 0) return reading;
+    std::vector<std::string> names;
+    for (const VariableId id : plant_->plant.observables) names.push_back(plant_->plant.variables.name(id));
+    auto& error = diagnostics_.error(
+        Code::scenario_not_observable, text.variable.span,
+        backquoted(text.variable.text) + " is not observable" + (names.empty() ? "" : ", expected " + one_of(names)));
+    error.suggestion = "declare it in the plant: `observe " + text.variable.text + ";`";
+    return std::nullopt;
+  }
+
+  /// A command is judged by control variables, an estimate by modes.
+  void check_trigger(const Formula& trigger, bool command, grammar::Span span) {
+    for (const VariableId id : automata::variables_of(trigger)) {
+      if (command ? controls_.count(id) != 0 : components_.count(id) != 0) continue;
+      auto& error = diagnostics_.error(command ? Code::scenario_not_a_command : Code::scenario_not_a_mode, span,
+                                       backquoted(plant_->plant.variables.name(id)) + " is no " +
+                                           (command ? "control variable" : "component") + " of plant " +
+                                           backquoted(plant_->plant.name));
+      note_domain(error, id);
+    }
+  }
+
+  void note_domain(grammar::Diagnostic& error, VariableId id) {
+    if (id.index() < plant_->declared.size())
+      error.notes.push_back({plant_->declared[id.index()], "its domain is here"});
+  }
+
+  const grammar::Sources& sources_;
+  const Part* plant_;
+  grammar::Diagnostics& diagnostics_;
+  std::optional<Resolver> resolver_;
+  automata::Scenario scenario_;
+  std::unordered_map<VariableId, automata::ComponentId> components_;  ///< by mode variable
+  std::unordered_set<VariableId> observables_;
+  std::unordered_set<VariableId> controls_;
+  std::unordered_map<VariableId, grammar::Span> truths_;  ///< initial modes that are given, and where
+};
+
+}  // namespace
+
+ScenarioFiles files_of(const grammar::ScenarioDefinition& definition, grammar::Diagnostics& diagnostics) {
+  ScenarioFiles files;
+  const auto take = [&](const auto& part, auto& place, const char* what) {
+    if (place == nullptr) {
+      place = &part;
+      return;
+    }
+    auto& error = diagnostics.error(Code::scenario_repeated_part, part.span, std::string("a second ") + what);
+    error.notes.push_back({place->span, "the first is here"});
+  };
+  for (const grammar::ScenarioItem& item : definition.items) {
+    if (const auto* program = std::get_if<grammar::ProgramPart>(&item)) take(*program, files.program, "program");
+    if (const auto* plant = std::get_if<grammar::PlantPart>(&item)) take(*plant, files.plant, "plant");
+  }
+  const auto require = [&](const void* part, const std::string& what, const std::string& fix) {
+    if (part != nullptr) return;
+    auto& error = diagnostics.error(Code::scenario_missing_part, definition.name.span,
+                                    "scenario \"" + definition.name.text + "\" names no " + what);
+    error.suggestion = "add " + fix;
+  };
+  require(files.program, "program", "`program \"….rmpl\";`");
+  require(files.plant, "plant", "`plant \"….tcca\";`");
+  return files;
+}
+
+automata::Scenario lower_scenario(const grammar::Sources& sources, const grammar::ScenarioDefinition& definition,
+                                  const Part* plant, grammar::Diagnostics& diagnostics) {
+  return ScenarioLowering(sources, plant, diagnostics).run(definition);
+}
+
+}  // namespace compiler

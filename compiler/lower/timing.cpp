@@ -1,0 +1,99 @@
+// Time bounds, densities and weights, checked.
+// SPDX-License-Identifier: MIT
+#include "compiler/lower/timing.hpp"
+
+#include "compiler/check/probabilities.hpp"
+#include "compiler/check/vocabulary.hpp"
+
+namespace compiler {
+
+using automata::Density;
+using automata::Ticks;
+using automata::Timing;
+using automata::Weight;
+using grammar::Code;
+
+namespace {
+
+std::optional<Density> density_of(const grammar::DensityText& text, grammar::Diagnostics& diagnostics) {
+  std::vector<Ticks> parameters;
+  for (const grammar::Duration& duration : text.parameters) {
+    const auto ticks = ticks_of(duration, diagnostics);
+    if (!ticks) return std::nullopt;
+    parameters.push_back(*ticks);
+  }
+  const auto positive = [&](std::size_t parameter, const char* what) {
+    if (parameters[parameter] > Ticks{0}) return true;
+    diagnostics.error(Code::density_out_of_range, text.parameters[parameter].span,
+                      std::string("the ") + what + " of a density is above 0");
+    return false;
+  };
+  switch (text.kind) {
+    case grammar::DensityKind::uniform:
+      return Density{};
+    case grammar::DensityKind::exponential:
+      if (!positive(0, "mean")) return std::nullopt;
+      return Density{Density::Kind::exponential, parameters[0].seconds(), 0};
+    case grammar::DensityKind::normal:
+      if (!positive(1, "standard deviation")) return std::nullopt;
+      return Density{Density::Kind::normal, parameters[0].seconds(), parameters[1].seconds()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Ticks> ticks_of(const grammar::Duration& duration, grammar::Diagnostics& diagnostics) {
+  const auto ticks = automata::parse_duration(duration.text());
+  if (!ticks) {
+    diagnostics.error(Code::duration_out_of_range, duration.span,
+                      backquoted(duration.text()) + " is finer than a nanosecond or longer than 292 years");
+  }
+  return ticks;
+}
+
+std::optional<Timing> timing_of(const grammar::TimingText& text, grammar::Diagnostics& diagnostics) {
+  const auto lower = ticks_of(text.lower, diagnostics);
+  const auto upper = text.after ? lower : ticks_of(text.upper, diagnostics);
+  const auto density = text.density ? density_of(*text.density, diagnostics) : Density{};
+  if (!lower || !upper || !density) return std::nullopt;
+  if (*lower > *upper) {
+    auto& error = diagnostics.error(Code::reversed_bounds, join(text.lower.span, text.upper.span),
+                                    "the lower time bound " + automata::format_seconds(*lower) +
+                                        " s is above the upper one, " + automata::format_seconds(*upper) + " s");
+    error.suggestion = "exchange the bounds";
+    return std::nullopt;
+  }
+  if (lower->is_infinite()) {
+    diagnostics.error(Code::duration_out_of_range, text.lower.span, "the lower time bound is finite");
+    return std::nullopt;
+  }
+  if (upper->is_infinite() && density->kind == Density::Kind::uniform) {
+    auto& error = diagnostics.error(Code::density_required, text.span,
+                                    "an infinite upper bound needs a density: a uniform one has no end");
+    error.suggestion = "add `~ exponential(mean)` or `~ normal(mean, deviation)`";
+    return std::nullopt;
+  }
+  return Timing{*lower, *upper, *density};
+}
+
+std::optional<Weight> weight_of(const grammar::WeightText& text, grammar::Diagnostics& diagnostics) {
+  if (const auto* weight = std::get_if<grammar::ProbabilityWeight>(&text)) {
+    if (!check_probability(weight->probability, diagnostics)) return std::nullopt;
+    return Weight{Weight::Kind::probability, weight->probability.value};
+  }
+  const auto& rate = std::get<grammar::RateWeight>(text);
+  if (rate.rate.value < 0) {
+    diagnostics.error(Code::negative_rate, rate.rate.span,
+                      "the rate " + rate.rate.text + " is negative, expected 0 or more");
+    return std::nullopt;
+  }
+  const auto unit = automata::parse_duration("1" + rate.unit.text);
+  if (!unit) {
+    diagnostics.error(Code::syntax, rate.unit.span, "expected a unit of time, found " + backquoted(rate.unit.text));
+    return std::nullopt;
+  }
+  return Weight{Weight::Kind::rate, rate.rate.value / unit->seconds()};
+}
+
+}  // namespace compiler

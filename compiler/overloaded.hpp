@@ -1,0 +1,12 @@
+// One visitor out of several functions, for std::visit.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace compiler {
+
+template <class... Visits>
+struct Overloaded : Visits... {
+  using Visits::operator()...;
+};
+
+}  // namespace compiler

@@ -1,0 +1,149 @@
+// rmplc: compiles control programs, plant models and scenarios; explains diagnostics.
+// SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "automata/error.hpp"
+#include "automata/json/document.hpp"
+#include "compiler/compiler.hpp"
+#include "grammar/source/codes.hpp"
+
+namespace {
+
+constexpr int done = 0;
+constexpr int wrong_input = 2;
+
+struct Settings {
+  std::vector<std::string> files;
+  std::string output;
+  std::string main;
+  std::string format = "text";
+  std::string color = "auto";
+  std::string code;
+  bool quiet = false;
+  bool verbose = false;
+
+  [[nodiscard]] bool colored() const { return color == "always" || (color == "auto" && isatty(STDERR_FILENO) != 0); }
+};
+
+/// Writes the whole text or nothing: into a file beside it, which then takes the name.
+void write_file(const std::string& path, const std::string& text) {
+  const std::string temporary = path + ".part" + std::to_string(getpid());
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(temporary, path, error);
+  if (file && !error) return;
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  throw automata::InputError(path + ": cannot be written" + (error ? ": " + error.message() : ""));
+}
+
+int compile(const Settings& settings) {
+  const compiler::Compilation result = compiler::compile(settings.files, {settings.main});
+  if (!result.ok() || !settings.quiet) {
+    const auto format = settings.format == "json" ? compiler::DiagnosticFormat::json : compiler::DiagnosticFormat::text;
+    std::cerr << result.diagnostics(format, settings.colored());
+  }
+  if (!result.ok()) return wrong_input;
+  const automata::Document& document = result.document();
+  const std::string text = automata::to_text(document);
+  if (settings.output.empty()) {
+    std::cout << text << std::flush;
+    if (!std::cout) throw automata::InputError("standard output: cannot be written");
+  } else {
+    write_file(settings.output, text);
+  }
+  if (settings.verbose) {
+    std::cerr << "plants: " << document.plants.size() << ", programs: " << document.programs.size()
+              << ", scenarios: " << document.scenarios.size() << "\n";
+  }
+  return done;
+}
+
+int explain(const Settings& settings) {
+  const auto code = grammar::find_code(settings.code);
+  if (!code) throw automata::InputError("'" + settings.code + "' is no code of a diagnostic, expected one as RMPL0100");
+  const grammar::CodeInfo& info = grammar::info(*code);
+  const auto indented = [](std::string_view text) {
+    std::string result = "  ";
+    for (const char c : text) result += c == '\n' ? std::string("\n  ") : std::string(1, c);
+    return result;
+  };
+  std::cout << grammar::to_string(*code) << ": " << info.title << "\n\n"
+            << info.explanation << "\n\nwrong:\n"
+            << indented(info.wrong) << "\n\nright:\n"
+            << indented(info.right) << "\n";
+  return done;
+}
+
+constexpr const char* compile_notes =
+    R"(Writes one self-contained JSON document to standard output, or to OUT.json with -o:
+the plant, the control program (checked against the plant and bound to it, where
+both are given) and the scenarios with what they refer to. The same input gives the
+same bytes. A failed compile writes nothing.
+
+Files are told by their names: .rmpl control programs, .tcca plant models, .scn
+scenarios, .json compiled documents. `-` is standard input, told by its content.
+Imports are relative to the importing file.
+
+Example:
+  rmplc compile mars_entry.rmpl mars_lander.tcca -o mars_entry.json)";
+
+constexpr const char* exit_codes = R"(Exit status:
+  0  done
+  2  the command line or an input is wrong; nothing was written
+
+Examples:
+  rmplc compile mars_entry.rmpl mars_lander.tcca -o mars_entry.json
+  rmplc compile --main EntrySequence edl.rmpl
+  rmplc explain RMPL0301)";
+
+void common_options(CLI::App& app, Settings& settings) {
+  app.add_option("--color", settings.color, "Color diagnostics: auto (on a terminal), always, never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  app.add_flag("-q", settings.quiet, "Print errors only");
+  app.add_flag("-v", settings.verbose, "Say what was compiled");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"The RMPL compiler: control programs, plant models and scenarios become automata.", "rmplc"};
+  app.set_version_flag("--version", "rmplc " RMPL_VERSION);
+  app.footer(exit_codes);
+  app.require_subcommand(1);
+  app.fallthrough();
+  Settings settings;
+  common_options(app, settings);
+
+  CLI::App* compiling = app.add_subcommand("compile", "Compile sources into one JSON document");
+  compiling->footer(compile_notes);
+  compiling->add_option("FILE", settings.files, "Sources and compiled documents")->required();
+  compiling->add_option("-o,--output", settings.output, "Write the document to this file")->type_name("OUT.json");
+  compiling->add_option("--main", settings.main, "Start the control program at this definition")->type_name("NAME");
+  compiling->add_option("--format", settings.format, "Diagnostics as text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+
+  CLI::App* explaining = app.add_subcommand("explain", "Tell what a diagnostic means, with an example");
+  explaining->add_option("CODE", settings.code, "As in the diagnostic: RMPL0301")->required();
+
+  try {
+    app.parse(argc, argv);
+    return compiling->parsed() ? compile(settings) : explain(settings);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : wrong_input;
+  } catch (const automata::InputError& error) {
+    std::cerr << "rmplc: " << error.what() << "\n";
+    return wrong_input;
+  }
+}
