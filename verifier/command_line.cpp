@@ -1,0 +1,180 @@
+// The command line of tcca-check.
+// SPDX-License-Identifier: MIT
+#include "verifier/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace verifier {
+
+using automata::Ticks;
+
+namespace {
+
+/// A duration with or without a unit. What is wrong with it is said by CLI11 with the option's name before it.
+Ticks duration(const std::string& text) {
+  if (const auto ticks = automata::parse_duration(text)) return *ticks;
+  throw CLI::ValidationError("'" + text +
+                             "' is no duration; expected a number and perhaps a unit, such as 30, 0.5s or 270min");
+}
+
+Ticks positive_duration(const std::string& text) {
+  const Ticks ticks = duration(text);
+  if (ticks > Ticks{0} && !ticks.is_infinite()) return ticks;
+  throw CLI::ValidationError("'" + text + "' is no length of time; expected a finite duration above 0");
+}
+
+/// A number of bytes, perhaps in K, M or G of them (powers of 1024).
+std::size_t memory_size(const std::string& text) {
+  static const std::map<std::string, unsigned> shifts = {{"", 0}, {"K", 10}, {"M", 20}, {"G", 30}};
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  const auto shift = shifts.find(text.substr(digits));
+  std::size_t count = 0;
+  std::istringstream number(text.substr(0, digits));
+  if (shift == shifts.end() || !(number >> count) ||
+      count > (std::numeric_limits<std::size_t>::max() >> shift->second)) {
+    throw CLI::ValidationError("'" + text +
+                               "' is no amount of memory; expected bytes, perhaps with K, M or G, such as 512M");
+  }
+  return count << shift->second;
+}
+
+/// An option whose text `read` turns into `value`.
+template <class Value, class Read>
+CLI::Option* add(CLI::App* app, const std::string& name, Value& value, const Read& read,
+                 const std::string& description) {
+  return app->add_option_function<std::string>(
+      name,
+      [&value, read, name](const std::string& text) {
+        try {
+          value = read(text);
+        } catch (const CLI::ValidationError& error) {
+          throw CLI::ValidationError(name, error.what());
+        }
+      },
+      description);
+}
+
+template <class Value>
+CLI::Option* add_choice(CLI::App* app, const std::string& name, Value& value, const std::map<std::string, Value>& names,
+                        const std::string& description) {
+  std::string type;
+  for (const auto& [text, meaning] : names) type += (type.empty() ? "" : "|") + text;
+  const auto read = [names, type](const std::string& text) {
+    const auto at = names.find(text);
+    if (at == names.end()) throw CLI::ValidationError("'" + text + "' is not known; expected one of " + type);
+    return at->second;
+  };
+  return add(app, name, value, read, description)->type_name(type);
+}
+
+void add_common(CLI::App* app, CommandLine& line) {
+  using Color = CommandLine::Color;
+  add_choice(app, "--color", line.color,
+             {{"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}},
+             "colour in text; auto: on a terminal");
+  app->add_flag("-q,--quiet", line.quiet, "no warnings, no progress");
+  app->add_flag("-v,--verbose", line.verbose, "tell what is being checked");
+}
+
+/// One property as a subcommand, with the options that all of them have.
+CLI::App* add_property(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
+                       const std::string& description) {
+  CLI::App* sub = app.add_subcommand(name, description);
+  sub->fallthrough();
+  sub->callback([&line, kind] { line.kind = kind; });
+  sub->add_option("model", line.model, "the plant: .tcca or compiled .json; - for standard input")
+      ->required()
+      ->type_name("MODEL");
+  const auto period = [](const std::string& text) {
+    return text == "dense" ? std::nullopt : std::optional(positive_duration(text));
+  };
+  add(sub, "--time", line.period, period, "dense time (the default), or the period at whose multiples steps happen")
+      ->type_name("dense|T");
+  sub->add_option("--faults", line.faults, "the most faults that may happen; 0 unless given")->type_name("K");
+  add_choice(sub, "--commands", line.commands,
+             {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},
+             "how many controls may be off their idle value in one step; one unless given");
+  sub->add_flag("--entailed", line.entailed, "a formula holds where the constraints imply it, not where they allow it");
+  sub->add_option("--from", line.from,
+                  "modes to start in, such as 'engine = off'; what is not named starts as in the plant")
+      ->type_name("MODES");
+  sub->add_option("--max-states", line.max_states, "give up after so many symbolic states")->type_name("N");
+  add(sub, "--timeout", line.timeout, duration, "give up after so much time")->type_name("T");
+  add(sub, "--max-memory", line.max_bytes, memory_size, "give up when so much memory is in use")
+      ->type_name("BYTES[K|M|G]");
+  using Format = CommandLine::Format;
+  add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}}, "text unless given");
+  sub->add_flag("--stats", line.statistics, "tell what the check has cost");
+  return sub;
+}
+
+void add_window(CLI::App* sub, CommandLine& line) {
+  add(sub, "--not-before", line.not_before, duration, "the formula counts from this time on")->type_name("T");
+  add(sub, "--by", line.by, duration, "the formula counts up to this time")->type_name("T");
+  sub->add_flag("--fastest", line.fastest, "a trace with least time, not with fewest steps");
+}
+
+void add_properties(CLI::App& app, CommandLine& line) {
+  using Kind = CommandLine::Kind;
+  CLI::App* reachability = add_property(app, line, Kind::reachability, "reachability",
+                                        "can the plant reach a state in which a formula holds? yes: a timed witness");
+  reachability->add_option("--target", line.target, "what is to be reached")->required()->type_name("FORMULA");
+  add_window(reachability, line);
+
+  CLI::App* safety =
+      add_property(app, line, Kind::safety, "safety", "does a formula never hold? no: a timed counterexample");
+  safety->add_option("--never", line.never, "what is never to hold")->required()->type_name("FORMULA");
+  add_window(safety, line);
+
+  CLI::App* response = add_property(app, line, Kind::response, "response",
+                                    "once one formula has held, does another hold in time? no: a timed counterexample");
+  response->add_option("--after", line.after, "what asks for the response, when it first holds")
+      ->required()
+      ->type_name("FORMULA");
+  // CLI11 counts how many words an option takes: `--within T FORMULA` takes two.
+  response
+      ->add_option_function<std::vector<std::string>>(
+          "--within",
+          [&line](const std::vector<std::string>& words) {
+            try {
+              line.within = duration(words[0]);
+            } catch (const CLI::ValidationError& error) {
+              throw CLI::ValidationError("--within", error.what());
+            }
+            line.then = words[1];
+          },
+          "how soon, and what the response is")
+      ->required()
+      ->expected(2)
+      ->type_name("T FORMULA");
+}
+
+}  // namespace
+
+ParsedCommandLine parse_command_line(int count, const char* const* arguments, const std::string& version) {
+  CommandLine line;
+  CLI::App app(
+      "Checks what a plant model (TCCA) can do in time.\n"
+      "Exit status: 0 holds or reachable, 1 violated or unreachable, 2 wrong input, 3 undecided.",
+      "tcca-check");
+  app.set_version_flag("--version", "tcca-check " + version);
+  app.require_subcommand(1);
+  add_common(&app, line);
+  add_properties(app, line);
+  ParsedCommandLine result;
+  try {
+    app.parse(count, arguments);
+    result.command_line = line;
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    result.failed = app.exit(error, out, err) != 0;
+    result.message = out.str() + err.str();
+  }
+  return result;
+}
+
+}  // namespace verifier

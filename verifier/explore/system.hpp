@@ -1,0 +1,39 @@
+// The interface between what is explored and how: symbolic states, and two functions that enumerate them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "verifier/zone/zone.hpp"
+
+namespace verifier {
+
+/// A set of states that agree on everything but clock readings.
+struct SymbolicState {
+  std::uint64_t discrete;  ///< what the system numbers as it likes; states with equal numbers have the same clocks
+  unsigned faults;         ///< used so far: of two states otherwise alike, the one with fewer can do all the other can
+  Zone zone;
+};
+
+/// How a state came about: numbers that mean something to its system alone.
+struct Label {
+  std::uint32_t move = 0;
+  std::uint32_t wait = 0;
+  bool silent = false;  ///< does not count as a step
+};
+
+/// A transition system over symbolic states, in the manner of TChecker. Every algorithm runs on any such system; the
+/// order in which states are visited is fixed, so that results repeat.
+class TransitionSystem {
+ public:
+  using Visit = std::function<void(SymbolicState&&, const Label&)>;
+
+  virtual ~TransitionSystem() = default;
+  virtual void initial(const Visit& visit) = 0;
+  virtual void successors(const SymbolicState& state, const Visit& visit) = 0;
+  /// Whether the state holds what is looked for.
+  [[nodiscard]] virtual bool accepts(const SymbolicState& state) const = 0;
+};
+
+}  // namespace verifier

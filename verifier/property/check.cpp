@@ -1,0 +1,174 @@
+// Checking a property: an observer for it, a search, the evidence.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+#include "automata/error.hpp"
+#include "verifier/evidence/replay.hpp"
+#include "verifier/explore/plant_system.hpp"
+#include "verifier/property/property.hpp"
+
+namespace verifier {
+
+using automata::Assignment;
+using automata::Formula;
+using automata::Modes;
+using automata::PlantStep;
+using automata::Theory;
+using automata::Ticks;
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+/// What is looked for, whatever the property: a target to reach, or a response to miss.
+struct Target {
+  Formula formula;
+  Window window;
+  bool fastest = false;
+};
+using Quest = std::variant<Target, Response>;
+
+Quest quest_of(const Property& property) {
+  return std::visit(Overloaded{[](const Reachability& p) {
+                                 return Quest(Target{p.target, p.window, p.fastest});
+                               },
+                               [](const Safety& p) {
+                                 return Quest(Target{p.never, p.window, p.fastest});
+                               },
+                               [](const Response& p) { return Quest(p); }},
+                    property);
+}
+
+std::vector<Ticks> times_of(const Quest& quest) {
+  std::vector<Ticks> times;
+  const auto add = [&](std::optional<Ticks> time) {
+    if (time && !time->is_infinite()) times.push_back(*time);
+  };
+  std::visit(Overloaded{[&](const Target& t) {
+                          add(t.window.not_before);
+                          add(t.window.by);
+                        },
+                        [&](const Response& r) { add(r.within); }},
+             quest);
+  return times;
+}
+
+class Check {
+ public:
+  Check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits)
+      : step_(step),
+        options_(options),
+        reachability_(std::holds_alternative<Reachability>(property)),
+        quest_(quest_of(property)),
+        meter_(limits),
+        situations_(step, Reading::of(options.period, step.plant(), times_of(quest_)), options.commands, options.faults,
+                    meter_) {}
+
+  Result run() {
+    Result result;
+    try {
+      start_ = situations_.initial(options_.from);
+      if (start_.empty()) {
+        throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
+      }
+      std::visit([&](const auto& quest) { look_for(quest); }, quest_);
+    } catch (const LimitReached& reached) {
+      result.limit = reached.limit;
+    }
+    if (trace_ || !result.limit) {
+      result.verdict = trace_.has_value() == reachability_ ? Verdict::holds : Verdict::violated;
+    }
+    result.trace = std::move(trace_);
+    result.progress = meter_.progress();
+    return result;
+  }
+
+ private:
+  using Test = Observer::Test;
+
+  /// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it.
+  Test holds(const Formula& formula, bool certain) {
+    const Theory::Handle handle = step_.theory().encode(formula);
+    return [this, handle, certain](const Modes& modes) {
+      const std::vector<Assignment> store = automata::assignments_of(step_.plant(), modes);
+      return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
+    };
+  }
+
+  void look_for(const Target& target) {
+    const Reading& reading = situations_.reading();
+    const Test test = holds(target.formula, options_.entailed);
+    Interval window;
+    if (target.window.not_before) window.lower = reading.at_least(*target.window.not_before);
+    if (target.window.by) window.upper = reading.at_most(*target.window.by);
+    const bool windowed = target.window.not_before || target.window.by;
+    trace_ = search(Observer::reach(test, windowed ? std::optional(window) : std::nullopt));
+    // Each round asks for less time than the best so far takes, until there is none.
+    while (target.fastest && trace_ && trace_->back().time > Ticks{0}) {
+      window.upper = reading.at_most(trace_->back().time) - 1;
+      std::optional<Trace> faster = search(Observer::reach(test, window));
+      if (!faster) return;
+      trace_ = std::move(faster);
+    }
+  }
+
+  void look_for(const Response& response) {
+    if (response.within.is_infinite()) return;
+    trace_ = search(Observer::miss(holds(response.after, options_.entailed), holds(response.then, !options_.entailed),
+                                   situations_.reading().more_than(response.within)));
+  }
+
+  std::optional<Trace> search(Observer observer) {
+    PlantSystem system(situations_, observer, start_);
+    const auto path = shortest_path(system, meter_);
+    if (!path) return std::nullopt;
+    Trace trace = earliest_trace(*path, situations_, observer);
+    const auto failure = replay(step_, trace, {options_.period, options_.commands, options_.faults, options_.from});
+    assert(!failure && "a witness cannot be replayed");
+    return trace;
+  }
+
+  PlantStep& step_;
+  const CheckOptions& options_;
+  bool reachability_;
+  Quest quest_;
+  Meter meter_;
+  Situations situations_;
+  std::vector<SituationId> start_;
+  std::optional<Trace> trace_;  ///< the best so far
+};
+
+void demand_modes(const automata::Plant& plant, const std::vector<Assignment>& from) {
+  std::set<automata::VariableId> seen;
+  for (const Assignment& a : from) {
+    const std::string& name = plant.variables.name(a.variable);
+    if (!plant.component_of(a.variable)) {
+      throw automata::InputError("'" + name + "' is not the mode of a component; expected a component to start from");
+    }
+    if (!seen.insert(a.variable).second) {
+      throw automata::InputError("'" + name + "' is given more than one mode to start in");
+    }
+  }
+}
+
+}  // namespace
+
+std::string name_of(const Property& property) {
+  return std::visit(Overloaded{[](const Reachability&) { return "reachability"; },
+                               [](const Safety&) { return "safety"; }, [](const Response&) { return "response"; }},
+                    property);
+}
+
+Result check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {
+  demand_modes(step.plant(), options.from);
+  return Check(step, property, options, limits).run();
+}
+
+}  // namespace verifier

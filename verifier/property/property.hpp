@@ -1,0 +1,77 @@
+// The properties that can be asked of a plant, and what is answered (semantics 7).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "automata/logic/formula.hpp"
+#include "automata/step/plant_step.hpp"
+#include "verifier/evidence/trace.hpp"
+#include "verifier/explore/commands.hpp"
+#include "verifier/explore/limits.hpp"
+
+namespace verifier {
+
+/// The absolute times at which a target counts, both ends included.
+struct Window {
+  std::optional<automata::Ticks> not_before;
+  std::optional<automata::Ticks> by;
+};
+
+/// Some run comes to a state in which `target` holds. In sampled time the states are those at multiples of the period.
+struct Reachability {
+  automata::Formula target;
+  Window window;
+  bool fastest = false;  ///< the witness is to take the least time, not the fewest steps
+};
+
+/// No run comes to a state in which `never` holds.
+struct Safety {
+  automata::Formula never;
+  Window window;
+  bool fastest = false;
+};
+
+/// On every run, once `after` has held for the first time, `then` holds at some time at most `within` later, that time
+/// itself included. A run on which time comes to a stop violates nothing.
+struct Response {
+  automata::Formula after;
+  automata::Formula then;
+  automata::Ticks within;
+};
+
+using Property = std::variant<Reachability, Safety, Response>;
+
+/// `reachability`, `safety`, `response`.
+std::string name_of(const Property& property);
+
+/// What is free in a check.
+struct CheckOptions {
+  std::optional<automata::Ticks> period;  ///< sampled time, above 0; none: dense
+  unsigned faults = 0;
+  Commands commands = Commands::one;
+  /// A formula over attributes holds at a state where the store allows it; with this, where the store implies it. A
+  /// response is then missed only where the store refutes `then`; otherwise already where it does not imply it.
+  bool entailed = false;
+  /// Modes to start in, all clocks 0, in place of the initial distribution of their components.
+  std::vector<automata::Assignment> from;
+};
+
+enum class Verdict { holds, violated, undecided };
+
+struct Result {
+  Verdict verdict = Verdict::undecided;
+  std::optional<Trace> trace;  ///< a witness of reachability, a counterexample of the others
+  /// Why it is undecided; or, beside a trace, why a faster one may have been missed.
+  std::optional<Limit> limit;
+  Progress progress;
+};
+
+/// Checks one property. Every trace has been replayed. Throws automata::InputError where `from` names what is no mode,
+/// or contradicts itself, or where no state to start in is possible.
+Result check(automata::PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits);
+
+}  // namespace verifier
