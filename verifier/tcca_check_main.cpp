@@ -131,6 +131,11 @@ int run(const CommandLine& line) {
   const verifier::Limits bounds = limits(line);
   const verifier::Result result = verifier::check(step, asked, options(plant, line), bounds);
   if (bounds.report) std::fputs("\r\033[K", stderr);
+  if (result.startless) {
+    std::cerr
+        << "tcca-check: warning: no initial state is possible: the initial modes contradict the interconnections, so "
+           "nothing is reachable\n";
+  }
   switch (line.format) {
     case CommandLine::Format::json:
       std::cout << verifier::to_json(plant, asked, result).dump(2) << '\n';

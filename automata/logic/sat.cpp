@@ -18,6 +18,7 @@ constexpr int satisfiable = 10;
 Sat::Sat() : solver_(std::make_unique<Solver>()) {
   // Questions are many and small: simplification between them costs more than it saves.
   solver_->cadical.set("quiet", 1);
+  solver_->cadical.set("profile", 0);
   solver_->cadical.set("elim", 0);
   solver_->cadical.set("lucky", 0);
 }

@@ -90,19 +90,21 @@ const std::vector<Enabled>& PlantStep::enabled(const Modes& modes, const Control
   std::vector<Assignment> known = assignments_of(plant_, modes);
   const std::vector<Assignment> controls = assignments_of(plant_, action);
   known.insert(known.end(), controls.begin(), controls.end());
-  // A store that contradicts the control action implies every guard; else a guard that reads only control variables
-  // (the most common kind) is decided by looking at them.
+  // A store that contradicts the control action implies every guard. Else one model of it refutes most guards that are
+  // not implied, and a guard over control variables alone (the most common kind) is decided by it.
   const bool consistent = theory_.consistent(known);
-  const auto implied = [&](const Formula& guard, Theory::Handle handle) {
-    if (!consistent || guard.is_true()) return true;
-    const auto reads = variables_of(guard);
-    const auto value = [&](VariableId id) {
-      return std::find_if(controls.begin(), controls.end(), [&](const Assignment& a) { return a.variable == id; });
-    };
-    if (std::all_of(reads.begin(), reads.end(), [&](VariableId id) { return value(id) != controls.end(); })) {
-      return evaluate(guard, [&](VariableId id) { return value(id)->value; });
+  std::vector<std::vector<bool>> possible(plant_.components.size());
+  for (std::size_t c = 0; c < possible.size(); ++c) {
+    for (const Transition& t : plant_.components[c].transitions) {
+      const bool asked = consistent && t.from == modes[c];
+      possible[c].push_back(!asked || evaluate(t.guard, [&](VariableId id) { return theory_.value(id); }));
     }
-    return theory_.entails(known, handle);
+  }
+  const auto decided_by_controls = [&](const Formula& guard) {
+    const auto reads = variables_of(guard);
+    return std::all_of(reads.begin(), reads.end(), [&](VariableId id) {
+      return std::any_of(controls.begin(), controls.end(), [&](const Assignment& a) { return a.variable == id; });
+    });
   };
 
   std::vector<Enabled> answer(plant_.components.size());
@@ -111,7 +113,8 @@ const std::vector<Enabled>& PlantStep::enabled(const Modes& modes, const Control
     for (std::size_t i = 0; i < component.transitions.size(); ++i) {
       const Transition& t = component.transitions[i];
       const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
-      if (t.from != modes[c] || weightless || !implied(t.guard, guards_[c][i])) continue;
+      if (t.from != modes[c] || weightless || !possible[c][i]) continue;
+      if (consistent && !decided_by_controls(t.guard) && !theory_.entails(known, guards_[c][i])) continue;
       auto& kind = component.is_fault(t) ? answer[c].faults : t.timing ? answer[c].timed : answer[c].untimed;
       kind.emplace_back(i);
     }

@@ -22,19 +22,23 @@ using Belief = std::vector<BeliefEntry>;
 
 /// What one update gives.
 struct Estimate {
-  automata::Modes modes;      ///< the most likely plant state: summed over clocks; ties to the first in declaration order
-  double probability = 0;     ///< its share of the belief
-  bool consistent = true;     ///< false: no extension explains the observations; the belief is the last one predicted forward
-  bool cut = false;           ///< a limit of time ended the search early
-  std::size_t checked = 0;    ///< candidates checked in this update
-  double missing_mass = 0;    ///< k-best: an upper bound of the probability that was not kept, of the whole before normalisation
+  automata::Modes modes;   ///< the most likely plant state: summed over clocks; ties to the first in declaration order
+  double probability = 0;  ///< its share of the belief
+  bool consistent =
+      true;          ///< false: no extension explains the observations; the belief is the last one predicted forward
+  bool cut = false;  ///< the limit of candidates ended the search early
+  std::size_t checked = 0;  ///< candidates checked in this update
+  /// k-best: an upper bound of the probability that this update did not keep, as a share of the whole posterior that
+  /// follows from the belief before.
+  double missing_mass = 0;
 };
 
 struct EstimatorOptions {
-  std::size_t k = 16;                 ///< system states kept by k-best
-  bool merge_trajectories = true;     ///< add up trajectories that meet in one system state; off in `--thesis`
-  bool observation_factor = true;     ///< apply the 1/m of semantics 4; off in `--thesis`
-  bool normalise = true;              ///< off in `--thesis`: Fig. 6-11 returns f(tau) as it is
+  std::size_t k = 16;                ///< system states kept by k-best; at least 1
+  std::size_t candidates = 100'000;  ///< k-best: how many candidates an update may check before it is cut
+  bool merge_trajectories = true;    ///< add up trajectories that meet in one system state; off in `--thesis`
+  bool observation_factor = true;    ///< apply the 1/m of semantics 4; off in `--thesis`
+  bool normalise = true;             ///< off in `--thesis`: Fig. 6-11 returns f(tau) as it is
   /// Forget the clock of a component while its mode has no timed exit: exact on modes, and states that differ only in
   /// such clocks become one. The executive sets it; `estimate` keeps all clocks, as Fig. 6-10 does.
   bool live_clocks_only = false;
@@ -44,7 +48,8 @@ struct EstimatorOptions {
 class Estimator {
  public:
   virtual ~Estimator() = default;
-  /// The belief after the control action that was in force since the last update and the observations at `now`.
+  /// The belief after the control action that was in force since the last update and the observations at `now`, which
+  /// is not before the last update.
   virtual const Estimate& update(const automata::ControlAction& action, const automata::Observation& observation,
                                  automata::Ticks now) = 0;
   [[nodiscard]] virtual const Belief& belief() const = 0;

@@ -40,7 +40,11 @@ class Rules {
     if (faulty >= 1) return false;
     if (!enabled_.untimed.empty()) return leads(enabled_.untimed, to, [](const Transition&) { return true; });
     if (!period_) {
-      return from == to || leads(enabled_.timed, to, [&](const Transition& t) { return now_ >= t.timing->lower; });
+      const bool some_passed = std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
+                                           [&](TransitionId id) { return now_ > transition(id).timing->upper; });
+      return from == to || leads(enabled_.timed, to, [&](const Transition& t) {
+               return now_ >= (some_passed ? t.timing->upper : t.timing->lower);
+             });
     }
     const auto certain = [&](const Transition& t) { return now_ >= t.timing->upper; };
     const bool some_certain = std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
@@ -51,11 +55,12 @@ class Rules {
            });
   }
 
-  /// In dense time: whether time may have passed up to this reading.
-  [[nodiscard]] bool allows_time() const {
-    return enabled_.untimed.empty() && std::all_of(enabled_.timed.begin(), enabled_.timed.end(), [&](TransitionId id) {
-             return now_ <= transition(id).timing->upper;
-           });
+  /// In dense time: whether time may have passed up to this reading in `mode`. Transitions to itself are staying.
+  [[nodiscard]] bool allows_time(ModeId mode) const {
+    const auto stays = [&](TransitionId id) { return transition(id).to == mode; };
+    if (!enabled_.untimed.empty()) return std::all_of(enabled_.untimed.begin(), enabled_.untimed.end(), stays);
+    return std::all_of(enabled_.timed.begin(), enabled_.timed.end(),
+                       [&](TransitionId id) { return stays(id) || now_ <= transition(id).timing->upper; });
   }
 
   [[nodiscard]] bool has_tail() const {
@@ -137,8 +142,9 @@ class Replay {
 
   std::optional<std::string> dense(Ticks before, const Event& event) {
     if (event.time > before &&
-        !every_component(idle_, event.time, event.time,
-                         [](const Rules& rules, automata::ComponentId) { return rules.allows_time(); })) {
+        !every_component(idle_, event.time, event.time, [this](const Rules& rules, automata::ComponentId component) {
+          return rules.allows_time(state_.modes[component.index()]);
+        })) {
       return "time may not pass up to" + at(event.time);
     }
     const bool waits_only = event.modes == state_.modes && event.action == idle_;

@@ -94,9 +94,14 @@ class Collector {
     }
     if (reading_.is_dense()) {
       add(mode_, 0, share);
+      Units certain = unbounded;
+      for (const TransitionId id : enabled_.timed) {
+        certain = std::min(certain, reading_.at_most(component_.transitions[id.index()].timing->upper));
+      }
       for (const TransitionId id : enabled_.timed) {
         const Transition& t = component_.transitions[id.index()];
-        add(t.to, 0, intersection(share, {reading_.at_least(t.timing->lower), unbounded}));
+        add(t.to, 0, intersection(share, {reading_.at_least(t.timing->lower), certain}));
+        add(t.to, 0, intersection(share, {reading_.at_most(t.timing->upper), unbounded}));
       }
       return;
     }
@@ -130,9 +135,12 @@ std::vector<Choice> choices(const Component& component, ModeId mode, const Enabl
 
 std::vector<Interval> waits(const Component& component, ModeId mode, const Enabled& enabled, const Reading& reading) {
   if (reading.is_dense()) {
-    if (!enabled.untimed.empty()) return {};
+    const auto leaves = [&](TransitionId id) { return component.transitions[id.index()].to != mode; };
+    if (std::any_of(enabled.untimed.begin(), enabled.untimed.end(), leaves)) return {};
     Interval wait;
+    if (!enabled.untimed.empty()) return {wait};
     for (const TransitionId id : enabled.timed) {
+      if (!leaves(id)) continue;
       wait.upper = std::min(wait.upper, reading.at_most(component.transitions[id.index()].timing->upper));
     }
     return {wait};
@@ -153,14 +161,13 @@ ClockLimits clock_limits(const Component& component, ModeId mode, const Reading&
     if (t.from != mode || !t.timing) continue;
     const Units lower = reading.more_than(t.timing->lower);
     limits.lower = std::max(limits.lower, lower);
-    // A bound cuts both ways where it ends one interval and begins the next: at a fault's bounds, and between an exit's
+    // Every bound cuts both ways: it ends one interval and begins the next, at a fault's bounds and between an exit's
     // being possible and its being certain.
-    const bool both_ways = !reading.is_dense() || component.is_fault(t);
-    if (both_ways) limits.upper = std::max(limits.upper, lower);
+    limits.upper = std::max(limits.upper, lower);
     if (t.timing->upper.is_infinite()) continue;
     const Units upper = reading.more_than(t.timing->upper);
     limits.upper = std::max(limits.upper, upper);
-    if (both_ways) limits.lower = std::max(limits.lower, upper);
+    limits.lower = std::max(limits.lower, upper);
   }
   return limits;
 }

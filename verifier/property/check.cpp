@@ -75,7 +75,8 @@ class Check {
     Result result;
     try {
       start_ = situations_.initial(options_.from);
-      if (start_.empty()) {
+      result.startless = start_.empty();
+      if (result.startless && !options_.from.empty()) {
         throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
       }
       std::visit([&](const auto& quest) { look_for(quest); }, quest_);

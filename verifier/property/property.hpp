@@ -67,11 +67,13 @@ struct Result {
   std::optional<Trace> trace;  ///< a witness of reachability, a counterexample of the others
   /// Why it is undecided; or, beside a trace, why a faster one may have been missed.
   std::optional<Limit> limit;
+  /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
+  bool startless = false;
   Progress progress;
 };
 
 /// Checks one property. Every trace has been replayed. Throws automata::InputError where `from` names what is no mode,
-/// or contradicts itself, or where no state to start in is possible.
+/// or contradicts itself, or gives modes in which no state to start in is possible.
 Result check(automata::PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits);
 
 }  // namespace verifier

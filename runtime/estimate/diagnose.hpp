@@ -1,0 +1,45 @@
+// Diagnosis of one snapshot: livingstone's mode identification without a history.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "automata/plant.hpp"
+#include "automata/state.hpp"
+
+namespace runtime {
+
+struct DiagnoseOptions {
+  std::size_t k = 10;        ///< how many of the leading diagnoses; without effect where `all_minimal`
+  bool all_minimal = false;  ///< instead every diagnosis with the fewest faults
+  std::size_t candidates = std::numeric_limits<std::size_t>::max();  ///< how many may be checked
+};
+
+/// Components that are faulty, each in one fault mode; all others are in some nominal mode.
+struct Diagnosis {
+  /// The prior of the assignment, a product over all components. A fault mode has the probability of the likeliest
+  /// fault transition into it (a rate counts over one second), or, where none leads into it, its initial probability;
+  /// the nominal modes together have the rest. It is not divided by the probability of the observations.
+  double probability = 0;
+  std::vector<std::pair<automata::ComponentId, automata::ModeId>> faults;  ///< in order of component
+};
+
+struct Diagnoses {
+  std::vector<Diagnosis> diagnoses;        ///< most probable first, ties in order of state, nominal before faulty
+  std::optional<std::size_t> cardinality;  ///< the fewest faults of a diagnosis here; nothing where there is none
+  std::size_t checked = 0;                 ///< candidates checked
+  bool cut = false;                        ///< the limit of candidates ended the search early
+  double seconds = 0;                      ///< wall-clock time, the one thing here that differs from run to run
+};
+
+/// The fault assignments that, with some nominal mode for every other component and the interconnections, are
+/// consistent with the observations (of any attributes). The leading ones by prior, where an assignment with prior 0
+/// is none; or with `all_minimal` all those of the least number of faults, each once, whatever their priors.
+Diagnoses diagnose(const automata::Plant& plant, const automata::Observation& observation,
+                   const DiagnoseOptions& options);
+
+}  // namespace runtime

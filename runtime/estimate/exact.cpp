@@ -1,0 +1,105 @@
+// The exact estimator: BeliefUpdate of thesis Fig. 6-10 over the whole belief, normalised.
+//
+// The reference: every positive product of moves of every state is enumerated, so the cost is exponential in the
+// number of components.
+// SPDX-License-Identifier: MIT
+#include <cassert>
+#include <unordered_map>
+#include <utility>
+
+#include "runtime/estimate/belief.hpp"
+#include "runtime/estimate/estimator.hpp"
+
+namespace runtime {
+namespace {
+
+using automata::Modes;
+using automata::Move;
+using automata::SystemState;
+using automata::Ticks;
+
+/// Probabilities of target states, summed (step 3 of Fig. 6-10).
+using Targets = std::unordered_map<SystemState, double, SystemStateHash>;
+
+class Exact final : public Estimator {
+ public:
+  Exact(automata::PlantStep& step, const EstimatorOptions& options)
+      : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only) {
+    const std::size_t components = step.plant().components.size();
+    Targets initial;
+    const SystemState start{Modes(components), std::vector<Ticks>(components)};
+    spread({start, 1.0}, step.initial_moves(), Ticks{}, initial);
+    estimate_.consistent = settle(initial, {});
+    if (!estimate_.consistent) estimate_.modes = likeliest_initial_modes(step.plant());
+  }
+
+  const Estimate& update(const automata::ControlAction& action, const automata::Observation& observation,
+                         Ticks now) override {
+    assert(now >= last_);
+    Targets targets;
+    for (const BeliefEntry& entry : belief_) {
+      spread(entry, step_.moves(entry.state, action, last_, now), now, targets);
+    }
+    last_ = now;
+    estimate_.checked = targets.size();
+    // Where nothing explains the observations the belief is predicted forward; where even that leaves no possible
+    // state it stays.
+    estimate_.consistent = settle(targets, observation);
+    if (!estimate_.consistent) settle(targets, {});
+    return estimate_;
+  }
+
+  [[nodiscard]] const Belief& belief() const override { return belief_; }
+  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
+
+ private:
+  /// Adds to `targets` where an entry goes: step 2 of Fig. 6-10.
+  void spread(const BeliefEntry& entry, const std::vector<std::vector<Move>>& moves, Ticks now, Targets& targets) {
+    SystemState target = entry.state;
+    const auto visit = [&](const auto& self, std::size_t component, double probability) -> void {
+      if (component == moves.size()) {
+        targets[target] += probability;
+        return;
+      }
+      for (const Move& move : moves[component]) {
+        target.modes[component] = move.mode;
+        target.clock_starts[component] = clocks_.advance(component, entry.state.modes[component],
+                                                         entry.state.clock_starts[component], move.mode, now);
+        self(self, component + 1, probability * move.probability);
+      }
+    };
+    visit(visit, 0, entry.probability);
+  }
+
+  /// Conditions the targets on the observation (steps 4 and 5) and takes them as the belief; false, with the belief as
+  /// it was, where nothing is left.
+  bool settle(const Targets& targets, const automata::Observation& observation) {
+    Belief posterior;
+    for (const auto& [state, probability] : targets) {
+      const double factor = step_.observation_factor(state.modes, observation);
+      const double conditioned = probability * (options_.observation_factor || factor == 0 ? factor : 1.0);
+      if (conditioned > 0) posterior.push_back({state, conditioned});
+    }
+    if (posterior.empty()) return false;
+    put_in_order(posterior);
+    if (options_.normalise) normalise(posterior);
+    belief_ = std::move(posterior);
+    tell_most_likely(belief_, estimate_);
+    return true;
+  }
+
+  automata::PlantStep& step_;
+  EstimatorOptions options_;
+  Clocks clocks_;
+  Ticks last_;
+  Belief belief_;
+  Estimate estimate_;
+};
+
+}  // namespace
+
+std::unique_ptr<Estimator> make_exact_estimator(automata::PlantStep& step, const EstimatorOptions& options) {
+  return std::make_unique<Exact>(step, options);
+}
+
+}  // namespace runtime

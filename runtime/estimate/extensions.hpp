@@ -1,0 +1,82 @@
+// The extensions of one system state by one step, best first: the OCSP of thesis Fig. 6-11, step 3.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/estimate/ocsp.hpp"
+
+namespace runtime {
+
+/// What one observation says of candidate states. Decision variables are components, their values modes, so that what
+/// is learnt about one source state holds for all.
+class Evidence {
+ public:
+  /// `lasting` holds the conflicts that need no observation; those found here are added to it.
+  Evidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting);
+
+  /// The observation factor of semantics 4; 0 where modes and observation are jointly inconsistent.
+  double factor(const automata::Modes& modes);
+  /// The mode assignments to blame for a factor of 0.
+  Conflict blame(const automata::Modes& modes);
+  /// All that is known to be inconsistent with this observation.
+  [[nodiscard]] const std::shared_ptr<ConflictSet>& conflicts() const { return conflicts_; }
+
+ private:
+  [[nodiscard]] Conflict decisions_in(std::span<const automata::Assignment> conflict,
+                                      const automata::Modes& modes) const;
+
+  automata::PlantStep& step_;
+  automata::Observation observation_;
+  ConflictSet& lasting_;
+  std::shared_ptr<ConflictSet> conflicts_;
+};
+
+/// One target of a step. `prior` is P_T, the product of the moves' probabilities in order of component; `factor` the
+/// observation factor, above 0.
+struct Extension {
+  automata::Modes modes;
+  double prior;
+  double factor;
+};
+
+/// The consistent extensions of a source, in order of prior, found as far as somebody asks. They depend on the moves
+/// and the observation alone.
+class Extensions {
+ public:
+  /// `moves`: per component, as PlantStep::moves gives them. `evidence` must outlive this.
+  Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves);
+
+  /// Those found so far.
+  [[nodiscard]] const std::vector<Extension>& found() const { return found_; }
+  /// Checks one candidate that holds no known conflict, if there is one; a consistent one is added to `found`.
+  void check_one();
+  /// The prior of the i-th extension and of all after it is at most this (up to rounding); 0 where there is none.
+  [[nodiscard]] double bound(std::size_t i) const;
+  /// The probability of moving to exactly these modes, before the observation.
+  [[nodiscard]] double prior(const automata::Modes& modes) const {
+    double product = 1;
+    for (std::size_t c = 0; c < modes.size() && product > 0; ++c) product *= prior(c, modes[c]);
+    return product;
+  }
+  [[nodiscard]] double prior(std::size_t component, automata::ModeId mode) const {
+    const std::vector<double>& modes = priors_[component];
+    return mode.index() < modes.size() ? modes[mode.index()] : 0.0;
+  }
+  /// How many candidates were checked.
+  [[nodiscard]] std::size_t checked() const { return search_.checked(); }
+
+ private:
+  Evidence& evidence_;
+  std::vector<std::vector<double>> priors_;  ///< per component, per mode; modes after the last possible one left out
+  OptimalSearch search_;
+  std::vector<Extension> found_;
+};
+
+}  // namespace runtime

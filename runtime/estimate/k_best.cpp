@@ -1,0 +1,217 @@
+// The k-best estimator: TimedME of thesis Fig. 6-11 with the corrections of 6.2.3.
+//
+// The extensions of a source depend on its modes, the control action, the length of the step and the readings of the
+// clocks that matter; they are remembered from cycle to cycle, so that a plant at rest costs no search.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+#include "runtime/estimate/belief.hpp"
+#include "runtime/estimate/estimator.hpp"
+#include "runtime/estimate/trajectories.hpp"
+
+namespace runtime {
+namespace {
+
+using automata::ComponentId;
+using automata::ControlAction;
+using automata::Modes;
+using automata::Move;
+using automata::Observation;
+using automata::SystemState;
+using automata::Ticks;
+
+/// Beyond so many remembered sources all are forgotten.
+constexpr std::size_t memory_limit = 4096;
+
+/// The number of states kept is doubled so often at most while cycles are inconsistent.
+constexpr std::size_t most_doublings = 6;
+
+/// Up to so many extensions, components in a conflict are predicted exactly.
+constexpr std::size_t exact_limit = 4096;
+
+/// Unnormalised probabilities sink from cycle to cycle; below this they are scaled up before they vanish.
+constexpr double least_scale = 1e-200;
+
+/// What the moves of a source depend on.
+struct SourceKey {
+  Modes modes;
+  ControlAction action;
+  Ticks step;
+  std::vector<Ticks> readings;  ///< of the components in modes with timed exits
+  bool operator==(const SourceKey&) const = default;
+};
+
+struct SourceKeyHash {
+  std::size_t operator()(const SourceKey& key) const noexcept {
+    std::size_t hash = automata::ModesHash{}(key.modes);
+    const auto combine = [&hash](std::size_t value) { hash = (hash ^ value) * 0x100000001b3u; };
+    for (const automata::ValueId value : key.action) combine(value.value);
+    combine(static_cast<std::size_t>(key.step.count));
+    for (const Ticks reading : key.readings) combine(static_cast<std::size_t>(reading.count));
+    return hash ^ (hash >> 32);
+  }
+};
+
+/// What is remembered for one observation.
+struct Context {
+  Context(automata::PlantStep& step, const Observation& observation, ConflictSet& lasting)
+      : evidence(step, observation, lasting) {}
+  Evidence evidence;
+  std::unordered_map<SourceKey, Extensions, SourceKeyHash> extensions;
+};
+
+class KBest final : public Estimator {
+ public:
+  KBest(automata::PlantStep& step, const EstimatorOptions& options)
+      : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only), search_(clocks_, options_) {
+    assert(options.k > 0);
+    const std::size_t components = step.plant().components.size();
+    const SystemState start{Modes(components), std::vector<Ticks>(components)};
+    Extensions initial(context({}).evidence, step.initial_moves());
+    const Source source{&start, 1.0, &initial};
+    estimate_.modes = likeliest_initial_modes(step.plant());
+    estimate_.consistent = settle({&source, 1}, {}, Ticks{}, options.k);
+  }
+
+  const Estimate& update(const ControlAction& action, const Observation& observation, Ticks now) override {
+    assert(now >= last_);
+    if (remembered_ > memory_limit) {
+      contexts_.clear();
+      remembered_ = 0;
+    }
+    estimate_.checked = 0;
+    Context& seen = context(observation);
+    estimate_.consistent = settle(sources(seen, action, now), {}, now, options_.k);
+    if (estimate_.consistent) {
+      inconsistent_cycles_ = 0;
+    } else {
+      predict(seen.evidence, action, now);
+    }
+    last_ = now;
+    return estimate_;
+  }
+
+  [[nodiscard]] const Belief& belief() const override { return belief_; }
+  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
+
+ private:
+  Context& context(const Observation& observation) {
+    return contexts_.try_emplace(observation, step_, observation, lasting_).first->second;
+  }
+
+  /// The states of the belief with their extensions under one observation. Valid until the next call.
+  std::span<const Source> sources(Context& context, const ControlAction& action, Ticks now) {
+    sources_.clear();
+    key_.action = action;
+    key_.step = now - last_;
+    for (const BeliefEntry& entry : belief_) {
+      key_.modes = entry.state.modes;
+      key_.readings.clear();
+      for (std::size_t c = 0; c < key_.modes.size(); ++c) {
+        if (clocks_.live(c, key_.modes[c])) key_.readings.push_back(now - entry.state.clock_starts[c]);
+      }
+      auto known = context.extensions.find(key_);
+      if (known == context.extensions.end()) {
+        ++remembered_;
+        known =
+            context.extensions.try_emplace(key_, context.evidence, step_.moves(entry.state, action, last_, now)).first;
+      }
+      sources_.push_back({&entry.state, entry.probability, &known->second});
+    }
+    return sources_;
+  }
+
+  /// Takes the best targets as the belief; false, with the belief as it was, where there is none.
+  bool settle(std::span<const Source> sources, std::span<const Source> obligatory, Ticks now, std::size_t k) {
+    search_.run(sources, obligatory, now, k);
+    estimate_.checked += search_.checked();
+    estimate_.cut = search_.cut();
+    estimate_.missing_mass = search_.missing();
+    if (search_.kept().empty()) return false;
+    std::swap(belief_, search_.kept());
+    if (options_.normalise) {
+      normalise(belief_);
+    } else if (belief_.front().probability < least_scale) {
+      const double scale = belief_.front().probability;
+      for (BeliefEntry& entry : belief_) entry.probability /= scale;
+    }
+    tell_most_likely(belief_, estimate_);
+    return true;
+  }
+
+  /// What is left where no extension explains the observation: the last belief predicted forward, wider in each
+  /// inconsistent cycle on end; from the second on, exact on the components that the conflicts name, each of the others
+  /// taking its likeliest move. Where no successor is possible at all, the belief stays.
+  void predict(Evidence& evidence, const ControlAction& action, Ticks now) {
+    ++inconsistent_cycles_;
+    const std::vector<bool> blamed = components_in(evidence.conflicts()->conflicts());
+    Context& unseen = context({});
+    const std::span<const Source> all = sources(unseen, action, now);
+    std::vector<std::unique_ptr<Extensions>> widened;
+    std::vector<Source> obligatory;
+    if (inconsistent_cycles_ > 1) {
+      std::size_t count = 0;
+      for (const BeliefEntry& entry : belief_) {
+        auto moves = step_.moves(entry.state, action, last_, now);
+        count += restrict_to(blamed, moves);
+        if (count > exact_limit) break;
+        widened.push_back(std::make_unique<Extensions>(unseen.evidence, moves));
+        obligatory.push_back({&entry.state, entry.probability, widened.back().get()});
+      }
+      if (count > exact_limit) obligatory.clear();
+    }
+    settle(all, obligatory, now, options_.k << std::min(inconsistent_cycles_, most_doublings));
+  }
+
+  /// The components that observations bring into conflict; conflicts that need none are left out.
+  [[nodiscard]] std::vector<bool> components_in(const std::vector<Conflict>& conflicts) const {
+    std::vector<bool> named(step_.plant().components.size());
+    const std::vector<Conflict>& lasting = lasting_.conflicts();
+    for (const Conflict& conflict : conflicts) {
+      if (std::find(lasting.begin(), lasting.end(), conflict) != lasting.end()) continue;
+      for (const Decision& decision : conflict) named[decision.variable] = true;
+    }
+    return named;
+  }
+
+  /// Leaves each component that is not `free` its likeliest move; how many products of moves there are then, or a
+  /// number above `exact_limit`.
+  static std::size_t restrict_to(const std::vector<bool>& free, std::vector<std::vector<Move>>& moves) {
+    std::size_t products = 1;
+    for (std::size_t c = 0; c < moves.size(); ++c) {
+      if (!free[c]) {
+        moves[c] = {*std::max_element(moves[c].begin(), moves[c].end(),
+                                      [](const Move& a, const Move& b) { return a.probability < b.probability; })};
+      }
+      products = std::min(products * moves[c].size(), exact_limit + 1);
+    }
+    return products;
+  }
+
+  automata::PlantStep& step_;
+  const EstimatorOptions options_;
+  const Clocks clocks_;
+  ConflictSet lasting_;
+  std::map<Observation, Context> contexts_;
+  std::size_t remembered_ = 0;
+  SourceKey key_;
+  std::vector<Source> sources_;
+  TrajectorySearch search_;
+  Ticks last_;
+  std::size_t inconsistent_cycles_ = 0;
+  Belief belief_;
+  Estimate estimate_;
+};
+
+}  // namespace
+
+std::unique_ptr<Estimator> make_k_best_estimator(automata::PlantStep& step, const EstimatorOptions& options) {
+  return std::make_unique<KBest>(step, options);
+}
+
+}  // namespace runtime

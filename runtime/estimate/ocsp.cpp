@@ -1,0 +1,213 @@
+// Conflict-directed best-first search over disjoint sets of assignments.
+// SPDX-License-Identifier: MIT
+#include "runtime/estimate/ocsp.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace runtime {
+
+void ConflictSet::add(Conflict conflict) {
+  std::sort(conflict.begin(), conflict.end());
+  if (std::find(conflicts_.begin(), conflicts_.end(), conflict) != conflicts_.end()) return;
+  conflicts_.push_back(std::move(conflict));
+  disagreement_.push_back(0);
+}
+
+const Conflict* ConflictSet::contained_in(std::span<const std::uint32_t> candidate) const {
+  for (std::size_t i = 0; i < conflicts_.size(); ++i) {
+    const Conflict& conflict = conflicts_[i];
+    const auto disagrees = [&](const Decision& d) { return candidate[d.variable] != d.value; };
+    if (!conflict.empty() && disagrees(conflict[disagreement_[i]])) continue;
+    const auto found = std::find_if(conflict.begin(), conflict.end(), disagrees);
+    if (found == conflict.end()) return &conflict;
+    disagreement_[i] = static_cast<std::uint32_t>(found - conflict.begin());
+  }
+  return nullptr;
+}
+
+OptimalSearch::OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> conflicts)
+    : costs_(costs),
+      conflicts_(conflicts ? std::move(conflicts) : std::make_shared<ConflictSet>()),
+      choices_(costs.size()),
+      candidate_(costs.size()),
+      rank_(costs.size()),
+      fixed_(costs.size()) {
+  double greatest = 1;
+  for (const auto& values : costs) {
+    double most = 0;
+    for (const double cost : values) {
+      assert(cost >= 0);
+      if (std::isfinite(cost)) most = std::max(most, cost);
+    }
+    greatest += most;
+  }
+  // The sum of all greatest costs must stay below 2^62 units.
+  const int unit_exponent = std::max(-40, std::ilogb(greatest) + 1 - 62);
+  unit_ = std::ldexp(1.0, unit_exponent);
+
+  Node root{.cost = 0, .split = none, .position = 0, .deviations = {}};
+  bool possible = true;
+  for (std::size_t x = 0; x < costs.size(); ++x) {
+    std::vector<Choice>& choices = choices_[x];
+    for (std::size_t v = 0; v < costs[x].size(); ++v) {
+      if (!std::isfinite(costs[x][v])) continue;
+      choices.push_back({static_cast<std::uint32_t>(v), std::llround(std::ldexp(costs[x][v], -unit_exponent))});
+    }
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.cost < b.cost; });
+    if (choices.empty()) {
+      possible = false;
+    } else {
+      root.cost += choices.front().cost;
+    }
+  }
+  if (possible) push(root);
+}
+
+OptimalSearch::Outcome OptimalSearch::next(const Check& check) {
+  const auto by_priority = [this](const Node& a, const Node& b) { return later(a, b); };
+  while (!queue_.empty()) {
+    const Node node = queue_.front();
+    take_candidate(node);
+    const Conflict* known = conflicts_->contained_in(candidate_);
+    if (known == nullptr && budget_ == 0) return Outcome::budget;
+
+    std::pop_heap(queue_.begin(), queue_.end(), by_priority);
+    queue_.pop_back();
+    if (node.split != none) push_child(node.split, node.position + 1);
+    if (known != nullptr) {
+      split(node, *known);
+      continue;
+    }
+    --budget_;
+    ++checked_;
+    const std::optional<Conflict> conflict = check(candidate_);
+    if (!conflict) {
+      decisions_.clear();
+      for (std::uint32_t x = 0; x < candidate_.size(); ++x) decisions_.push_back({x, candidate_[x]});
+      split(node, decisions_);
+      return Outcome::solution;
+    }
+    assert(std::all_of(conflict->begin(), conflict->end(),
+                       [this](const Decision& d) { return candidate_[d.variable] == d.value; }));
+    conflicts_->add(*conflict);
+    if (conflict->empty()) {
+      queue_.clear();
+    } else {
+      split(node, *conflict);
+    }
+  }
+  return Outcome::exhausted;
+}
+
+double OptimalSearch::cost() const {
+  double sum = 0;
+  for (std::size_t x = 0; x < candidate_.size(); ++x) sum += costs_[x][candidate_[x]];
+  return sum;
+}
+
+double OptimalSearch::bound() const {
+  if (queue_.empty()) return std::numeric_limits<double>::infinity();
+  // Each cost was rounded by half a unit at most.
+  const double rounding = 0.5 * static_cast<double>(choices_.size()) * unit_;
+  return std::max(0.0, static_cast<double>(queue_.front().cost) * unit_ - rounding);
+}
+
+/// Whether `a` comes after `b`: by cost, then by candidates in lexicographic order. Sets of nodes never overlap, so
+/// candidates differ; as a candidate is the least of its node in this order, solutions come out in it.
+bool OptimalSearch::later(const Node& a, const Node& b) const {
+  if (a.cost != b.cost) return a.cost > b.cost;
+  const auto in_a = std::span(deviations_).subspan(a.deviations.begin, a.deviations.size);
+  const auto in_b = std::span(deviations_).subspan(b.deviations.begin, b.deviations.size);
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < in_a.size() || j < in_b.size()) {
+    const bool a_deviates = i < in_a.size() && (j == in_b.size() || in_a[i].variable <= in_b[j].variable);
+    const bool b_deviates = j < in_b.size() && (i == in_a.size() || in_b[j].variable <= in_a[i].variable);
+    const std::uint32_t of_a = a_deviates ? value(in_a[i]) : choices_[in_b[j].variable].front().value;
+    const std::uint32_t of_b = b_deviates ? value(in_b[j]) : choices_[in_a[i].variable].front().value;
+    if (of_a != of_b) return of_a > of_b;
+    i += a_deviates ? 1 : 0;
+    j += b_deviates ? 1 : 0;
+  }
+  return false;
+}
+
+std::uint32_t OptimalSearch::value(const Deviation& deviation) const {
+  return choices_[deviation.variable][deviation.rank].value;
+}
+
+const OptimalSearch::Alternative& OptimalSearch::alternative(std::uint32_t split, std::uint32_t position) const {
+  return alternatives_[splits_[split].alternatives.begin + position];
+}
+
+void OptimalSearch::take_candidate(const Node& node) {
+  std::fill(rank_.begin(), rank_.end(), 0);
+  for (std::uint32_t i = 0; i < node.deviations.size; ++i) {
+    const Deviation& deviation = deviations_[node.deviations.begin + i];
+    rank_[deviation.variable] = deviation.rank;
+  }
+  for (std::size_t x = 0; x < choices_.size(); ++x) candidate_[x] = choices_[x][rank_[x]].value;
+}
+
+/// Divides the node, whose candidate makes all decisions of `conflict`, into the ways out of it. A variable that is
+/// fixed or has no choice left gives no way out. The candidate itself is left behind.
+void OptimalSearch::split(const Node& node, std::span<const Decision> conflict) {
+  std::fill(fixed_.begin(), fixed_.end(), std::uint8_t{0});
+  for (const Node* ancestor = &node; ancestor->split != none; ancestor = &splits_[ancestor->split].node) {
+    for (std::uint32_t i = 0; i < ancestor->position; ++i) fixed_[alternative(ancestor->split, i).variable] = 1;
+  }
+  const auto begin = alternatives_.size();
+  for (const Decision& d : conflict) {
+    const std::vector<Choice>& choices = choices_[d.variable];
+    const std::uint32_t rank = rank_[d.variable];
+    if (fixed_[d.variable] != 0 || rank + 1 == choices.size()) continue;
+    alternatives_.push_back({d.variable, rank + 1, choices[rank + 1].cost - choices[rank].cost});
+  }
+  if (alternatives_.size() == begin) return;
+  // Among equal costs the child with the lexicographically smaller candidate: at the first of the two variables one
+  // child has the next value and the other still has the present one.
+  const auto earlier = [this](const Alternative& a, const Alternative& b) {
+    if (a.delta != b.delta) return a.delta < b.delta;
+    if (a.variable == b.variable) return false;
+    const bool a_first = a.variable < b.variable;
+    const Alternative& first = a_first ? a : b;
+    const bool first_is_smaller = choices_[first.variable][first.rank].value < candidate_[first.variable];
+    return first_is_smaller == a_first;
+  };
+  std::sort(alternatives_.begin() + static_cast<std::ptrdiff_t>(begin), alternatives_.end(), earlier);
+  splits_.push_back(
+      {node, {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(alternatives_.size() - begin)}});
+  push_child(static_cast<std::uint32_t>(splits_.size() - 1), 0);
+}
+
+void OptimalSearch::push(Node node) {
+  queue_.push_back(node);
+  std::push_heap(queue_.begin(), queue_.end(), [this](const Node& a, const Node& b) { return later(a, b); });
+}
+
+/// Queues the child at `position` of a split; nothing where there is none.
+void OptimalSearch::push_child(std::uint32_t split, std::uint32_t position) {
+  const Split& parent = splits_[split];
+  if (position >= parent.alternatives.size) return;
+  const Alternative& way = alternative(split, position);
+  const Slice inherited = parent.node.deviations;
+  const auto begin = static_cast<std::uint32_t>(deviations_.size());
+  bool placed = false;
+  for (std::uint32_t i = 0; i < inherited.size; ++i) {
+    const Deviation deviation = deviations_[inherited.begin + i];
+    if (!placed && way.variable <= deviation.variable) {
+      deviations_.push_back({way.variable, way.rank});
+      placed = true;
+      if (way.variable == deviation.variable) continue;
+    }
+    deviations_.push_back(deviation);
+  }
+  if (!placed) deviations_.push_back({way.variable, way.rank});
+  const Slice own{begin, static_cast<std::uint32_t>(deviations_.size()) - begin};
+  push({.cost = parent.node.cost + way.delta, .split = split, .position = position, .deviations = own});
+}
+
+}  // namespace runtime
