@@ -15,17 +15,19 @@ namespace runtime {
 /// What reconfiguration answers in one cycle.
 struct Reconfiguration {
   enum class Outcome {
-    command,         ///< issue `action`
-    wait,            ///< stay idle: a timed transition will do the next thing
-    nothing_to_do,   ///< the estimate is the goal state
-    no_plan          ///< no reachable state entails the goal, or no commands lead there; `reason` says why
+    command,        ///< issue `action`
+    wait,           ///< stay idle: a timed transition will do the next thing
+    nothing_to_do,  ///< the estimate is the goal state
+    no_plan         ///< no reachable state entails the goal, or no commands lead there; `reason` says why
   };
   Outcome outcome = Outcome::nothing_to_do;
-  automata::ControlAction action;                     ///< idle unless `command`
-  std::optional<automata::Modes> goal_state;          ///< chosen by the goal interpreter
-  std::optional<automata::ComponentId> component;     ///< with `no_plan`: the one to blame, where there is one
-  std::string reason;                                 ///< with `no_plan`: in words
-  bool irreversible = false;                          ///< the command leads where no nominal sequence leads back from
+  automata::ControlAction action;                  ///< idle unless `command`
+  std::optional<automata::Modes> goal_state;       ///< chosen by the goal interpreter
+  std::optional<automata::Modes> expected;         ///< with `command` and `wait`: the state after it if nothing fails
+  std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one;
+                                                   ///< with `command` and `wait`: the one that is to change its mode
+  std::string reason;                              ///< with `no_plan`: in words
+  bool irreversible = false;                       ///< the command leads where no nominal sequence leads back from
 };
 
 /// A reconfigurer answers for one plant. Answers depend on the arguments alone.
@@ -37,7 +39,8 @@ class Reconfigurer {
   virtual Reconfiguration next(const automata::Modes& modes, const automata::Formula& goal) = 0;
 };
 
-/// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction.
+/// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction. Remembers its answers:
+/// a repeated question costs a look-up. Keeps a reference to `step`, and asks its theory.
 std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step);
 
 }  // namespace runtime

@@ -1,0 +1,118 @@
+// rmpl-run diagnose: the leading diagnoses of one snapshot.
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+
+#include "runtime/command/command.hpp"
+#include "runtime/command/input.hpp"
+#include "runtime/estimate/diagnose.hpp"
+#include "runtime/trace/json_line.hpp"
+
+namespace runtime {
+namespace {
+
+struct Options {
+  std::string plant;
+  std::string observe;
+  DiagnoseOptions search;
+  bool count = false;
+  bool stats = false;
+  Format format = Format::text;
+};
+
+constexpr const char* footer =
+    R"(Every component is in some mode; a diagnosis names those that are in a fault mode, and all others are
+nominal. It is consistent with the observations and the model. Best first is by prior probability.
+
+exit code: 0 done; 2 an input is wrong
+
+examples:
+  rmpl-run diagnose c17.tcca --observe 'N1 = one, N22 = zero'
+  rmpl-run diagnose valves.tcca --observe 'flow = none' -k 3 --format json
+  rmpl-run diagnose c17.tcca --observe 'N1 = one, N22 = zero' --all-minimal --count)";
+
+void write_json(JsonLine& json, const automata::Plant& plant, const Diagnoses& found, bool count_only) {
+  json.open('{').key("diagnoses").open('[');
+  if (!count_only) {
+    for (const Diagnosis& diagnosis : found.diagnoses) {
+      json.open('{').key("probability").number(diagnosis.probability).key("modes").open('{');
+      for (const auto& [component, mode] : diagnosis.faults) {
+        json.key(plant[component].name).string(plant[component].modes[mode.index()].name);
+      }
+      json.close('}').close('}');
+    }
+  }
+  json.close(']').key("count").number(found.diagnoses.size()).key("cardinality");
+  if (found.cardinality) {
+    json.number(*found.cardinality);
+  } else {
+    json.null();
+  }
+  json.key("checked").number(found.checked).key("seconds").number(found.seconds).close('}');
+}
+
+std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool count_only) {
+  if (count_only) return std::to_string(found.diagnoses.size()) + "\n";
+  if (found.diagnoses.empty()) return "no diagnosis: no modes of the components are consistent with the observations\n";
+  std::string text;
+  JsonLine number;
+  for (const Diagnosis& diagnosis : found.diagnoses) {
+    number.clear();
+    number.number(diagnosis.probability);
+    std::string probability = number.text();
+    if (probability.size() < 24) probability.append(24 - probability.size(), ' ');
+    text += probability;
+    if (diagnosis.faults.empty()) text += " nothing is at fault";
+    bool first = true;
+    for (const auto& [component, mode] : diagnosis.faults) {
+      text += (first ? " " : ", ") + plant[component].name + " = " + plant[component].modes[mode.index()].name;
+      first = false;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+Status run(Options options, const Common& common) {
+  const auto compilation = load({options.plant}, common);
+  if (!compilation) return Status::wrong;
+  const automata::Plant& plant = only_plant(compilation->document(), options.plant);
+  const auto observation = assignments_option(options.observe, plant, "--observe", common);
+  if (!observation) return Status::wrong;
+  options.search.all_minimal = options.search.all_minimal || options.count;
+  const Diagnoses found = diagnose(plant, *observation, options.search);
+  if (options.format == Format::json) {
+    JsonLine json;
+    write_json(json, plant, found, options.count);
+    std::cout << json.text() << '\n';
+  } else {
+    std::cout << text_of(plant, found, options.count);
+  }
+  finish_output();
+  if (options.stats || common.verbose) {
+    std::cerr << found.checked << " candidates checked in " << found.seconds << " s\n";
+  }
+  return found.cut ? Status::undecided : Status::done;
+}
+
+}  // namespace
+
+Subcommand diagnose_command(CLI::App& app, const Common& common) {
+  CLI::App* command = app.add_subcommand("diagnose", "find the faults that explain one snapshot");
+  const auto options = std::make_shared<Options>();
+  command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
+  command->add_option("--observe", options->observe, "what is seen: attributes and their values")
+      ->required()
+      ->option_text("'x = v, ...'");
+  command->add_option("-k", options->search.k, "how many diagnoses (default: 10)")
+      ->option_text("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
+  command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
+  command->add_flag("--count", options->count, "only how many those with the fewest faults are");
+  add_format(*command, options->format);
+  command->add_flag("--stats", options->stats, "say on standard error what it cost");
+  command->footer(footer);
+  return {command, [options, &common] { return run(*options, common); }};
+}
+
+}  // namespace runtime

@@ -1,0 +1,43 @@
+// MR: from goals and the estimate to a command.
+// SPDX-License-Identifier: MIT
+#include "runtime/execute/reconfiguration_dispatcher.hpp"
+
+#include <cassert>
+
+namespace runtime {
+
+ReconfigurationDispatcher::ReconfigurationDispatcher(const automata::Plant& plant, Reconfigurer& reconfigurer,
+                                                     const Clock& clock)
+    : reconfigurer_(reconfigurer), clock_(clock), idle_(automata::idle_action(plant)) {}
+
+void ReconfigurationDispatcher::dispatch() {
+  while (const auto message = queue_.pop()) {
+    std::visit([this](const auto& m) { handle(m); }, *message);
+  }
+}
+
+const automata::ControlAction& ReconfigurationDispatcher::command() const {
+  return answer_.outcome == Reconfiguration::Outcome::command ? answer_.action : idle_;
+}
+
+// 4. Goals are dequeued and conjoined.
+void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.push_back(message.goal); }
+
+void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
+  assert(control_ != nullptr && "connected before the first request");
+  // 5. The request invokes MR with the configuration goal, 6. which returns the next command of a sequence.
+  if (modes_ != asked_modes_ || goals_ != asked_goals_) {
+    answer_ = reconfigurer_.next(modes_, automata::conjunction_of(goals_));
+    asked_modes_ = modes_;
+    asked_goals_ = goals_;
+  }
+  goals_.clear();
+  // 7. It goes to the control adapter.
+  control_->issue(command(), clock_.now());
+}
+
+void ReconfigurationDispatcher::handle(const StateEstimated& message) {
+  modes_.assign(message.modes.begin(), message.modes.end());
+}
+
+}  // namespace runtime

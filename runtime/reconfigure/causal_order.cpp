@@ -1,0 +1,129 @@
+// The causal order: what is upstream of what, transitively, then the components by turns.
+// SPDX-License-Identifier: MIT
+#include "runtime/reconfigure/causal_order.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace runtime {
+
+using automata::ComponentId;
+
+namespace {
+
+using Upstream = std::vector<std::vector<std::size_t>>;
+
+Upstream upstream_of(const automata::Plant& plant, const NominalGraph& graph) {
+  std::unordered_map<automata::VariableId, std::size_t> component_of;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) component_of.emplace(plant.components[c].mode, c);
+  Upstream upstream(plant.components.size());
+  for (std::size_t c = 0; c < upstream.size(); ++c) {
+    for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
+      for (const Support& support : t.supports) {
+        for (const Requirement& r : support) {
+          if (const auto at = component_of.find(r.variable); at != component_of.end())
+            upstream[c].push_back(at->second);
+        }
+      }
+    }
+    std::sort(upstream[c].begin(), upstream[c].end());
+    upstream[c].erase(std::unique(upstream[c].begin(), upstream[c].end()), upstream[c].end());
+  }
+  return upstream;
+}
+
+/// Tarjan's strongly connected components, with a stack of its own: plants may be deep.
+class Cycles {
+ public:
+  explicit Cycles(const Upstream& upstream)
+      : number(upstream.size(), none), upstream_(upstream), index_(upstream.size(), none), low_(upstream.size()) {
+    for (std::size_t c = 0; c < upstream.size(); ++c) {
+      if (index_[c] == none) visit(c);
+    }
+  }
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> number;  ///< per component, of its strongly connected component
+  std::size_t count = 0;
+
+ private:
+  void visit(std::size_t root) {
+    struct Frame {
+      std::size_t component;
+      std::size_t edge;
+    };
+    std::vector<Frame> frames;
+    const auto enter = [&](std::size_t c) {
+      index_[c] = low_[c] = visited_++;
+      open_.push_back(c);
+      frames.push_back({c, 0});
+    };
+    enter(root);
+    while (!frames.empty()) {
+      const std::size_t c = frames.back().component;
+      if (frames.back().edge < upstream_[c].size()) {
+        const std::size_t u = upstream_[c][frames.back().edge++];
+        if (index_[u] == none) {
+          enter(u);
+        } else if (number[u] == none) {
+          low_[c] = std::min(low_[c], index_[u]);
+        }
+        continue;
+      }
+      frames.pop_back();
+      if (!frames.empty()) low_[frames.back().component] = std::min(low_[frames.back().component], low_[c]);
+      if (low_[c] == index_[c]) close(c);
+    }
+  }
+  void close(std::size_t root) {
+    std::size_t member = none;
+    while (member != root) {
+      member = open_.back();
+      open_.pop_back();
+      number[member] = count;
+    }
+    ++count;
+  }
+
+  const Upstream& upstream_;
+  std::vector<std::size_t> index_, low_, open_;
+  std::size_t visited_ = 0;
+};
+
+}  // namespace
+
+CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph)
+    : rank_(plant.components.size()), in_cycle_(plant.components.size()) {
+  const Upstream upstream = upstream_of(plant, graph);
+  const Cycles cycles(upstream);
+  std::vector<std::vector<std::size_t>> members(cycles.count);
+  for (std::size_t c = 0; c < upstream.size(); ++c) members[cycles.number[c]].push_back(c);
+
+  // A cycle's turn comes when all that is downstream of it has had its turn; of several, the first declared.
+  std::vector<std::size_t> waits_for(cycles.count);
+  for (std::size_t c = 0; c < upstream.size(); ++c) {
+    for (const std::size_t u : upstream[c]) {
+      if (cycles.number[u] != cycles.number[c]) ++waits_for[cycles.number[u]];
+      in_cycle_[c] = in_cycle_[c] || cycles.number[u] == cycles.number[c];
+    }
+  }
+  std::vector<std::size_t> ready;
+  for (std::size_t k = 0; k < cycles.count; ++k) {
+    if (waits_for[k] == 0) ready.push_back(k);
+  }
+  while (!ready.empty()) {
+    const auto first = std::min_element(ready.begin(), ready.end(), [&](std::size_t a, std::size_t b) {
+      return members[a].front() < members[b].front();
+    });
+    const std::size_t k = *first;
+    ready.erase(first);
+    for (const std::size_t c : members[k]) {
+      rank_[c] = order_.size();
+      order_.emplace_back(c);
+      for (const std::size_t u : upstream[c]) {
+        if (cycles.number[u] != k && --waits_for[cycles.number[u]] == 0) ready.push_back(cycles.number[u]);
+      }
+    }
+  }
+}
+
+}  // namespace runtime

@@ -1,0 +1,30 @@
+// The causal order of components: whose modes let commands through to whom (Williams & Nayak 1997, causal graph).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "runtime/reconfigure/nominal_graph.hpp"
+
+namespace runtime {
+
+/// Component u is upstream of c when a transition of c has a support that requires modes of u.
+class CausalOrder {
+ public:
+  CausalOrder(const automata::Plant& plant, const NominalGraph& graph);
+
+  /// Every component once, those downstream before those upstream of them; the members of a causal cycle stand
+  /// together; otherwise in declaration order. Goals are achieved in this order: a driver is turned off last.
+  [[nodiscard]] const std::vector<automata::ComponentId>& downstream_first() const { return order_; }
+  /// The place of a component in that order, from 0.
+  [[nodiscard]] std::size_t rank(automata::ComponentId component) const { return rank_[component.index()]; }
+  /// Whether the component is upstream of itself, through others or directly.
+  [[nodiscard]] bool in_cycle(automata::ComponentId component) const { return in_cycle_[component.index()]; }
+
+ private:
+  std::vector<automata::ComponentId> order_;
+  std::vector<std::size_t> rank_;
+  std::vector<bool> in_cycle_;
+};
+
+}  // namespace runtime

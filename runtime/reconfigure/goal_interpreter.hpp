@@ -1,0 +1,39 @@
+// The goal interpreter: which state to bring the plant to (semantics 5; thesis 6.3.1).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/reconfigure/goal.hpp"
+#include "runtime/reconfigure/nominal_graph.hpp"
+
+namespace runtime {
+
+/// Why there is no goal state, or no way to it.
+struct Impasse {
+  std::optional<automata::ComponentId> component;  ///< to blame, where there is one
+  std::string reason;
+};
+
+/// Chooses, over the modes that each component reaches (`NominalGraph::reachable`), the state that is consistent,
+/// entails the goal, and has the greatest summed reward; of several the first in declaration order of components, then
+/// modes. An OCSP solved by conflict-directed best-first search, as in Fig. 6-16.
+class GoalInterpreter {
+ public:
+  GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph) : step_(step), graph_(graph) {}
+
+  std::variant<automata::Modes, Impasse> interpret(const automata::Modes& modes, const Goal& goal);
+
+ private:
+  using Reachable = std::vector<std::vector<bool>>;
+  Impasse impasse(const automata::Modes& modes, const Goal& goal, const Reachable& reachable);
+
+  automata::PlantStep& step_;
+  const NominalGraph& graph_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,103 @@
+// The nominal transitions of each component, and closures over them.
+// SPDX-License-Identifier: MIT
+#include "runtime/reconfigure/nominal_graph.hpp"
+
+#include <algorithm>
+
+namespace runtime {
+
+using automata::Component;
+using automata::ComponentId;
+using automata::Formula;
+using automata::ModeId;
+using automata::TransitionId;
+
+namespace {
+
+template <class Usable>
+std::vector<bool> closure(const std::vector<NominalTransition>& transitions, std::size_t modes, ModeId from,
+                          const Usable& usable) {
+  std::vector<bool> reached(modes);
+  reached[from.index()] = true;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const NominalTransition& t : transitions) {
+      if (!reached[t.from.index()] || reached[t.to.index()] || !usable(t)) continue;
+      reached[t.to.index()] = grown = true;
+    }
+  }
+  return reached;
+}
+
+void collect_names(const automata::Plant& plant, const Formula& formula, NamedModes& named) {
+  if (formula.kind == Formula::Kind::member) {
+    if (const auto component = plant.component_of(formula.variable)) {
+      for (const automata::ValueId v : formula.values) named[component->index()][v.index()] = true;
+    }
+  }
+  for (const Formula& operand : formula.operands) collect_names(plant, operand, named);
+}
+
+}  // namespace
+
+NamedModes named_modes(const automata::Plant& plant, const Formula& goal) {
+  NamedModes named;
+  for (const Component& component : plant.components) named.emplace_back(component.modes.size());
+  collect_names(plant, goal, named);
+  return named;
+}
+
+NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands) {
+  SupportFinder finder(plant, islands);
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const Component& component = plant.components[c];
+    auto& transitions = transitions_.emplace_back();
+    modes_.push_back(component.modes.size());
+    for (std::size_t i = 0; i < component.transitions.size(); ++i) {
+      const automata::Transition& t = component.transitions[i];
+      const bool weightless = t.weight.kind != automata::Weight::Kind::none && !(t.weight.value > 0);
+      if (component.is_fault(t) || weightless) continue;
+      auto supports = finder.supports(ComponentId(c), TransitionId(i));
+      if (supports.empty()) continue;
+      transitions.push_back({.id = TransitionId(i),
+                             .from = t.from,
+                             .to = t.to,
+                             .timed = t.timing.has_value(),
+                             .repair = component.modes[t.from.index()].fault,
+                             .reversible = false,
+                             .possible = finder.possible(ComponentId(c), t.to),
+                             .supports = std::move(supports)});
+    }
+    for (NominalTransition& t : transitions) {
+      const auto back = closure(transitions, modes_.back(), t.to, [](const NominalTransition&) { return true; });
+      t.reversible = back[t.from.index()];
+    }
+  }
+}
+
+const NominalTransition* NominalGraph::find(ComponentId component, TransitionId id) const {
+  const auto& all = transitions(component);
+  const auto at = std::lower_bound(all.begin(), all.end(), id,
+                                   [](const NominalTransition& t, TransitionId wanted) { return t.id < wanted; });
+  return at == all.end() || at->id != id ? nullptr : &*at;
+}
+
+std::vector<ComponentId> NominalGraph::restless(const automata::Plant& plant) const {
+  std::vector<ComponentId> result;
+  for (std::size_t c = 0; c < transitions_.size(); ++c) {
+    const auto moves_of_itself = [&](const NominalTransition& t) {
+      return !t.timed && t.from != t.to &&
+             std::any_of(t.supports.begin(), t.supports.end(),
+                         [&](const Support& support) { return needs_no_command(plant, support); });
+    };
+    if (std::any_of(transitions_[c].begin(), transitions_[c].end(), moves_of_itself)) result.emplace_back(c);
+  }
+  return result;
+}
+
+std::vector<bool> NominalGraph::reachable(ComponentId component, ModeId from, const std::vector<bool>& named) const {
+  return closure(transitions(component), modes_[component.index()], from,
+                 [&](const NominalTransition& t) { return permitted(t, named); });
+}
+
+}  // namespace runtime

@@ -1,0 +1,61 @@
+// The nominal transitions of each component that can be brought about, which of them can be undone, and what they
+// reach. SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "automata/plant.hpp"
+#include "runtime/reconfigure/islands.hpp"
+#include "runtime/reconfigure/support.hpp"
+
+namespace runtime {
+
+/// A nominal transition whose guard some state and control action imply.
+struct NominalTransition {
+  automata::TransitionId id;
+  automata::ModeId from, to;
+  bool timed = false;
+  bool repair = false;      ///< leaves a fault mode
+  bool reversible = false;  ///< nominal transitions lead back from `to` to `from`: computed, not declared (6.3.1)
+  bool possible = false;    ///< some state has mode `to`; else the transition is never taken, whatever enables it
+  std::vector<Support> supports;
+};
+
+/// Per component, per mode: whether the configuration goal names the mode (6.3.3).
+using NamedModes = std::vector<std::vector<bool>>;
+
+/// The modes that a goal names: those that one of its atoms over a mode variable mentions.
+NamedModes named_modes(const automata::Plant& plant, const automata::Formula& goal);
+
+/// Per component, the graph over its modes. Computed once; its cost is that of the supports.
+class NominalGraph {
+ public:
+  NominalGraph(const automata::Plant& plant, const Islands& islands);
+
+  /// In declaration order.
+  [[nodiscard]] const std::vector<NominalTransition>& transitions(automata::ComponentId component) const {
+    return transitions_[component.index()];
+  }
+  /// Nothing where the transition is a fault or cannot be brought about.
+  [[nodiscard]] const NominalTransition* find(automata::ComponentId component, automata::TransitionId id) const;
+
+  /// Whether reconfiguration may count on a transition: it is timed, can be undone, repairs the fault that it leaves
+  /// (no nominal transition enters a fault, so it is the current one), or leads to a mode that the goal names (6.3.3).
+  [[nodiscard]] static bool permitted(const NominalTransition& transition, const std::vector<bool>& named) {
+    return transition.timed || transition.reversible || transition.repair || named[transition.to.index()];
+  }
+
+  /// Per mode: whether permitted transitions lead there from `from`, which is always one of them.
+  [[nodiscard]] std::vector<bool> reachable(automata::ComponentId component, automata::ModeId from,
+                                            const std::vector<bool>& named) const;
+
+  /// The components that may change their mode of themselves: some untimed transition needs no command. While one part
+  /// of the plant is commanded, these do not stand still, so their islands are planned together.
+  [[nodiscard]] std::vector<automata::ComponentId> restless(const automata::Plant& plant) const;
+
+ private:
+  std::vector<std::vector<NominalTransition>> transitions_;
+  std::vector<std::size_t> modes_;  ///< per component, how many
+};
+
+}  // namespace runtime

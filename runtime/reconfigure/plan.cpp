@@ -1,0 +1,46 @@
+// A whole plan, by following the answers of a reconfigurer.
+// SPDX-License-Identifier: MIT
+#include "runtime/reconfigure/plan.hpp"
+
+#include <cassert>
+#include <unordered_set>
+#include <utility>
+
+namespace runtime {
+
+using automata::Modes;
+
+Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
+  Plan plan;
+  Modes current = modes;
+  std::unordered_set<Modes, automata::ModesHash> seen;
+  while (seen.insert(current).second) {
+    Reconfiguration answer = reconfigurer.next(current, goal);
+    switch (answer.outcome) {
+      case Reconfiguration::Outcome::nothing_to_do:
+        plan.outcome = plan.commands.empty() ? Plan::Outcome::nothing_to_do : Plan::Outcome::plan;
+        plan.goal_state = std::move(current);
+        return plan;
+      case Reconfiguration::Outcome::no_plan:
+        return {.outcome = Plan::Outcome::no_plan,
+                .goal_state = std::move(answer.goal_state),
+                .commands = {},
+                .component = answer.component,
+                .reason = std::move(answer.reason)};
+      case Reconfiguration::Outcome::command:
+      case Reconfiguration::Outcome::wait:
+        assert(answer.expected && "a command and a wait lead somewhere");
+        plan.goal_state = std::move(answer.goal_state);
+        plan.commands.push_back(std::move(answer.action));
+        current = std::move(*answer.expected);
+        break;
+    }
+  }
+  return {.outcome = Plan::Outcome::no_plan,
+          .goal_state = std::move(plan.goal_state),
+          .commands = {},
+          .component = std::nullopt,
+          .reason = "the commands towards the goal lead in a circle"};
+}
+
+}  // namespace runtime

@@ -1,0 +1,79 @@
+// The reactive planner: the search of an island where the walk through the policies does not get there.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "runtime/reconfigure/planner.hpp"
+
+namespace runtime {
+
+using automata::Modes;
+
+namespace {
+
+/// A way to a state: how long it is, and the step that it begins with.
+struct Way {
+  Distance distance;
+  std::size_t first;  ///< position among the first steps; `none` for the start
+  bool settled = false;
+};
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+/// Best ways first; of equal ones that which was found first, so that ties go by the order of actions.
+struct Entry {
+  Distance distance;
+  std::size_t found;
+  const Modes* modes;
+  bool operator>(const Entry& other) const { return std::tie(distance, found) > std::tie(other.distance, other.found); }
+};
+
+}  // namespace
+
+/// Uniform-cost search over the nominal successors of the whole island: fewest irreversible steps, then fewest steps.
+/// The same rules on irreversible steps hold; what is achieved may be undone on the way.
+Planner::Choice Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise) {
+  std::unordered_map<Modes, Way, automata::ModesHash> ways;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  std::vector<PlannedStep> first_steps;
+  std::size_t found = 0;
+  std::size_t settled = 0;
+  const auto offer = [&](const Modes& state, Distance distance, std::size_t first) {
+    const auto [at, fresh] = ways.try_emplace(state, Way{distance, first});
+    if (!fresh && (at->second.settled || at->second.distance <= distance)) return;
+    at->second = Way{distance, first};
+    open.push({distance, found++, &at->first});
+  };
+  offer(modes, {}, none);
+  while (!open.empty()) {
+    const Entry entry = open.top();
+    open.pop();
+    Way& way = ways.at(*entry.modes);
+    if (way.settled) continue;
+    way.settled = true;
+    const Modes current = *entry.modes;
+    const Way reached = way;
+    if (arrived(current, objective)) return std::move(first_steps[reached.first]);
+    if (++settled > search_limit) {
+      otherwise.reason += "; the search for another way was given up after " + std::to_string(search_limit) + " states";
+      return otherwise;
+    }
+    for (const automata::ControlAction& action : actions_[objective.island]) {
+      for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.island, objective.named)) {
+        Distance distance = reached.distance + Distance{0, 1};
+        for (const NominalMove& move : outcome.moves) distance.irreversible += move.transition->reversible ? 0 : 1;
+        std::size_t first = reached.first;
+        if (first == none) {
+          first = first_steps.size();
+          first_steps.push_back({action, outcome.moves.front().component, outcome, action == idle_});
+        }
+        offer(outcome.modes, distance, first);
+      }
+    }
+  }
+  return otherwise;
+}
+
+}  // namespace runtime

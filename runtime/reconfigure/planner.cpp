@@ -1,0 +1,226 @@
+// The reactive planner: the depth-first walk through the policies.
+// SPDX-License-Identifier: MIT
+#include "runtime/reconfigure/planner.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <unordered_set>
+#include <utility>
+
+namespace runtime {
+
+using automata::ComponentId;
+using automata::ControlAction;
+using automata::ModeId;
+using automata::Modes;
+using automata::Plant;
+using automata::ValueId;
+
+namespace {
+
+/// Idle; each control of the island off its idle value by itself; then what supports need of several at once.
+std::vector<ControlAction> actions_of(const Plant& plant, const NominalGraph& graph, const Islands& islands,
+                                      std::size_t island) {
+  const ControlAction idle = idle_action(plant);
+  std::vector<ControlAction> actions{idle};
+  for (const std::size_t i : islands.controls(island)) {
+    for (std::size_t v = 0; v < plant.variables[plant.controls[i].variable].values.size(); ++v) {
+      if (ValueId(v) == idle[i]) continue;
+      actions.push_back(idle);
+      actions.back()[i] = ValueId(v);
+    }
+  }
+  for (const ComponentId c : islands.components(island)) {
+    for (const NominalTransition& t : graph.transitions(c)) {
+      for (const Support& support : t.supports) {
+        std::vector<ControlAction> joint{idle};
+        for (const std::size_t i : islands.controls(island)) {
+          const auto r = std::find_if(support.begin(), support.end(), [&](const Requirement& requirement) {
+            return requirement.variable == plant.controls[i].variable;
+          });
+          if (r == support.end() || std::binary_search(r->values.begin(), r->values.end(), idle[i])) continue;
+          std::vector<ControlAction> extended;
+          for (const ControlAction& action : joint) {
+            for (const ValueId v : r->values) extended.emplace_back(action)[i] = v;
+          }
+          joint = std::move(extended);
+        }
+        for (ControlAction& action : joint) {
+          if (std::find(actions.begin(), actions.end(), action) == actions.end()) actions.push_back(std::move(action));
+        }
+      }
+    }
+  }
+  return actions;
+}
+
+}  // namespace
+
+Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands)
+    : graph_(graph),
+      islands_(islands),
+      order_(step.plant(), graph),
+      policies_(step.plant(), graph),
+      nominal_(step, graph, islands),
+      idle_(idle_action(step.plant())),
+      component_of_(step.plant().variables.size()),
+      ordered_(islands.count()) {
+  const Plant& plant = step.plant();
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    component_of_[plant.components[c].mode.index()] = ComponentId(c);
+  }
+  for (const ComponentId c : order_.downstream_first()) ordered_[islands.of(c)].push_back(c);
+  for (std::size_t i = 0; i < islands.count(); ++i) actions_.push_back(actions_of(plant, graph, islands, i));
+}
+
+bool Planner::arrived(const Modes& modes, const Objective& objective) const {
+  const auto& components = islands_.components(objective.island);
+  return std::all_of(components.begin(), components.end(),
+                     [&](ComponentId c) { return modes[c.index()] == objective.target[c.index()]; });
+}
+
+std::string Planner::name(ComponentId component, ModeId mode) const {
+  return "'" + nominal_.plant()[component].modes[mode.index()].name + "'";
+}
+
+Planner::Choice Planner::next(const Modes& modes, const Objective& objective) {
+  assert(!arrived(modes, objective) && "there is something to do");
+  Choice choice = first_step(modes, objective);
+  auto* const step = std::get_if<PlannedStep>(&choice);
+  if (step == nullptr || nominal_.join_others(modes, step->action, objective.island, objective.named, step->outcome)) {
+    return choice;
+  }
+  return Impasse{std::nullopt, "what happens next of itself contradicts the model"};
+}
+
+Planner::Choice Planner::first_step(const Modes& modes, const Objective& objective) {
+  Choice first = walk(modes, objective);
+  if (const auto* stuck = std::get_if<Impasse>(&first)) return search(modes, objective, *stuck);
+
+  const PlannedStep& step = std::get<PlannedStep>(first);
+  const Impasse circle{step.component, "the commands that achieve " +
+                                           name(step.component, objective.target[step.component.index()]) + " for '" +
+                                           nominal_.plant()[step.component].name + "' lead in a circle"};
+  std::unordered_set<Modes, automata::ModesHash> seen{modes};
+  Modes current = step.outcome.modes;
+  while (!arrived(current, objective)) {
+    if (!seen.insert(current).second) return search(modes, objective, circle);
+    Choice choice = walk(current, objective);
+    if (const auto* stuck = std::get_if<Impasse>(&choice)) return search(modes, objective, *stuck);
+    current = std::move(std::get<PlannedStep>(choice).outcome.modes);
+  }
+  return first;
+}
+
+Planner::Choice Planner::walk(const Modes& modes, const Objective& objective) {
+  const auto& components = ordered_[objective.island];
+  const auto astray = std::find_if(components.begin(), components.end(),
+                                   [&](ComponentId c) { return modes[c.index()] != objective.target[c.index()]; });
+  Choice choice = achieve(modes, objective, *astray, std::span(&objective.target[astray->index()], 1));
+  const auto* waiting = std::get_if<PlannedStep>(&choice);
+  if (waiting == nullptr || !waiting->idle) return choice;
+
+  // Nothing is served by leaving a fault while time passes: a repair that can be commanded at once goes before a wait.
+  for (const ComponentId c : components) {
+    const ModeId target = objective.target[c.index()];
+    if (modes[c.index()] == target || !nominal_.plant()[c].modes[modes[c.index()].index()].fault) continue;
+    Choice repair = achieve(modes, objective, c, std::span(&target, 1));
+    const auto* command = std::get_if<PlannedStep>(&repair);
+    if (command != nullptr && !command->idle && command->component == c) return repair;
+  }
+  return choice;
+}
+
+Planner::Choice Planner::achieve(const Modes& modes, const Objective& objective, ComponentId component,
+                                 std::span<const ModeId> wanted) {
+  const Plant& plant = nominal_.plant();
+  const ModeId current = modes[component.index()];
+  const Policy& policy = policies_.of(component, objective.named);
+  const ModeId* nearest = nullptr;
+  for (const ModeId& mode : wanted) {
+    const auto& distance = policy.distance(current, mode);
+    if (distance && (nearest == nullptr || *distance < *policy.distance(current, *nearest))) nearest = &mode;
+  }
+  if (nearest == nullptr) {
+    return Impasse{component, "no permitted nominal transitions lead '" + plant[component].name + "' from " +
+                                  name(component, current) + " to " + name(component, wanted.front())};
+  }
+  if (order_.in_cycle(component)) {
+    return Impasse{component, "no permitted sequence of commands leads '" + plant[component].name + "' from " +
+                                  name(component, current) + " to " + name(component, *nearest)};
+  }
+  return bring_about(modes, objective, component, *policy.next(current, *nearest));
+}
+
+Planner::Subgoals Planner::subgoals(const Modes& modes, const Objective& objective, const Support& support) {
+  Subgoals result{{}, Distance{}};
+  for (const Requirement& r : support) {
+    const auto component = component_of_[r.variable.index()];
+    if (!component) continue;
+    const ModeId current = modes[component->index()];
+    if (std::binary_search(r.values.begin(), r.values.end(), ValueId(current.index()))) continue;
+    const Policy& policy = policies_.of(*component, objective.named);
+    std::optional<Distance> nearest;
+    for (const ValueId v : r.values) {
+      const auto& distance = policy.distance(current, ModeId(v.index()));
+      if (distance && (!nearest || *distance < *nearest)) nearest = distance;
+    }
+    result.pending.emplace_back(*component, &r);
+    result.distance = result.distance && nearest ? std::optional(*result.distance + *nearest) : std::nullopt;
+  }
+  std::sort(result.pending.begin(), result.pending.end(),
+            [&](const auto& a, const auto& b) { return order_.rank(a.first) < order_.rank(b.first); });
+  return result;
+}
+
+ControlAction Planner::action_for(const Support& support) const {
+  const auto& controls = nominal_.plant().controls;
+  ControlAction action = idle_;
+  for (const Requirement& r : support) {
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      if (controls[i].variable != r.variable) continue;
+      if (!std::binary_search(r.values.begin(), r.values.end(), idle_[i])) action[i] = r.values.front();
+    }
+  }
+  return action;
+}
+
+Planner::Choice Planner::bring_about(const Modes& modes, const Objective& objective, ComponentId component,
+                                     const NominalTransition& transition) {
+  const Plant& plant = nominal_.plant();
+  const std::string what = "'" + plant[component].name + "' to go from " + name(component, transition.from) + " to " +
+                           name(component, transition.to);
+  std::vector<std::pair<Subgoals, const Support*>> ways;
+  for (const Support& support : transition.supports) ways.emplace_back(subgoals(modes, objective, support), &support);
+  std::stable_sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
+    if (!a.first.distance || !b.first.distance) return a.first.distance.has_value() && !b.first.distance;
+    return *a.first.distance < *b.first.distance;
+  });
+
+  std::optional<Impasse> obstacle;
+  for (const auto& [subgoal, support] : ways) {
+    Choice choice =
+        Impasse{component, "every command that would cause " + what +
+                               " undoes what is achieved, or takes an irreversible step that the goal does not name"};
+    if (!subgoal.pending.empty()) {
+      const auto& [upstream, requirement] = subgoal.pending.front();
+      std::vector<ModeId> wanted;
+      for (const ValueId v : requirement->values) wanted.emplace_back(v.index());
+      choice = achieve(modes, objective, upstream, wanted);
+      if (auto* stuck = std::get_if<Impasse>(&choice)) stuck->reason += ", as it takes for " + what;
+    } else {
+      ControlAction action = action_for(*support);
+      auto outcome = nominal_.take(modes, action, {component, &transition}, objective.named, &objective.target);
+      if (outcome) {
+        const bool idle = action == idle_;
+        choice = PlannedStep{std::move(action), component, std::move(*outcome), idle};
+      }
+    }
+    if (std::holds_alternative<PlannedStep>(choice)) return choice;
+    if (!obstacle) obstacle = std::get<Impasse>(std::move(choice));
+  }
+  assert(obstacle && "a transition in the graph has a support");
+  return *obstacle;
+}
+
+}  // namespace runtime

@@ -1,0 +1,87 @@
+// The reactive planner: from a state and a goal state to the first control action (semantics 5; thesis 6.3.2).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/reconfigure/causal_order.hpp"
+#include "runtime/reconfigure/goal_interpreter.hpp"
+#include "runtime/reconfigure/islands.hpp"
+#include "runtime/reconfigure/nominal_graph.hpp"
+#include "runtime/reconfigure/nominal_step.hpp"
+#include "runtime/reconfigure/policy.hpp"
+
+namespace runtime {
+
+/// What to do in one cycle, and what comes of it if nothing fails.
+struct PlannedStep {
+  automata::ControlAction action;   ///< idle: wait
+  automata::ComponentId component;  ///< the one that is to change its mode
+  NominalOutcome outcome;
+  bool idle = false;
+};
+
+/// What a planner is asked: everything but the state that it starts from.
+struct Objective {
+  const automata::Modes& target;
+  const NamedModes& named;  ///< modes to which an irreversible step may lead
+  std::size_t island;       ///< only its components are looked at
+};
+
+/// Goals are achieved one by one, downstream first; the policy of a component names the transition to take, and what
+/// its guard requires of components upstream becomes a subgoal (a depth-first walk through the policies). Each choice
+/// is checked on the step function: it must not undo a goal that is achieved, nor take an irreversible step that is not
+/// named. The walk is followed to the goal state before its first action is given; where it turns in a circle or gets
+/// stuck, and where components control each other in a cycle, the whole island is searched instead.
+///
+/// Cost of a walk: about the plan's length times the requirements along it. Of a search: exponential in the island.
+class Planner {
+ public:
+  Planner(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands);
+
+  /// The first step from `modes`, which differ from the target in the island.
+  std::variant<PlannedStep, Impasse> next(const automata::Modes& modes, const Objective& objective);
+
+  /// Components in the order in which their goals are achieved.
+  [[nodiscard]] const std::vector<automata::ComponentId>& order() const { return order_.downstream_first(); }
+
+  /// States that a search visits at most, before it gives up.
+  static constexpr std::size_t search_limit = 1u << 14;
+
+ private:
+  using Choice = std::variant<PlannedStep, Impasse>;
+  Choice first_step(const automata::Modes& modes, const Objective& objective);
+  Choice walk(const automata::Modes& modes, const Objective& objective);
+  Choice achieve(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                 std::span<const automata::ModeId> wanted);
+  Choice bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                     const NominalTransition& transition);
+  Choice search(const automata::Modes& modes, const Objective& objective, Impasse otherwise);
+
+  /// The requirements of a support that modes do not meet yet, those downstream first; and how far away they are.
+  struct Subgoals {
+    std::vector<std::pair<automata::ComponentId, const Requirement*>> pending;
+    std::optional<Distance> distance;  ///< nothing where one of them cannot be met
+  };
+  Subgoals subgoals(const automata::Modes& modes, const Objective& objective, const Support& support);
+  [[nodiscard]] automata::ControlAction action_for(const Support& support) const;
+  [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
+  [[nodiscard]] std::string name(automata::ComponentId component, automata::ModeId mode) const;
+
+  const NominalGraph& graph_;
+  const Islands& islands_;
+  CausalOrder order_;
+  Policies policies_;
+  NominalStep nominal_;
+  automata::ControlAction idle_;
+  std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
+  std::vector<std::vector<automata::ComponentId>> ordered_;         ///< per island, downstream first
+  std::vector<std::vector<automata::ControlAction>> actions_;       ///< per island: idle, then all that are tried
+};
+
+}  // namespace runtime

@@ -1,0 +1,140 @@
+// Mode reconfiguration: the goal interpreter and the planner together, with a memory of their answers.
+// SPDX-License-Identifier: MIT
+#include "runtime/reconfigure/reconfigurer.hpp"
+
+#include <algorithm>
+#include <list>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+#include "runtime/reconfigure/goal.hpp"
+#include "runtime/reconfigure/goal_interpreter.hpp"
+#include "runtime/reconfigure/islands.hpp"
+#include "runtime/reconfigure/nominal_graph.hpp"
+#include "runtime/reconfigure/planner.hpp"
+
+namespace runtime {
+
+using automata::ComponentId;
+using automata::Formula;
+using automata::Modes;
+
+namespace {
+
+/// A program asserts few goals, again and again; beyond these many the one asked least recently is forgotten.
+constexpr std::size_t goal_limit = 64;
+/// Beyond this many states of one goal its answers are forgotten: long runs stay flat.
+constexpr std::size_t answer_limit = 1u << 14;
+
+Reconfiguration refusal(Impasse impasse, std::optional<Modes> goal_state) {
+  Reconfiguration answer;
+  answer.outcome = Reconfiguration::Outcome::no_plan;
+  answer.goal_state = std::move(goal_state);
+  answer.component = impasse.component;
+  answer.reason = std::move(impasse.reason);
+  return answer;
+}
+
+class PolicyReconfigurer : public Reconfigurer {
+ public:
+  explicit PolicyReconfigurer(automata::PlantStep& step)
+      : step_(step),
+        idle_(idle_action(step.plant())),
+        graph_(step.plant(), Islands(step.plant())),
+        islands_(step.plant(), graph_.restless(step.plant())),
+        interpreter_(step, graph_),
+        planner_(step, graph_, islands_) {}
+
+  Reconfiguration next(const Modes& modes, const Formula& goal) override {
+    if (goal.is_true()) return idle(Reconfiguration::Outcome::nothing_to_do);
+    Memory& memory = remember(goal);
+    if (const auto known = memory.answers.find(modes); known != memory.answers.end()) return known->second;
+    if (memory.answers.size() >= answer_limit) memory.answers.clear();
+    return memory.answers.emplace(modes, answer(modes, memory.goal)).first->second;
+  }
+
+ private:
+  struct Memory {
+    Goal goal;
+    std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
+  };
+
+  [[nodiscard]] Reconfiguration idle(Reconfiguration::Outcome outcome) const {
+    Reconfiguration answer;
+    answer.outcome = outcome;
+    answer.action = idle_;
+    return answer;
+  }
+
+  /// The memory of a goal, brought to the front.
+  Memory& remember(const Formula& goal) {
+    const auto known =
+        std::find_if(memories_.begin(), memories_.end(), [&](const Memory& m) { return m.goal.formula() == goal; });
+    if (known != memories_.end()) {
+      memories_.splice(memories_.begin(), memories_, known);
+    } else {
+      memories_.push_front({Goal(goal, step_.plant(), step_.theory()), {}});
+      if (memories_.size() > goal_limit) memories_.pop_back();
+    }
+    return memories_.front();
+  }
+
+  Reconfiguration answer(const Modes& modes, const Goal& goal) {
+    Reconfiguration result = chosen(modes, goal);
+    if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = idle_;
+    return result;
+  }
+
+  /// Islands do not touch each other, so each is planned by itself; the first that has a command has its turn, in the
+  /// order of goals, and the plant is waited for only where none has.
+  Reconfiguration chosen(const Modes& modes, const Goal& goal) {
+    if (!step_.possible(modes)) return refusal({std::nullopt, "the estimated modes contradict each other"}, {});
+    auto interpreted = interpreter_.interpret(modes, goal);
+    if (auto* impasse = std::get_if<Impasse>(&interpreted)) return refusal(std::move(*impasse), {});
+    Modes target = std::get<Modes>(std::move(interpreted));
+
+    std::optional<PlannedStep> chosen;
+    std::vector<bool> planned(islands_.count());
+    for (const ComponentId c : planner_.order()) {
+      const std::size_t island = islands_.of(c);
+      if (modes[c.index()] == target[c.index()] || planned[island]) continue;
+      planned[island] = true;
+      auto choice = planner_.next(modes, {target, goal.named(), island});
+      if (auto* impasse = std::get_if<Impasse>(&choice)) return refusal(std::move(*impasse), std::move(target));
+      auto& step = std::get<PlannedStep>(choice);
+      if (!chosen || (chosen->idle && !step.idle)) chosen = std::move(step);
+    }
+    if (!chosen) {
+      Reconfiguration result = idle(Reconfiguration::Outcome::nothing_to_do);
+      result.goal_state = std::move(target);
+      return result;
+    }
+    Reconfiguration result;
+    result.outcome = chosen->idle ? Reconfiguration::Outcome::wait : Reconfiguration::Outcome::command;
+    result.action = std::move(chosen->action);
+    result.goal_state = std::move(target);
+    result.expected = std::move(chosen->outcome.modes);
+    result.component = chosen->component;
+    result.irreversible =
+        !chosen->idle && std::any_of(chosen->outcome.moves.begin(), chosen->outcome.moves.end(),
+                                     [](const NominalMove& move) { return !move.transition->reversible; });
+    return result;
+  }
+
+  automata::PlantStep& step_;
+  automata::ControlAction idle_;
+  NominalGraph graph_;
+  Islands islands_;
+  GoalInterpreter interpreter_;
+  Planner planner_;
+  std::list<Memory> memories_;
+};
+
+}  // namespace
+
+std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step) {
+  return std::make_unique<PolicyReconfigurer>(step);
+}
+
+}  // namespace runtime

@@ -1,0 +1,77 @@
+// rmpl-run: runs timed model-based programs, and the parts of the executive one by one.
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "automata/error.hpp"
+#include "runtime/command/command.hpp"
+
+namespace {
+
+using runtime::Color;
+using runtime::Common;
+using runtime::Status;
+using runtime::Subcommand;
+
+constexpr const char* footer = R"(Times are seconds, or have a unit: 30, 30 s, 270 min, 4.5 h. '-' is standard input.
+Every subcommand has its own --help, with examples.
+
+exit code: 0 done, expectations met; 1 an expectation failed, or no plan; 2 the command line or an
+input is wrong, and nothing was written; 3 undecided: interrupted, or a limit was hit)";
+
+void add_common(CLI::App& app, Common& common) {
+  app.set_version_flag("--version", "rmpl-run " RMPL_VERSION);
+  runtime::add_choice<Color>(app, "--color", common.color,
+                             {{"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}},
+                             "colours: auto on a terminal, always or never (default: auto)");
+  app.add_flag("-q", common.quiet, "say less: no story, no warnings");
+  app.add_flag("-v", common.verbose, "say more: statistics on standard error");
+}
+
+/// Help and version are successes; all else that the parser throws is a wrong command line.
+int answer(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  std::string of;
+  for (const CLI::App* command : app.get_subcommands()) of = " " + command->get_name();
+  std::string message = error.what();
+  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
+  // The parser's sentences begin with a capital; names of arguments are capitals throughout and stay.
+  if (message.size() > 1 && is_upper(message[0]) && !is_upper(message[1]))
+    message[0] = static_cast<char>(message[0] - 'A' + 'a');
+  std::cerr << "rmpl-run: " << message << "\nsee rmpl-run" << of << " --help\n";
+  return static_cast<int>(Status::wrong);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Runs timed model-based programs: the executive on a simulated plant, and its parts one by one.",
+               "rmpl-run");
+  Common common;
+  add_common(app, common);
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.footer(footer);
+  const std::vector<Subcommand> commands{runtime::scenario_command(app, common), runtime::estimate_command(app, common),
+                                         runtime::sequence_command(app, common), runtime::plan_command(app, common),
+                                         runtime::diagnose_command(app, common)};
+  try {
+    app.parse(argc, argv);
+    for (const Subcommand& command : commands) {
+      if (command.app->parsed()) return static_cast<int>(command.run());
+    }
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error);
+  } catch (const automata::InputError& error) {
+    std::string message = error.what();
+    const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
+    // The parser's sentences begin with a capital; names of arguments are capitals throughout and stay.
+    if (message.size() > 1 && is_upper(message[0]) && !is_upper(message[1]))
+      message[0] = static_cast<char>(message[0] - 'A' + 'a');
+    std::cerr << "rmpl-run: " << message << '\n';
+    return static_cast<int>(Status::wrong);
+  }
+  return static_cast<int>(Status::done);
+}
