@@ -3,8 +3,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "automata/error.hpp"
 #include "automata/json/document.hpp"
 #include "compiler/compiler.hpp"
+#include "compiler/write_file.hpp"
 #include "grammar/source/codes.hpp"
 
 namespace {
@@ -32,20 +31,6 @@ struct Settings {
   [[nodiscard]] bool colored() const { return color == "always" || (color == "auto" && isatty(STDERR_FILENO) != 0); }
 };
 
-/// Writes the whole text or nothing: into a file beside it, which then takes the name.
-void write_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".part" + std::to_string(getpid());
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (file && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  throw automata::InputError(path + ": cannot be written" + (error ? ": " + error.message() : ""));
-}
-
 int compile(const Settings& settings) {
   const compiler::Compilation result = compiler::compile(settings.files, {settings.main});
   if (!result.ok() || !settings.quiet) {
@@ -59,7 +44,7 @@ int compile(const Settings& settings) {
     std::cout << text << std::flush;
     if (!std::cout) throw automata::InputError("standard output: cannot be written");
   } else {
-    write_file(settings.output, text);
+    compiler::write_file(settings.output, text);
   }
   if (settings.verbose) {
     std::cerr << "plants: " << document.plants.size() << ", programs: " << document.programs.size()

@@ -25,7 +25,7 @@ using grammar::Code;
 namespace {
 
 /// Steps within steps, through calls: recursion stays this far from the end of the stack.
-constexpr std::size_t depth_limit = 600;
+constexpr std::size_t depth_limit = 500;
 
 /// Locations, arcs and conditions of one program; calls multiply, and this is where it ends.
 constexpr std::size_t size_limit = 1'000'000;

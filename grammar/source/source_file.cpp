@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t longest_text = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t most_encoding_errors = 10;
+constexpr std::size_t block_size = 1024;  // bytes between two entries of the table of code points
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
@@ -33,6 +34,12 @@ SourceFile::SourceFile(std::string name, std::string text) : name_(std::move(nam
   line_starts_.push_back(0);
   for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
     line_starts_.push_back(static_cast<std::uint32_t>(at + 1));
+  std::uint32_t code_points = 0;
+  for (std::size_t at = 0; at < text_.size(); ++at) {
+    if (at % block_size == 0) block_starts_.push_back(code_points);
+    if (!is_continuation(text_[at])) ++code_points;
+  }
+  if (text_.size() % block_size == 0) block_starts_.push_back(code_points);
 }
 
 std::string_view SourceFile::line(std::uint32_t number) const {
@@ -46,10 +53,16 @@ std::string_view SourceFile::line(std::uint32_t number) const {
 Place SourceFile::place(std::uint32_t offset) const {
   const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
   const auto line = static_cast<std::uint32_t>(next - line_starts_.begin());
-  const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(line_starts_[line - 1]);
-  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(offset, text_.size()));
-  const auto before = std::count_if(begin, end, [](char c) { return !is_continuation(c); });
-  return {line, static_cast<std::uint32_t>(before) + 1};
+  const std::size_t end = std::min<std::size_t>(offset, text_.size());
+  return {line, code_points_before(end) - code_points_before(line_starts_[line - 1]) + 1};
+}
+
+std::uint32_t SourceFile::code_points_before(std::size_t offset) const {
+  const std::size_t block = offset / block_size;
+  const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(block * block_size);
+  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(offset);
+  const auto more = std::count_if(begin, end, [](char c) { return !is_continuation(c); });
+  return block_starts_[block] + static_cast<std::uint32_t>(more);
 }
 
 std::uint32_t Sources::add(std::string name, std::string text) {

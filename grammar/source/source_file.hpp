@@ -38,14 +38,18 @@ class SourceFile {
   [[nodiscard]] std::string_view line(std::uint32_t number) const;
   /// Byte offset of the first byte of a line (from 1).
   [[nodiscard]] std::uint32_t line_start(std::uint32_t number) const { return line_starts_[number - 1]; }
-  /// The place of a byte offset in [0, size]. Costs a binary search and a walk along the line.
+  /// The place of a byte offset in [0, size]. Costs a binary search, whatever the length of the line.
   [[nodiscard]] Place place(std::uint32_t offset) const;
 
  private:
   std::string name_;
   std::string text_;
   bool cut_ = false;
+  /// The number of code points before a byte: from the table, and a walk through part of a block.
+  [[nodiscard]] std::uint32_t code_points_before(std::size_t offset) const;
+
   std::vector<std::uint32_t> line_starts_;
+  std::vector<std::uint32_t> block_starts_;  ///< per block of bytes, the code points before it
 };
 
 /// All source texts of one run, by index. References stay valid as files are added.

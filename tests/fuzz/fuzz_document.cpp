@@ -1,0 +1,22 @@
+// Fuzzes the reader of compiled documents: it refuses with a message, or reads what it would write.
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "automata/error.hpp"
+#include "automata/json/document.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const std::string_view input(reinterpret_cast<const char*>(data), size);
+    const automata::Document document = automata::read_document(input, "document.json");
+    const std::string text = automata::to_text(document);
+    if (automata::to_text(automata::read_document(text, "document.json")) != text) std::abort();
+  } catch (const automata::InputError& error) {
+    if (std::string_view(error.what()).empty()) std::abort();
+  }
+  return 0;
+}

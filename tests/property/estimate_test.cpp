@@ -1,0 +1,138 @@
+// The estimators against the sums of Fig. 6-10 and the maxima of Fig. 6-11.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "runtime/estimate/estimator.hpp"
+#include "tests/property/draw.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/reference/belief.hpp"
+
+namespace property {
+namespace {
+
+using automata::Ticks;
+
+constexpr std::size_t everything = 1u << 20;  // a k that keeps all states
+
+void same_belief(const runtime::Belief& found, const reference::Belief& expected) {
+  RC_ASSERT(found.size() == expected.size());
+  for (const runtime::BeliefEntry& entry : found) {
+    const auto known = expected.find(entry.state);
+    RC_ASSERT(known != expected.end());
+    RC_ASSERT(std::abs(entry.probability - known->second) < 1e-9);
+  }
+  for (std::size_t i = 1; i < found.size(); ++i)
+    RC_ASSERT(found[i - 1].probability >= found[i].probability * (1 - 1e-9));
+}
+
+void same_mode(const runtime::Estimate& found, const reference::Belief& belief) {
+  const reference::MostLikely expected = reference::most_likely(belief);
+  RC_ASSERT(std::abs(found.probability - expected.probability) < 1e-9);
+  if (expected.unique) RC_ASSERT(found.modes == expected.modes);
+}
+
+/// Runs an estimator that is to be exact beside the twin.
+void compare_with_exact(runtime::Estimator& fast, const Model& model, const Log& log) {
+  const reference::Step slow(model.plant);
+  reference::Belief belief = reference::initial_belief(slow);
+  Ticks before;
+  for (const LogLine& line : log.lines) {
+    const reference::Update expected =
+        reference::belief_update(slow, belief, line.action, line.observation, before, line.time);
+    const runtime::Estimate& estimate = fast.update(line.action, line.observation, line.time);
+    RC_ASSERT(estimate.consistent == expected.consistent);
+    same_belief(fast.belief(), expected.belief);
+    same_mode(estimate, expected.belief);
+    belief = expected.belief;
+    before = line.time;
+  }
+}
+
+RC_GTEST_PROP(Estimate, ExactIsFigure6_10, ()) {
+  const Model model = *models();
+  const Log log = *logs(model.plant, 5);
+  automata::PlantStep step(model.plant);
+  const auto estimator = runtime::make_exact_estimator(step, {});
+  compare_with_exact(*estimator, model, log);
+}
+
+RC_GTEST_PROP(Estimate, KBestThatKeepsAllIsExact, ()) {
+  const Model model = *models();
+  const Log log = *logs(model.plant, 4);
+  automata::PlantStep step(model.plant);
+  const auto estimator = runtime::make_k_best_estimator(step, {.k = everything});
+  compare_with_exact(*estimator, model, log);
+}
+
+/// The k most probable of the posterior that follows from the belief kept before.
+RC_GTEST_PROP(Estimate, KBestKeepsTheBest, ()) {
+  const Model model = *models();
+  const Log log = *logs(model.plant, 5);
+  const std::size_t k = up_to(1, 6);
+  automata::PlantStep step(model.plant);
+  const auto estimator = runtime::make_k_best_estimator(step, {.k = k, .normalise = false});
+  const reference::Step slow(model.plant);
+  Ticks before;
+  for (const LogLine& line : log.lines) {
+    reference::Belief kept;
+    for (const runtime::BeliefEntry& entry : estimator->belief()) kept[entry.state] = entry.probability;
+    const reference::Belief prior = reference::predicted(slow, kept, line.action, before, line.time);
+    reference::Belief posterior;
+    for (const auto& [state, probability] : prior) {
+      const double weighted = probability * slow.observation_factor(state.modes, line.observation);
+      if (weighted > 0) posterior[state] = weighted;
+    }
+    const runtime::Estimate& estimate = estimator->update(line.action, line.observation, line.time);
+    before = line.time;
+    if (posterior.empty()) return;  // the widened searches that follow are no longer the k best of anything
+    RC_ASSERT(estimate.consistent);
+    const reference::Best expected = reference::best(posterior, k);
+    if (!expected.clear) return;  // a tie at the edge, which floating point breaks either way
+    same_belief(estimator->belief(), expected.belief);
+
+    double lost = 0;
+    for (const auto& [state, probability] : posterior)
+      if (!expected.belief.contains(state)) lost += probability;
+    RC_ASSERT(estimate.missing_mass >= lost - 1e-9);
+  }
+}
+
+RC_GTEST_PROP(Estimate, ThesisModeIsFigure6_11, ()) {
+  const Model model = *models();
+  const Log log = *logs(model.plant, 5);
+  const std::size_t k = chance(50) ? everything : up_to(1, 6);
+  automata::PlantStep step(model.plant);
+  const auto estimator = runtime::make_k_best_estimator(
+      step, {.k = k, .merge_trajectories = false, .observation_factor = false, .normalise = false});
+  const reference::Step slow(model.plant);
+  reference::Best kept = reference::best(reference::initial_belief(slow), k);
+  Ticks before;
+  for (const LogLine& line : log.lines) {
+    kept = reference::best(reference::timed_me(slow, kept.belief, line.action, line.observation, before, line.time), k);
+    before = line.time;
+    if (kept.belief.empty() || !kept.clear) return;
+    RC_ASSERT(estimator->update(line.action, line.observation, line.time).consistent);
+    same_belief(estimator->belief(), kept.belief);
+  }
+}
+
+RC_GTEST_PROP(Estimate, LiveClocksKeepTheModes, ()) {
+  const Model model = *models();
+  const Log log = *logs(model.plant, 5);
+  automata::PlantStep step(model.plant);
+  const auto estimator = runtime::make_exact_estimator(step, {.live_clocks_only = true});
+  const reference::Step slow(model.plant);
+  reference::Belief belief = reference::initial_belief(slow);
+  Ticks before;
+  for (const LogLine& line : log.lines) {
+    belief = reference::belief_update(slow, belief, line.action, line.observation, before, line.time).belief;
+    same_mode(estimator->update(line.action, line.observation, line.time), belief);
+    before = line.time;
+  }
+}
+
+}  // namespace
+}  // namespace property

@@ -1,0 +1,132 @@
+// Random programs as automata, and what a sequencer may be told while it runs them.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "automata/json/document.hpp"
+#include "tests/property/draw.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/reference/step.hpp"
+
+namespace property {
+
+using automata::Assignment;
+using automata::ClockId;
+using automata::Condition;
+using automata::Formula;
+using automata::Location;
+using automata::LocationId;
+using automata::Ticks;
+
+namespace {
+
+class ProgramDraw {
+ public:
+  explicit ProgramDraw(const automata::Plant& plant) : plant_(plant) {
+    program_.name = "Random";
+    program_.variables = plant.variables;
+    program_.clocks = {"t0", "t1"};
+  }
+
+  automata::Program draw() {
+    add_composite(std::nullopt, 2);
+    for (Location& location : program_.locations) add_arcs(location);
+    return std::move(program_);
+  }
+
+ private:
+  void add_composite(std::optional<LocationId> parent, int depth) {
+    const LocationId self(program_.locations.size());
+    Location location;
+    location.composite = true;
+    location.parent = parent;
+    location.start = !parent || chance(60);
+    location.label = "composite";
+    if (chance(40)) location.maintenance = condition();
+    program_.locations.push_back(std::move(location));
+    const std::size_t children = up_to(1, 4);
+    const std::size_t first = program_.locations.size();
+    for (std::size_t i = 0; i < children; ++i) {
+      if (depth > 0 && chance(30))
+        add_composite(self, depth - 1);
+      else
+        add_primitive(self);
+    }
+    program_.locations[first].start = true;
+  }
+
+  void add_primitive(LocationId parent) {
+    Location location;
+    location.parent = parent;
+    location.start = chance(60);
+    location.label = "primitive";
+    if (chance(50)) location.goal.push_back(mode_assignment());
+    if (chance(25)) location.clock_start = ClockId(up_to(0, program_.clocks.size() - 1));
+    if (chance(15)) location.maintenance = condition();
+    program_.locations.push_back(std::move(location));
+  }
+
+  void add_arcs(Location& location) {
+    const std::size_t arcs = location.parent ? up_to(0, 3) : 0;
+    for (std::size_t i = 0; i < arcs; ++i) {
+      // Mostly to a sibling, as the compiler makes them; a tail call may lead anywhere but to the program itself.
+      std::vector<LocationId> siblings;
+      std::vector<LocationId> all;
+      for (std::size_t target = 1; target < program_.locations.size(); ++target) {
+        all.emplace_back(target);
+        if (program_.locations[target].parent == location.parent) siblings.emplace_back(target);
+      }
+      location.arcs.push_back({chance(50) ? condition() : Condition{}, pick(chance(85) ? siblings : all)});
+    }
+  }
+
+  Condition condition() {
+    Formula constraint = *formulas(program_.variables, all_variables(plant_), 1);
+    if (chance(30)) {
+      const auto comparison =
+          pick<automata::Comparison>({automata::Comparison::at_least, automata::Comparison::less,
+                                      automata::Comparison::at_most, automata::Comparison::greater});
+      Formula clock = automata::clock_bound(ClockId(up_to(0, program_.clocks.size() - 1)), comparison,
+                                            Ticks::of_seconds(static_cast<std::int64_t>(up_to(0, 3))));
+      if (chance(30)) clock = automata::negation(std::move(clock));
+      constraint = chance(50)   ? std::move(clock)
+                   : chance(50) ? automata::conjunction({std::move(constraint), std::move(clock)})
+                                : automata::disjunction({std::move(constraint), std::move(clock)});
+    }
+    return {chance(60), std::move(constraint)};
+  }
+
+  Assignment mode_assignment() {
+    const automata::Component& component = pick(plant_.components);
+    return {component.mode, automata::ValueId(up_to(0, component.modes.size() - 1))};
+  }
+
+  const automata::Plant& plant_;
+  automata::Program program_;
+};
+
+}  // namespace
+
+void showValue(const RandomProgram& program, std::ostream& out) { out << automata::to_json(program.program).dump(); }
+
+rc::Gen<RandomProgram> programs(const automata::Plant& plant) {
+  return rc::gen::exec([plant] { return RandomProgram{ProgramDraw(plant).draw()}; });
+}
+
+rc::Gen<std::vector<std::vector<Assignment>>> knowledge_of(const automata::Plant& plant, std::size_t cycles) {
+  return rc::gen::exec([plant, cycles] {
+    std::vector<std::vector<Assignment>> result;
+    automata::Modes modes = *modes_of(plant);
+    for (std::size_t i = 0; i < cycles; ++i) {
+      for (std::size_t j = 0; j < modes.size(); ++j)
+        if (chance(30)) modes[j] = automata::ModeId(up_to(0, plant.components[j].modes.size() - 1));
+      std::vector<Assignment> known = reference::assumptions_of(plant, modes);
+      for (automata::VariableId variable : plant.observables)
+        if (chance(40))
+          known.push_back({variable, automata::ValueId(up_to(0, plant.variables[variable].values.size() - 1))});
+      result.push_back(std::move(known));
+    }
+    return result;
+  });
+}
+
+}  // namespace property

@@ -1,0 +1,89 @@
+// The constraint store and the step function against enumeration.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "automata/logic/theory.hpp"
+#include "automata/step/plant_step.hpp"
+#include "tests/property/draw.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/reference/models.hpp"
+#include "tests/reference/step.hpp"
+
+namespace property {
+namespace {
+
+using automata::Assignment;
+using automata::ComponentId;
+using automata::Ticks;
+
+/// The store of a plant as the fast code has it: Q, and each mode's constraint under its mode.
+void tell(automata::Theory& theory, const automata::Plant& plant) {
+  for (const auto& interconnection : plant.interconnections) theory.tell(interconnection);
+  for (const auto& component : plant.components)
+    for (std::size_t mode = 0; mode < component.modes.size(); ++mode)
+      theory.tell_if({component.mode, automata::ValueId(mode)}, component.modes[mode].constraint);
+}
+
+RC_GTEST_PROP(Logic, TheoryIsEnumeration, ()) {
+  const Model model = *models();
+  const automata::Variables& variables = model.plant.variables;
+  automata::Theory theory(variables);
+  tell(theory, model.plant);
+  const reference::Models enumeration(model.plant);
+  for (int question = 0; question < 6; ++question) {
+    const auto formula = *formulas(variables, all_variables(model.plant));
+    const auto assumptions = *partial_assignments(variables);
+    const auto handle = theory.encode(formula);
+    const bool consistent = theory.consistent(assumptions);
+    RC_ASSERT(consistent == enumeration.consistent(assumptions));
+    if (!consistent) {
+      const std::vector<Assignment> conflict = theory.conflict();
+      for (Assignment blamed : conflict)
+        RC_ASSERT(std::find(assumptions.begin(), assumptions.end(), blamed) != assumptions.end());
+      RC_ASSERT(!enumeration.consistent(conflict));
+    }
+    RC_ASSERT(theory.allows(assumptions, handle) == enumeration.allows(assumptions, formula));
+    RC_ASSERT(theory.entails(assumptions, handle) == enumeration.entails(assumptions, formula));
+  }
+}
+
+RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {
+  const Model model = *models();
+  automata::PlantStep fast(model.plant);
+  const reference::Step slow(model.plant);
+  for (int question = 0; question < 6; ++question) {
+    automata::SystemState state{*modes_of(model.plant), {}};
+    RC_ASSERT(fast.possible(state.modes) == slow.possible(state.modes));
+    if (!slow.possible(state.modes)) continue;
+    const auto half_seconds = [](std::size_t n) { return Ticks{static_cast<std::int64_t>(n) * Ticks::per_second / 2}; };
+    const Ticks before = half_seconds(up_to(0, 12));
+    const Ticks now = before + half_seconds(up_to(1, 6));
+    for (std::size_t i = 0; i < state.modes.size(); ++i)
+      state.clock_starts.push_back(
+          half_seconds(up_to(0, static_cast<std::size_t>(before.count / (Ticks::per_second / 2)))));
+    const auto action = *actions_of(model.plant);
+    const auto moves = fast.moves(state, action, before, now);
+    for (std::size_t i = 0; i < state.modes.size(); ++i) {
+      const auto expected = slow.distribution(i, state, action, before, now);
+      std::vector<double> found(expected.size(), 0.0);
+      for (const automata::Move& move : moves[i]) {
+        RC_ASSERT(move.probability > 0);
+        found[move.mode.index()] += move.probability;
+      }
+      for (std::size_t mode = 0; mode < expected.size(); ++mode)
+        RC_ASSERT(std::abs(found[mode] - expected[mode]) < 1e-9);
+    }
+    automata::Observation observation;
+    for (Assignment a : *partial_assignments(model.plant.variables))
+      if (!model.plant.component_of(a.variable)) observation.push_back(a);
+    RC_ASSERT(fast.explains(state.modes, observation) == slow.explains(state.modes, observation));
+    RC_ASSERT(std::abs(fast.observation_factor(state.modes, observation) -
+                       slow.observation_factor(state.modes, observation)) < 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace property

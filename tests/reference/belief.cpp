@@ -1,0 +1,127 @@
+// Mode estimation by summing over everything.
+// SPDX-License-Identifier: MIT
+#include "tests/reference/belief.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace reference {
+
+using automata::Modes;
+using automata::SystemState;
+using automata::Ticks;
+
+namespace {
+
+constexpr double hair = 1e-9;  // relative; far above rounding, far below any difference that a model states
+
+/// Calls `visit` for each choice of one mode a component, with the product of their probabilities where positive.
+void for_each_choice(const std::vector<std::vector<double>>& distributions,
+                     const std::function<void(const Modes&, double)>& visit) {
+  std::vector<std::size_t> sizes;
+  for (const auto& distribution : distributions) sizes.push_back(distribution.size());
+  for (const auto& tuple : tuples(sizes)) {
+    Modes modes;
+    double probability = 1;
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      modes.emplace_back(tuple[i]);
+      probability *= distributions[i][tuple[i]];
+    }
+    if (probability > 0) visit(modes, probability);
+  }
+}
+
+void for_each_trajectory(const Step& step, const Belief& belief, const automata::ControlAction& action, Ticks before,
+                         Ticks now, const std::function<void(const SystemState&, double)>& visit) {
+  for (const auto& [state, weight] : belief) {
+    std::vector<std::vector<double>> distributions;
+    for (std::size_t i = 0; i < state.modes.size(); ++i)
+      distributions.push_back(step.distribution(i, state, action, before, now));
+    for_each_choice(distributions, [&, &source = state, &mass = weight](const Modes& modes, double probability) {
+      if (step.possible(modes)) visit(Step::advance(source, modes, now), mass * probability);
+    });
+  }
+}
+
+double total(const Belief& belief) {
+  double sum = 0;
+  for (const auto& [state, probability] : belief) sum += probability;
+  return sum;
+}
+
+void normalise(Belief& belief) {
+  const double sum = total(belief);
+  for (auto& [state, probability] : belief) probability /= sum;
+}
+
+}  // namespace
+
+Belief initial_belief(const Step& step) {
+  std::vector<std::vector<double>> distributions;
+  for (const automata::Component& component : step.plant().components) distributions.push_back(component.initial);
+  Belief belief;
+  for_each_choice(distributions, [&](const Modes& modes, double probability) {
+    if (step.possible(modes)) belief[{modes, std::vector<Ticks>(modes.size())}] = probability;
+  });
+  return belief;
+}
+
+Belief predicted(const Step& step, const Belief& belief, const automata::ControlAction& action, Ticks before,
+                 Ticks now) {
+  Belief result;
+  for_each_trajectory(step, belief, action, before, now,
+                      [&](const SystemState& target, double probability) { result[target] += probability; });
+  return result;
+}
+
+Update belief_update(const Step& step, const Belief& belief, const automata::ControlAction& action,
+                     const automata::Observation& observation, Ticks before, Ticks now) {
+  const Belief prior = predicted(step, belief, action, before, now);
+  Update update;
+  for (const auto& [state, probability] : prior) {
+    const double posterior = probability * step.observation_factor(state.modes, observation);
+    if (posterior > 0) update.belief[state] = posterior;
+  }
+  if (update.belief.empty()) {
+    update.consistent = false;
+    update.belief = prior.empty() ? belief : prior;
+  }
+  normalise(update.belief);
+  return update;
+}
+
+MostLikely most_likely(const Belief& belief) {
+  std::map<Modes, double> sums;
+  for (const auto& [state, probability] : belief) sums[state.modes] += probability;
+  MostLikely result;
+  for (const auto& [modes, probability] : sums)
+    if (probability > result.probability * (1 + hair)) result = {modes, probability, true};
+  for (const auto& [modes, probability] : sums)
+    if (modes != result.modes && probability > result.probability * (1 - hair)) result.unique = false;
+  return result;
+}
+
+Belief timed_me(const Step& step, const Belief& belief, const automata::ControlAction& action,
+                const automata::Observation& observation, Ticks before, Ticks now) {
+  Belief result;
+  for_each_trajectory(step, belief, action, before, now, [&](const SystemState& target, double probability) {
+    if (!step.explains(target.modes, observation)) return;
+    double& known = result[target];
+    known = std::max(known, probability);
+  });
+  return result;
+}
+
+Best best(const Belief& belief, std::size_t k) {
+  std::vector<std::pair<SystemState, double>> entries(belief.begin(), belief.end());
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& x, const auto& y) { return x.second > y.second; });
+  Best result;
+  if (entries.size() > k) {
+    result.clear = entries[k].second < entries[k - 1].second * (1 - hair);
+    entries.resize(k);
+  }
+  result.belief = Belief(entries.begin(), entries.end());
+  return result;
+}
+
+}  // namespace reference

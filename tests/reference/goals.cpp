@@ -1,0 +1,210 @@
+// Goal states and plans by looking at all of them.
+// SPDX-License-Identifier: MIT
+#include "tests/reference/goals.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+
+namespace reference {
+
+using automata::ControlAction;
+using automata::ModeId;
+using automata::Modes;
+using automata::Transition;
+
+namespace {
+
+bool can_be_taken(const Transition& t) { return t.weight.kind == automata::Weight::Kind::none || t.weight.value > 0; }
+
+std::vector<Modes> all_states(const automata::Plant& plant) {
+  std::vector<std::size_t> sizes;
+  for (const automata::Component& component : plant.components) sizes.push_back(component.modes.size());
+  std::vector<Modes> result;
+  for (const auto& tuple : tuples(sizes)) {
+    Modes& modes = result.emplace_back();
+    for (std::size_t mode : tuple) modes.emplace_back(mode);
+  }
+  return result;
+}
+
+std::vector<ControlAction> all_actions(const automata::Plant& plant) {
+  std::vector<std::size_t> sizes;
+  for (const automata::Control& control : plant.controls)
+    sizes.push_back(plant.variables[control.variable].values.size());
+  std::vector<ControlAction> result;
+  for (const auto& tuple : tuples(sizes)) {
+    ControlAction& action = result.emplace_back();
+    for (std::size_t value : tuple) action.emplace_back(value);
+  }
+  return result;
+}
+
+bool can_be_brought_about(const Step& step, std::size_t component, const Transition& t) {
+  for (const Modes& modes : all_states(step.plant())) {
+    if (modes[component] != t.from || !step.possible(modes)) continue;
+    for (const ControlAction& action : all_actions(step.plant()))
+      if (step.models().consistent(assumptions_of(step.plant(), modes, action)) && step.enabled(t, modes, action))
+        return true;
+  }
+  return false;
+}
+
+/// The nominal transitions of a component that can happen at all.
+std::vector<const Transition*> nominal_transitions(const Step& step, std::size_t component) {
+  const automata::Component& automaton = step.plant().components[component];
+  std::vector<const Transition*> result;
+  for (const Transition& t : automaton.transitions)
+    if (!automaton.is_fault(t) && can_be_taken(t) && can_be_brought_about(step, component, t)) result.push_back(&t);
+  return result;
+}
+
+template <class Usable>
+std::set<ModeId> closure(const std::vector<const Transition*>& transitions, ModeId from, const Usable& usable) {
+  std::set<ModeId> reached = {from};
+  for (std::size_t before = 0; before != reached.size();) {
+    before = reached.size();
+    for (const Transition* t : transitions)
+      if (reached.contains(t->from) && usable(*t)) reached.insert(t->to);
+  }
+  return reached;
+}
+
+bool names(const automata::Formula& goal, automata::VariableId variable, automata::ValueId value) {
+  if (goal.kind == automata::Formula::Kind::member && goal.variable == variable)
+    return std::find(goal.values.begin(), goal.values.end(), value) != goal.values.end();
+  return std::any_of(goal.operands.begin(), goal.operands.end(),
+                     [&](const automata::Formula& operand) { return names(operand, variable, value); });
+}
+
+}  // namespace
+
+std::set<ModeId> reachable_modes(const Step& step, std::size_t component, ModeId from, const automata::Formula& goal) {
+  const automata::Component& automaton = step.plant().components[component];
+  const auto transitions = nominal_transitions(step, component);
+  return closure(transitions, from, [&](const Transition& t) {
+    const auto back = closure(transitions, t.to, [](const Transition&) { return true; });
+    const bool repair = t.from == from && automaton.modes[from.index()].fault;
+    return t.timing || back.contains(t.from) || repair || names(goal, automaton.mode, automata::ValueId(t.to.index()));
+  });
+}
+
+std::optional<GoalState> best_goal_state(const Step& step, const Modes& modes, const automata::Formula& goal) {
+  const automata::Plant& plant = step.plant();
+  std::vector<std::set<ModeId>> reachable;
+  for (std::size_t i = 0; i < modes.size(); ++i) reachable.push_back(reachable_modes(step, i, modes[i], goal));
+
+  std::optional<GoalState> best;
+  for (const Modes& candidate : all_states(plant)) {
+    double reward = 0;
+    bool reached = true;
+    for (std::size_t i = 0; i < candidate.size(); ++i) {
+      reached = reached && reachable[i].contains(candidate[i]);
+      reward += plant.components[i].modes[candidate[i].index()].reward;
+    }
+    if (!reached || !step.possible(candidate)) continue;
+    if (!step.models().entails(assumptions_of(plant, candidate), goal)) continue;
+    if (!best || reward > best->reward) best = GoalState{candidate, reward};
+  }
+  return best;
+}
+
+namespace {
+
+/// Per component, the modes that a nominal step may lead to.
+std::vector<std::set<ModeId>> nominal_choices(const Step& step, const Modes& modes, const ControlAction& action) {
+  std::vector<std::set<ModeId>> choices;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const automata::Component& automaton = step.plant().components[i];
+    std::set<ModeId> untimed;
+    std::set<ModeId> timed = {modes[i]};
+    for (const Transition& t : automaton.transitions)
+      if (t.from == modes[i] && !automaton.is_fault(t) && can_be_taken(t) && step.enabled(t, modes, action))
+        (t.timing ? timed : untimed).insert(t.to);
+    choices.push_back(untimed.empty() ? timed : untimed);
+  }
+  return choices;
+}
+
+}  // namespace
+
+std::set<Modes> nominal_successors(const Step& step, const Modes& modes, const ControlAction& action) {
+  std::vector<std::vector<ModeId>> options;
+  std::vector<std::size_t> sizes;
+  for (const auto& choices : nominal_choices(step, modes, action)) {
+    options.emplace_back(choices.begin(), choices.end());
+    sizes.push_back(choices.size());
+  }
+  std::set<Modes> result;
+  for (const auto& tuple : tuples(sizes)) {
+    Modes next;
+    for (std::size_t i = 0; i < tuple.size(); ++i) next.push_back(options[i][tuple[i]]);
+    if (step.possible(next)) result.insert(next);
+  }
+  return result;
+}
+
+std::set<Modes> nominal_outcomes(const Step& step, const Modes& modes, const std::vector<ControlAction>& commands) {
+  std::set<Modes> states = {modes};
+  for (const ControlAction& command : commands) {
+    std::set<Modes> next;
+    for (const Modes& state : states) next.merge(nominal_successors(step, state, command));
+    states = std::move(next);
+  }
+  return states;
+}
+
+namespace {
+
+bool is_single(const automata::Plant& plant, const ControlAction& action) {
+  std::size_t off_idle = 0;
+  for (std::size_t i = 0; i < action.size(); ++i) off_idle += action[i] != plant.controls[i].idle;
+  return off_idle <= 1;
+}
+
+/// Whether nothing happens nominally while all controls are idle.
+bool stable(const Step& step, const Modes& modes) {
+  ControlAction idle;
+  for (const automata::Control& control : step.plant().controls) idle.push_back(control.idle);
+  return nominal_successors(step, modes, idle) == std::set<Modes>{modes};
+}
+
+/// Whether every component that changes can come back by nominal transitions.
+bool reversible(const Step& step, const Modes& from, const Modes& to) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from[i] == to[i]) continue;
+    const auto back = closure(nominal_transitions(step, i), to[i], [](const Transition&) { return true; });
+    if (!back.contains(from[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<ControlAction>> shortest_reversible_plan(const Step& step, const Modes& from,
+                                                                   const Modes& to) {
+  std::map<Modes, std::vector<ControlAction>> plans = {{from, {}}};
+  std::deque<Modes> queue = {from};
+  while (!queue.empty()) {
+    const Modes state = queue.front();
+    queue.pop_front();
+    if (state == to) return plans[state];
+    for (const ControlAction& action : all_actions(step.plant())) {
+      if (!is_single(step.plant(), action)) continue;
+      if (!step.models().consistent(assumptions_of(step.plant(), state, action))) continue;
+      const auto choices = nominal_choices(step, state, action);
+      const std::set<Modes> successors = nominal_successors(step, state, action);
+      if (successors.empty() || std::any_of(choices.begin(), choices.end(), [](auto& c) { return c.size() > 1; }))
+        continue;
+      if (!stable(step, *successors.begin())) continue;
+      if (!reversible(step, state, *successors.begin())) continue;
+      const auto [place, is_new] = plans.try_emplace(*successors.begin(), plans[state]);
+      if (!is_new) continue;
+      place->second.push_back(action);
+      queue.push_back(place->first);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace reference

@@ -1,0 +1,306 @@
+// Reachability by explicit search, tick by tick.
+// SPDX-License-Identifier: MIT
+#include "tests/reference/reachability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <set>
+
+#include "tests/reference/belief.hpp"
+
+namespace reference {
+
+using automata::ControlAction;
+using automata::ModeId;
+using automata::Modes;
+using automata::Ticks;
+using automata::Transition;
+
+namespace {
+
+struct State {
+  Modes modes;
+  std::vector<Ticks> clocks;
+  std::size_t faults = 0;
+  std::optional<Ticks> waiting = std::nullopt;  ///< for the response: time since `after` first held
+  auto operator<=>(const State&) const = default;
+};
+
+/// What one component may do in a step.
+struct Choice {
+  ModeId mode;
+  std::size_t faults;
+};
+
+std::vector<ControlAction> actions_of(const automata::Plant& plant, Question::Commands commands) {
+  std::vector<std::size_t> sizes;
+  for (const automata::Control& control : plant.controls)
+    sizes.push_back(plant.variables[control.variable].values.size());
+  std::vector<ControlAction> result;
+  for (const auto& tuple : tuples(sizes)) {
+    ControlAction action;
+    std::size_t off_idle = 0;
+    for (std::size_t i = 0; i < tuple.size(); ++i) {
+      action.emplace_back(tuple[i]);
+      off_idle += action.back() != plant.controls[i].idle;
+    }
+    const bool allowed =
+        off_idle == 0 || (off_idle == 1 && commands == Question::Commands::one) || commands == Question::Commands::any;
+    if (allowed) result.push_back(action);
+  }
+  return result;
+}
+
+/// A search over states in order of the steps that change a mode; `Reading` says how time passes and what may happen.
+class Search {
+ public:
+  Search(const Step& step, const Question& question)
+      : step_(step), plant_(step.plant()), question_(question), actions_(actions_of(plant_, question.commands)) {
+    for (const automata::Component& component : plant_.components)
+      for (const Transition& t : component.transitions)
+        if (t.timing) {
+          cap_ = std::max(cap_, t.timing->lower);
+          if (!t.timing->upper.is_infinite()) cap_ = std::max(cap_, t.timing->upper);
+        }
+  }
+  virtual ~Search() = default;
+
+  std::optional<std::size_t> run() {
+    std::deque<std::pair<State, std::size_t>> queue;  // states at n steps, then those at n + 1
+    for (const auto& [start, probability] : initial_belief(step_))
+      if (const auto state = enter({start.modes, start.clock_starts})) queue.emplace_back(*state, 0);
+    std::set<State> seen;
+    while (!queue.empty()) {
+      const auto [state, steps] = queue.front();
+      queue.pop_front();
+      if (!seen.insert(state).second) continue;
+      if (accepts(state)) return steps;
+      successors(state, [&, &from = state, n = steps](const State& target) {
+        const auto next = enter(target);
+        if (!next) return;
+        if (next->modes == from.modes)
+          queue.emplace_front(*next, n);
+        else
+          queue.emplace_back(*next, n + 1);
+      });
+    }
+    return std::nullopt;
+  }
+
+ protected:
+  using Visit = std::function<void(const State&)>;
+  virtual void successors(const State& state, const Visit& visit) = 0;
+  /// What a component may do under an action; empty where it can do nothing at all.
+  virtual std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) = 0;
+
+  /// Every joint choice within the fault budget whose target is possible; clocks as they are, restarted on a change.
+  void moves(const State& state, const ControlAction& action, const Visit& visit) {
+    std::vector<std::vector<Choice>> options;
+    std::vector<std::size_t> sizes;
+    for (std::size_t i = 0; i < plant_.components.size(); ++i) {
+      options.push_back(choices(state, i, action));
+      sizes.push_back(options.back().size());
+    }
+    for (const auto& tuple : tuples(sizes)) {
+      State next = state;
+      for (std::size_t i = 0; i < tuple.size(); ++i) {
+        const Choice& choice = options[i][tuple[i]];
+        if (choice.mode != state.modes[i]) next.clocks[i] = Ticks{0};
+        next.modes[i] = choice.mode;
+        next.faults += choice.faults;
+      }
+      if (next.faults <= question_.faults && step_.possible(next.modes)) visit(next);
+    }
+  }
+
+  /// All clocks later by `by`. Beyond every finite bound one reading is like another, and a clock that no exit of its
+  /// mode reads may as well stand still.
+  [[nodiscard]] State later(State state, Ticks by) const {
+    for (std::size_t i = 0; i < state.clocks.size(); ++i) {
+      const auto& transitions = plant_.components[i].transitions;
+      if (std::any_of(transitions.begin(), transitions.end(),
+                      [&](const Transition& t) { return t.from == state.modes[i] && t.timing; }))
+        state.clocks[i] = std::min(state.clocks[i] + by, cap_ + by);
+    }
+    if (state.waiting) *state.waiting += by;
+    return state;
+  }
+
+  [[nodiscard]] std::vector<const Transition*> enabled(const Modes& modes, std::size_t component,
+                                                       const ControlAction& action) const {
+    std::vector<const Transition*> result;
+    for (const Transition& t : plant_.components[component].transitions)
+      if (t.from == modes[component] && step_.enabled(t, modes, action)) result.push_back(&t);
+    return result;
+  }
+
+  const Step& step_;
+  const automata::Plant& plant_;
+  const Question& question_;
+  std::vector<ControlAction> actions_;
+
+ private:
+  /// The state with what it means for the response; nothing where the response has come in time.
+  [[nodiscard]] std::optional<State> enter(State state) const {
+    if (!question_.response) return state;
+    if (!state.waiting && holds(state.modes, question_.response->after, question_.entailed)) state.waiting = Ticks{0};
+    const bool in_time = state.waiting && *state.waiting <= question_.response->within;
+    if (in_time && holds(state.modes, question_.response->then, !question_.entailed)) return std::nullopt;
+    return state;
+  }
+
+  [[nodiscard]] bool accepts(const State& state) const {
+    if (question_.response) return state.waiting && *state.waiting > question_.response->within;
+    return holds(state.modes, question_.target, question_.entailed);
+  }
+
+  [[nodiscard]] bool holds(const Modes& modes, const automata::Formula& formula, bool entailed) const {
+    const auto store = assumptions_of(plant_, modes);
+    return entailed ? step_.models().entails(store, formula) : step_.models().allows(store, formula);
+  }
+
+  Ticks cap_;
+};
+
+/// Whether a transition is a nominal one without time bounds that can be taken.
+bool is_untimed_nominal(const automata::Component& component, const Transition& t) {
+  const bool weightless = t.weight.kind != automata::Weight::Kind::none && t.weight.value <= 0;
+  return !component.is_fault(t) && !t.timing && !weightless;
+}
+
+bool within_bounds(const Transition& fault, Ticks clock) {
+  return !fault.timing || (fault.timing->lower <= clock && clock <= fault.timing->upper);
+}
+
+class Dense : public Search {
+ public:
+  Dense(const Step& step, const Question& question, Ticks unit) : Search(step, question), unit_(unit) {}
+
+ protected:
+  void successors(const State& state, const Visit& visit) override {
+    if (time_may_pass(state)) visit(later(state, unit_));
+    for (const ControlAction& action : actions_)
+      moves(state, action, [&](const State& next) {
+        if (next.modes != state.modes) visit(next);
+      });
+  }
+
+  std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) override {
+    const automata::Component& automaton = plant_.components[component];
+    std::vector<Choice> result;
+    double fault_sum = 0;
+    bool untimed = false;
+    std::vector<Choice> nominal;
+    for (const Transition* t : enabled(state.modes, component, action)) {
+      if (automaton.is_fault(*t)) {
+        if (t->weight.value <= 0 || !within_bounds(*t, state.clocks[component])) continue;
+        result.push_back({t->to, 1});
+        if (t->weight.kind == automata::Weight::Kind::probability) fault_sum += t->weight.value;
+      } else if (is_untimed_nominal(automaton, *t)) {
+        untimed = true;
+      }
+    }
+    // An exit whose bound is passed (its guard came to hold late) is certain: beside it only certain ones are possible.
+    const Ticks clock = state.clocks[component];
+    bool passed = false;
+    for (const Transition* t : enabled(state.modes, component, action))
+      passed = passed || (!automaton.is_fault(*t) && t->timing && clock > t->timing->upper);
+    for (const Transition* t : enabled(state.modes, component, action)) {
+      if (automaton.is_fault(*t)) continue;
+      const bool timed = t->timing && clock >= (passed ? t->timing->upper : t->timing->lower);
+      if (untimed ? is_untimed_nominal(automaton, *t) : timed) nominal.push_back({t->to, 0});
+    }
+    if (!untimed) nominal.push_back({state.modes[component], 0});
+    if (fault_sum < 1) result.insert(result.end(), nominal.begin(), nominal.end());
+    return result;
+  }
+
+ private:
+  /// With every control idle: no untimed nominal transition to another mode is enabled, and no timed one to another
+  /// mode has reached its upper bound, unless an untimed one to its own mode takes all of the nominal share.
+  bool time_may_pass(const State& state) {
+    ControlAction idle;
+    for (const automata::Control& control : plant_.controls) idle.push_back(control.idle);
+    for (std::size_t i = 0; i < plant_.components.size(); ++i) {
+      bool stays = false;
+      bool due = false;
+      for (const Transition* t : enabled(state.modes, i, idle)) {
+        if (plant_.components[i].is_fault(*t)) continue;
+        const bool leaves = t->to != state.modes[i];
+        if (is_untimed_nominal(plant_.components[i], *t)) {
+          if (leaves) return false;
+          stays = true;
+        } else if (t->timing && leaves && state.clocks[i] >= t->timing->upper) {
+          due = true;
+        }
+      }
+      if (due && !stays) return false;
+    }
+    return true;
+  }
+
+  Ticks unit_;
+};
+
+class Sampled : public Search {
+ public:
+  Sampled(const Step& step, const Question& question, Ticks period) : Search(step, question), period_(period) {}
+
+ protected:
+  void successors(const State& state, const Visit& visit) override {
+    for (const ControlAction& action : actions_) moves(later(state, period_), action, visit);
+  }
+
+  /// `state` has its clocks at the end b of the step; they were b - period at its beginning.
+  std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) override {
+    const automata::Component& automaton = plant_.components[component];
+    const Ticks b = state.clocks[component];
+    std::vector<Choice> faults;
+    std::vector<Choice> untimed;
+    std::vector<Choice> timed;
+    std::vector<Choice> certain;
+    double fault_sum = 0;
+    for (const Transition* t : enabled(state.modes, component, action)) {
+      if (automaton.is_fault(*t)) {
+        if (t->weight.value <= 0 || !within_bounds(*t, b)) continue;
+        faults.push_back({t->to, 1});
+        fault_sum += t->weight.kind == automata::Weight::Kind::rate ? 1 - std::exp(-t->weight.value * period_.seconds())
+                                                                    : t->weight.value;
+      } else if (is_untimed_nominal(automaton, *t)) {
+        untimed.push_back({t->to, 0});
+      } else if (t->timing) {
+        if (b >= t->timing->upper) certain.push_back({t->to, 0});
+        if (b > t->timing->lower) timed.push_back({t->to, 0});
+      }
+    }
+    if (fault_sum >= 1) return faults;
+    std::vector<Choice> result = faults;
+    const auto add = [&](const std::vector<Choice>& more) { result.insert(result.end(), more.begin(), more.end()); };
+    if (!untimed.empty()) {
+      add(untimed);
+    } else if (!certain.empty()) {
+      add(certain);  // beside a survival of 0, a finite hazard has no share
+    } else {
+      add(timed);
+      result.push_back({state.modes[component], 0});
+    }
+    return result;
+  }
+
+ private:
+  Ticks period_;
+};
+
+}  // namespace
+
+std::optional<std::size_t> fewest_steps_sampled(const Step& step, const Question& question, Ticks period) {
+  return Sampled(step, question, period).run();
+}
+
+std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& question, Ticks unit) {
+  return Dense(step, question, unit).run();
+}
+
+}  // namespace reference

@@ -1,0 +1,40 @@
+// Reachability by explicit search, tick by tick: the twin of verifier/ in both readings of time (semantics 7).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "automata/logic/formula.hpp"
+#include "automata/time.hpp"
+#include "tests/reference/step.hpp"
+
+namespace reference {
+
+/// After `after` has held for the first time, `then` is to hold at some time at most `within` later.
+struct Response {
+  automata::Formula after;
+  automata::Formula then;
+  automata::Ticks within;
+};
+
+struct Question {
+  automata::Formula target;          ///< what is looked for
+  std::optional<Response> response;  ///< in its place: a response that is missed
+  bool entailed = false;   ///< the store implies a formula, not only allows it; refutes `then`, not only leaves it open
+  std::size_t faults = 0;  ///< budget
+  enum class Commands { none, one, any } commands = Commands::one;
+};
+
+/// The fewest steps in which some mode changes that lead to the target; nothing where it is out of reach.
+/// Sampled time: one step a `period`, possible is what semantics 3 gives a positive probability.
+std::optional<std::size_t> fewest_steps_sampled(const Step& step, const Question& question, automata::Ticks period);
+
+/// The same in dense time, by search on the grid of `unit`, which every finite bound of the plant must be a multiple
+/// of. The grid is exact: all conditions of semantics 7 on clocks (lower <= clock, clock <= upper) are closed with
+/// integer bounds, and clocks restart at 0, so that by the digitization theorem of Henzinger, Manna and Pnueli (What
+/// good are digital clocks?, ICALP 1992) rounding the times of a run down to whole units gives a run with the same
+/// steps.
+std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& question, automata::Ticks unit);
+
+}  // namespace reference

@@ -1,0 +1,52 @@
+// RMPL as a tree of our own, its text, and its THCA straight from the table of semantics 1: the compiler's twin.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "automata/program.hpp"
+
+namespace reference {
+
+struct Statement {
+  enum class Kind {
+    goal,         ///< `goal`
+    clock_start,  ///< `clock` = 0
+    sequence,     ///< parts, one after the other
+    parallel,     ///< parts, at least two, side by side
+    if_then,      ///< if constraint thennext parts[0]
+    if_else,      ///< … elsenext parts[1]
+    unless,
+    when,
+    whenever,
+    always,
+    next,
+    watching,     ///< do parts[0] watching constraint
+    maintaining,  ///< parts[0] maintaining constraint
+    call          ///< of definitions[callee]
+  };
+  Kind kind = Kind::goal;
+  std::vector<Statement> parts = {};
+  automata::Formula constraint = {};
+  std::vector<automata::Assignment> goal = {};
+  automata::ClockId clock = {};
+  std::size_t callee = 0;
+};
+
+/// Definitions over the variables of a table; the first is the program, and none calls itself or an earlier one.
+struct Rmpl {
+  std::vector<Statement> definitions;
+  std::vector<std::string> clocks;
+};
+
+/// The name of a definition in the text.
+std::string name_of_definition(std::size_t position);
+
+/// In the surface syntax; definitions that the first does not lead to are left out.
+std::string to_text(const Rmpl& source, const automata::Variables& variables);
+
+/// The THCA; without labels and origins, arcs in no particular order.
+automata::Program lower(const Rmpl& source, const automata::Variables& variables);
+
+}  // namespace reference

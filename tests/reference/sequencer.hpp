@@ -1,0 +1,55 @@
+// Step_THCA of thesis Fig. 5-3, its ten steps one after the other over sets: the twin of automata/step/program_step.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "automata/program.hpp"
+#include "tests/reference/models.hpp"
+
+namespace reference {
+
+class Sequencer {
+ public:
+  /// Entailment by `models`: of the plant, or of the program's own variables. Keeps references to both.
+  Sequencer(const automata::Program& program, const Models& models);
+
+  [[nodiscard]] const std::set<automata::LocationId>& marking() const { return marking_; }
+
+  struct Goal {
+    std::set<automata::Assignment> assignments;
+    bool contradictory = false;  ///< two different values for one variable
+  };
+  /// Steps 1 to 4.
+  Goal begin(const std::vector<automata::Assignment>& knowledge, automata::Ticks now);
+  /// Steps 7 to 10.
+  void finish(const std::vector<automata::Assignment>& knowledge);
+
+  /// Readings of the active clocks as of the last `begin`.
+  [[nodiscard]] const Clocks& clocks() const { return interpretation_; }
+
+ private:
+  using Locations = std::set<automata::LocationId>;
+
+  [[nodiscard]] const automata::Location& at(automata::LocationId id) const { return program_.locations[id.index()]; }
+  [[nodiscard]] bool satisfied(const automata::Condition& condition,
+                               const std::vector<automata::Assignment>& knowledge) const;
+  [[nodiscard]] bool achieved(automata::LocationId location, const std::vector<automata::Assignment>& knowledge) const;
+  /// All locations inside a composite one, at any depth.
+  [[nodiscard]] Locations subautomata(automata::LocationId composite) const;
+  /// m_F: the location with its start locations, recursively.
+  [[nodiscard]] Locations full_marking(automata::LocationId location) const;
+
+  const automata::Program& program_;
+  const Models& models_;
+  Locations marking_;
+  std::map<automata::ClockId, automata::Ticks> started_;       ///< t_init(i)
+  std::map<automata::ClockId, automata::Ticks> started_next_;  ///< what this cycle adds
+  Clocks interpretation_;                                      ///< omega(i)
+  Locations violated_;  ///< marked primitives whose own maintenance constraint is violated in this cycle
+};
+
+}  // namespace reference

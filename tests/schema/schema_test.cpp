@@ -1,0 +1,151 @@
+// Every JSON that the programs print, validated against its schema in grammar/schema.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+#include <vector>
+
+namespace {
+
+using nlohmann::json;
+
+const std::filesystem::path schemas = std::filesystem::path(RMPL_SOURCE_DIR) / "grammar/schema";
+
+json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  EXPECT_TRUE(file) << path;
+  return json::parse(file);
+}
+
+class Schema {
+ public:
+  explicit Schema(const std::string& name) : text_(read_json(schemas / (name + ".schema.json"))) {
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(text_), schema_);
+  }
+
+  /// Why a value does not fit; empty where it does.
+  [[nodiscard]] std::string reject(const json& value) const {
+    valijson::ValidationResults results;
+    const valijson::adapters::NlohmannJsonAdapter target(value);
+    if (valijson::Validator().validate(schema_, target, &results)) return {};
+    std::string reasons;
+    for (const auto& error : results) {
+      for (const std::string& step : error.context) reasons += step;
+      reasons += ": " + error.description + "\n";
+    }
+    return reasons;
+  }
+
+ private:
+  json text_;
+  valijson::Schema schema_;
+};
+
+struct Output {
+  std::string name;
+  std::string command;  ///< {examples} stands for the folder; run by the shell, its standard output is the JSON
+  std::string schema;
+  bool lines = false;  ///< JSON Lines
+};
+
+std::ostream& operator<<(std::ostream& out, const Output& output) { return out << output.command; }
+
+std::string run(std::string command) {
+  const std::string place = "{examples}";
+  for (std::size_t at; (at = command.find(place)) != std::string::npos;)
+    command.replace(at, place.size(), std::string(RMPL_SOURCE_DIR) + "/examples");
+  command = "cd '" + testing::TempDir() + "' && PATH='" + std::string(RMPL_BIN_DIR) + "':$PATH && " + command;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (std::size_t read; (read = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) > 0;)
+    text.append(buffer.data(), read);
+  return text;
+}
+
+const std::vector<Output> outputs = {
+    {"DocumentOfAProgramAndAPlant",
+     "rmplc compile {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca", "document"},
+    {"DocumentOfScenarios", "rmplc compile {examples}/propulsion/burn.scn", "document"},
+    {"DocumentOfALongProgram", "rmplc compile {examples}/mars-edl/mars_edl.rmpl", "document"},
+    {"Diagnostics", "echo 'plant P { }' > wrong.tcca; rmplc compile --format json wrong.tcca 2>&1", "diagnostics"},
+    {"ReachabilityHolds",
+     "tcca-check reachability {examples}/propulsion/propulsion.tcca --target 'engine = heating' --format json",
+     "verdict"},
+    {"SafetyHolds", "tcca-check safety {examples}/propulsion/propulsion.tcca --never 'engine = failed' --format json",
+     "verdict"},
+    {"SafetyIsViolated",
+     "tcca-check safety {examples}/propulsion/propulsion.tcca --never 'engine = failed' --faults 1 --format json",
+     "verdict"},
+    {"Undecided",
+     "tcca-check reachability {examples}/propulsion/propulsion.tcca --target 'engine = firing' --max-states 1 --format "
+     "json",
+     "verdict"},
+    {"Plan", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = firing' --format json", "plan"},
+    {"NothingToDo", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = off' --format json", "plan"},
+    {"Diagnoses",
+     "rmpl-run diagnose {examples}/propulsion/propulsion.tcca --observe 'engine.thrust = zero' --format json",
+     "diagnoses"},
+    {"ScenarioResult", "rmpl-run scenario {examples}/propulsion/burn.scn --format json", "scenario_result"},
+    {"Trace",
+     "rmpl-run scenario {examples}/propulsion/burn.scn --only 'fire and stop' --trace trace.jsonl > story.txt; cat "
+     "trace.jsonl",
+     "trace", true},
+    {"Beliefs",
+     "echo '{\"time\": 1, \"command\": {\"pde.cmd\": \"on\"}}' | rmpl-run estimate "
+     "{examples}/propulsion/propulsion.tcca --log -",
+     "trace", true},
+    {"Markings",
+     "printf '{\"time\":0,\"estimate\":{\"engine\":\"off\"}}\\n{\"time\":1,\"estimate\":{\"engine\":\"standby\"}}\\n' "
+     "| "
+     "rmpl-run sequence {examples}/mars-entry/mars_entry.rmpl --log -",
+     "trace", true},
+};
+
+class JsonOutput : public testing::TestWithParam<Output> {};
+
+TEST_P(JsonOutput, FitsItsSchema) {
+  const std::string text = run(GetParam().command);
+  ASSERT_FALSE(text.empty()) << "nothing on standard output";
+  const Schema schema(GetParam().schema);
+  std::istringstream lines(text);
+  if (!GetParam().lines) {
+    EXPECT_EQ(schema.reject(json::parse(text)), "") << text.substr(0, 2000);
+    return;
+  }
+  for (std::string line; std::getline(lines, line);) ASSERT_EQ(schema.reject(json::parse(line)), "") << line;
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, JsonOutput, testing::ValuesIn(outputs),
+                         [](const auto& output) { return output.param.name; });
+
+/// A schema that takes anything tests nothing.
+TEST(Schemas, RefuseWhatIsNone) {
+  for (const auto& entry : std::filesystem::directory_iterator(schemas)) {
+    const std::string file = entry.path().filename().string();
+    const Schema schema(file.substr(0, file.find('.')));
+    EXPECT_NE(schema.reject(json::parse("{\"no such key\": 1}")), "") << file;
+    EXPECT_NE(schema.reject(json(3)), "") << file;
+  }
+}
+
+TEST(Schemas, AreAllUsed) {
+  std::set<std::string> used;
+  for (const Output& output : outputs) used.insert(output.schema + ".schema.json");
+  for (const auto& entry : std::filesystem::directory_iterator(schemas))
+    EXPECT_TRUE(used.contains(entry.path().filename().string())) << entry.path();
+}
+
+}  // namespace
