@@ -10,26 +10,6 @@
 namespace runtime {
 namespace {
 
-std::vector<std::vector<double>> by_mode(const std::vector<std::vector<automata::Move>>& moves) {
-  std::vector<std::vector<double>> priors(moves.size());
-  for (std::size_t c = 0; c < moves.size(); ++c) {
-    for (const automata::Move& move : moves[c]) {
-      priors[c].resize(move.mode.index() + 1);
-      priors[c].back() = move.probability;
-    }
-  }
-  return priors;
-}
-
-OptimalSearch::Costs costs(const std::vector<std::vector<double>>& priors) {
-  OptimalSearch::Costs costs = priors;
-  for (auto& component : costs) {
-    // A rounded probability may exceed 1 in the last bit.
-    for (double& value : component) value = std::max(0.0, -std::log(value));
-  }
-  return costs;
-}
-
 automata::Modes modes_of(std::span<const std::uint32_t> candidate) {
   automata::Modes modes;
   modes.reserve(candidate.size());
@@ -76,16 +56,33 @@ Conflict Evidence::decisions_in(std::span<const automata::Assignment> conflict, 
 }
 
 Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves)
-    : evidence_(evidence), priors_(by_mode(moves)), search_(costs(priors_), evidence.conflicts()) {}
+    : evidence_(&evidence), search_({}) {
+  restart(evidence, moves);
+}
+
+void Extensions::restart(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
+  evidence_ = &evidence;
+  found_.clear();
+  priors_.resize(moves.size());
+  costs_.resize(moves.size());
+  for (std::size_t c = 0; c < moves.size(); ++c) {
+    priors_[c].assign(moves[c].empty() ? 0 : moves[c].back().mode.index() + 1, 0.0);
+    for (const automata::Move& move : moves[c]) priors_[c][move.mode.index()] = move.probability;
+    costs_[c].clear();
+    // A rounded probability may exceed 1 in the last bit.
+    for (const double prior : priors_[c]) costs_[c].push_back(std::max(0.0, -std::log(prior)));
+  }
+  search_.restart(costs_, evidence.conflicts());
+}
 
 void Extensions::check_one() {
   search_.set_budget(1);
   double factor = 0;
   const auto check = [&](std::span<const std::uint32_t> candidate) -> std::optional<Conflict> {
     const automata::Modes modes = modes_of(candidate);
-    factor = evidence_.factor(modes);
+    factor = evidence_->factor(modes);
     if (factor > 0) return std::nullopt;
-    return evidence_.blame(modes);
+    return evidence_->blame(modes);
   };
   if (search_.next(check) != OptimalSearch::Outcome::solution) return;
   automata::Modes modes = modes_of(search_.values());

@@ -52,6 +52,8 @@ class Extensions {
  public:
   /// `moves`: per component, as PlantStep::moves gives them. `evidence` must outlive this.
   Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves);
+  /// Begins anew with other moves, in the memory of the last.
+  void restart(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves);
 
   /// Those found so far.
   [[nodiscard]] const std::vector<Extension>& found() const { return found_; }
@@ -73,8 +75,9 @@ class Extensions {
   [[nodiscard]] std::size_t checked() const { return search_.checked(); }
 
  private:
-  Evidence& evidence_;
+  Evidence* evidence_;
   std::vector<std::vector<double>> priors_;  ///< per component, per mode; modes after the last possible one left out
+  OptimalSearch::Costs costs_;               ///< of the priors, kept for its memory
   OptimalSearch search_;
   std::vector<Extension> found_;
 };

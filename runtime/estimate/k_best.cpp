@@ -1,7 +1,8 @@
 // The k-best estimator: TimedME of thesis Fig. 6-11 with the corrections of 6.2.3.
 //
 // The extensions of a source depend on its modes, the control action, the length of the step and the readings of the
-// clocks that matter; they are remembered from cycle to cycle, so that a plant at rest costs no search.
+// clocks that matter. Where no clock matters they are remembered from cycle to cycle, so that a plant at rest costs no
+// search; where one runs, no reading comes twice, and they are worked out anew in the memory of the last cycle.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cassert>
@@ -37,12 +38,11 @@ constexpr std::size_t exact_limit = 4096;
 /// Unnormalised probabilities sink from cycle to cycle; below this they are scaled up before they vanish.
 constexpr double least_scale = 1e-200;
 
-/// What the moves of a source depend on.
+/// What the moves of a source depend on where no clock matters.
 struct SourceKey {
   Modes modes;
   ControlAction action;
   Ticks step;
-  std::vector<Ticks> readings;  ///< of the components in modes with timed exits
   bool operator==(const SourceKey&) const = default;
 };
 
@@ -52,7 +52,6 @@ struct SourceKeyHash {
     const auto combine = [&hash](std::size_t value) { hash = (hash ^ value) * 0x100000001b3u; };
     for (const automata::ValueId value : key.action) combine(value.value);
     combine(static_cast<std::size_t>(key.step.count));
-    for (const Ticks reading : key.readings) combine(static_cast<std::size_t>(reading.count));
     return hash ^ (hash >> 32);
   }
 };
@@ -107,23 +106,34 @@ class KBest final : public Estimator {
   /// The states of the belief with their extensions under one observation. Valid until the next call.
   std::span<const Source> sources(Context& context, const ControlAction& action, Ticks now) {
     sources_.clear();
-    key_.action = action;
-    key_.step = now - last_;
+    std::size_t transient = 0;
     for (const BeliefEntry& entry : belief_) {
-      key_.modes = entry.state.modes;
-      key_.readings.clear();
-      for (std::size_t c = 0; c < key_.modes.size(); ++c) {
-        if (clocks_.live(c, key_.modes[c])) key_.readings.push_back(now - entry.state.clock_starts[c]);
-      }
-      auto known = context.extensions.find(key_);
-      if (known == context.extensions.end()) {
-        ++remembered_;
-        known =
-            context.extensions.try_emplace(key_, context.evidence, step_.moves(entry.state, action, last_, now)).first;
-      }
-      sources_.push_back({&entry.state, entry.probability, &known->second});
+      bool timed = false;
+      for (std::size_t c = 0; c < entry.state.modes.size(); ++c) timed = timed || clocks_.live(c, entry.state.modes[c]);
+      Extensions& extensions = timed ? worked_out(transient++, context, entry.state, action, now)
+                                     : remembered(context, entry.state, action, now);
+      sources_.push_back({&entry.state, entry.probability, &extensions});
     }
     return sources_;
+  }
+
+  Extensions& worked_out(std::size_t position, Context& context, const SystemState& state, const ControlAction& action,
+                         Ticks now) {
+    const auto moves = step_.moves(state, action, last_, now);
+    if (position == transient_.size()) {
+      transient_.push_back(std::make_unique<Extensions>(context.evidence, moves));
+    } else {
+      transient_[position]->restart(context.evidence, moves);
+    }
+    return *transient_[position];
+  }
+
+  Extensions& remembered(Context& context, const SystemState& state, const ControlAction& action, Ticks now) {
+    key_ = {state.modes, action, now - last_};
+    const auto known = context.extensions.find(key_);
+    if (known != context.extensions.end()) return known->second;
+    ++remembered_;
+    return context.extensions.try_emplace(key_, context.evidence, step_.moves(state, action, last_, now)).first->second;
   }
 
   /// Takes the best targets as the belief; false, with the belief as it was, where there is none.
@@ -200,6 +210,7 @@ class KBest final : public Estimator {
   std::map<Observation, Context> contexts_;
   std::size_t remembered_ = 0;
   SourceKey key_;
+  std::vector<std::unique_ptr<Extensions>> transient_;  ///< of sources with a running clock; reused
   std::vector<Source> sources_;
   TrajectorySearch search_;
   Ticks last_;

@@ -28,13 +28,25 @@ const Conflict* ConflictSet::contained_in(std::span<const std::uint32_t> candida
   return nullptr;
 }
 
-OptimalSearch::OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> conflicts)
-    : costs_(costs),
-      conflicts_(conflicts ? std::move(conflicts) : std::make_shared<ConflictSet>()),
-      choices_(costs.size()),
-      candidate_(costs.size()),
-      rank_(costs.size()),
-      fixed_(costs.size()) {
+OptimalSearch::OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> conflicts) {
+  restart(costs, std::move(conflicts));
+}
+
+void OptimalSearch::restart(const Costs& costs, std::shared_ptr<ConflictSet> conflicts) {
+  costs_ = costs;
+  conflicts_ = conflicts ? std::move(conflicts) : std::make_shared<ConflictSet>();
+  choices_.resize(costs.size());
+  for (auto& choices : choices_) choices.clear();
+  candidate_.assign(costs.size(), 0);
+  rank_.assign(costs.size(), 0);
+  fixed_.assign(costs.size(), 0);
+  queue_.clear();
+  splits_.clear();
+  alternatives_.clear();
+  deviations_.clear();
+  budget_ = std::numeric_limits<std::size_t>::max();
+  checked_ = 0;
+
   double greatest = 1;
   for (const auto& values : costs) {
     double most = 0;
@@ -56,7 +68,8 @@ OptimalSearch::OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> co
       if (!std::isfinite(costs[x][v])) continue;
       choices.push_back({static_cast<std::uint32_t>(v), std::llround(std::ldexp(costs[x][v], -unit_exponent))});
     }
-    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.cost < b.cost; });
+    std::sort(choices.begin(), choices.end(),
+              [](const Choice& a, const Choice& b) { return a.cost != b.cost ? a.cost < b.cost : a.value < b.value; });
     if (choices.empty()) {
       possible = false;
     } else {

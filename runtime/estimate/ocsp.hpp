@@ -66,6 +66,8 @@ class OptimalSearch {
   /// are kept as integers, in units of 2^-40 (coarser where the total would not fit), so that equal sums are equal in
   /// whatever order they came about.
   explicit OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> conflicts = nullptr);
+  /// Begins anew with another problem, in the memory of the last.
+  void restart(const Costs& costs, std::shared_ptr<ConflictSet> conflicts);
 
   /// The next solution in order of cost; among equal costs the one first in lexicographic order of variable, then
   /// value, as they are declared.
@@ -128,7 +130,7 @@ class OptimalSearch {
   void push(Node node);
   void push_child(std::uint32_t split, std::uint32_t position);
 
-  const Costs costs_;
+  Costs costs_;
   std::shared_ptr<ConflictSet> conflicts_;
   double unit_ = 0;
   std::vector<std::vector<Choice>> choices_;  ///< per variable
