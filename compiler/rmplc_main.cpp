@@ -10,6 +10,7 @@
 #include "automata/error.hpp"
 #include "automata/json/document.hpp"
 #include "compiler/compiler.hpp"
+#include "compiler/import/import.hpp"
 #include "compiler/write_file.hpp"
 #include "grammar/source/codes.hpp"
 
@@ -25,11 +26,26 @@ struct Settings {
   std::string format = "text";
   std::string color = "auto";
   std::string code;
+  std::string circuit;
+  std::string faults = "weak";
   bool quiet = false;
   bool verbose = false;
 
   [[nodiscard]] bool colored() const { return color == "always" || (color == "auto" && isatty(STDERR_FILENO) != 0); }
 };
+
+void write(const Settings& settings, const std::string& text) {
+  if (!settings.output.empty()) return compiler::write_file(settings.output, text);
+  std::cout << text << std::flush;
+  if (!std::cout) throw automata::InputError("standard output: cannot be written");
+}
+
+int import(const Settings& settings) {
+  const bool strong = settings.faults == "strong";
+  write(settings,
+        compiler::import_circuit(settings.circuit, strong ? compiler::FaultModel::strong : compiler::FaultModel::weak));
+  return done;
+}
 
 int compile(const Settings& settings) {
   const compiler::Compilation result = compiler::compile(settings.files, {settings.main});
@@ -39,13 +55,7 @@ int compile(const Settings& settings) {
   }
   if (!result.ok()) return wrong_input;
   const automata::Document& document = result.document();
-  const std::string text = automata::to_text(document);
-  if (settings.output.empty()) {
-    std::cout << text << std::flush;
-    if (!std::cout) throw automata::InputError("standard output: cannot be written");
-  } else {
-    compiler::write_file(settings.output, text);
-  }
+  write(settings, automata::to_text(document));
   if (settings.verbose) {
     std::cerr << "plants: " << document.plants.size() << ", programs: " << document.programs.size()
               << ", scenarios: " << document.scenarios.size() << "\n";
@@ -81,6 +91,14 @@ Imports are relative to the importing file.
 
 Example:
   rmplc compile mars_entry.rmpl mars_lander.tcca -o mars_entry.json)";
+
+constexpr const char* import_notes =
+    R"(Writes a plant: one instance a gate, named as in the file; ports are observed.
+weak:   a gate is ok or faulty, and a faulty one does anything
+strong: ok, stuck-at-0, stuck-at-1 or unknown, with 0.099, 0.099 and 0.002
+
+Example:
+  rmplc import c17.bench --faults weak -o c17.tcca)";
 
 constexpr const char* exit_codes = R"(Exit status:
   0  done
@@ -122,8 +140,18 @@ int main(int argc, char** argv) {
   CLI::App* explaining = app.add_subcommand("explain", "Tell what a diagnostic means, with an example");
   explaining->add_option("CODE", settings.code, "As in the diagnostic: RMPL0301")->required();
 
+  CLI::App* importing = app.add_subcommand("import", "Turn a circuit into a plant model");
+  importing->footer(import_notes);
+  importing->add_option("FILE", settings.circuit, "A netlist: .bench, or .xml of the diagnostic competition")
+      ->required();
+  importing->add_option("-o,--output", settings.output, "Write the plant to this file")->type_name("OUT.tcca");
+  importing->add_option("--faults", settings.faults, "How gates fail: weak or strong")
+      ->check(CLI::IsMember({"weak", "strong"}))
+      ->capture_default_str();
+
   try {
     app.parse(argc, argv);
+    if (importing->parsed()) return import(settings);
     return compiling->parsed() ? compile(settings) : explain(settings);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : wrong_input;

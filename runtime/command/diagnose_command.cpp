@@ -4,8 +4,9 @@
 #include <memory>
 
 #include "runtime/command/command.hpp"
+#include "runtime/command/competition.hpp"
 #include "runtime/command/input.hpp"
-#include "runtime/estimate/diagnose.hpp"
+#include "runtime/diagnose/diagnose.hpp"
 #include "runtime/trace/json_line.hpp"
 
 namespace runtime {
@@ -14,8 +15,8 @@ namespace {
 struct Options {
   std::string plant;
   std::string observe;
+  std::string scenario;
   DiagnoseOptions search;
-  bool count = false;
   bool stats = false;
   Format format = Format::text;
 };
@@ -27,22 +28,20 @@ nominal. It is consistent with the observations and the model. Best first is by 
 exit code: 0 done; 2 an input is wrong
 
 examples:
-  rmpl-run diagnose c17.tcca --observe 'N1 = one, N22 = zero'
+  rmpl-run diagnose c17.tcca --observe 'N1 = true, N22.o = false'
   rmpl-run diagnose valves.tcca --observe 'flow = none' -k 3 --format json
-  rmpl-run diagnose c17.tcca --observe 'N1 = one, N22 = zero' --all-minimal --count)";
+  rmpl-run diagnose 74181.tcca --scenario 74181.000.scn --all-minimal --count)";
 
-void write_json(JsonLine& json, const automata::Plant& plant, const Diagnoses& found, bool count_only) {
+void write_json(JsonLine& json, const automata::Plant& plant, const Diagnoses& found) {
   json.open('{').key("diagnoses").open('[');
-  if (!count_only) {
-    for (const Diagnosis& diagnosis : found.diagnoses) {
-      json.open('{').key("probability").number(diagnosis.probability).key("modes").open('{');
-      for (const auto& [component, mode] : diagnosis.faults) {
-        json.key(plant[component].name).string(plant[component].modes[mode.index()].name);
-      }
-      json.close('}').close('}');
+  for (const Diagnosis& diagnosis : found.diagnoses) {
+    json.open('{').key("probability").number(diagnosis.probability).key("modes").open('{');
+    for (const auto& [component, mode] : diagnosis.faults) {
+      json.key(plant[component].name).string(plant[component].modes[mode.index()].name);
     }
+    json.close('}').close('}');
   }
-  json.close(']').key("count").number(found.diagnoses.size()).key("cardinality");
+  json.close(']').key("count").digits(found.count.str()).key("cardinality");
   if (found.cardinality) {
     json.number(*found.cardinality);
   } else {
@@ -52,7 +51,7 @@ void write_json(JsonLine& json, const automata::Plant& plant, const Diagnoses& f
 }
 
 std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool count_only) {
-  if (count_only) return std::to_string(found.diagnoses.size()) + "\n";
+  if (count_only) return found.count.str() + "\n";
   if (found.diagnoses.empty()) return "no diagnosis: no modes of the components are consistent with the observations\n";
   std::string text;
   JsonLine number;
@@ -77,16 +76,17 @@ Status run(Options options, const Common& common) {
   const auto compilation = load({options.plant}, common);
   if (!compilation) return Status::wrong;
   const automata::Plant& plant = only_plant(compilation->document(), options.plant);
-  const auto observation = assignments_option(options.observe, plant, "--observe", common);
+  const auto observation = options.scenario.empty() ? assignments_option(options.observe, plant, "--observe", common)
+                                                    : competition_observation(options.scenario, plant);
   if (!observation) return Status::wrong;
-  options.search.all_minimal = options.search.all_minimal || options.count;
+  options.search.all_minimal = options.search.all_minimal || options.search.count_only;
   const Diagnoses found = diagnose(plant, *observation, options.search);
   if (options.format == Format::json) {
     JsonLine json;
-    write_json(json, plant, found, options.count);
+    write_json(json, plant, found);
     std::cout << json.text() << '\n';
   } else {
-    std::cout << text_of(plant, found, options.count);
+    std::cout << text_of(plant, found, options.search.count_only);
   }
   finish_output();
   if (options.stats || common.verbose) {
@@ -101,14 +101,16 @@ Subcommand diagnose_command(CLI::App& app, const Common& common) {
   CLI::App* command = app.add_subcommand("diagnose", "find the faults that explain one snapshot");
   const auto options = std::make_shared<Options>();
   command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
-  command->add_option("--observe", options->observe, "what is seen: attributes and their values")
-      ->required()
-      ->option_text("'x = v, ...'");
+  CLI::Option_group* seen = command->add_option_group("what is seen");
+  seen->add_option("--observe", options->observe, "attributes and their values")->option_text("'x = v, ...'");
+  seen->add_option("--scenario", options->scenario, "the last sensor readings in a file of the diagnosis competition")
+      ->option_text("FILE");
+  seen->require_option(1);
   command->add_option("-k", options->search.k, "how many diagnoses (default: 10)")
       ->option_text("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
   command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
-  command->add_flag("--count", options->count, "only how many those with the fewest faults are");
+  command->add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
   add_format(*command, options->format);
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
   command->footer(footer);

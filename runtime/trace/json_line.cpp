@@ -81,6 +81,12 @@ JsonLine& JsonLine::seconds(automata::Ticks value) {
   return *this;
 }
 
+JsonLine& JsonLine::digits(std::string_view number) {
+  separate();
+  text_ += number;
+  return *this;
+}
+
 JsonLine& JsonLine::null() {
   separate();
   text_ += "null";

@@ -36,7 +36,8 @@ class JsonLine {
     text_ += std::to_string(value);
     return *this;
   }
-  JsonLine& seconds(automata::Ticks value);  ///< finite
+  JsonLine& seconds(automata::Ticks value);   ///< finite
+  JsonLine& digits(std::string_view number);  ///< a number that is written already
   JsonLine& null();
 
   /// `{"variable":"value",…}` in the order given.

@@ -162,11 +162,12 @@ bool is_single(const automata::Plant& plant, const ControlAction& action) {
   return off_idle <= 1;
 }
 
-/// Whether nothing happens nominally while all controls are idle.
+/// Whether all controls can be idle, and nothing happens nominally while they are.
 bool stable(const Step& step, const Modes& modes) {
   ControlAction idle;
   for (const automata::Control& control : step.plant().controls) idle.push_back(control.idle);
-  return nominal_successors(step, modes, idle) == std::set<Modes>{modes};
+  return step.models().consistent(assumptions_of(step.plant(), modes, idle)) &&
+         nominal_successors(step, modes, idle) == std::set<Modes>{modes};
 }
 
 /// Whether every component that changes can come back by nominal transitions.
@@ -183,6 +184,7 @@ bool reversible(const Step& step, const Modes& from, const Modes& to) {
 
 std::optional<std::vector<ControlAction>> shortest_reversible_plan(const Step& step, const Modes& from,
                                                                    const Modes& to) {
+  if (!stable(step, from)) return std::nullopt;
   std::map<Modes, std::vector<ControlAction>> plans = {{from, {}}};
   std::deque<Modes> queue = {from};
   while (!queue.empty()) {

@@ -34,8 +34,9 @@ std::set<automata::Modes> nominal_successors(const Step& step, const automata::M
 std::set<automata::Modes> nominal_outcomes(const Step& step, const automata::Modes& modes,
                                            const std::vector<automata::ControlAction>& commands);
 
-/// The fewest control actions, each with one control off idle, that lead to the target through states in which nothing
-/// happens of itself, by steps with one outcome that every component can undo. Nothing where there are none.
+/// The fewest control actions, idle or one control off idle, that lead from one state to another through states in
+/// which nothing happens of itself, by steps with one outcome that every component can undo. Nothing where there are
+/// none.
 std::optional<std::vector<automata::ControlAction>> shortest_reversible_plan(const Step& step,
                                                                              const automata::Modes& from,
                                                                              const automata::Modes& to);

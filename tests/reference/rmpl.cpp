@@ -8,7 +8,6 @@
 namespace reference {
 
 using automata::Condition;
-using automata::Formula;
 using automata::Location;
 using automata::LocationId;
 using automata::Program;

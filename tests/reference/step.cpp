@@ -123,6 +123,7 @@ std::vector<double> Step::distribution(std::size_t component, const automata::Sy
     share(nominal_share, untimed, result);
   } else {
     std::vector<Risk> competing;
+    competing.reserve(risks.size());
     for (auto& [branch, risk] : risks) competing.push_back(std::move(risk));
     compete(nominal_share, competing, mode.index(), result);
   }

@@ -1,6 +1,6 @@
 // The constraint store behind a diagnosis.
 // SPDX-License-Identifier: MIT
-#include "runtime/estimate/snapshot.hpp"
+#include "runtime/diagnose/snapshot.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -37,6 +37,8 @@ double fault_probability(const Weight& weight) {
   return 0;
 }
 
+}  // namespace
+
 Statuses statuses_of(const Component& component) {
   Statuses statuses;
   statuses.priors.push_back(0);
@@ -64,8 +66,6 @@ Statuses statuses_of(const Component& component) {
   for (double& prior : statuses.priors) prior = sum > 0 ? prior / sum : 0.0;
   return statuses;
 }
-
-}  // namespace
 
 Snapshot::Snapshot(const Plant& plant, const automata::Observation& observation, std::size_t counted)
     : theory_(extend(plant, counted)) {

@@ -1,6 +1,6 @@
 // Diagnoses of one snapshot against enumeration of all fault assignments.
 // SPDX-License-Identifier: MIT
-#include "runtime/estimate/diagnose.hpp"
+#include "runtime/diagnose/diagnose.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -16,6 +17,7 @@ namespace runtime {
 struct DiagnoseOptions {
   std::size_t k = 10;        ///< how many of the leading diagnoses; without effect where `all_minimal`
   bool all_minimal = false;  ///< instead every diagnosis with the fewest faults
+  bool count_only = false;   ///< with `all_minimal`: only how many there are
   std::size_t candidates = std::numeric_limits<std::size_t>::max();  ///< how many may be checked
 };
 
@@ -30,6 +32,7 @@ struct Diagnosis {
 
 struct Diagnoses {
   std::vector<Diagnosis> diagnoses;        ///< most probable first, ties in order of state, nominal before faulty
+  boost::multiprecision::cpp_int count;    ///< how many there are; with `count_only` they are not listed
   std::optional<std::size_t> cardinality;  ///< the fewest faults of a diagnosis here; nothing where there is none
   std::size_t checked = 0;                 ///< candidates checked
   bool cut = false;                        ///< the limit of candidates ended the search early
@@ -38,7 +41,9 @@ struct Diagnoses {
 
 /// The fault assignments that, with some nominal mode for every other component and the interconnections, are
 /// consistent with the observations (of any attributes). The leading ones by prior, where an assignment with prior 0
-/// is none; or with `all_minimal` all those of the least number of faults, each once, whatever their priors.
+/// is none; or with `all_minimal` all those of the least number of faults, each once, whatever their priors. Where the
+/// plant is a circuit with all inputs observed (see `circuit_of`), the latter are found by cores and sections, which
+/// counts sets far too large to list.
 Diagnoses diagnose(const automata::Plant& plant, const automata::Observation& observation,
                    const DiagnoseOptions& options);
 

@@ -1,7 +1,7 @@
 // Diagnosis of one snapshot: the leading fault assignments by conflict-directed search, those with the fewest faults by
 // counting.
 // SPDX-License-Identifier: MIT
-#include "runtime/estimate/diagnose.hpp"
+#include "runtime/diagnose/diagnose.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/diagnose/minimal.hpp"
+#include "runtime/diagnose/snapshot.hpp"
 #include "runtime/estimate/ocsp.hpp"
 #include "runtime/estimate/order.hpp"
-#include "runtime/estimate/snapshot.hpp"
 
 namespace runtime {
 namespace {
@@ -88,13 +89,38 @@ void fewest(const automata::Plant& plant, const automata::Observation& observati
   }
 }
 
+/// The same for a circuit, by cores and sections; false where the plant is none, or an input is not observed.
+bool fewest_of_circuit(const automata::Plant& plant, const automata::Observation& observation,
+                       const DiagnoseOptions& options, Diagnoses& result) {
+  const auto circuit = circuit_of(plant);
+  if (!circuit) return false;
+  std::vector<Statuses> statuses;
+  for (const automata::Component& component : plant.components) statuses.push_back(statuses_of(component));
+  const auto report = [&](const FaultSet& faults) {
+    std::vector<std::uint32_t> candidate(statuses.size(), 0);
+    for (const automata::ComponentId component : faults) candidate[component.index()] = 1;
+    result.diagnoses.push_back(diagnosis_of(candidate, statuses));
+  };
+  const auto scope = options.count_only ? CircuitDiagnosis::Scope::count : CircuitDiagnosis::Scope::list;
+  const auto minimal = CircuitDiagnosis(*circuit).solve(observation, scope, report);
+  if (!minimal) return false;
+  result.cardinality = minimal->cardinality;
+  result.count = minimal->count;
+  result.checked = minimal->checked;
+  return true;
+}
+
 }  // namespace
 
 Diagnoses diagnose(const automata::Plant& plant, const automata::Observation& observation,
                    const DiagnoseOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Diagnoses result;
-  (options.all_minimal ? fewest : leading)(plant, observation, options, result);
+  if (!options.all_minimal || !fewest_of_circuit(plant, observation, options, result)) {
+    (options.all_minimal ? fewest : leading)(plant, observation, options, result);
+    result.count = result.diagnoses.size();
+    if (options.count_only) result.diagnoses.clear();
+  }
   put_in_order(result.diagnoses, before);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

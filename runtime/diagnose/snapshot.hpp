@@ -26,6 +26,9 @@ struct Statuses {
   bool has_nominal = false;
 };
 
+/// The statuses of a component but for their variable: its fault modes, with the priors of `Diagnosis::probability`.
+Statuses statuses_of(const automata::Component& component);
+
 /// The plant with a status variable for each component, under one observation. `counted` is for `at_most`: how many
 /// faults can be told apart; each costs a variable a component.
 class Snapshot {
