@@ -41,8 +41,13 @@ void PlantSystem::successors(const SymbolicState& state, const Visit& visit) {
       if (!within(zone, move.bounds, id, phase)) continue;
     }
     const Situation& target = situations_[move.target];
-    const Phase next = observer_.next(phase, move.target, target);
-    if (next == Phase::closed) continue;
+    Phase next = observer_.next(phase, move.target, target);
+    if (next == Phase::closed) {
+      // The period that brings the response may be the first one to end after the deadline: that is too late.
+      if (phase != Phase::armed || !observer_.timed(phase) || !zone.constrain(stopwatch, *observer_.accepted()))
+        continue;
+      next = Phase::armed;
+    }
     std::vector<std::size_t> sources;
     if (observer_.timed(next)) sources.push_back(observer_.timed(phase) ? stopwatch : 0);
     for (const ComponentId component : target.live) {
