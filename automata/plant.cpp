@@ -3,8 +3,21 @@
 #include "automata/plant.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace automata {
+
+double Weight::fault_probability(Ticks step) const {
+  switch (kind) {
+    case Kind::none:
+      return 0;
+    case Kind::probability:
+      return value;
+    case Kind::rate:
+      return -std::expm1(-value * step.seconds());
+  }
+  return 0;
+}
 
 std::optional<ComponentId> Plant::find_component(std::string_view component) const {
   const auto at =

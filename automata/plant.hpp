@@ -34,6 +34,9 @@ struct Weight {
   Kind kind = Kind::none;
   double value = 0;
   bool operator==(const Weight&) const = default;
+
+  /// Of a fault transition: the probability that it is taken in a step of this length. 0 where there is no weight.
+  [[nodiscard]] double fault_probability(Ticks step) const;
 };
 
 /// A transition <v, g, v'>. Into a fault mode it is a fault transition, and has a probability or a rate.

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -35,6 +36,14 @@ struct Settings {
 };
 
 void write(const Settings& settings, const std::string& text) {
+  std::vector<std::string> inputs = settings.files;
+  inputs.push_back(settings.circuit);
+  for (const std::string& input : inputs) {
+    std::error_code missing;
+    if (std::filesystem::equivalent(settings.output, input, missing)) {
+      throw automata::InputError("the output would overwrite its input, " + input);
+    }
+  }
   if (!settings.output.empty()) return compiler::write_file(settings.output, text);
   std::cout << text << std::flush;
   if (!std::cout) throw automata::InputError("standard output: cannot be written");

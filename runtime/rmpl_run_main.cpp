@@ -65,12 +65,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return answer(app, error);
   } catch (const automata::InputError& error) {
-    std::string message = error.what();
-    const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
-    // The parser's sentences begin with a capital; names of arguments are capitals throughout and stay.
-    if (message.size() > 1 && is_upper(message[0]) && !is_upper(message[1]))
-      message[0] = static_cast<char>(message[0] - 'A' + 'a');
-    std::cerr << "rmpl-run: " << message << '\n';
+    std::cerr << "rmpl-run: " << error.what() << '\n';
     return static_cast<int>(Status::wrong);
   }
   return static_cast<int>(Status::done);

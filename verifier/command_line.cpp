@@ -101,7 +101,9 @@ CLI::App* add_property(CLI::App& app, CommandLine& line, CommandLine::Kind kind,
   sub->add_option("--from", line.from,
                   "modes to start in, such as 'engine = off'; what is not named starts as in the plant")
       ->type_name("MODES");
-  sub->add_option("--max-states", line.max_states, "give up after so many symbolic states")->type_name("N");
+  sub->add_option("--max-states", line.max_states, "give up after so many symbolic states")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
+      ->type_name("N");
   add(sub, "--timeout", line.timeout, duration, "give up after so much time")->type_name("T");
   add(sub, "--max-memory", line.max_bytes, memory_size, "give up when so much memory is in use")
       ->type_name("BYTES[K|M|G]");

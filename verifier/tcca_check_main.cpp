@@ -144,6 +144,7 @@ int run(const CommandLine& line) {
       std::cout << verifier::to_text(plant, asked, result, line.statistics, colored(line, STDOUT_FILENO));
       break;
   }
+  if (!std::cout.flush()) throw InputError("standard output: cannot be written");
   return status(result.verdict);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 #include "automata/json/document.hpp"
@@ -187,18 +188,20 @@ Plant plant_from_json(const Node& node) {
     if (variable.values.empty()) item.at("values").fail("at least one value");
     plant.variables.add(std::move(variable));
   }
+  std::unordered_set<VariableId> modes;
   for (const Node& item : node.at("components").items()) {
     Component component = component_from_json(item, plant.variables);
-    if (plant.find_component(component.name)) item.at("name").fail("a name that is new");
+    if (!modes.insert(component.mode).second) item.at("name").fail("a name that is new");
     plant.components.push_back(std::move(component));
   }
+  if (plant.components.empty()) node.at("components").fail("at least one component");
   for (const Node& item : node.at("interconnections").items()) {
     plant.interconnections.push_back(formula_from_json(item, plant.variables));
     if (has_clock(plant.interconnections.back())) item.fail("an interconnection without clocks");
   }
   const auto attribute = [&](const Node& item) {
     const auto id = plant.variables.find(item.text());
-    if (!id || plant.component_of(*id)) item.fail("the name of an attribute, not '" + item.text() + "'");
+    if (!id || modes.contains(*id)) item.fail("the name of an attribute, not '" + item.text() + "'");
     return *id;
   };
   for (const Node& item : node.at("controls").items()) {

@@ -20,19 +20,6 @@ void bound_memory(Memory& memory) {
 
 std::size_t combine(std::size_t hash, std::size_t value) { return (hash ^ value) * 0x100000001b3u; }
 
-/// The probability of a fault transition in a step of this length: a rate gives 1 - exp(-rate * step).
-double fault_probability(const Weight& weight, Ticks step) {
-  switch (weight.kind) {
-    case Weight::Kind::none:
-      return 0;
-    case Weight::Kind::probability:
-      return weight.value;
-    case Weight::Kind::rate:
-      return -std::expm1(-weight.value * step.seconds());
-  }
-  return 0;
-}
-
 /// The share of a nominal transition among those that take the nominal share together.
 double share_weight(const Weight& weight) { return weight.kind == Weight::Kind::none ? 1.0 : weight.value; }
 
@@ -134,7 +121,7 @@ std::vector<Move> PlantStep::moves(ComponentId id, ModeId mode, const Enabled& e
   for (const TransitionId t : enabled.faults) {
     const auto& timing = transition(t).timing;
     if (timing && (to < timing->lower || to > timing->upper)) continue;
-    const double probability = fault_probability(transition(t).weight, now - before);
+    const double probability = transition(t).weight.fault_probability(now - before);
     faulty += probability;
     result.add(transition(t).to, probability);
   }

@@ -99,10 +99,11 @@ class BenchReader {
   void read_gate(std::string_view target, std::string_view call) {
     if (call.empty()) fail(line_, "expected a gate after '='");
     std::string_view inside = arguments(call);
-    const std::string_view name = trimmed(call.substr(0, call.find('(')));
+    std::string name(trimmed(call.substr(0, call.find('('))));
+    for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const auto* known =
         std::find_if(functions.begin(), functions.end(), [&](const auto& f) { return f.first == name; });
-    if (known == functions.end()) fail(line_, "unknown gate '" + std::string(name) + "'");
+    if (known == functions.end()) fail(line_, "unknown gate '" + name + "'");
     Gate gate;
     gate.function = known->second;
     gate.output = net(target);

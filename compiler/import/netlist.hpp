@@ -55,7 +55,8 @@ enum class FaultModel {
   strong  ///< ok, stuck-at-0, stuck-at-1, unknown, with 0.099, 0.099, 0.002 (livingstone's protocol)
 };
 
-/// The circuit as a plant in the surface language: gates are instances named as in the file, ports are observed.
+/// The circuit as a plant in the surface language: gates are instances named as in the file (with an N before a name
+/// that begins with a digit), ports are observed. Throws InputError where two names cannot be told apart then.
 std::string to_tcca(const Netlist& netlist, FaultModel faults);
 
 }  // namespace compiler

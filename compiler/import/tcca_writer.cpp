@@ -1,9 +1,11 @@
 // A netlist as a plant: one component type a kind of gate, one instance a gate, one equality a connection.
 // SPDX-License-Identifier: MIT
+#include <cctype>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "automata/error.hpp"
 #include "compiler/import/netlist.hpp"
 
 namespace compiler {
@@ -75,6 +77,33 @@ std::string component(GateFunction function, std::size_t inputs, FaultModel faul
   return text;
 }
 
+/// A name of the file as an identifier: one that begins with a digit gets an N before it, a word that the language
+/// reserves an underscore behind it.
+std::string identifier(const std::string& name) {
+  static const std::set<std::string, std::less<>> reserved{
+      "do",     "watching", "maintaining", "if",   "thennext", "elsenext", "unless", "when",
+      "donext", "whenever", "always",      "next", "choose",   "with",     "in",     "import",
+      "any",    "true",     "false",       "and",  "or",       "not"};
+  if (!name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) != 0) return "N" + name;
+  return reserved.contains(name) ? name + "_" : name;
+}
+
+/// The netlist with identifiers for names. Throws InputError where two names become one.
+Netlist with_identifiers(Netlist netlist) {
+  std::map<std::string, std::string> origin;
+  const auto rename = [&](std::string& name) {
+    const std::string made = identifier(name);
+    if (const auto [at, fresh] = origin.emplace(made, name); !fresh && at->second != name) {
+      throw automata::InputError("the names '" + at->second + "' and '" + name + "' both become '" + made + "'");
+    }
+    name = made;
+  };
+  for (Gate& gate : netlist.gates) rename(gate.name);
+  for (Port& port : netlist.inputs) rename(port.name);
+  for (Port& port : netlist.outputs) rename(port.name);
+  return netlist;
+}
+
 std::string ports(const char* direction, const std::vector<Port>& all) {
   std::string text;
   for (const Port& port : all) text += std::string("  ") + direction + port.name + " : Bit;\n";
@@ -83,7 +112,8 @@ std::string ports(const char* direction, const std::vector<Port>& all) {
 
 }  // namespace
 
-std::string to_tcca(const Netlist& netlist, FaultModel faults) {
+std::string to_tcca(const Netlist& given, FaultModel faults) {
+  const Netlist netlist = with_identifiers(given);
   std::set<std::pair<GateFunction, std::size_t>> kinds;
   for (const Gate& gate : netlist.gates) kinds.emplace(gate.function, gate.inputs.size());
   std::set<std::string> gate_names;

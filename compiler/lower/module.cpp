@@ -42,9 +42,12 @@ std::optional<Part> ModelLowering::run(const std::vector<const grammar::PlantFil
     Part part;
     part.plant.name = plant->name.text;
     lower_module(*plant, part);
-    const bool empty = std::none_of(plant->items.begin(), plant->items.end(), [](const grammar::ModuleItem& item) {
-      return std::holds_alternative<grammar::InstanceDeclaration>(item);
-    });
+    const bool unbuildable = std::any_of(plant->items.begin(), plant->items.end(),
+                                         [](const grammar::ModuleItem& item) {
+                                           return std::holds_alternative<grammar::InstanceDeclaration>(item);
+                                         }) &&
+                             diagnostics_.error_count() > 0;  // instances of what is wrong leave nothing behind
+    const bool empty = part.plant.components.empty() && !unbuildable;
     if (empty) {
       diagnostics_.error(
           Code::no_instances, plant->name.span,

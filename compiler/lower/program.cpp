@@ -30,6 +30,16 @@ constexpr std::size_t depth_limit = 500;
 /// Locations, arcs and conditions of one program; calls multiply, and this is where it ends.
 constexpr std::size_t size_limit = 1'000'000;
 
+/// An argument that calls double on and on is caught while it is still small.
+constexpr std::size_t argument_limit = 1 << 16;
+
+/// How much a condition holds once its parameters are replaced.
+std::size_t size_of(const Formula& formula) {
+  std::size_t size = 1;
+  for (const Formula& operand : formula.operands) size += size_of(operand);
+  return size;
+}
+
 /// One error in a definition comes back with each call of it.
 constexpr std::size_t error_limit = 1000;
 
@@ -146,9 +156,10 @@ class ProgramLowering {
   // Conditions.
 
   Condition condition(const grammar::Constraint& constraint, bool entailed) {
-    constexpr std::size_t bytes_a_unit = 32;
-    grow((constraint.span.end - constraint.span.begin) / bytes_a_unit, constraint.span);
-    return {entailed, resolver_.resolve(constraint)};
+    Condition made{entailed, resolver_.resolve(constraint)};
+    constexpr std::size_t atoms_a_unit = 4;
+    grow(size_of(made.constraint) / atoms_a_unit, constraint.span);
+    return made;
   }
 
   static Condition opposite(const Condition& condition) { return {!condition.entailed, condition.constraint}; }
@@ -316,6 +327,13 @@ class ProgramLowering {
     const Environment* caller = resolver_.environment();
     Environment& environment = environments_.emplace_back();
     std::string arguments = pass(call, *definitions_.all[callee].definition, environment);
+    if (arguments.size() > argument_limit) {
+      environments_.pop_back();
+      result_.complete = false;
+      diagnostics_.error(Code::too_large, span,
+                         "the arguments of this call grow beyond " + std::to_string(argument_limit) + " characters");
+      return {};
+    }
     if (const auto open = open_expansion(callee, arguments)) {
       environments_.pop_back();
       return {{{true, *open}}, {}};

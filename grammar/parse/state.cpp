@@ -64,9 +64,11 @@ void ParseState::report_unexpected(const char* where, const std::string& expecte
     if (found.front() == '"' && (found.size() == 1 || found.back() != '"')) {
       diagnostics_.error(Code::syntax, span(at, at + found.size()), "this string is not closed: expected `\"`");
     } else {
+      // A parser without a name of its own has one that only the C++ compiler reads.
+      const bool named = expected.find("spirit") == std::string::npos;
       Diagnostic& error =
           diagnostics_.error(Code::syntax, span(at, at + found.size()),
-                             "expected " + expected + ", found " +
+                             (named ? "expected " + expected + ", found " : "did not expect ") +
                                  (word && is_reserved(found) ? "the reserved word `" : "`") + std::string(found) + "`");
       error.suggestion = habit(text_.substr(0, static_cast<std::size_t>(at - begin())), found, expected);
       if (const auto near = word ? nearest(found, keywords_in(expected)) : std::nullopt)

@@ -87,12 +87,16 @@ Status run(const Options& options, const Common& common) {
 
   automata::PlantStep step(plant);
   const auto estimator = make_estimator(step, options);
+  if (estimator->belief().empty()) {
+    throw automata::InputError(options.plant +
+                               ": no initial state is possible: the initial modes contradict the interconnections");
+  }
   JsonLine json;
   std::size_t checked = 0;
   bool cut = false;
   for (const LogLine& line : lines) {
     if (interrupted()) break;
-    const bool start = line.cycle == 0;
+    const bool start = line.cycle == 0 && line.time == automata::Ticks{};  // a trace begins with where it starts
     if (!start) {
       const Estimate& estimate =
           estimator->update(automata::action_from(plant, line.command), line.observations, line.time);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -66,6 +67,10 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
   }
   if (result.empty()) {
     throw InputError(options.file + ": no scenario is called '" + options.only + "'" + suggestion(options.only, names));
+  }
+  std::error_code missing;
+  if (!options.trace.empty() && std::filesystem::equivalent(options.trace, options.file, missing)) {
+    throw InputError("--trace would overwrite its scenario, " + options.file);
   }
   if (result.size() > 1 && !options.trace.empty()) {
     throw InputError("--trace holds one scenario, and " + options.file + " has " + std::to_string(result.size()) +

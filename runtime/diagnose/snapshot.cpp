@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -19,23 +18,9 @@ using automata::Plant;
 using automata::Transition;
 using automata::ValueId;
 using automata::VariableId;
-using automata::Weight;
 
 constexpr ValueId no{0};
 constexpr ValueId yes{1};
-
-/// The probability that this fault transition is taken within one second.
-double fault_probability(const Weight& weight) {
-  switch (weight.kind) {
-    case Weight::Kind::none:
-      return 0;
-    case Weight::Kind::probability:
-      return weight.value;
-    case Weight::Kind::rate:
-      return -std::expm1(-weight.value);
-  }
-  return 0;
-}
 
 }  // namespace
 
@@ -53,7 +38,7 @@ Statuses statuses_of(const Component& component) {
     for (const Transition& t : component.transitions) {
       if (t.to != ModeId(m)) continue;
       entered = true;
-      prior = std::max(prior, fault_probability(t.weight));
+      prior = std::max(prior, t.weight.fault_probability(automata::Ticks::of_seconds(1)));
     }
     if (!entered) prior = component.initial[m];
     statuses.faults.emplace_back(m);

@@ -30,9 +30,10 @@ std::vector<bool> closure(const std::vector<NominalTransition>& transitions, std
 }
 
 void collect_names(const automata::Plant& plant, const Formula& formula, NamedModes& named) {
-  if (formula.kind == Formula::Kind::member) {
+  if (formula.kind == Formula::Kind::negation) return;
+  if (formula.kind == Formula::Kind::member && formula.values.size() == 1) {
     if (const auto component = plant.component_of(formula.variable)) {
-      for (const automata::ValueId v : formula.values) named[component->index()][v.index()] = true;
+      named[component->index()][formula.values.front().index()] = true;
     }
   }
   for (const Formula& operand : formula.operands) collect_names(plant, operand, named);
@@ -63,6 +64,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
                              .from = t.from,
                              .to = t.to,
                              .timed = t.timing.has_value(),
+                             .bounded = t.timing && !t.timing->upper.is_infinite(),
                              .repair = component.modes[t.from.index()].fault,
                              .reversible = false,
                              .possible = finder.possible(ComponentId(c), t.to),

@@ -15,6 +15,7 @@ struct NominalTransition {
   automata::TransitionId id;
   automata::ModeId from, to;
   bool timed = false;
+  bool bounded = false;     ///< timed, and due at the latest at some time: what has no upper bound may never happen
   bool repair = false;      ///< leaves a fault mode
   bool reversible = false;  ///< nominal transitions lead back from `to` to `from`: computed, not declared (6.3.1)
   bool possible = false;    ///< some state has mode `to`; else the transition is never taken, whatever enables it
@@ -24,7 +25,8 @@ struct NominalTransition {
 /// Per component, per mode: whether the configuration goal names the mode (6.3.3).
 using NamedModes = std::vector<std::vector<bool>>;
 
-/// The modes that a goal names: those that one of its atoms over a mode variable mentions.
+/// The modes that a goal names: those that it assigns by an atom `a = m` outside negations. `a != m` names none: what
+/// is left open is no reason to do what cannot be undone.
 NamedModes named_modes(const automata::Plant& plant, const automata::Formula& goal);
 
 /// Per component, the graph over its modes. Computed once; its cost is that of the supports.

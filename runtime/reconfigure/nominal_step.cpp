@@ -155,6 +155,21 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
   return true;
 }
 
+std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const ControlAction& action, std::size_t island) {
+  std::vector<ComponentId> result;
+  if (!tolerates(modes, action)) return result;
+  const std::vector<Enabled>& enabled = step_.enabled(modes, action);
+  for (const ComponentId c : islands_.components(island)) {
+    const auto& timed = enabled[c.index()].timed;
+    const auto leaves = [&](TransitionId id) {
+      const NominalTransition& t = nominal(c, id);
+      return t.bounded && t.from != t.to && t.possible;
+    };
+    if (std::any_of(timed.begin(), timed.end(), leaves)) result.push_back(c);
+  }
+  return result;
+}
+
 std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t island,
                                                   const NamedModes& named) {
   std::vector<NominalOutcome> result;

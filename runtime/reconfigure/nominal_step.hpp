@@ -45,6 +45,11 @@ class NominalStep {
   bool join_others(const automata::Modes& modes, const automata::ControlAction& action, std::size_t island,
                    const NamedModes& named, NominalOutcome& outcome);
 
+  /// The components of the island whose mode a timed nominal transition with an upper bound ends while the action is
+  /// held; none where the modes do not tolerate it.
+  std::vector<automata::ComponentId> fleeting(const automata::Modes& modes, const automata::ControlAction& action,
+                                              std::size_t island);
+
   /// Every way a step may go in the island, where the action risks nothing that is not permitted: each combination of
   /// untimed transitions, where some are enabled; else each timed transition by itself. Those that change nothing are
   /// left out.

@@ -34,7 +34,8 @@ struct Entry {
 
 /// Uniform-cost search over the nominal successors of the whole island: fewest irreversible steps, then fewest steps.
 /// The same rules on irreversible steps hold; what is achieved may be undone on the way.
-Planner::Choice Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise) {
+Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits) {
+  bool excluded = false;
   std::unordered_map<Modes, Way, automata::ModesHash> ways;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<PlannedStep> first_steps;
@@ -55,13 +56,17 @@ Planner::Choice Planner::search(const Modes& modes, const Objective& objective, 
     way.settled = true;
     const Modes current = *entry.modes;
     const Way reached = way;
-    if (arrived(current, objective)) return std::move(first_steps[reached.first]);
+    if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded};
     if (++settled > search_limit) {
       otherwise.reason += "; the search for another way was given up after " + std::to_string(search_limit) + " states";
-      return otherwise;
+      return {std::move(otherwise), excluded};
     }
     for (const automata::ControlAction& action : actions_[objective.island]) {
       for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.island, objective.named)) {
+        if (waits == Waits::safe && !is_safe(current, objective, action, outcome)) {
+          excluded = true;
+          continue;
+        }
         Distance distance = reached.distance + Distance{0, 1};
         for (const NominalMove& move : outcome.moves) distance.irreversible += move.transition->reversible ? 0 : 1;
         std::size_t first = reached.first;
@@ -73,7 +78,7 @@ Planner::Choice Planner::search(const Modes& modes, const Objective& objective, 
       }
     }
   }
-  return otherwise;
+  return {std::move(otherwise), excluded};
 }
 
 }  // namespace runtime

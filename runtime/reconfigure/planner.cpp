@@ -94,29 +94,61 @@ Planner::Choice Planner::next(const Modes& modes, const Objective& objective) {
 }
 
 Planner::Choice Planner::first_step(const Modes& modes, const Objective& objective) {
-  Choice first = walk(modes, objective);
-  if (const auto* stuck = std::get_if<Impasse>(&first)) return search(modes, objective, *stuck);
+  Trace trace = follow(modes, objective, Order::downstream_first);
+  if (trace.safe) return std::move(trace.first);
+  auto* const stuck = std::get_if<Impasse>(&trace.first);
+  if (stuck == nullptr) {
+    Trace other = follow(modes, objective, Order::lasting_first);
+    if (other.safe) return std::move(other.first);
+  }
+  Found safe = search(modes, objective, stuck == nullptr ? Impasse{} : *stuck, Waits::safe);
+  if (std::holds_alternative<PlannedStep>(safe.first)) return std::move(safe.first);
+  if (stuck == nullptr) return std::move(trace.first);
+  if (!safe.excluded) return std::move(safe.first);
+  return search(modes, objective, std::move(*stuck), Waits::any).first;
+}
 
+Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, Order order) {
+  Choice first = walk(modes, objective, order);
+  if (std::holds_alternative<Impasse>(first)) return {std::move(first), false};
   const PlannedStep& step = std::get<PlannedStep>(first);
-  const Impasse circle{step.component, "the commands that achieve " +
-                                           name(step.component, objective.target[step.component.index()]) + " for '" +
-                                           nominal_.plant()[step.component].name + "' lead in a circle"};
+  bool safe = is_safe(modes, objective, step.action, step.outcome);
   std::unordered_set<Modes, automata::ModesHash> seen{modes};
   Modes current = step.outcome.modes;
   while (!arrived(current, objective)) {
-    if (!seen.insert(current).second) return search(modes, objective, circle);
-    Choice choice = walk(current, objective);
-    if (const auto* stuck = std::get_if<Impasse>(&choice)) return search(modes, objective, *stuck);
-    current = std::move(std::get<PlannedStep>(choice).outcome.modes);
+    if (!seen.insert(current).second) {
+      return {Impasse{step.component, "the commands that achieve " +
+                                          name(step.component, objective.target[step.component.index()]) + " for '" +
+                                          nominal_.plant()[step.component].name + "' lead in a circle"},
+              false};
+    }
+    Choice choice = walk(current, objective, order);
+    if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false};
+    auto& next = std::get<PlannedStep>(choice);
+    safe = safe && is_safe(current, objective, next.action, next.outcome);
+    current = std::move(next.outcome.modes);
   }
-  return first;
+  return {std::move(first), safe};
 }
 
-Planner::Choice Planner::walk(const Modes& modes, const Objective& objective) {
+Planner::Choice Planner::advance(const Modes& modes, const Objective& objective, Order order) {
+  std::optional<Choice> first;
+  for (const ComponentId c : ordered_[objective.island]) {
+    if (modes[c.index()] == objective.target[c.index()]) continue;
+    Choice choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
+    const auto* const step = std::get_if<PlannedStep>(&choice);
+    if (order == Order::downstream_first) return choice;
+    const bool early = step != nullptr && is_brief(*step, objective) && has_waits(step->outcome.modes, objective);
+    if (step != nullptr && !early) return choice;
+    if (!first) first = std::move(choice);
+  }
+  assert(first && "some component is astray");
+  return std::move(*first);
+}
+
+Planner::Choice Planner::walk(const Modes& modes, const Objective& objective, Order order) {
   const auto& components = ordered_[objective.island];
-  const auto astray = std::find_if(components.begin(), components.end(),
-                                   [&](ComponentId c) { return modes[c.index()] != objective.target[c.index()]; });
-  Choice choice = achieve(modes, objective, *astray, std::span(&objective.target[astray->index()], 1));
+  Choice choice = advance(modes, objective, order);
   const auto* waiting = std::get_if<PlannedStep>(&choice);
   if (waiting == nullptr || !waiting->idle) return choice;
 

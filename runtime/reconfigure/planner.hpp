@@ -39,6 +39,11 @@ struct Objective {
 /// named. The walk is followed to the goal state before its first action is given; where it turns in a circle or gets
 /// stuck, and where components control each other in a cycle, the whole island is searched instead.
 ///
+/// A wait is unsafe while another component has a mode that the rest of the plan relies on and may leave it by a timed
+/// transition of its own. A way without unsafe waits goes before all others: the walk, then the walk that puts off what
+/// does not last, then a search; only where there is none are unsafe waits accepted. Whether a wait is unsafe is read
+/// from the state alone, so the answers along a plan agree with each other.
+///
 /// Cost of a walk: about the plan's length times the requirements along it. Of a search: exponential in the island.
 class Planner {
  public:
@@ -50,18 +55,44 @@ class Planner {
   /// Components in the order in which their goals are achieved.
   [[nodiscard]] const std::vector<automata::ComponentId>& order() const { return order_.downstream_first(); }
 
+  /// Whether the step achieves a goal that a timed transition may undo.
+  bool is_brief(const PlannedStep& step, const Objective& objective);
+  /// Whether a timed transition stands in the policies that lead from the modes to the target.
+  bool has_waits(const automata::Modes& modes, const Objective& objective);
+
   /// States that a search visits at most, before it gives up.
   static constexpr std::size_t search_limit = 1u << 14;
 
  private:
   using Choice = std::variant<PlannedStep, Impasse>;
+  enum class Order { downstream_first, lasting_first };
+  enum class Waits { safe, any };
+  /// A walk to the goal state: its first step, or why it does not get there; and whether each of its waits is safe.
+  struct Trace {
+    Choice first;
+    bool safe;
+  };
+  /// What a search finds; `excluded`: ways were left out because of unsafe waits.
+  struct Found {
+    Choice first;
+    bool excluded;
+  };
   Choice first_step(const automata::Modes& modes, const Objective& objective);
-  Choice walk(const automata::Modes& modes, const Objective& objective);
+  Trace follow(const automata::Modes& modes, const Objective& objective, Order order);
+  Choice walk(const automata::Modes& modes, const Objective& objective, Order order);
+  /// Of the components that are astray, the first that can be brought on without reaching a goal too early.
+  Choice advance(const automata::Modes& modes, const Objective& objective, Order order);
   Choice achieve(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                  std::span<const automata::ModeId> wanted);
   Choice bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                      const NominalTransition& transition);
-  Choice search(const automata::Modes& modes, const Objective& objective, Impasse otherwise);
+  Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits);
+
+  /// Whether the step is no wait, or a safe one.
+  bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
+               const NominalOutcome& outcome);
+  /// Per component, whether its mode is its goal, or what a policy that leads another there requires or commands from.
+  std::vector<bool> relied_on(const automata::Modes& modes, const Objective& objective);
 
   /// The requirements of a support that modes do not meet yet, those downstream first; and how far away they are.
   struct Subgoals {

@@ -86,6 +86,25 @@ class PolicyReconfigurer : public Reconfigurer {
     return result;
   }
 
+  /// The next step of one island; whether it achieves what does not last, and whether the island has to be waited for.
+  struct Offer {
+    PlannedStep step;
+    bool brief, waits;
+  };
+
+  /// The first command that need not be put off until another island has been waited for; else the first wait; else the
+  /// first command.
+  static std::size_t best(const std::vector<Offer>& offers) {
+    const auto waiting = std::count_if(offers.begin(), offers.end(), [](const Offer& o) { return o.waits; });
+    const auto rank = [&](const Offer& o) {
+      if (o.step.idle) return 1;
+      return o.brief && waiting > (o.waits ? 1 : 0) ? 2 : 0;
+    };
+    const auto at = std::min_element(offers.begin(), offers.end(),
+                                     [&](const Offer& a, const Offer& b) { return rank(a) < rank(b); });
+    return static_cast<std::size_t>(at - offers.begin());
+  }
+
   /// Islands do not touch each other, so each is planned by itself; the first that has a command has its turn, in the
   /// order of goals, and the plant is waited for only where none has.
   Reconfiguration chosen(const Modes& modes, const Goal& goal) {
@@ -94,22 +113,25 @@ class PolicyReconfigurer : public Reconfigurer {
     if (auto* impasse = std::get_if<Impasse>(&interpreted)) return refusal(std::move(*impasse), {});
     Modes target = std::get<Modes>(std::move(interpreted));
 
-    std::optional<PlannedStep> chosen;
+    std::vector<Offer> offers;
     std::vector<bool> planned(islands_.count());
     for (const ComponentId c : planner_.order()) {
       const std::size_t island = islands_.of(c);
       if (modes[c.index()] == target[c.index()] || planned[island]) continue;
       planned[island] = true;
-      auto choice = planner_.next(modes, {target, goal.named(), island});
+      const Objective objective{target, goal.named(), island};
+      auto choice = planner_.next(modes, objective);
       if (auto* impasse = std::get_if<Impasse>(&choice)) return refusal(std::move(*impasse), std::move(target));
       auto& step = std::get<PlannedStep>(choice);
-      if (!chosen || (chosen->idle && !step.idle)) chosen = std::move(step);
+      const bool brief = planner_.is_brief(step, objective);
+      offers.push_back({std::move(step), brief, planner_.has_waits(modes, objective)});
     }
-    if (!chosen) {
+    if (offers.empty()) {
       Reconfiguration result = idle(Reconfiguration::Outcome::nothing_to_do);
       result.goal_state = std::move(target);
       return result;
     }
+    PlannedStep* const chosen = &offers[best(offers)].step;
     Reconfiguration result;
     result.outcome = chosen->idle ? Reconfiguration::Outcome::wait : Reconfiguration::Outcome::command;
     result.action = std::move(chosen->action);

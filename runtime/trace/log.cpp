@@ -64,6 +64,7 @@ class LogReader {
         LogLine& line = lines.emplace_back();
         line.number = number;
         line.time = last;
+        if (text.find('\0') != std::string::npos) throw InputError(" expected text, found a NUL byte");
         interpret(parse_object(text), line);
         if (line.time < last) {
           throw InputError(" the time " + automata::format_seconds(line.time) +

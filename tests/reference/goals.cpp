@@ -71,8 +71,9 @@ std::set<ModeId> closure(const std::vector<const Transition*>& transitions, Mode
 }
 
 bool names(const automata::Formula& goal, automata::VariableId variable, automata::ValueId value) {
+  if (goal.kind == automata::Formula::Kind::negation) return false;
   if (goal.kind == automata::Formula::Kind::member && goal.variable == variable)
-    return std::find(goal.values.begin(), goal.values.end(), value) != goal.values.end();
+    return goal.values == std::vector{value};
   return std::any_of(goal.operands.begin(), goal.operands.end(),
                      [&](const automata::Formula& operand) { return names(operand, variable, value); });
 }

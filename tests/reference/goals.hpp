@@ -12,8 +12,8 @@
 namespace reference {
 
 /// The modes that the goal interpreter may choose for a component in mode `from`: those it reaches by nominal
-/// transitions that are timed, reversible, repairs of `from`, or lead to a mode that the goal names. A transition
-/// counts only where some consistent state and control action imply its guard.
+/// transitions that are timed, reversible, repairs of `from`, or lead to a mode that the goal names: assigns
+/// outside negations. A transition counts only where some consistent state and control action imply its guard.
 std::set<automata::ModeId> reachable_modes(const Step& step, std::size_t component, automata::ModeId from,
                                            const automata::Formula& goal);
 

@@ -3,7 +3,6 @@
 #include "verifier/evidence/replay.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace verifier {
@@ -35,7 +34,7 @@ class Rules {
       const Transition& t = transition(id);
       if (t.timing && (now_ < t.timing->lower || now_ > t.timing->upper)) continue;
       if (t.to == to) return true;
-      faulty += probability(t.weight);
+      faulty += t.weight.fault_probability(period_.value_or(Ticks{0}));
     }
     if (faulty >= 1) return false;
     if (!enabled_.untimed.empty()) return leads(enabled_.untimed, to, [](const Transition&) { return true; });
@@ -76,18 +75,6 @@ class Rules {
   [[nodiscard]] bool leads(const std::vector<TransitionId>& transitions, ModeId to, const Condition& condition) const {
     return std::any_of(transitions.begin(), transitions.end(),
                        [&](TransitionId id) { return transition(id).to == to && condition(transition(id)); });
-  }
-
-  [[nodiscard]] double probability(const automata::Weight& weight) const {
-    switch (weight.kind) {
-      case automata::Weight::Kind::none:
-        return 0;
-      case automata::Weight::Kind::probability:
-        return weight.value;
-      case automata::Weight::Kind::rate:
-        return period_ ? -std::expm1(-weight.value * period_->seconds()) : 0;
-    }
-    return 0;
   }
 
   const Component& component_;

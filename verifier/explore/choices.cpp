@@ -3,7 +3,6 @@
 #include "verifier/explore/choices.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace verifier {
 
@@ -13,7 +12,6 @@ using automata::ModeId;
 using automata::Timing;
 using automata::Transition;
 using automata::TransitionId;
-using automata::Weight;
 
 namespace {
 
@@ -45,24 +43,13 @@ class Collector {
     return {reading_.at_least(t.timing->lower), reading_.at_most(t.timing->upper)};
   }
 
-  [[nodiscard]] double probability(const Weight& weight) const {
-    switch (weight.kind) {
-      case Weight::Kind::none:
-        return 0;
-      case Weight::Kind::probability:
-        return weight.value;
-      case Weight::Kind::rate:
-        return reading_.is_dense() ? 0 : -std::expm1(-weight.value * reading_.unit().seconds());
-    }
-    return 0;
-  }
-
   /// The sum of the fault probabilities at a reading, in the order in which PlantStep adds them.
   [[nodiscard]] double faulty(Units clock) const {
     double sum = 0;
     for (const TransitionId id : enabled_.faults) {
       const Transition& t = component_.transitions[id.index()];
-      if (within(t).contains(clock)) sum += probability(t.weight);
+      if (within(t).contains(clock))
+        sum += t.weight.fault_probability(reading_.is_dense() ? automata::Ticks{0} : reading_.unit());
     }
     return sum;
   }
@@ -101,6 +88,7 @@ class Collector {
       for (const TransitionId id : enabled_.timed) {
         const Transition& t = component_.transitions[id.index()];
         add(t.to, 0, intersection(share, {reading_.at_least(t.timing->lower), certain}));
+        if (t.timing->upper.is_infinite()) continue;
         add(t.to, 0, intersection(share, {reading_.at_most(t.timing->upper), unbounded}));
       }
       return;

@@ -31,6 +31,7 @@ bool Zone::constrain(std::size_t i, std::size_t j, Units b) {
 }
 
 bool Zone::constrain(std::size_t clock, const Interval& interval) {
+  assert(interval.lower != unbounded);
   return constrain(0, clock, -interval.lower) && constrain(clock, 0, interval.upper);
 }
 

@@ -74,6 +74,15 @@ TEST(Import, ReadsACatalogue) {
   EXPECT_THROW(read_catalogue("no xml", "tiny.xml"), automata::InputError);
 }
 
+TEST(Import, NamesBecomeIdentifiers) {
+  const std::string text =
+      to_tcca(read_bench("INPUT(1)\nOUTPUT(and)\nand = nand(1, 1)\n", "x.bench"), FaultModel::weak);
+  EXPECT_THAT(text, testing::HasSubstr("input    N1 : Bit;"));
+  EXPECT_THAT(text, testing::HasSubstr("and_.i1 = N1;"));
+  EXPECT_THROW(to_tcca(read_bench("INPUT(1)\nINPUT(N1)\ng = AND(1, N1)\n", "x.bench"), FaultModel::weak),
+               automata::InputError);
+}
+
 TEST(Import, WhatIsWrittenCompiles) {
   for (const FaultModel faults : {FaultModel::weak, FaultModel::strong}) {
     const std::string path = testing::TempDir() + "/import_test.tcca";

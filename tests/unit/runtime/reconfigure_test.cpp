@@ -210,6 +210,75 @@ TEST(Rules, AReversibleSideEffectIsUndoneAfterwards) {
   EXPECT_THAT(craft.text(plan.commands), ElementsAre("both", "close2"));
 }
 
+TEST(Rules, AnInequalityNamesNoMode) {
+  Builder b;
+  b.control("cmd", {"none", "open", "close", "blow"});
+  b.component("valve", {{"closed"}, {"open"}, {"blown", automata::constant(true), 10}});
+  b.transition("closed", "open", b.is("cmd", "open"));
+  b.transition("open", "closed", b.is("cmd", "close"));
+  b.transition("closed", "blown", b.is("cmd", "blow"));
+  Craft craft(std::move(b));
+  const auto valve = craft.names.plant.components.front().mode;
+  const Formula unequal = automata::member(valve, {automata::ValueId(1), automata::ValueId(2)});
+  for (const Formula& goal : {unequal, negation(craft.is("valve", "closed"))}) {
+    EXPECT_THAT(craft.text(craft.plan({"closed"}, goal).commands), ElementsAre("open"));
+  }
+  EXPECT_THAT(craft.text(craft.plan({"closed"}, craft.is("valve", "blown")).commands), ElementsAre("blow"));
+}
+
+/// Two heaters that burn for a moment only; bound, they must not heat at once, else neither knows of the other.
+Builder heaters(bool bound) {
+  Builder b;
+  for (const std::string name : {"h", "g"}) {
+    b.control(name + ".cmd", {"none", name + ":on", name + ":fire"});
+    b.component(name, {{"off"}, {"heat"}, {"rdy"}, {"burn"}});
+    b.transition("off", "heat", b.is(name + ".cmd", name + ":on"));
+    b.transition("heat", "rdy", automata::constant(true), std::pair{30, 60});
+    b.transition("rdy", "off", b.is(name + ".cmd", name + ":on"));
+    b.transition("rdy", "burn", b.is(name + ".cmd", name + ":fire"));
+    b.transition("burn", "rdy", automata::constant(true), std::pair{1, 2});
+  }
+  if (bound) b.connect(negation(conjunction({b.is("h", "heat"), b.is("g", "heat")})));
+  return b;
+}
+
+TEST(Waits, WhatDoesNotLastIsAchievedLast) {
+  Craft craft(heaters(true));
+  const Plan both = craft.plan({"off", "off"}, conjunction({craft.is("h", "burn"), craft.is("g", "burn")}));
+  EXPECT_THAT(craft.text(both.commands), ElementsAre("h:on", "wait", "g:on", "wait", "h:fire", "g:fire"));
+  const Plan one = craft.plan({"off", "off"}, conjunction({craft.is("h", "burn"), craft.is("g", "rdy")}));
+  EXPECT_THAT(craft.text(one.commands), ElementsAre("h:on", "wait", "g:on", "wait", "h:fire"));
+}
+
+TEST(Waits, WhatDoesNotLastIsLeftAndAchievedAgain) {
+  Craft craft(heaters(true));
+  const Plan plan = craft.plan({"burn", "off"}, conjunction({craft.is("h", "burn"), craft.is("g", "burn")}));
+  ASSERT_EQ(plan.outcome, Plan::Outcome::plan) << plan.reason;
+  EXPECT_THAT(craft.text(plan.commands), ElementsAre("wait", "g:on", "wait", "h:fire", "g:fire"));
+}
+
+TEST(Waits, OtherPartsOfThePlantAreWaitedForToo) {
+  Craft craft(heaters(false));
+  const Plan plan = craft.plan({"off", "off"}, conjunction({craft.is("h", "burn"), craft.is("g", "burn")}));
+  EXPECT_THAT(craft.text(plan.commands), ElementsAre("h:on", "g:on", "wait", "wait", "h:fire", "g:fire"));
+}
+
+TEST(Waits, AnUnsafeWaitIsBetterThanNoPlan) {
+  // The flare burns out while the lamp warms up, and there is no second one.
+  Builder b;
+  b.control("cmd", {"none", "go", "stop"});
+  b.component("flare", {{"burning"}, {"out"}});
+  b.transition("burning", "out", automata::constant(true), std::pair{1, 2});
+  b.component("lamp", {{"off"}, {"warming"}, {"on"}});
+  b.transition("off", "warming", b.is("cmd", "go"));
+  b.transition("warming", "on", automata::constant(true), std::pair{30, 60});
+  b.transition("on", "off", b.is("cmd", "stop"));
+  b.connect(automata::disjunction({negation(b.is("flare", "out")), negation(b.is("lamp", "off"))}));
+  Craft craft(std::move(b));
+  const Plan plan = craft.plan({"burning", "off"}, conjunction({craft.is("flare", "burning"), craft.is("lamp", "on")}));
+  EXPECT_THAT(craft.text(plan.commands), ElementsAre("go", "wait"));
+}
+
 TEST(Rules, ComponentsThatControlEachOtherArePlannedAsOne) {
   // Each of two locks moves only while the other is open; both start open, and one command closes or opens each.
   Builder b;

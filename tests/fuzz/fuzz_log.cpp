@@ -1,0 +1,40 @@
+// Fuzzes the reader of logs, with a plant's names and with names as they come: it refuses with a message, or reads.
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "automata/error.hpp"
+#include "compiler/compiler.hpp"
+#include "runtime/trace/log.hpp"
+
+namespace {
+
+const automata::Plant& lander() {
+  static const std::vector<std::string> paths{RMPL_SOURCE_DIR "/examples/mars-entry/mars_lander.tcca"};
+  static const compiler::Compilation compiled = compiler::compile(paths);
+  return compiled.document().plants.front();
+}
+
+template <class Names>
+void read(const std::string& text, Names& names) {
+  try {
+    std::istringstream in(text);
+    runtime::read_log(in, "log.jsonl", names);
+  } catch (const automata::InputError& error) {
+    if (std::string_view(error.what()).empty()) std::abort();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  read(text, lander());
+  automata::Variables names;
+  read(text, names);
+  return 0;
+}
