@@ -28,6 +28,10 @@ Document read_document(std::string_view text, const std::string& name);
 Json to_json(const Formula& formula, const Variables& variables, std::span<const std::string> clocks = {});
 Formula formula_from_json(const Node& node, const Variables& variables, std::span<const std::string> clocks = {});
 
+/// A table of variables as [{"name", "values": […]}, …], and back; names and values are unique.
+Json to_json(const Variables& variables);
+Variables variables_from_json(const Node& node);
+
 /// `variable = value` as the pair [variable, value], and back.
 Json to_json(const Assignment& assignment, const Variables& variables);
 Assignment assignment_from_json(const Node& node, const Variables& variables);

@@ -1,4 +1,4 @@
-// Formulas, assignments, times and origins as JSON.
+// Variables, formulas, assignments, times and origins as JSON.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <utility>
@@ -120,6 +120,26 @@ Json to_json(const Formula& formula, const Variables& variables, std::span<const
 
 Formula formula_from_json(const Node& node, const Variables& variables, std::span<const std::string> clocks) {
   return read(node, variables, clocks, 0);
+}
+
+Json to_json(const Variables& variables) {
+  Json all = Json::array();
+  for (const Variable& variable : variables) all.push_back({{"name", variable.name}, {"values", variable.values}});
+  return all;
+}
+
+Variables variables_from_json(const Node& node) {
+  Variables variables;
+  for (const Node& item : node.items()) {
+    Variable variable{item.at("name").text(), {}};
+    if (variables.find(variable.name)) item.at("name").fail("a name that is new");
+    for (const Node& value : item.at("values").items()) {
+      if (variable.find(value.text())) value.fail("a value that is new");
+      variable.values.push_back(value.text());
+    }
+    variables.add(std::move(variable));
+  }
+  return variables;
 }
 
 Json to_json(const Assignment& assignment, const Variables& variables) {

@@ -14,12 +14,6 @@ constexpr std::array<std::pair<Density::Kind, const char*>, 3> densities{{{Densi
                                                                           {Density::Kind::exponential, "exponential"},
                                                                           {Density::Kind::normal, "normal"}}};
 
-Json variables_to_json(const Variables& variables) {
-  Json all = Json::array();
-  for (const Variable& variable : variables) all.push_back({{"name", variable.name}, {"values", variable.values}});
-  return all;
-}
-
 Json timing_to_json(const Timing& timing) {
   Json json{{"lower", to_json(timing.lower)}, {"upper", to_json(timing.upper)}};
   for (const auto& [kind, name] : densities) {
@@ -168,7 +162,7 @@ Json to_json(const Plant& plant) {
   Json observables = Json::array();
   for (const VariableId observable : plant.observables) observables.push_back(plant.variables.name(observable));
   return {{"name", plant.name},
-          {"variables", variables_to_json(plant.variables)},
+          {"variables", to_json(plant.variables)},
           {"components", std::move(components)},
           {"interconnections", std::move(interconnections)},
           {"controls", std::move(controls)},
@@ -178,15 +172,9 @@ Json to_json(const Plant& plant) {
 Plant plant_from_json(const Node& node) {
   Plant plant;
   plant.name = node.at("name").text();
+  plant.variables = variables_from_json(node.at("variables"));
   for (const Node& item : node.at("variables").items()) {
-    Variable variable{item.at("name").text(), {}};
-    if (plant.variables.find(variable.name)) item.at("name").fail("a name that is new");
-    for (const Node& value : item.at("values").items()) {
-      if (variable.find(value.text())) value.fail("a value that is new");
-      variable.values.push_back(value.text());
-    }
-    if (variable.values.empty()) item.at("values").fail("at least one value");
-    plant.variables.add(std::move(variable));
+    if (item.at("values").items().empty()) item.at("values").fail("at least one value");
   }
   std::unordered_set<VariableId> modes;
   for (const Node& item : node.at("components").items()) {

@@ -82,16 +82,12 @@ Location location_from_json(const Node& node, std::size_t position, std::size_t 
 }  // namespace
 
 Json to_json(const Program& program) {
-  Json variables = Json::array();
-  for (const Variable& variable : program.variables) {
-    variables.push_back({{"name", variable.name}, {"values", variable.values}});
-  }
   Json locations = Json::array();
   for (std::size_t l = 0; l < program.locations.size(); ++l) {
     locations.push_back(location_to_json(program.locations[l], l + 1, program));
   }
   return {{"name", program.name},
-          {"variables", std::move(variables)},
+          {"variables", to_json(program.variables)},
           {"clocks", program.clocks},
           {"locations", std::move(locations)}};
 }
@@ -99,15 +95,7 @@ Json to_json(const Program& program) {
 Program program_from_json(const Node& node) {
   Program program;
   program.name = node.at("name").text();
-  for (const Node& item : node.at("variables").items()) {
-    Variable variable{item.at("name").text(), {}};
-    if (program.variables.find(variable.name)) item.at("name").fail("a name that is new");
-    for (const Node& value : item.at("values").items()) {
-      if (variable.find(value.text())) value.fail("a value that is new");
-      variable.values.push_back(value.text());
-    }
-    program.variables.add(std::move(variable));
-  }
+  program.variables = variables_from_json(node.at("variables"));
   for (const Node& item : node.at("clocks").items()) program.clocks.push_back(item.text());
   const auto locations = node.at("locations").items();
   if (locations.empty()) node.at("locations").fail("at least one location");

@@ -56,7 +56,6 @@ void CoreGuided::reduce(std::vector<Literal>& core) {
 
 void CoreGuided::relax(const std::vector<Literal>& core) {
   ++cost_;
-  ++cores_;
   std::vector<Literal> broken;
   for (const Literal soft : core) {
     broken.push_back(-soft);

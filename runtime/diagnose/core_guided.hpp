@@ -28,7 +28,6 @@ class CoreGuided {
   [[nodiscard]] std::size_t cost() const { return cost_; }
   /// Makes the bound permanent, so that every further model has minimum cost, and no assumptions are needed.
   void commit();
-  [[nodiscard]] std::size_t cores() const { return cores_; }
 
  private:
   struct Bound {
@@ -45,7 +44,6 @@ class CoreGuided {
   std::vector<std::vector<automata::Literal>> totalizers_;  ///< outputs: k-th holds if k + 1 inputs do
   std::map<automata::Literal, Bound> bounds_;               ///< of soft literals that are negated outputs
   std::size_t cost_ = 0;
-  std::size_t cores_ = 0;
 };
 
 }  // namespace runtime
