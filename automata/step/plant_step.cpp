@@ -3,22 +3,13 @@
 #include "automata/step/plant_step.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "automata/step/model.hpp"
 
 namespace automata {
 namespace {
-
-/// Beyond this many remembered answers a memory is emptied: long runs through ever new states stay flat.
-constexpr std::size_t memory_limit = 1u << 16;
-
-template <class Memory>
-void bound_memory(Memory& memory) {
-  if (memory.size() >= memory_limit) memory.clear();
-}
-
-std::size_t combine(std::size_t hash, std::size_t value) { return (hash ^ value) * 0x100000001b3u; }
 
 /// The share of a nominal transition among those that take the nominal share together.
 double share_weight(const Weight& weight) { return weight.kind == Weight::Kind::none ? 1.0 : weight.value; }
@@ -42,71 +33,98 @@ class Moves {
 
 }  // namespace
 
-std::size_t PlantStep::StateActionHash::operator()(const StateAction& key) const noexcept {
-  std::size_t hash = ModesHash{}(key.modes);
-  for (const ValueId value : key.action) hash = combine(hash, value.value);
-  return hash;
-}
-
-std::size_t PlantStep::StateObservationHash::operator()(const StateObservation& key) const noexcept {
-  std::size_t hash = ModesHash{}(key.modes);
-  for (const Assignment& a : key.observation) hash = combine(combine(hash, a.variable.value), a.value.value);
-  return hash;
-}
-
-PlantStep::PlantStep(const Plant& plant) : plant_(plant), theory_(model_theory(plant)) {
+PlantStep::PlantStep(const Plant& plant) : plant_(plant), locality_(plant), theory_(model_theory(plant)) {
   for (const Component& component : plant.components) {
     auto& handles = guards_.emplace_back();
-    for (const Transition& t : component.transitions) handles.push_back(theory_.encode(t.guard));
+    std::vector<Support> supports(component.modes.size());
+    for (const Transition& t : component.transitions) {
+      handles.push_back(theory_.encode(t.guard));
+      supports[t.from.index()].join(locality_.support_of(t.guard));
+    }
+    auto& parts = parts_.emplace_back();
+    for (Support& support : supports) {
+      Memory<Enabled> memory(plant, support);
+      parts.push_back({std::move(support), std::move(memory)});
+    }
   }
+  for (const Locality::Island& island : locality_.islands()) {
+    const Support modes{island.support.components, {}};
+    if (island.constrained) constrained_.push_back(islands_.size());
+    islands_.push_back({{plant, modes}, {plant, island.support}, {plant, modes}});
+  }
+}
+
+std::vector<Assignment> PlantStep::assumptions(const Support& support, const Modes& modes,
+                                               const ControlAction& action) const {
+  std::vector<Assignment> result;
+  for (const ComponentId c : support.components) {
+    result.push_back({plant_[c].mode, ValueId(modes[c.index()].index())});
+  }
+  for (const std::size_t i : support.controls) result.push_back({plant_.controls[i].variable, action[i]});
+  return result;
 }
 
 bool PlantStep::possible(const Modes& modes) {
-  if (const auto known = possible_.find(modes); known != possible_.end()) return known->second;
-  bound_memory(possible_);
-  const bool answer = theory_.consistent(assignments_of(plant_, modes));
-  possible_.emplace(modes, answer);
-  return answer;
+  for (const std::size_t i : constrained_) {
+    const Support support{locality_.islands()[i].support.components, {}};
+    const auto ask = [&] { return theory_.consistent(assumptions(support, modes, {})); };
+    if (!islands_[i].possible.find(modes, ControlAction{}, ask)) return false;
+  }
+  return true;
+}
+
+bool PlantStep::consistent(const Modes& modes, const ControlAction& action) {
+  for (const std::size_t i : constrained_) {
+    const Support& support = locality_.islands()[i].support;
+    const auto ask = [&] { return theory_.consistent(assumptions(support, modes, action)); };
+    if (!islands_[i].consistent.find(modes, action, ask)) return false;
+  }
+  return true;
+}
+
+template <class Test>
+Enabled PlantStep::sort_out(ComponentId id, ModeId mode, const Test& test) const {
+  const Component& component = plant_[id];
+  Enabled result;
+  for (std::size_t i = 0; i < component.transitions.size(); ++i) {
+    const Transition& t = component.transitions[i];
+    const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
+    if (t.from != mode || weightless || !test(i)) continue;
+    auto& kind = component.is_fault(t) ? result.faults : t.timing ? result.timed : result.untimed;
+    kind.emplace_back(i);
+  }
+  return result;
+}
+
+Enabled PlantStep::work_out(ComponentId id, const Modes& modes, const ControlAction& action) {
+  const Component& component = plant_[id];
+  const ModeId mode = modes[id.index()];
+  const std::vector<Assignment> store = assumptions(support(id, mode), modes, action);
+  // One model of the store refutes most guards that are not implied.
+  [[maybe_unused]] const bool consistent = theory_.consistent(store);
+  assert(consistent && "what contradicts itself enables everything");
+  std::vector<bool> possible;
+  for (const Transition& t : component.transitions) {
+    possible.push_back(t.from == mode && evaluate(t.guard, [&](VariableId v) { return theory_.value(v); }));
+  }
+  return sort_out(id, mode, [&](std::size_t t) {
+    return possible[t] && (component.transitions[t].guard.is_true() || theory_.entails(store, guards_[id.index()][t]));
+  });
+}
+
+const Enabled& PlantStep::enabled(ComponentId component, const Modes& modes, const ControlAction& action) {
+  return parts_[component.index()][modes[component.index()].index()].enabled.find(
+      modes, action, [&] { return work_out(component, modes, action); });
 }
 
 const std::vector<Enabled>& PlantStep::enabled(const Modes& modes, const ControlAction& action) {
-  StateAction key{modes, action};
-  if (const auto known = enabled_.find(key); known != enabled_.end()) return known->second;
-  bound_memory(enabled_);
-
-  std::vector<Assignment> known = assignments_of(plant_, modes);
-  const std::vector<Assignment> controls = assignments_of(plant_, action);
-  known.insert(known.end(), controls.begin(), controls.end());
-  // A store that contradicts the control action implies every guard. Else one model of it refutes most guards that are
-  // not implied, and a guard over control variables alone (the most common kind) is decided by it.
-  const bool consistent = theory_.consistent(known);
-  std::vector<std::vector<bool>> possible(plant_.components.size());
-  for (std::size_t c = 0; c < possible.size(); ++c) {
-    for (const Transition& t : plant_.components[c].transitions) {
-      const bool asked = consistent && t.from == modes[c];
-      possible[c].push_back(!asked || evaluate(t.guard, [&](VariableId id) { return theory_.value(id); }));
-    }
+  const bool implies_all = !consistent(modes, action);
+  answer_.resize(plant_.components.size());
+  for (std::size_t c = 0; c < answer_.size(); ++c) {
+    const ComponentId id(c);
+    answer_[c] = implies_all ? sort_out(id, modes[c], [](std::size_t) { return true; }) : enabled(id, modes, action);
   }
-  const auto decided_by_controls = [&](const Formula& guard) {
-    const auto reads = variables_of(guard);
-    return std::all_of(reads.begin(), reads.end(), [&](VariableId id) {
-      return std::any_of(controls.begin(), controls.end(), [&](const Assignment& a) { return a.variable == id; });
-    });
-  };
-
-  std::vector<Enabled> answer(plant_.components.size());
-  for (std::size_t c = 0; c < answer.size(); ++c) {
-    const Component& component = plant_.components[c];
-    for (std::size_t i = 0; i < component.transitions.size(); ++i) {
-      const Transition& t = component.transitions[i];
-      const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
-      if (t.from != modes[c] || weightless || !possible[c][i]) continue;
-      if (consistent && !decided_by_controls(t.guard) && !theory_.entails(known, guards_[c][i])) continue;
-      auto& kind = component.is_fault(t) ? answer[c].faults : t.timing ? answer[c].timed : answer[c].untimed;
-      kind.emplace_back(i);
-    }
-  }
-  return enabled_.emplace(std::move(key), std::move(answer)).first->second;
+  return answer_;
 }
 
 std::vector<Move> PlantStep::moves(ComponentId id, ModeId mode, const Enabled& enabled, Ticks clock_start, Ticks before,
@@ -209,22 +227,43 @@ SystemState PlantStep::advance(const SystemState& state, const Modes& next, Tick
   return result;
 }
 
+const PlantStep::Seen& PlantStep::see(std::size_t island, const Modes& modes, std::span<const Assignment> readings) {
+  std::vector<std::uint64_t> words;
+  for (const Assignment& a : readings) words.push_back(std::uint64_t{a.variable.value} << 32 | a.value.value);
+  return islands_[island].seen.find(modes, words, [&] {
+    const Support support{locality_.islands()[island].support.components, {}};
+    const std::vector<Assignment> store = assumptions(support, modes, {});
+    std::vector<Assignment> with = store;
+    with.insert(with.end(), readings.begin(), readings.end());
+    Seen answer{theory_.consistent(with), {}};
+    for (const Assignment& a : readings) answer.entailed.push_back(answer.consistent && theory_.entails(store, a));
+    return answer;
+  });
+}
+
 double PlantStep::observation_factor(const Modes& modes, const Observation& observation) {
-  StateObservation key{modes, observation};
-  if (const auto known = factors_.find(key); known != factors_.end()) return known->second;
-  bound_memory(factors_);
-  std::vector<Assignment> store = assignments_of(plant_, modes);
-  std::vector<Assignment> seen = store;
-  seen.insert(seen.end(), observation.begin(), observation.end());
-  double factor = theory_.consistent(seen) ? 1.0 : 0.0;
-  if (factor > 0) {
-    for (const Assignment& reading : observation) {
-      if (!theory_.entails(store, reading)) {
-        factor /= static_cast<double>(plant_.variables[reading.variable].values.size());
-      }
+  if (!possible(modes)) return 0;
+  std::vector<std::vector<Assignment>> by_island(islands_.size());
+  for (const Assignment& reading : observation) {
+    if (const auto island = locality_.island_of(reading.variable)) {
+      by_island[*island].push_back(reading);
+    } else if (modes[plant_.component_of(reading.variable)->index()].index() != reading.value.index()) {
+      return 0;
     }
   }
-  factors_.emplace(std::move(key), factor);
+  std::vector<bool> entailed(plant_.variables.size(), true);
+  for (std::size_t i = 0; i < by_island.size(); ++i) {
+    if (by_island[i].empty()) continue;
+    const Seen& seen = see(i, modes, by_island[i]);
+    if (!seen.consistent) return 0;
+    for (std::size_t r = 0; r < by_island[i].size(); ++r) entailed[by_island[i][r].variable.index()] = seen.entailed[r];
+  }
+  double factor = 1;
+  for (const Assignment& reading : observation) {
+    if (!entailed[reading.variable.index()]) {
+      factor /= static_cast<double>(plant_.variables[reading.variable].values.size());
+    }
+  }
   return factor;
 }
 

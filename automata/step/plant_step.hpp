@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
+#include "automata/step/memory.hpp"
+#include "automata/step/support.hpp"
 
 namespace automata {
 
@@ -26,17 +26,28 @@ struct Enabled {
   std::vector<TransitionId> timed;    ///< nominal, with time bounds
 };
 
-/// The step function of a plant. Holds one incremental solver and remembers what it has proved: a question about the
-/// same modes and control action costs a look-up. Not for use from two threads at once. Keeps a reference to the plant.
+/// The step function of a plant. Holds one incremental solver and remembers what it has proved, part by part: a
+/// question costs a look-up wherever the modes and controls that its answer can depend on (support.hpp) have been met
+/// before, whatever the rest of the plant does. Not for use from two threads at once. Keeps a reference to the plant.
 class PlantStep {
  public:
   explicit PlantStep(const Plant& plant);
 
   [[nodiscard]] const Plant& plant() const { return plant_; }
   Theory& theory() { return theory_; }
+  [[nodiscard]] const Locality& locality() const { return locality_; }
+  /// What the enabled transitions of a component in a mode depend on.
+  [[nodiscard]] const Support& support(ComponentId component, ModeId mode) const {
+    return parts_[component.index()][mode.index()].support;
+  }
 
   /// Whether the store of these modes (Q and the mode constraints) is consistent; else the state is impossible.
   bool possible(const Modes& modes);
+  /// Whether the store is consistent with the control action; else it implies every guard.
+  bool consistent(const Modes& modes, const ControlAction& action);
+  /// What the store of `modes` and the control action enable for one component; they must be consistent. Modes and
+  /// controls outside `support` are not looked at. The reference lasts until the next call.
+  const Enabled& enabled(ComponentId component, const Modes& modes, const ControlAction& action);
   /// Per component, what the store of `modes` and the control action enable. The reference lasts until the next call.
   const std::vector<Enabled>& enabled(const Modes& modes, const ControlAction& action);
 
@@ -64,29 +75,38 @@ class PlantStep {
   [[nodiscard]] std::vector<std::vector<Move>> initial_moves() const;
 
  private:
+  /// What is known of one component in one mode.
+  struct Part {
+    Support support;
+    Memory<Enabled> enabled;
+  };
+  /// What is known of one island: whether it is consistent, in modes, under control actions, with observations.
+  struct Seen {
+    bool consistent;
+    std::vector<bool> entailed;  ///< by reading
+  };
+  struct IslandMemory {
+    Memory<bool> possible;
+    Memory<bool> consistent;
+    Memory<Seen> seen;
+  };
+
+  [[nodiscard]] std::vector<Assignment> assumptions(const Support& support, const Modes& modes,
+                                                    const ControlAction& action) const;
+  [[nodiscard]] Enabled work_out(ComponentId component, const Modes& modes, const ControlAction& action);
+  /// All that start in the mode and can weigh something, each tested.
+  template <class Test>
+  [[nodiscard]] Enabled sort_out(ComponentId component, ModeId mode, const Test& test) const;
+  const Seen& see(std::size_t island, const Modes& modes, std::span<const Assignment> readings);
+
   const Plant& plant_;
+  Locality locality_;
   Theory theory_;
   std::vector<std::vector<Theory::Handle>> guards_;  ///< per component, per transition
-
-  struct StateAction {
-    Modes modes;
-    ControlAction action;
-    bool operator==(const StateAction&) const = default;
-  };
-  struct StateActionHash {
-    std::size_t operator()(const StateAction& key) const noexcept;
-  };
-  struct StateObservation {
-    Modes modes;
-    Observation observation;
-    bool operator==(const StateObservation&) const = default;
-  };
-  struct StateObservationHash {
-    std::size_t operator()(const StateObservation& key) const noexcept;
-  };
-  std::unordered_map<Modes, bool, ModesHash> possible_;
-  std::unordered_map<StateAction, std::vector<Enabled>, StateActionHash> enabled_;
-  std::unordered_map<StateObservation, double, StateObservationHash> factors_;
+  std::vector<std::vector<Part>> parts_;             ///< per component, per mode
+  std::vector<IslandMemory> islands_;                ///< by island
+  std::vector<std::size_t> constrained_;             ///< positions of the islands that can be inconsistent
+  std::vector<Enabled> answer_;
 };
 
 }  // namespace automata
