@@ -8,6 +8,11 @@ find_path(CADICAL_INCLUDE_DIR cadical.hpp REQUIRED)
 add_library(rmpl_cadical INTERFACE)
 target_link_libraries(rmpl_cadical INTERFACE ${CADICAL_LIBRARY})
 target_include_directories(rmpl_cadical SYSTEM INTERFACE ${CADICAL_INCLUDE_DIR})
+find_library(BLISS_LIBRARY bliss REQUIRED)
+find_path(BLISS_INCLUDE_DIR bliss/graph.hh REQUIRED)
+add_library(rmpl_bliss INTERFACE)
+target_link_libraries(rmpl_bliss INTERFACE ${BLISS_LIBRARY})
+target_include_directories(rmpl_bliss SYSTEM INTERFACE ${BLISS_INCLUDE_DIR})
 
 # rmpl_folder(<name> [links…]): every .cpp below this folder but *_main.cpp, as one static library.
 # A folder sees another only through a link named here; the test `arrows` checks the includes against the links.

@@ -41,6 +41,11 @@ class PlantStep {
     return parts_[component.index()][mode.index()].support;
   }
 
+  /// The guard of a transition, as the theory knows it.
+  [[nodiscard]] Theory::Handle guard(ComponentId component, TransitionId transition) const {
+    return guards_[component.index()][transition.index()];
+  }
+
   /// Whether the store of these modes (Q and the mode constraints) is consistent; else the state is impossible.
   bool possible(const Modes& modes);
   /// Whether the store is consistent with the control action; else it implies every guard.

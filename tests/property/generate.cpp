@@ -223,6 +223,51 @@ rc::Gen<Model> models(Shape shape) {
   });
 }
 
+rc::Gen<Model> mirrored(Shape shape) {
+  return rc::gen::exec([shape] {
+    const Model drawn = *models(shape);
+    const Plant& half = drawn.plant;
+    Plant plant{"Mirrored", half.variables, half.components, half.interconnections, half.controls, half.observables};
+    const std::size_t offset = half.variables.size();
+    const auto other = [&](VariableId v) {
+      return VariableId(v.index() < offset ? v.index() + offset : v.index() - offset);
+    };
+    const auto mirror = [&](const Formula& f) {
+      return automata::renamed(f, other, [](VariableId, ValueId value) { return value; });
+    };
+    for (const auto& variable : half.variables) plant.variables.add({"m." + variable.name, variable.values});
+    for (Component component : half.components) {
+      component.name = "m." + component.name;
+      component.mode = other(component.mode);
+      for (auto& mode : component.modes) mode.constraint = mirror(mode.constraint);
+      for (auto& t : component.transitions) t.guard = mirror(t.guard);
+      plant.components.push_back(std::move(component));
+    }
+    for (const Formula& q : half.interconnections) plant.interconnections.push_back(mirror(q));
+    for (const auto& control : half.controls) plant.controls.push_back({other(control.variable), control.idle});
+    for (const VariableId v : half.observables) plant.observables.push_back(other(v));
+    if (chance(50)) {
+      const Formula bridge = draw_formula(plant.variables, all_variables(plant), 1);
+      plant.interconnections.push_back(bridge);
+      plant.interconnections.push_back(mirror(bridge));
+    }
+    // Guards that look across, alike on both sides.
+    if (chance(50)) {
+      const std::size_t components = half.components.size();
+      const std::size_t c = up_to(0, components - 1);
+      auto& transitions = plant.components[c].transitions;
+      if (!transitions.empty()) {
+        const std::size_t t = up_to(0, transitions.size() - 1);
+        const Formula across = draw_formula(plant.variables, all_variables(plant), 0);
+        plant.components[c + components].transitions[t].guard =
+            automata::conjunction({plant.components[c + components].transitions[t].guard, mirror(across)});
+        transitions[t].guard = automata::conjunction({transitions[t].guard, across});
+      }
+    }
+    return Model{std::move(plant)};
+  });
+}
+
 rc::Gen<Formula> formulas(const automata::Variables& table, std::vector<VariableId> variables, int depth) {
   return rc::gen::exec(
       [table, variables = std::move(variables), depth] { return draw_formula(table, variables, depth); });

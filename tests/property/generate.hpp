@@ -49,6 +49,10 @@ void showValue(const Model& model, std::ostream& out);
 /// Plants that have a consistent initial state. All time bounds are multiples of 1 s.
 rc::Gen<Model> models(Shape shape = {});
 
+/// Plants of two like halves: each of `models(shape)` beside a copy of it, now and then joined by constraints that say
+/// of either half what they say of the other. They can be without a consistent initial state.
+rc::Gen<Model> mirrored(Shape shape = {});
+
 /// Constraints over some of the variables of a table, without clocks. `variables` is not empty.
 rc::Gen<automata::Formula> formulas(const automata::Variables& table, std::vector<automata::VariableId> variables,
                                     int depth = 2);

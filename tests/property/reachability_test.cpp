@@ -98,6 +98,31 @@ RC_GTEST_PROP(Reachability, DenseIsTheGrid, ()) {
   compare(model, drawn, reference::fewest_steps_dense(slow, drawn.question, Ticks::of_seconds(1)));
 }
 
+/// Small halves: the twin explores their product.
+constexpr Shape half{.max_components = 2, .max_modes = 3, .max_attributes = 3, .densities = false};
+
+RC_GTEST_PROP(Reachability, SymmetricDenseIsTheGrid, ()) {
+  const Model model = *mirrored(half);
+  const Drawn drawn = draw_question(model.plant);
+  const reference::Step slow(model.plant);
+  compare(model, drawn, reference::fewest_steps_dense(slow, drawn.question, Ticks::of_seconds(1)));
+}
+
+RC_GTEST_PROP(Reachability, SymmetricDenseResponseIsTheGrid, ()) {
+  const Model model = *mirrored(half);
+  const Drawn drawn = draw_response(model.plant);
+  const reference::Step slow(model.plant);
+  compare_response(model, drawn, reference::fewest_steps_dense(slow, drawn.question, Ticks::of_seconds(1)));
+}
+
+RC_GTEST_PROP(Reachability, SymmetricSampledIsTheTicks, ()) {
+  const Model model = *mirrored(half);
+  Drawn drawn = draw_question(model.plant);
+  drawn.options.period = Ticks::of_seconds(1);
+  const reference::Step slow(model.plant);
+  compare(model, drawn, reference::fewest_steps_sampled(slow, drawn.question, Ticks::of_seconds(1)));
+}
+
 RC_GTEST_PROP(Reachability, SampledIsTheTicks, ()) {
   const Model model = *models();
   Drawn drawn = draw_question(model.plant);

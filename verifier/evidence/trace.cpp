@@ -4,24 +4,22 @@
 
 #include <cassert>
 
+#include "verifier/evidence/itinerary.hpp"
 #include "verifier/evidence/schedule.hpp"
-#include "verifier/explore/plant_system.hpp"
 
 namespace verifier {
-
-using automata::ComponentId;
 
 namespace {
 
 /// The points in time of one path: for each state when it is entered and when the wait in it ends.
 class Timetable {
  public:
-  Timetable(const std::vector<PathState>& path, Situations& situations, const Observer& observer)
-      : path_(path), situations_(situations), observer_(observer) {}
+  Timetable(std::vector<Leg> legs, PlantSystem& system)
+      : legs_(std::move(legs)), situations_(system.situations()), observer_(system.observer()) {}
 
   Trace trace() {
     begin();
-    for (std::size_t i = 1; i < path_.size(); ++i) step(i);
+    for (std::size_t i = 1; i < legs_.size(); ++i) step(i);
     accept();
     const auto times = schedule_.solve();
     assert(times && "a path that the search found has no times");
@@ -29,21 +27,15 @@ class Timetable {
   }
 
  private:
-  [[nodiscard]] SituationId situation(std::size_t i) const { return PlantSystem::situation_of(path_[i].discrete); }
-  [[nodiscard]] Phase phase(std::size_t i) const { return PlantSystem::phase_of(path_[i].discrete); }
-  [[nodiscard]] const Move& move(std::size_t i) const {
-    return situations_.moves(situation(i - 1))[path_[i].label.move];
-  }
-
   void begin() {
-    restarted_.assign(situations_[situation(0)].modes.size(), 0);
+    restarted_.assign(legs_[0].modes.size(), 0);
     entered_.push_back(0);
     wait(0);
   }
 
   /// From the end of the wait in state i - 1 to the end of the wait in state i.
   void step(std::size_t i) {
-    const Move& taken = move(i);
+    const Move& taken = *legs_[i].move;
     const Schedule::Point left = left_.back();
     const Schedule::Point entered = schedule_.add_point();
     if (taken.hold) {
@@ -53,21 +45,19 @@ class Timetable {
       for (const ClockBound& b : taken.bounds) schedule_.constrain(restarted(b), entered, b.clock);
     }
     entered_.push_back(entered);
-    const auto& before = situations_[situation(i - 1)].modes;
-    const auto& after = situations_[situation(i)].modes;
-    for (std::size_t c = 0; c < after.size(); ++c) {
-      if (after[c] != before[c]) restarted_[c] = entered;
+    for (std::size_t c = 0; c < legs_[i].modes.size(); ++c) {
+      if (legs_[i].modes[c] != legs_[i - 1].modes[c]) restarted_[c] = entered;
     }
-    if (observer_.timed(phase(i)) && !observer_.timed(phase(i - 1))) stopwatch_ = entered;
+    if (observer_.timed(legs_[i].phase) && !observer_.timed(legs_[i - 1].phase)) stopwatch_ = entered;
     wait(i);
   }
 
   void wait(std::size_t i) {
     const Schedule::Point left = schedule_.add_point();
-    if (path_[i].label.wait == PlantSystem::no_wait) {
-      schedule_.fix(entered_.back(), left, 0);
+    if (legs_[i].wait) {
+      pass(*legs_[i].wait, entered_.back(), left);
     } else {
-      pass(situations_[situation(i)].waits[path_[i].label.wait], entered_.back(), left);
+      schedule_.fix(entered_.back(), left, 0);
     }
     left_.push_back(left);
   }
@@ -82,20 +72,21 @@ class Timetable {
   }
 
   void accept() {
-    if (observer_.timed(phase(path_.size() - 1))) schedule_.constrain(stopwatch_, left_.back(), *observer_.accepted());
+    if (observer_.timed(legs_.back().phase)) schedule_.constrain(stopwatch_, left_.back(), *observer_.accepted());
   }
 
   [[nodiscard]] Schedule::Point restarted(const ClockBound& bound) const { return restarted_[bound.component.index()]; }
 
   [[nodiscard]] Trace events(const std::vector<Units>& times) const {
     const Reading& reading = situations_.reading();
-    Trace result = {{automata::Ticks{0}, situations_[situation(0)].modes, automata::idle_action(situations_.plant())}};
-    for (std::size_t i = 1; i < path_.size(); ++i) {
-      const auto& modes = situations_[situation(i)].modes;
-      const auto& action = situations_.action(move(i).action);
+    Trace result = {{automata::Ticks{0}, legs_[0].modes, automata::idle_action(situations_.plant())}};
+    for (std::size_t i = 1; i < legs_.size(); ++i) {
+      const Move& taken = *legs_[i].move;
       // A hold is as many steps as it has periods.
-      const Units first = move(i).hold ? times[left_[i - 1]] + 1 : times[entered_[i]];
-      for (Units at = first; at <= times[entered_[i]]; ++at) result.push_back({reading.time(at), modes, action});
+      const Units first = taken.hold ? times[left_[i - 1]] + 1 : times[entered_[i]];
+      for (Units at = first; at <= times[entered_[i]]; ++at) {
+        result.push_back({reading.time(at), legs_[i].modes, situations_.action(taken.action)});
+      }
     }
     const automata::Ticks end = reading.time(times[left_.back()]);
     if (end > result.back().time) {
@@ -104,7 +95,7 @@ class Timetable {
     return result;
   }
 
-  const std::vector<PathState>& path_;
+  std::vector<Leg> legs_;
   Situations& situations_;
   const Observer& observer_;
   Schedule schedule_;
@@ -116,8 +107,8 @@ class Timetable {
 
 }  // namespace
 
-Trace earliest_trace(const std::vector<PathState>& path, Situations& situations, const Observer& observer) {
-  return Timetable(path, situations, observer).trace();
+Trace earliest_trace(const std::vector<PathState>& path, PlantSystem& system) {
+  return Timetable(itinerary(path, system), system).trace();
 }
 
 std::size_t faults_in(const automata::Plant& plant, const Trace& trace) {

@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "automata/state.hpp"
-#include "verifier/explore/observer.hpp"
+#include "verifier/explore/plant_system.hpp"
 #include "verifier/explore/search.hpp"
-#include "verifier/explore/situation.hpp"
 
 namespace verifier {
 
@@ -23,8 +22,8 @@ struct Event {
 
 using Trace = std::vector<Event>;
 
-/// The trace with the earliest times of a path of `PlantSystem` to an accepted state.
-Trace earliest_trace(const std::vector<PathState>& path, Situations& situations, const Observer& observer);
+/// The trace with the earliest times of a path of the system to an accepted state.
+Trace earliest_trace(const std::vector<PathState>& path, PlantSystem& system);
 
 /// How many components went into a fault mode along the trace.
 std::size_t faults_in(const automata::Plant& plant, const Trace& trace);

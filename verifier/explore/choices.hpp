@@ -26,7 +26,8 @@ struct Choice {
 /// - dense: a timed exit may be taken from its lower bound on, until an upper bound is passed (its guard having become
 ///   true late): beside an exit that is certain only certain ones are possible. Staying is always possible, it is time
 ///   that stops at the upper bound. A rate weighs nothing in an instant.
-/// - sampled: an exit whose upper bound is reached at the end of the period is certain; beside one only certain ones are
+/// - sampled: an exit whose upper bound is reached at the end of the period is certain; beside one only certain ones
+/// are
 ///   possible. Before that, staying is possible, and each exit whose bounds the period has entered.
 /// A fault mode's transition to itself is staying there: no new fault.
 std::vector<Choice> choices(const automata::Component& component, automata::ModeId mode,

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
-#include <vector>
 
-#include "verifier/explore/situation.hpp"
+#include "automata/state.hpp"
+#include "verifier/zone/interval.hpp"
 
 namespace verifier {
 
@@ -27,11 +28,9 @@ class Observer {
   /// Accepts where, after `after` has first held, `then` has not held up to and including `deadline` - 1 units later.
   static Observer miss(Test after, Test then, Units deadline);
 
-  [[nodiscard]] Phase start(SituationId id, const Situation& situation) {
-    return next(Phase::searching, id, situation);
-  }
-  /// The phase after a step into the situation.
-  [[nodiscard]] Phase next(Phase phase, SituationId id, const Situation& situation);
+  [[nodiscard]] Phase start(const automata::Modes& modes) const { return next(Phase::searching, modes); }
+  /// The phase after a step into the modes.
+  [[nodiscard]] Phase next(Phase phase, const automata::Modes& modes) const;
 
   /// Whether the stopwatch runs. It starts at 0 in the first phase in which it does.
   [[nodiscard]] bool timed(Phase phase) const { return stopwatch_ && (!response_ || phase == Phase::armed); }
@@ -40,21 +39,11 @@ class Observer {
 
  private:
   Observer(bool response, Test trigger, Test release, std::optional<Interval> stopwatch)
-      : response_(response),
-        trigger_{std::move(trigger), {}},
-        release_{std::move(release), {}},
-        stopwatch_(stopwatch) {}
-
-  /// A test of modes, asked once a situation.
-  struct Remembered {
-    Test test;
-    std::vector<std::optional<bool>> answers;
-    bool operator()(SituationId id, const Situation& situation);
-  };
+      : response_(response), trigger_(std::move(trigger)), release_(std::move(release)), stopwatch_(stopwatch) {}
 
   bool response_;
-  Remembered trigger_;
-  Remembered release_;
+  Test trigger_;
+  Test release_;
   std::optional<Interval> stopwatch_;
 };
 

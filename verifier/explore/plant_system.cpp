@@ -8,6 +8,7 @@
 namespace verifier {
 
 using automata::ComponentId;
+using automata::Modes;
 
 namespace {
 
@@ -15,68 +16,100 @@ constexpr std::size_t stopwatch = 1;
 
 }  // namespace
 
-PlantSystem::PlantSystem(Situations& situations, Observer& observer, const std::vector<SituationId>& start)
-    : situations_(situations), observer_(observer), start_(start) {}
+PlantSystem::PlantSystem(Situations& situations, const Observer& observer, const Symmetry& symmetry,
+                         const std::vector<Modes>& start)
+    : situations_(situations), observer_(observer), symmetry_(symmetry), start_(start) {}
 
 void PlantSystem::initial(const Visit& visit) {
-  for (const SituationId id : start_) {
-    const Phase phase = observer_.start(id, situations_[id]);
-    if (phase != Phase::closed) enter(id, phase, 0, Zone(limits(id, phase).size()), {}, visit);
-  }
+  enumerate_initial([&](Entered&& entered) {
+    const Label label = entered.label;
+    visit(sorted(std::move(entered), nullptr), label);
+  });
 }
 
 void PlantSystem::successors(const SymbolicState& state, const Visit& visit) {
+  enumerate_successors(state, [&](Entered&& entered) {
+    const Label label = entered.label;
+    visit(sorted(std::move(entered), nullptr), label);
+  });
+}
+
+SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
+  if (!symmetry_.trivial()) {
+    auto& [modes, live, waits] = entered.situation;
+    const std::size_t others = observer_.timed(entered.phase) ? 1 : 0;
+    Permutation permutation = symmetry_.sort(modes, live, others, entered.zone, applied != nullptr);
+    if (applied != nullptr) *applied = std::move(permutation);
+  }
+  const SituationId id = situations_.number(entered.situation.modes);
+  return {(std::uint64_t{id.value} << phase_bits) | static_cast<std::uint64_t>(entered.phase), entered.faults,
+          std::move(entered.zone)};
+}
+
+void PlantSystem::enumerate_initial(const VisitEntered& visit) {
+  for (std::size_t s = 0; s < start_.size(); ++s) {
+    const Phase phase = observer_.start(start_[s]);
+    if (phase == Phase::closed) continue;
+    Situation situation = situations_.describe(start_[s]);
+    const Zone zone(situation.live.size() + (observer_.timed(phase) ? 1 : 0));
+    enter(std::move(situation), phase, 0, zone, {static_cast<std::uint32_t>(s), no_wait, false}, visit);
+  }
+}
+
+void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEntered& visit) {
   const SituationId id = situation_of(state.discrete);
   const Phase phase = phase_of(state.discrete);
-  const std::vector<Move>& moves = situations_.moves(id);
-  for (std::size_t m = 0; m < moves.size(); ++m) {
-    const Move& move = moves[m];
+  const Situation here = situations_[id];
+  const Place place{here, observer_.timed(phase)};
+  const auto moves = situations_.moves(id);
+  for (std::size_t m = 0; m < moves->size(); ++m) {
+    const Move& move = (*moves)[m];
     const unsigned faults = state.faults + move.faults;
     if (faults > situations_.faults()) continue;
     Zone zone = state.zone;
     if (move.hold) {
-      if (!wait(zone, move.bounds, id, phase)) continue;
+      if (!wait(zone, move.bounds, place)) continue;
     } else {
       if (!situations_.reading().is_dense()) zone.tick();
-      if (!within(zone, move.bounds, id, phase)) continue;
+      if (!within(zone, move.bounds, place)) continue;
     }
-    const Situation& target = situations_[move.target];
-    Phase next = observer_.next(phase, move.target, target);
+    Phase next = observer_.next(phase, move.target);
     if (next == Phase::closed) {
       // The period that brings the response may be the first one to end after the deadline: that is too late.
       if (phase != Phase::armed || !observer_.timed(phase) || !zone.constrain(stopwatch, *observer_.accepted()))
         continue;
       next = Phase::armed;
     }
+    Situation target = situations_.describe(move.target);
     std::vector<std::size_t> sources;
     if (observer_.timed(next)) sources.push_back(observer_.timed(phase) ? stopwatch : 0);
     for (const ComponentId component : target.live) {
-      const bool kept = situations_[id].modes[component.index()] == target.modes[component.index()];
-      sources.push_back(kept ? clock_of(component, id, phase) : 0);
+      const bool kept = here.modes[component.index()] == target.modes[component.index()];
+      sources.push_back(kept ? place.clock_of(component) : 0);
     }
-    enter(move.target, next, faults, zone.select(sources), {static_cast<std::uint32_t>(m), no_wait, move.hold}, visit);
+    enter(std::move(target), next, faults, zone.select(sources), {static_cast<std::uint32_t>(m), no_wait, move.hold},
+          visit);
   }
 }
 
-void PlantSystem::enter(SituationId id, Phase phase, unsigned faults, const Zone& zone, Label label,
-                        const Visit& visit) const {
-  const std::vector<ClockLimits> clocks = limits(id, phase);
-  const std::uint64_t discrete = (std::uint64_t{id.value} << phase_bits) | static_cast<std::uint64_t>(phase);
+void PlantSystem::enter(Situation&& situation, Phase phase, unsigned faults, const Zone& zone, Label label,
+                        const VisitEntered& visit) const {
   bool whole = false;
-  const auto& waits = situations_[id].waits;
-  for (std::size_t w = 0; w < waits.size(); ++w) {
+  for (std::size_t w = 0; w < situation.waits.size(); ++w) {
     Zone later = zone;
-    if (!wait(later, waits[w], id, phase) || !in_time(later, phase)) continue;
+    if (!wait(later, situation.waits[w], {situation, observer_.timed(phase)}) || !in_time(later, phase)) continue;
     whole = whole || later.includes(zone);
-    later.extrapolate(clocks);
     label.wait = static_cast<std::uint32_t>(w);
-    visit({discrete, faults, std::move(later)}, label);
+    if (whole && w + 1 == situation.waits.size()) {
+      visit({std::move(situation), phase, faults, std::move(later), label});
+      return;
+    }
+    visit({situation, phase, faults, std::move(later), label});
   }
   Zone now = zone;
   if (whole || !in_time(now, phase)) return;
-  now.extrapolate(clocks);
   label.wait = no_wait;
-  visit({discrete, faults, std::move(now)}, label);
+  visit({std::move(situation), phase, faults, std::move(now), label});
 }
 
 bool PlantSystem::accepts(const SymbolicState& state) const {
@@ -87,14 +120,14 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
   return state.zone.upper(stopwatch) >= accepted.lower && state.zone.lower(stopwatch) <= accepted.upper;
 }
 
-bool PlantSystem::within(Zone& zone, const Box& box, SituationId id, Phase phase) const {
+bool PlantSystem::within(Zone& zone, const Box& box, const Place& place) {
   return std::all_of(box.begin(), box.end(), [&](const ClockBound& bound) {
-    return zone.constrain(clock_of(bound.component, id, phase), bound.clock);
+    return zone.constrain(place.clock_of(bound.component), bound.clock);
   });
 }
 
-bool PlantSystem::wait(Zone& zone, const Box& box, SituationId id, Phase phase) const {
-  const auto clock = [&](const ClockBound& bound) { return clock_of(bound.component, id, phase); };
+bool PlantSystem::wait(Zone& zone, const Box& box, const Place& place) {
+  const auto clock = [&](const ClockBound& bound) { return place.clock_of(bound.component); };
   const auto may_begin = [&](const ClockBound& b) { return zone.constrain(clock(b), b.clock); };
   const auto ends = [&](const ClockBound& b) { return zone.constrain(clock(b), {0, b.clock.upper}); };
   if (!std::all_of(box.begin(), box.end(), may_begin)) return false;
@@ -106,20 +139,20 @@ bool PlantSystem::in_time(Zone& zone, Phase phase) const {
   return !observer_.timed(phase) || zone.constrain(stopwatch, {0, observer_.accepted()->upper});
 }
 
-std::vector<ClockLimits> PlantSystem::limits(SituationId id, Phase phase) const {
-  std::vector<ClockLimits> result = situations_[id].limits;
-  if (observer_.timed(phase)) {
+void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& result) {
+  result.clear();
+  if (observer_.timed(phase_of(discrete))) {
     const Interval& accepted = *observer_.accepted();
-    result.insert(result.begin(), {accepted.lower, accepted.upper == unbounded ? -1 : accepted.upper});
+    result.push_back({accepted.lower, accepted.upper == unbounded ? -1 : accepted.upper});
   }
-  return result;
+  situations_.append_limits(situations_.modes(situation_of(discrete)), result);
 }
 
-std::size_t PlantSystem::clock_of(ComponentId component, SituationId id, Phase phase) const {
-  const auto& live = situations_[id].live;
+std::size_t PlantSystem::Place::clock_of(ComponentId component) const {
+  const auto& live = situation.live;
   const auto at = std::lower_bound(live.begin(), live.end(), component);
   assert(at != live.end() && *at == component);
-  return 1 + static_cast<std::size_t>(at - live.begin()) + (observer_.timed(phase) ? 1 : 0);
+  return 1 + static_cast<std::size_t>(at - live.begin()) + (timed ? 1 : 0);
 }
 
 }  // namespace verifier

@@ -4,35 +4,28 @@
 
 #include <algorithm>
 #include <deque>
-#include <unordered_map>
+
+#include "verifier/explore/passed.hpp"
 
 namespace verifier {
 namespace {
 
-constexpr std::uint32_t no_parent = UINT32_MAX;
-
-struct Node {
-  SymbolicState state;
-  Label label;
-  std::uint32_t parent;
-  std::uint32_t steps;
-};
-
 class Search {
  public:
-  Search(TransitionSystem& system, Meter& meter) : system_(system), meter_(meter) {}
+  Search(TransitionSystem& system, Aim aim, Meter& meter)
+      : system_(system), aim_(aim), meter_(meter), passed_(system) {}
 
   std::optional<std::vector<PathState>> run() {
-    system_.initial([&](SymbolicState&& state, const Label& label) { add(std::move(state), label, no_parent, 0); });
+    system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
     while (!found_ && !queue_.empty()) {
       const std::uint32_t parent = queue_.front();
       queue_.pop_front();
-      const std::uint32_t steps = nodes_[parent].steps;
+      if (aim_ == Aim::any && passed_[parent].covered) continue;
+      const std::uint32_t steps = passed_[parent].steps;
+      meter_.at(steps, queue_.size());
       meter_.poll();
-      // A copy, as `nodes_` grows meanwhile; a deque would keep references good at the price of scattered nodes.
-      const SymbolicState state = nodes_[parent].state;
-      system_.successors(state, [&](SymbolicState&& next, const Label& label) {
-        if (!found_) add(std::move(next), label, parent, steps);
+      system_.successors(passed_.state(parent), [&](SymbolicState&& next, const Label& label) {
+        if (!found_) add(next, label, parent, label.silent ? steps : steps + 1);
       });
     }
     if (!found_) return std::nullopt;
@@ -40,51 +33,39 @@ class Search {
   }
 
  private:
-  void add(SymbolicState&& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
-    std::vector<std::uint32_t>& known = by_discrete_[state.discrete];
-    const auto includes = [](const SymbolicState& a, const SymbolicState& b) {
-      return a.faults <= b.faults && a.zone.includes(b.zone);
-    };
-    if (std::any_of(known.begin(), known.end(), [&](std::uint32_t k) { return includes(nodes_[k].state, state); })) {
-      return;
-    }
-    // What the new state includes is not compared with any more; it stays in the queue, as it may be fewer steps away.
-    std::erase_if(known, [&](std::uint32_t k) { return includes(state, nodes_[k].state); });
+  void add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
+    const std::uint32_t number = passed_.add(state, label, parent, steps);
+    if (number == Passed::none) return;
     meter_.count_state();
-    const auto number = static_cast<std::uint32_t>(nodes_.size());
-    known.push_back(number);
     if (system_.accepts(state)) found_ = number;
-    const bool counts = !label.silent && parent != no_parent;
-    nodes_.push_back({std::move(state), label, parent, counts ? steps + 1 : steps});
     if (label.silent) {
       queue_.push_front(number);
     } else {
       queue_.push_back(number);
     }
-    meter_.at(steps, queue_.size());
   }
 
   [[nodiscard]] std::vector<PathState> path(std::uint32_t last) const {
     std::vector<PathState> result;
-    for (std::uint32_t node = last; node != no_parent; node = nodes_[node].parent) {
-      result.push_back({nodes_[node].state.discrete, nodes_[node].label});
+    for (std::uint32_t n = last; n != Passed::none; n = passed_[n].parent) {
+      result.push_back({passed_[n].discrete, passed_[n].label});
     }
     std::reverse(result.begin(), result.end());
     return result;
   }
 
   TransitionSystem& system_;
+  Aim aim_;
   Meter& meter_;
-  std::vector<Node> nodes_;
+  Passed passed_;
   std::deque<std::uint32_t> queue_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> by_discrete_;  ///< looked up, never iterated
   std::optional<std::uint32_t> found_;
 };
 
 }  // namespace
 
-std::optional<std::vector<PathState>> shortest_path(TransitionSystem& system, Meter& meter) {
-  return Search(system, meter).run();
+std::optional<std::vector<PathState>> find_path(TransitionSystem& system, Aim aim, Meter& meter) {
+  return Search(system, aim, meter).run();
 }
 
 }  // namespace verifier

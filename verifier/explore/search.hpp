@@ -16,10 +16,21 @@ struct PathState {
   Label label;
 };
 
-/// A path with fewest steps to an accepted state; nothing where the whole system holds none. Throws LimitReached.
+/// What is wanted of a path.
+enum class Aim {
+  fewest_steps,
+  any  ///< covered states need not be explored
+};
+
+/// A path to an accepted state; nothing where the whole system holds none. Throws LimitReached.
 ///
-/// A state is left out where one that was found before includes it: same discrete part, no more faults, a zone around
-/// its zone. States are explored in order of steps, those that a silent label leads to with the state they come from.
-std::optional<std::vector<PathState>> shortest_path(TransitionSystem& system, Meter& meter);
+/// A state is left out where one that was found before covers it: same discrete part, no more faults, a zone that can
+/// do all that its zone can. States are explored in order of steps, those that a silent label leads to with the state
+/// they come from.
+std::optional<std::vector<PathState>> find_path(TransitionSystem& system, Aim aim, Meter& meter);
+
+inline std::optional<std::vector<PathState>> shortest_path(TransitionSystem& system, Meter& meter) {
+  return find_path(system, Aim::fewest_steps, meter);
+}
 
 }  // namespace verifier

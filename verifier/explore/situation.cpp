@@ -3,7 +3,6 @@
 #include "verifier/explore/situation.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <tuple>
 
@@ -13,84 +12,83 @@ using automata::Assignment;
 using automata::Component;
 using automata::ComponentId;
 using automata::ControlAction;
-using automata::Enabled;
 using automata::ModeId;
 using automata::Modes;
 
 namespace {
 
+/// Situations whose moves are remembered: those of one are wanted again when it is reached with other clocks.
+constexpr std::size_t remembered = 1u << 12;
+
 void add_bound(Box& box, ComponentId component, const Interval& clock) {
   if (!clock.is_trivial()) box.push_back({component, clock});
 }
-
-/// The joint choices of all components, depth first in declaration order.
-class Product {
- public:
-  using Visit = std::function<void(const Modes&, unsigned, const Box&)>;
-
-  Product(const std::vector<std::vector<Choice>>& choices, unsigned faults, const Visit& visit)
-      : choices_(choices), faults_(faults), visit_(visit) {}
-
-  void run() { extend(0); }
-
- private:
-  void extend(unsigned cost) {
-    if (modes_.size() == choices_.size()) return visit_(modes_, cost, box_);
-    const ComponentId component(modes_.size());
-    for (const Choice& choice : choices_[component.index()]) {
-      if (cost + choice.faults > faults_) continue;
-      const std::size_t bounds = box_.size();
-      modes_.push_back(choice.mode);
-      add_bound(box_, component, choice.clock);
-      extend(cost + choice.faults);
-      modes_.pop_back();
-      box_.resize(bounds);
-    }
-  }
-
-  const std::vector<std::vector<Choice>>& choices_;
-  unsigned faults_;
-  const Visit& visit_;
-  Modes modes_;
-  Box box_;
-};
 
 }  // namespace
 
 Situations::Situations(automata::PlantStep& step, const Reading& reading, Commands commands, unsigned faults,
                        Meter& meter)
-    : step_(step), reading_(reading), commands_(commands), faults_(faults), meter_(meter) {}
-
-std::optional<SituationId> Situations::find(const Modes& modes) {
-  if (const auto known = numbers_.find(modes); known != numbers_.end()) return known->second;
-  std::optional<SituationId> id;
-  if (step_.possible(modes)) {
-    id = SituationId(entries_.size());
-    entries_.push_back({describe(modes), {}, false});
+    : step_(step),
+      behaviours_(step, reading),
+      commands_(commands),
+      faults_(faults),
+      meter_(meter),
+      table_(step.plant()),
+      joint_steps_(behaviours_, faults, meter) {
+  for (std::size_t c = 0; c < plant().components.size(); ++c) {
+    auto& modes = limits_.emplace_back();
+    for (std::size_t m = 0; m < plant().components[c].modes.size(); ++m) {
+      const bool live = plant().has_timed_exit(ComponentId(c), ModeId(m));
+      modes.push_back(live ? std::optional(clock_limits(plant().components[c], ModeId(m), reading)) : std::nullopt);
+    }
   }
-  numbers_.emplace(modes, id);
-  return id;
+  position_of(automata::idle_action(plant()));
+}
+
+std::uint32_t Situations::position_of(const ControlAction& action) {
+  const auto [at, fresh] = action_positions_.try_emplace(action, static_cast<std::uint32_t>(actions_.size()));
+  if (fresh) actions_.push_back(action);
+  return at->second;
+}
+
+void Situations::use(Steps steps, const std::vector<ComponentId>& visible) {
+  joint_steps_.use(steps, visible);
+  moves_.clear();
+}
+
+Modes Situations::modes(SituationId id) const {
+  Modes result;
+  table_.read(id.value, result);
+  return result;
 }
 
 Situation Situations::describe(const Modes& modes) {
-  Situation result{modes, {}, {}, waits(modes, step_.enabled(modes, automata::idle_action(plant())))};
+  behaviours_.read(modes, actions_.front(), behaviours_here_);
+  Situation result{modes, {}, waits(behaviours_here_)};
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    const ComponentId component(c);
-    if (!plant().has_timed_exit(component, modes[c])) continue;
-    result.live.push_back(component);
-    result.limits.push_back(clock_limits(plant()[component], modes[c], reading_));
+    if (limits_[c][modes[c].index()]) result.live.emplace_back(c);
   }
   return result;
 }
 
-std::vector<Box> Situations::waits(const Modes& modes, const std::vector<Enabled>& enabled) {
-  std::vector<Box> boxes = {{}};
+void Situations::append_limits(const Modes& modes, std::vector<ClockLimits>& result) const {
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    const ComponentId component(c);
+    if (const auto& limits = limits_[c][modes[c].index()]) result.push_back(*limits);
+  }
+}
+
+std::vector<Box> Situations::waits(const std::vector<BehaviourId>& behaviours) const {
+  std::vector<Box> boxes = {{}};
+  for (std::size_t c = 0; c < behaviours.size(); ++c) {
+    const std::vector<Interval>& own = behaviours_[behaviours[c]].waits;
+    if (own.size() == 1) {
+      for (Box& box : boxes) add_bound(box, ComponentId(c), own.front());
+      continue;
+    }
     std::vector<Box> longer;
-    for (const Interval& wait : verifier::waits(plant()[component], modes[c], enabled[c], reading_)) {
+    for (const Interval& wait : own) {
       for (Box box : boxes) {
-        add_bound(box, component, wait);
+        add_bound(box, ComponentId(c), wait);
         longer.push_back(std::move(box));
       }
     }
@@ -99,71 +97,61 @@ std::vector<Box> Situations::waits(const Modes& modes, const std::vector<Enabled
   return boxes;
 }
 
-const std::vector<Move>& Situations::moves(SituationId id) {
-  Entry& entry = entries_[id.index()];
-  if (!entry.worked_out) {
-    entry.moves = work_out(id);
-    entry.worked_out = true;
-  }
-  return entry.moves;
+std::shared_ptr<const std::vector<Move>> Situations::moves(SituationId id) {
+  if (const auto known = moves_.find(id); known != moves_.end()) return known->second;
+  if (moves_.size() >= remembered) moves_.clear();
+  auto worked_out = std::make_shared<const std::vector<Move>>(work_out(modes(id)));
+  moves_.emplace(id, worked_out);
+  return worked_out;
 }
 
-std::vector<Move> Situations::work_out(SituationId id) {
-  const Modes modes = entries_[id.index()].situation.modes;
+std::vector<Move> Situations::work_out(const Modes& modes) {
   std::vector<Move> result;
+  std::vector<BehaviourId> idling;
+  behaviours_.read(modes, actions_.front(), idling);
+  const std::vector<Box> idle_waits = waits(idling);
   // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a
   // step that two actions lead to is listed with the first.
-  std::set<std::vector<std::vector<Choice>>> seen_choices;
-  std::set<std::tuple<SituationId, unsigned, bool, Box>> seen_moves;
+  std::set<std::vector<BehaviourId>> seen_behaviours;
+  std::set<std::tuple<Modes, unsigned, Box>> seen_moves;
   for_each_action(plant(), commands_, [&](const ControlAction& action) {
     meter_.poll();
-    const std::vector<Enabled>& enabled = step_.enabled(modes, action);
-    std::vector<std::vector<Choice>> all;
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      all.push_back(choices(plant()[ComponentId(c)], modes[c], enabled[c], reading_));
-    }
-    if (!seen_choices.insert(all).second) return;
-    std::optional<std::uint32_t> position;
-    const auto add = [&](SituationId target, unsigned cost, bool hold, const Box& bounds) {
-      if (!seen_moves.emplace(target, cost, hold, bounds).second) return;
-      if (!position) {
-        position = static_cast<std::uint32_t>(actions_.size());
-        actions_.push_back(action);
-      }
-      result.push_back({target, *position, cost, hold, bounds});
+    behaviours_.read(modes, action, behaviours_here_);
+    if (!seen_behaviours.insert(behaviours_here_).second) return;
+    const auto add = [&](const Modes& target, unsigned faults, bool hold, const Box& bounds) {
+      if (!seen_moves.emplace(target, faults, bounds).second) return;
+      result.push_back({target, position_of(action), faults, hold, bounds});
     };
-    if (!reading_.is_dense()) {
-      for (const Box& box : waits(modes, enabled)) add(id, 0, true, box);
+    if (!reading().is_dense()) {
+      for (const Box& box : waits(behaviours_here_)) {
+        // What waiting under idle controls allows needs no command.
+        if (std::count(idle_waits.begin(), idle_waits.end(), box) == 0) add(modes, 0, true, box);
+      }
     }
-    Product(all, faults_, [&](const Modes& next, unsigned cost, const Box& bounds) {
-      meter_.poll();
-      if (next == modes) return;
-      if (const auto target = find(next)) add(*target, cost, false, bounds);
-    }).run();
+    joint_steps_.enumerate(modes, action,
+                           [&](const Modes& next, unsigned faults, const Box& box) { add(next, faults, false, box); });
   });
-  // What waiting under idle controls allows needs no command.
-  const auto& idle = entries_[id.index()].situation.waits;
-  std::erase_if(result, [&](const Move& m) { return m.hold && std::count(idle.begin(), idle.end(), m.bounds) > 0; });
   std::stable_partition(result.begin(), result.end(), [](const Move& m) { return m.hold; });
   return result;
 }
 
-std::vector<SituationId> Situations::initial(const std::vector<Assignment>& from) {
-  std::vector<std::vector<Choice>> all;
+std::vector<Modes> Situations::initial(const std::vector<Assignment>& from) {
+  std::vector<Modes> result = {{}};
   for (const Component& component : plant().components) {
-    auto& modes = all.emplace_back();
     const auto given =
         std::find_if(from.begin(), from.end(), [&](const Assignment& a) { return a.variable == component.mode; });
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      if (given == from.end() ? component.initial[m] > 0 : given->value.index() == m)
-        modes.push_back({ModeId(m), 0, {}});
+    std::vector<Modes> longer;
+    for (const Modes& modes : result) {
+      for (std::size_t m = 0; m < component.modes.size(); ++m) {
+        meter_.poll();
+        if (given == from.end() ? component.initial[m] <= 0 : given->value.index() != m) continue;
+        longer.push_back(modes);
+        longer.back().emplace_back(m);
+      }
     }
+    result = std::move(longer);
   }
-  std::vector<SituationId> result;
-  Product(all, 0, [&](const Modes& modes, unsigned, const Box&) {
-    meter_.poll();
-    if (const auto id = find(modes)) result.push_back(*id);
-  }).run();
+  std::erase_if(result, [&](const Modes& modes) { return !step_.possible(modes); });
   return result;
 }
 

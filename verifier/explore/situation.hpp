@@ -3,35 +3,24 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <map>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
-#include "automata/step/plant_step.hpp"
-#include "verifier/explore/choices.hpp"
-#include "verifier/explore/commands.hpp"
-#include "verifier/explore/limits.hpp"
+#include "verifier/explore/joint_steps.hpp"
+#include "verifier/explore/modes_table.hpp"
 
 namespace verifier {
 
 /// A position in `Situations`.
 using SituationId = automata::Id<struct SituationTag>;
 
-/// An interval for the clock of one component, which is live.
-struct ClockBound {
-  automata::ComponentId component;
-  Interval clock;
-  auto operator<=>(const ClockBound&) const = default;
-};
-
-/// A box: all of its bounds hold. Sorted by component, trivial bounds left out.
-using Box = std::vector<ClockBound>;
-
 /// One joint step of all components, or, in sampled time, a hold: periods in which a command keeps everything from
 /// changing although it would under idle controls.
 struct Move {
-  SituationId target;
+  automata::Modes target;
   std::uint32_t action;  ///< position in `Situations::action`; the first one that enables it
   unsigned faults = 0;
   bool hold = false;  ///< `bounds` is then like a wait's
@@ -42,49 +31,53 @@ struct Move {
 struct Situation {
   automata::Modes modes;
   std::vector<automata::ComponentId> live;  ///< ascending
-  std::vector<ClockLimits> limits;          ///< of the live clocks
   std::vector<Box> waits;                   ///< see `waits` in choices.hpp; within one of these boxes time may pass
 };
 
-/// All situations met so far, by number, in the order in which they were met. One table serves several searches.
+/// All situations met so far, by number, in the order in which they were met; what may happen in them is worked out
+/// again when it is asked for again. One table serves several searches.
 class Situations {
  public:
-  /// Keeps references to all but `reading`. The meter is polled while moves are worked out; it may throw.
+  /// Keeps references to the step function and the meter, which is polled while moves are worked out; it may throw.
   Situations(automata::PlantStep& step, const Reading& reading, Commands commands, unsigned faults, Meter& meter);
 
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
   [[nodiscard]] unsigned faults() const { return faults_; }
-  [[nodiscard]] const Reading& reading() const { return reading_; }
+  [[nodiscard]] const Reading& reading() const { return behaviours_.reading(); }
   [[nodiscard]] const automata::ControlAction& action(std::uint32_t position) const { return actions_[position]; }
+  /// Which joint steps are moves, from here on (JointSteps); all of them to begin with.
+  void use(Steps steps, const std::vector<automata::ComponentId>& visible);
 
-  /// The number of a possible situation; nothing where the store of the modes is inconsistent.
-  std::optional<SituationId> find(const automata::Modes& modes);
-  [[nodiscard]] const Situation& operator[](SituationId id) const { return entries_[id.index()].situation; }
-  /// Every joint step that changes a mode with no more faults than `faults`; holds first. Worked out when first asked.
-  const std::vector<Move>& moves(SituationId id);
+  /// The number of possible modes.
+  SituationId number(const automata::Modes& modes) { return SituationId(table_.intern(modes)); }
+  [[nodiscard]] automata::Modes modes(SituationId id) const;
+  [[nodiscard]] Situation describe(const automata::Modes& modes);
+  [[nodiscard]] Situation operator[](SituationId id) { return describe(modes(id)); }
+  /// Appends the greatest constants that each live clock is compared with.
+  void append_limits(const automata::Modes& modes, std::vector<ClockLimits>& result) const;
+  /// Every joint step that changes a mode with no more faults than `faults`; holds first. Always in the same order.
+  std::shared_ptr<const std::vector<Move>> moves(SituationId id);
 
-  /// The possible situations of the initial distribution, or with the given modes in its place for their components.
-  std::vector<SituationId> initial(const std::vector<automata::Assignment>& from);
+  /// The possible modes of the initial distribution, or with the given modes in its place for their components.
+  std::vector<automata::Modes> initial(const std::vector<automata::Assignment>& from);
 
  private:
-  struct Entry {
-    Situation situation;
-    std::vector<Move> moves;
-    bool worked_out = false;
-  };
-
-  [[nodiscard]] Situation describe(const automata::Modes& modes);
-  [[nodiscard]] std::vector<Box> waits(const automata::Modes& modes, const std::vector<automata::Enabled>& enabled);
-  [[nodiscard]] std::vector<Move> work_out(SituationId id);
+  std::uint32_t position_of(const automata::ControlAction& action);
+  [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
+  [[nodiscard]] std::vector<Move> work_out(const automata::Modes& modes);
 
   automata::PlantStep& step_;
-  Reading reading_;
+  Behaviours behaviours_;
   Commands commands_;
   unsigned faults_;
   Meter& meter_;
-  std::deque<Entry> entries_;  ///< a deque: references stay good while it grows
-  std::unordered_map<automata::Modes, std::optional<SituationId>, automata::ModesHash> numbers_;
-  std::vector<automata::ControlAction> actions_;
+  ModesTable table_;
+  JointSteps joint_steps_;
+  std::vector<std::vector<std::optional<ClockLimits>>> limits_;  ///< per component, per mode: of its clock, if live
+  std::vector<automata::ControlAction> actions_;                 ///< those of moves, in the order in which they came up
+  std::map<automata::ControlAction, std::uint32_t> action_positions_;
+  std::vector<BehaviourId> behaviours_here_;
+  std::unordered_map<SituationId, std::shared_ptr<const std::vector<Move>>> moves_;  ///< a few of the last
 };
 
 }  // namespace verifier

@@ -1,9 +1,10 @@
-// The interface between what is explored and how: symbolic states, and two functions that enumerate them.
+// The interface between what is explored and how: symbolic states, and the functions that enumerate them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "verifier/zone/zone.hpp"
 
@@ -34,6 +35,9 @@ class TransitionSystem {
   virtual void successors(const SymbolicState& state, const Visit& visit) = 0;
   /// Whether the state holds what is looked for.
   [[nodiscard]] virtual bool accepts(const SymbolicState& state) const = 0;
+  /// The greatest constants that the clocks of states with this discrete part are compared with from there on. A search
+  /// takes one state to cover another up to what can be told apart by them. None: zones are compared as they are.
+  virtual void limits([[maybe_unused]] std::uint64_t discrete, std::vector<ClockLimits>& result) { result.clear(); }
 };
 
 }  // namespace verifier

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cassert>
+#include <memory>
 #include <set>
 
 #include "automata/error.hpp"
@@ -46,6 +47,14 @@ Quest quest_of(const Property& property) {
                     property);
 }
 
+std::vector<Formula> formulas_of(const Quest& quest) {
+  return std::visit(Overloaded{[](const Target& t) { return std::vector{t.formula}; },
+                               [](const Response& r) {
+                                 return std::vector{r.after, r.then};
+                               }},
+                    quest);
+}
+
 std::vector<Ticks> times_of(const Quest& quest) {
   std::vector<Ticks> times;
   const auto add = [&](std::optional<Ticks> time) {
@@ -75,11 +84,13 @@ class Check {
     Result result;
     try {
       start_ = situations_.initial(options_.from);
+      symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(quest_), options_.from));
       result.startless = start_.empty();
       if (result.startless && !options_.from.empty()) {
         throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
       }
       std::visit([&](const auto& quest) { look_for(quest); }, quest_);
+      result.limit = limit_;
     } catch (const LimitReached& reached) {
       result.limit = reached.limit;
     }
@@ -94,13 +105,27 @@ class Check {
  private:
   using Test = Observer::Test;
 
-  /// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it.
+  /// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it. Asked once for the modes
+  /// that it can depend on.
   Test holds(const Formula& formula, bool certain) {
+    using Memory = automata::Memory<bool>;
+    const automata::Support support = support_of(formula);
     const Theory::Handle handle = step_.theory().encode(formula);
-    return [this, handle, certain](const Modes& modes) {
-      const std::vector<Assignment> store = automata::assignments_of(step_.plant(), modes);
-      return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
+    const auto memory = std::make_shared<Memory>(step_.plant(), support);
+    return [this, handle, certain, support, memory](const Modes& modes) {
+      return memory->find(modes, automata::ControlAction{}, [&] {
+        std::vector<Assignment> store;
+        for (const automata::ComponentId c : support.components) {
+          store.push_back({step_.plant()[c].mode, automata::ValueId(modes[c.index()].index())});
+        }
+        return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
+      });
     };
+  }
+
+  /// The components whose modes decide it.
+  [[nodiscard]] automata::Support support_of(const Formula& formula) const {
+    return {step_.locality().support_of(formula).components, {}};
   }
 
   void look_for(const Target& target) {
@@ -122,15 +147,40 @@ class Check {
 
   void look_for(const Response& response) {
     if (response.within.is_infinite()) return;
+    automata::Support read = support_of(response.after);
+    read.join(support_of(response.then));
+    visible_ = read.components;
     trace_ = search(Observer::miss(holds(response.after, options_.entailed), holds(response.then, !options_.entailed),
                                    situations_.reading().more_than(response.within)));
   }
 
-  std::optional<Trace> search(Observer observer) {
-    PlantSystem system(situations_, observer, start_);
-    const auto path = shortest_path(system, meter_);
-    if (!path) return std::nullopt;
-    Trace trace = earliest_trace(*path, situations_, observer);
+  /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
+  /// the fewest steps are looked for among all.
+  std::optional<Trace> search(const Observer& observer) {
+    PlantSystem system(situations_, observer, symmetry_, start_);
+    const bool dense = situations_.reading().is_dense();
+    std::optional<Trace> any;
+    if (dense) {
+      situations_.use(Steps::irreducible, visible_);
+      const auto path = find_path(system, Aim::any, meter_);
+      if (!path) return std::nullopt;
+      any = witness(*path, system);
+      situations_.use(Steps::all, {});
+    }
+    try {
+      const auto path = find_path(system, Aim::fewest_steps, meter_);
+      assert((path.has_value() || !any) && "fewer steps lead where all do not");
+      if (!path) return std::nullopt;
+      return witness(*path, system);
+    } catch (const LimitReached& reached) {
+      if (!any) throw;
+      limit_ = reached.limit;
+      return any;
+    }
+  }
+
+  Trace witness(const std::vector<PathState>& path, PlantSystem& system) {
+    Trace trace = earliest_trace(path, system);
     const auto failure = replay(step_, trace, {options_.period, options_.commands, options_.faults, options_.from});
     assert(!failure && "a witness cannot be replayed");
     return trace;
@@ -142,7 +192,10 @@ class Check {
   Quest quest_;
   Meter meter_;
   Situations situations_;
-  std::vector<SituationId> start_;
+  Symmetry symmetry_;
+  std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way
+  std::vector<Modes> start_;
+  std::optional<Limit> limit_;  ///< what kept the best from being better
   std::optional<Trace> trace_;  ///< the best so far
 };
 

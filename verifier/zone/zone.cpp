@@ -92,6 +92,14 @@ bool Zone::includes(const Zone& other) const {
   return std::equal(bounds_.begin(), bounds_.end(), other.bounds_.begin(), std::greater_equal<>{});
 }
 
+Zone Zone::of_matrix(std::vector<Units> matrix, std::size_t clocks) {
+  assert(matrix.size() == (clocks + 1) * (clocks + 1));
+  Zone result(0);
+  result.dimension_ = clocks + 1;
+  result.bounds_ = std::move(matrix);
+  return result;
+}
+
 bool Zone::contains(std::span<const Units> reading) const {
   assert(reading.size() == clocks());
   const auto value = [&](std::size_t clock) { return clock == 0 ? 0 : reading[clock - 1]; };

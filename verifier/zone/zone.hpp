@@ -59,6 +59,10 @@ class Zone {
 
   /// Whether every reading of the other zone, over the same clocks, is in this one. O(n^2).
   [[nodiscard]] bool includes(const Zone& other) const;
+  /// The matrix, row by row; row and column 0 are those of the constant 0.
+  [[nodiscard]] std::span<const Units> matrix() const { return bounds_; }
+  /// The zone of such a matrix, which is canonical.
+  static Zone of_matrix(std::vector<Units> matrix, std::size_t clocks);
   /// Whether a reading (clock 1 first) is in the zone.
   [[nodiscard]] bool contains(std::span<const Units> reading) const;
 

@@ -9,6 +9,8 @@
 #include <random>
 #include <set>
 
+#include "verifier/zone/covering.hpp"
+
 namespace verifier {
 namespace {
 
@@ -174,6 +176,42 @@ TEST(Zone, ExtrapolationAddsOnlyWhatCannotBeToldApart) {
       EXPECT_TRUE(simulated) << added[0] << ' ' << added[1] << ' ' << added[2];
     }
   }
+}
+
+/// One zone covers another exactly if every point of it is simulated by a point of the one: it agrees with it on each
+/// clock, or both are beyond what the clock is compared with from the side that would tell them apart.
+TEST(Covering, IsThatOfSimulatedPoints) {
+  std::mt19937 random(6);
+  const auto draw = [&](Units most) { return std::uniform_int_distribution<Units>(-1, most)(random); };
+  const auto inside = [](const Zone& zone) {
+    return zone.upper(1) < side && zone.upper(2) < side && zone.upper(3) < side;
+  };
+  int counts[2][2] = {};
+  for (int round = 0; round < 3000; ++round) {
+    const Zone a = random_zone(random);
+    const Zone b = random_zone(random);
+    if (!inside(a) || !inside(b)) continue;
+    const std::vector<ClockLimits> limits = {{draw(8), draw(8)}, {draw(8), draw(8)}, {draw(8), draw(8)}};
+    const Points larger = points_of(a);
+    const Points smaller = points_of(b);
+    const bool covered = std::all_of(smaller.begin(), smaller.end(), [&](const Point& v) {
+      return std::any_of(larger.begin(), larger.end(), [&](const Point& p) {
+        for (std::size_t c = 0; c < clocks; ++c) {
+          const bool above = limits[c].lower < p[c] && p[c] < v[c];
+          const bool below = limits[c].upper < v[c] && v[c] < p[c];
+          if (p[c] != v[c] && !above && !below) return false;
+        }
+        return true;
+      });
+    });
+    EXPECT_EQ(covers(a.matrix().data(), b.matrix().data(), clocks + 1, limits), covered);
+    const bool included = includes(a.matrix().data(), b.matrix().data(), clocks + 1);
+    EXPECT_EQ(included, a.includes(b));
+    ++counts[covered ? 1 : 0][included ? 1 : 0];
+  }
+  EXPECT_GT(counts[0][0], 100);
+  EXPECT_GT(counts[1][0], 100);
+  EXPECT_GT(counts[1][1], 10);
 }
 
 TEST(Interval, MergedJoinsWhatTouches) {

@@ -1,0 +1,35 @@
+// Symmetry: of all states that differ only in which of several like components does what, one is explored.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "automata/state.hpp"
+#include "verifier/explore/automorphisms.hpp"
+#include "verifier/zone/zone.hpp"
+
+namespace verifier {
+
+/// A group of automorphisms as a sorting rule. Sorting is by small steps that each make the state lexicographically
+/// less, first its modes, then its zone: where the group is that of all arrangements of like parts, the usual case, it
+/// is a bubble sort. For other groups more than one state of an orbit may be left, which costs states, nothing else.
+/// (E. A. Emerson, A. P. Sistla: Symmetry and Model Checking, 1996; M. Hendriks et al.: Adding Symmetry Reduction to
+/// Uppaal, 2003, where the user declares it.)
+class Symmetry {
+ public:
+  Symmetry() = default;
+  explicit Symmetry(std::vector<Permutation> generators);
+
+  [[nodiscard]] bool trivial() const { return generators_.empty(); }
+
+  /// Sorts a state. `live` are the components of the zone's clocks, after the first `others` of them; it is not looked
+  /// at where no clock moves. Returns the permutation that was applied if `applied`, else an empty one.
+  Permutation sort(automata::Modes& modes, std::vector<automata::ComponentId>& live, std::size_t others, Zone& zone,
+                   bool applied) const;
+
+ private:
+  std::vector<Permutation> generators_;
+};
+
+/// The modes under a permutation.
+automata::Modes renamed(const automata::Modes& modes, const Permutation& permutation);
+
+}  // namespace verifier
