@@ -32,10 +32,7 @@ Behaviours::Behaviours(automata::PlantStep& step, const Reading& reading) : step
   }
 }
 
-BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled& enabled) {
-  const automata::Component& automaton = step_.plant()[component];
-  std::vector<Choice> all = choices(automaton, mode, enabled, reading_);
-  std::vector<Interval> pauses = waits(automaton, mode, enabled, reading_);
+BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses) {
   const auto [at, fresh] = numbers_.try_emplace({mode, all, pauses}, BehaviourId(table_.size()));
   if (!fresh) return at->second;
   Behaviour behaviour{std::move(all), std::move(pauses), false, false};
@@ -47,14 +44,24 @@ BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled
   return at->second;
 }
 
+BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled& enabled) {
+  const automata::Component& automaton = step_.plant()[component];
+  return number(mode, choices(automaton, mode, enabled, reading_), waits(automaton, mode, enabled, reading_));
+}
+
 void Behaviours::read(const Modes& modes, const ControlAction& action, std::vector<BehaviourId>& result) {
   result.resize(modes.size());
-  if (!step_.consistent(modes, action)) {
-    const std::vector<Enabled>& enabled = step_.enabled(modes, action);
-    for (std::size_t c = 0; c < modes.size(); ++c) result[c] = number(ComponentId(c), modes[c], enabled[c]);
-    return;
+  const std::vector<Enabled>* all = step_.consistent(modes, action) ? nullptr : &step_.enabled(modes, action);
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const ComponentId id(c);
+    if (!moves(id)) {
+      result[c] = number(modes[c], {{modes[c], 0, {}}}, {{}});
+    } else if (all != nullptr) {
+      result[c] = number(id, modes[c], (*all)[c]);
+    } else {
+      result[c] = look_up(id, modes, action);
+    }
   }
-  for (std::size_t c = 0; c < modes.size(); ++c) result[c] = look_up(ComponentId(c), modes, action);
 }
 
 BehaviourId Behaviours::look_up(ComponentId component, const Modes& modes, const ControlAction& action) {

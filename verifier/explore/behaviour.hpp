@@ -34,6 +34,12 @@ class Behaviours {
  public:
   Behaviours(automata::PlantStep& step, const Reading& reading);
 
+  /// From here on all components but these, by component, stay as they are, whatever time passes; none: all move.
+  void freeze_all_but(std::vector<bool> moving) { moving_ = std::move(moving); }
+  [[nodiscard]] bool moves(automata::ComponentId component) const {
+    return moving_.empty() || moving_[component.index()];
+  }
+
   [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return table_[id.index()]; }
   /// Per component, in possible modes under a control action.
   void read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
@@ -58,6 +64,7 @@ class Behaviours {
     automata::Memory<BehaviourId> rest;
   };
 
+  BehaviourId number(automata::ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses);
   BehaviourId number(automata::ComponentId component, automata::ModeId mode, const automata::Enabled& enabled);
   BehaviourId look_up(automata::ComponentId component, const automata::Modes& modes,
                       const automata::ControlAction& action);
@@ -68,6 +75,7 @@ class Behaviours {
 
   automata::PlantStep& step_;
   Reading reading_;
+  std::vector<bool> moving_;
   std::deque<Behaviour> table_;
   std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>>, BehaviourId> numbers_;
   std::vector<std::vector<Known>> known_;  ///< per component, per mode

@@ -56,6 +56,11 @@ void Situations::use(Steps steps, const std::vector<ComponentId>& visible) {
   moves_.clear();
 }
 
+void Situations::freeze_all_but(std::vector<bool> moving) {
+  behaviours_.freeze_all_but(std::move(moving));
+  moves_.clear();
+}
+
 Modes Situations::modes(SituationId id) const {
   Modes result;
   table_.read(id.value, result);
@@ -66,14 +71,15 @@ Situation Situations::describe(const Modes& modes) {
   behaviours_.read(modes, actions_.front(), behaviours_here_);
   Situation result{modes, {}, waits(behaviours_here_)};
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    if (limits_[c][modes[c].index()]) result.live.emplace_back(c);
+    if (limits_[c][modes[c].index()] && behaviours_.moves(ComponentId(c))) result.live.emplace_back(c);
   }
   return result;
 }
 
 void Situations::append_limits(const Modes& modes, std::vector<ClockLimits>& result) const {
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    if (const auto& limits = limits_[c][modes[c].index()]) result.push_back(*limits);
+    const auto& limits = limits_[c][modes[c].index()];
+    if (limits && behaviours_.moves(ComponentId(c))) result.push_back(*limits);
   }
 }
 

@@ -48,6 +48,9 @@ class Situations {
   /// Which joint steps are moves, from here on (JointSteps); all of them to begin with.
   void use(Steps steps, const std::vector<automata::ComponentId>& visible);
 
+  /// From here on all components but these, by component, are frozen (Behaviours); none: all move.
+  void freeze_all_but(std::vector<bool> moving);
+
   /// The number of possible modes.
   SituationId number(const automata::Modes& modes) { return SituationId(table_.intern(modes)); }
   [[nodiscard]] automata::Modes modes(SituationId id) const;

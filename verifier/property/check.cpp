@@ -7,6 +7,7 @@
 
 #include "automata/error.hpp"
 #include "verifier/evidence/replay.hpp"
+#include "verifier/explore/cone.hpp"
 #include "verifier/explore/plant_system.hpp"
 #include "verifier/property/property.hpp"
 
@@ -84,6 +85,7 @@ class Check {
     Result result;
     try {
       start_ = situations_.initial(options_.from);
+      cone_ = cone_of_influence(step_, formulas_of(quest_));
       symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(quest_), options_.from));
       result.startless = start_.empty();
       if (result.startless && !options_.from.empty()) {
@@ -154,24 +156,36 @@ class Check {
                                    situations_.reading().more_than(response.within)));
   }
 
+  /// First the cone of influence alone: if it cannot reach the target, the plant cannot; and if the rest may stay as it
+  /// is all the while, a path with fewest steps of the cone is one of the plant.
+  std::optional<Trace> search(const Observer& observer) {
+    if (std::count(cone_.begin(), cone_.end(), false) > 0) {
+      situations_.freeze_all_but(cone_);
+      const std::optional<Trace> trace = search_as_it_is(observer);
+      situations_.freeze_all_but({});
+      if (!trace || possible(*trace)) return trace;
+    }
+    std::optional<Trace> trace = search_as_it_is(observer);
+    assert((!trace || possible(*trace)) && "a witness cannot be replayed");
+    return trace;
+  }
+
   /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
   /// the fewest steps are looked for among all.
-  std::optional<Trace> search(const Observer& observer) {
+  std::optional<Trace> search_as_it_is(const Observer& observer) {
     PlantSystem system(situations_, observer, symmetry_, start_);
-    const bool dense = situations_.reading().is_dense();
     std::optional<Trace> any;
-    if (dense) {
+    if (situations_.reading().is_dense()) {
       situations_.use(Steps::irreducible, visible_);
       const auto path = find_path(system, Aim::any, meter_);
-      if (!path) return std::nullopt;
-      any = witness(*path, system);
+      if (path) any = earliest_trace(*path, system);
       situations_.use(Steps::all, {});
+      if (!any) return std::nullopt;
     }
     try {
       const auto path = find_path(system, Aim::fewest_steps, meter_);
       assert((path.has_value() || !any) && "fewer steps lead where all do not");
-      if (!path) return std::nullopt;
-      return witness(*path, system);
+      return path ? std::optional(earliest_trace(*path, system)) : std::nullopt;
     } catch (const LimitReached& reached) {
       if (!any) throw;
       limit_ = reached.limit;
@@ -179,11 +193,8 @@ class Check {
     }
   }
 
-  Trace witness(const std::vector<PathState>& path, PlantSystem& system) {
-    Trace trace = earliest_trace(path, system);
-    const auto failure = replay(step_, trace, {options_.period, options_.commands, options_.faults, options_.from});
-    assert(!failure && "a witness cannot be replayed");
-    return trace;
+  [[nodiscard]] bool possible(const Trace& trace) {
+    return !replay(step_, trace, {options_.period, options_.commands, options_.faults, options_.from});
   }
 
   PlantStep& step_;
@@ -192,6 +203,7 @@ class Check {
   Quest quest_;
   Meter meter_;
   Situations situations_;
+  std::vector<bool> cone_;
   Symmetry symmetry_;
   std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way
   std::vector<Modes> start_;
