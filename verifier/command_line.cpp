@@ -79,24 +79,18 @@ void add_common(CLI::App* app, CommandLine& line) {
   app->add_flag("-v,--verbose", line.verbose, "tell what is being checked");
 }
 
-/// One property as a subcommand, with the options that all of them have.
-CLI::App* add_property(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
-                       const std::string& description) {
+/// What every subcommand has: the reading of time, faults, limits, the form of the answer.
+CLI::App* add_check(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
+                    const std::string& description) {
   CLI::App* sub = app.add_subcommand(name, description);
   sub->fallthrough();
   sub->callback([&line, kind] { line.kind = kind; });
-  sub->add_option("model", line.model, "the plant: .tcca or compiled .json; - for standard input")
-      ->required()
-      ->type_name("MODEL");
   const auto period = [](const std::string& text) {
     return text == "dense" ? std::nullopt : std::optional(positive_duration(text));
   };
   add(sub, "--time", line.period, period, "dense time (the default), or the period at whose multiples steps happen")
       ->type_name("dense|T");
   sub->add_option("--faults", line.faults, "the most faults that may happen; 0 unless given")->type_name("K");
-  add_choice(sub, "--commands", line.commands,
-             {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},
-             "how many controls may be off their idle value in one step; one unless given");
   sub->add_flag("--entailed", line.entailed, "a formula holds where the constraints imply it, not where they allow it");
   sub->add_option("--from", line.from,
                   "modes to start in, such as 'engine = off'; what is not named starts as in the plant")
@@ -111,6 +105,101 @@ CLI::App* add_property(CLI::App& app, CommandLine& line, CommandLine::Kind kind,
   add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}}, "text unless given");
   sub->add_flag("--stats", line.statistics, "tell what the check has cost");
   return sub;
+}
+
+/// One property of a plant as a subcommand.
+CLI::App* add_property(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
+                       const std::string& description) {
+  CLI::App* sub = add_check(app, line, kind, name, description);
+  sub->add_option("model", line.models, "the plant: .tcca or compiled .json; - for standard input")
+      ->required()
+      ->expected(1)
+      ->type_name("MODEL");
+  add_choice(sub, "--commands", line.commands,
+             {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},
+             "how many controls may be off their idle value in one step; one unless given");
+  return sub;
+}
+
+/// `φ within T`, or `φ` alone: then the time stands in `--within`.
+Promise promise(const std::string& text) {
+  constexpr std::string_view keyword = " within ";
+  const std::size_t at = text.rfind(keyword);
+  if (at == std::string::npos) return {text, std::nullopt};
+  return {text.substr(0, at), duration(text.substr(at + keyword.size()))};
+}
+
+/// The properties that are the same for every program, by a list of their names.
+std::vector<ProgramProperty::Kind> general_properties(const std::string& text) {
+  using Kind = ProgramProperty::Kind;
+  std::vector<Kind> result;
+  std::istringstream names(text);
+  for (std::string name; std::getline(names, name, ',');) {
+    const std::size_t before = result.size();
+    for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination}) {
+      if (name == name_of(kind) || name == "all") result.push_back(kind);
+    }
+    if (result.size() == before) {
+      throw CLI::ValidationError("'" + name +
+                                 "' is not known; expected goal-conflict, no-plan, endless-wait, termination or all");
+    }
+  }
+  return result;
+}
+
+/// Every promise has a time: its own, or that of `--within`.
+void finish_promises(const CLI::App& app, CommandLine& line) {
+  if (line.kind != CommandLine::Kind::program) return;
+  const bool within = app.get_subcommand("program")->count("--within") > 0;
+  for (Promise& promise : line.eventuallys) {
+    if (promise.within) continue;
+    if (!within) throw CLI::ValidationError("--eventually", "expected 'FORMULA within T', or a time in --within");
+    promise.within = line.within;
+  }
+}
+
+void add_program(CLI::App& app, CommandLine& line) {
+  CLI::App* sub = add_check(app, line, CommandLine::Kind::program, "program",
+                            "what can become of a program that controls a plant? each violation with a timed trace");
+  sub->add_option("files", line.models, "the program and the plant: .rmpl and .tcca, or one compiled .json of both")
+      ->required()
+      ->expected(1, 2)
+      ->type_name("PROGRAM PLANT");
+  sub->add_option("--main", line.entry, "the definition to start with; else the one that no other calls")
+      ->type_name("NAME");
+  add(sub, "--check", line.general, general_properties,
+      "goal-conflict, no-plan, endless-wait, termination, or all of them: what is checked where nothing else is asked")
+      ->type_name("LIST");
+  sub->add_option("--never", line.nevers, "what is never to hold up to the program's end")
+      ->type_name("FORMULA")
+      ->expected(1)
+      ->take_all();
+  sub->add_option_function<std::vector<std::string>>(
+         "--eventually",
+         [&line](const std::vector<std::string>& texts) {
+           try {
+             for (const std::string& text : texts) line.eventuallys.push_back(promise(text));
+           } catch (const CLI::ValidationError& error) {
+             throw CLI::ValidationError("--eventually", error.what());
+           }
+         },
+         "what is to come true in time, as 'FORMULA within T', or with --within")
+      ->type_name("FORMULA")
+      ->expected(1)
+      ->take_all();
+  add(sub, "--within", line.within, duration, "how soon, from the start")->type_name("T")->needs("--eventually");
+  sub->add_option("--finally", line.finallys, "what is to hold where the program ends")
+      ->type_name("FORMULA")
+      ->expected(1)
+      ->take_all();
+  sub->add_flag("--each-fault", line.each_fault, "a table: every fault by itself, and what can come of it");
+  sub->add_option("--scenario", line.scenario, "write the first violation as a scenario that fails the same way")
+      ->type_name("OUT.scn")
+      ->excludes("--each-fault");
+  add(sub, "--cycle", line.cycle, positive_duration,
+      "the cycle of that scenario, where time is dense; 0.5s unless given")
+      ->type_name("T")
+      ->needs("--scenario");
 }
 
 void add_window(CLI::App* sub, CommandLine& line) {
@@ -152,6 +241,7 @@ void add_properties(CLI::App& app, CommandLine& line) {
       ->required()
       ->expected(2)
       ->type_name("T FORMULA");
+  add_program(app, line);
 }
 
 }  // namespace
@@ -159,7 +249,7 @@ void add_properties(CLI::App& app, CommandLine& line) {
 ParsedCommandLine parse_command_line(int count, const char* const* arguments, const std::string& version) {
   CommandLine line;
   CLI::App app(
-      "Checks what a plant model (TCCA) can do in time.\n"
+      "Checks what a plant model (TCCA) can do in time, by itself or under a control program (RMPL).\n"
       "Exit status: 0 holds or reachable, 1 violated or unreachable, 2 wrong input, 3 undecided.",
       "tcca-check");
   app.set_version_flag("--version", "tcca-check " + version);
@@ -169,6 +259,7 @@ ParsedCommandLine parse_command_line(int count, const char* const* arguments, co
   ParsedCommandLine result;
   try {
     app.parse(count, arguments);
+    finish_promises(app, line);
     result.command_line = line;
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;

@@ -5,22 +5,39 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "automata/time.hpp"
 #include "verifier/explore/commands.hpp"
+#include "verifier/program/program_check.hpp"
 
 namespace verifier {
 
+/// A constraint that is to come true in time.
+struct Promise {
+  std::string constraint;
+  std::optional<automata::Ticks> within;  ///< nothing: as `--within` says
+};
+
 struct CommandLine {
-  enum class Kind { reachability, safety, response };
+  enum class Kind { reachability, safety, response, program };
   enum class Format { text, json };
   enum class Color { automatic, always, never };
 
   Kind kind = Kind::reachability;
-  std::string model;          ///< a path, or `-`
-  std::string target, never;  ///< formulas, by kind
+  std::vector<std::string> models;  ///< paths, or `-`: one, of a program perhaps two
+  std::string target, never;        ///< formulas, by kind
   std::string after, then;
   automata::Ticks within;
+  // Of a program:
+  std::string entry;                           ///< the definition to start with; empty: the one that no other calls
+  std::vector<ProgramProperty::Kind> general;  ///< of the properties that hold for any program, those asked for
+  std::vector<std::string> nevers, finallys;
+  std::vector<Promise> eventuallys;
+  bool each_fault = false;
+  std::string scenario;  ///< where to write a witness as a scenario; empty: nowhere
+  automata::Ticks cycle = {automata::Ticks::per_second / 2};  ///< of that scenario, where time is dense
+
   std::optional<automata::Ticks> period;  ///< none: dense time
   std::optional<automata::Ticks> not_before, by;
   bool fastest = false;

@@ -1,23 +1,26 @@
-// tcca-check: can a plant get there, can it avoid that, does it answer in time.
+// tcca-check: can a plant get there, can it avoid that, does it answer in time, and what becomes of a program on it.
 // SPDX-License-Identifier: MIT
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 
 #include "automata/error.hpp"
-#include "compiler/compiler.hpp"
-#include "verifier/command_line.hpp"
+#include "verifier/command/input.hpp"
+#include "verifier/command/program_command.hpp"
 #include "verifier/evidence/report.hpp"
 
 namespace {
 
 using automata::InputError;
 using automata::Plant;
+using verifier::colored;
 using verifier::CommandLine;
+using verifier::formula;
+using verifier::load;
+using verifier::starting_modes;
 
 constexpr int wrong_input = 2;
 
@@ -32,43 +35,6 @@ void end_on_interrupt() {
   sigaction(SIGINT, &action, nullptr);
 }
 
-bool colored(const CommandLine& line, int stream) {
-  switch (line.color) {
-    case CommandLine::Color::automatic:
-      return isatty(stream) != 0;
-    case CommandLine::Color::always:
-      return true;
-    case CommandLine::Color::never:
-      return false;
-  }
-  return false;
-}
-
-/// Diagnostics that were printed already: nothing is left to say.
-struct Rejected {};
-
-compiler::Compilation load(const CommandLine& line) {
-  const std::array paths = {line.model};
-  compiler::Compilation compilation = compiler::compile(paths);
-  const bool failed = !compilation.ok();
-  if (failed || !line.quiet) {
-    std::cerr << compilation.diagnostics(compiler::DiagnosticFormat::text, colored(line, STDERR_FILENO));
-  }
-  if (failed) throw Rejected{};
-  const std::size_t plants = compilation.document().plants.size();
-  if (plants != 1) {
-    throw InputError(line.model + ": holds " + std::to_string(plants) + " plants; expected one, as in a .tcca file");
-  }
-  return compilation;
-}
-
-automata::Formula formula(const std::string& text, const Plant& plant, const char* option, const CommandLine& line) {
-  auto compiled = compiler::compile_formula(text, plant, option, colored(line, STDERR_FILENO));
-  if (compiled.formula) return *compiled.formula;
-  std::cerr << compiled.diagnostics;
-  throw Rejected{};
-}
-
 verifier::Property property(const Plant& plant, const CommandLine& line) {
   const verifier::Window window{line.not_before, line.by};
   switch (line.kind) {
@@ -77,22 +43,11 @@ verifier::Property property(const Plant& plant, const CommandLine& line) {
     case CommandLine::Kind::safety:
       return verifier::Safety{formula(line.never, plant, "--never", line), window, line.fastest};
     case CommandLine::Kind::response:
+    case CommandLine::Kind::program:
       break;
   }
   return verifier::Response{formula(line.after, plant, "--after", line), formula(line.then, plant, "--within", line),
                             line.within};
-}
-
-verifier::CheckOptions options(const Plant& plant, const CommandLine& line) {
-  verifier::CheckOptions result{line.period, line.faults, line.commands, line.entailed, {}};
-  if (line.from.empty()) return result;
-  auto compiled = compiler::compile_assignments(line.from, plant, "--from", colored(line, STDERR_FILENO));
-  if (!compiled.assignments) {
-    std::cerr << compiled.diagnostics;
-    throw Rejected{};
-  }
-  result.from = std::move(*compiled.assignments);
-  return result;
 }
 
 verifier::Limits limits(const CommandLine& line) {
@@ -120,6 +75,7 @@ int status(verifier::Verdict verdict) {
 }
 
 int run(const CommandLine& line) {
+  if (line.kind == CommandLine::Kind::program) return verifier::run_program(line, limits(line));
   const compiler::Compilation compilation = load(line);
   const Plant& plant = compilation.document().plants.front();
   const verifier::Property asked = property(plant, line);
@@ -129,7 +85,8 @@ int run(const CommandLine& line) {
   }
   automata::PlantStep step(plant);
   const verifier::Limits bounds = limits(line);
-  const verifier::Result result = verifier::check(step, asked, options(plant, line), bounds);
+  const verifier::Result result = verifier::check(
+      step, asked, {line.period, line.faults, line.commands, line.entailed, starting_modes(plant, line)}, bounds);
   if (bounds.report) std::fputs("\r\033[K", stderr);
   if (result.startless) {
     std::cerr
@@ -159,7 +116,7 @@ int main(int count, char** arguments) {
   end_on_interrupt();
   try {
     return run(*parsed.command_line);
-  } catch (const Rejected&) {
+  } catch (const verifier::Rejected&) {
     return wrong_input;
   } catch (const InputError& error) {
     std::cerr << "tcca-check: " << error.what() << '\n';

@@ -67,6 +67,12 @@ void ProgramStep::reset() {
   }
 }
 
+void ProgramStep::resume(Marking marking, std::vector<std::optional<Ticks>> started) {
+  assert(started.size() == program_.clocks.size() && "one entry a clock");
+  marking_ = std::move(marking);
+  started_ = std::move(started);
+}
+
 // m_F: the location and, recursively, the start locations of what it holds.
 void ProgramStep::mark_fully(LocationId location, std::vector<bool>& marked) const {
   marked[location.index()] = true;

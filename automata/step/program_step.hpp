@@ -44,12 +44,17 @@ class ProgramStep {
 
   /// m_F of the program; all clocks inactive.
   void reset();
+  /// Takes up a run elsewhere: this marking, and when the active clocks started, by `ClockId`.
+  void resume(Marking marking, std::vector<std::optional<Ticks>> started);
   [[nodiscard]] const Marking& marking() const { return marking_; }
+  /// When the active clocks started, by `ClockId`, those of the last cycle included.
+  [[nodiscard]] const std::vector<std::optional<Ticks>>& started() const { return started_; }
   [[nodiscard]] bool ended() const { return marking_.empty(); }
 
   /// Steps 1 to 4 at absolute time `now`, with the knowledge at the start of the cycle.
   const Asserted& begin(const Knowledge& knowledge, Ticks now);
-  /// Steps 7 to 10 with the knowledge read back after the command; advances the marking.
+  /// Steps 7 to 10 with the knowledge read back after the command; advances the marking. May be called again, with
+  /// other knowledge: every call goes on from the same `begin`.
   void finish(const Knowledge& knowledge);
 
   /// The readings of the active clocks as of the last `begin`, by `ClockId`; nothing where inactive.

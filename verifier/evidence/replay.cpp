@@ -5,84 +5,20 @@
 #include <algorithm>
 #include <set>
 
+#include "verifier/evidence/rules.hpp"
+
 namespace verifier {
 
 using automata::Component;
 using automata::ControlAction;
-using automata::Enabled;
-using automata::ModeId;
 using automata::Modes;
 using automata::SystemState;
 using automata::Ticks;
 using automata::Transition;
-using automata::TransitionId;
 
 namespace {
 
 std::string at(Ticks time) { return " at " + automata::format_seconds(time) + " s"; }
-
-/// What one component may do, decided for one reading of its clock; the words of semantics 3 and 7 one by one.
-class Rules {
- public:
-  /// `before` and `now` are clock readings; in dense time they are the same.
-  Rules(const Component& component, const Enabled& enabled, Ticks before, Ticks now, std::optional<Ticks> period)
-      : component_(component), enabled_(enabled), before_(before), now_(now), period_(period) {}
-
-  [[nodiscard]] bool allows(ModeId from, ModeId to) const {
-    double faulty = 0;
-    for (const TransitionId id : enabled_.faults) {
-      const Transition& t = transition(id);
-      if (t.timing && (now_ < t.timing->lower || now_ > t.timing->upper)) continue;
-      if (t.to == to) return true;
-      faulty += t.weight.fault_probability(period_.value_or(Ticks{0}));
-    }
-    if (faulty >= 1) return false;
-    if (!enabled_.untimed.empty()) return leads(enabled_.untimed, to, [](const Transition&) { return true; });
-    if (!period_) {
-      const bool some_passed = std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
-                                           [&](TransitionId id) { return now_ > transition(id).timing->upper; });
-      return from == to || leads(enabled_.timed, to, [&](const Transition& t) {
-               return now_ >= (some_passed ? t.timing->upper : t.timing->lower);
-             });
-    }
-    const auto certain = [&](const Transition& t) { return now_ >= t.timing->upper; };
-    const bool some_certain = std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
-                                          [&](TransitionId id) { return certain(transition(id)); });
-    if (some_certain) return leads(enabled_.timed, to, certain);
-    return from == to || leads(enabled_.timed, to, [&](const Transition& t) {
-             return before_ < t.timing->upper && t.timing->lower < now_;
-           });
-  }
-
-  /// In dense time: whether time may have passed up to this reading in `mode`. Transitions to itself are staying.
-  [[nodiscard]] bool allows_time(ModeId mode) const {
-    const auto stays = [&](TransitionId id) { return transition(id).to == mode; };
-    if (!enabled_.untimed.empty()) return std::all_of(enabled_.untimed.begin(), enabled_.untimed.end(), stays);
-    return std::all_of(enabled_.timed.begin(), enabled_.timed.end(),
-                       [&](TransitionId id) { return stays(id) || now_ <= transition(id).timing->upper; });
-  }
-
-  [[nodiscard]] bool has_tail() const {
-    return std::any_of(enabled_.timed.begin(), enabled_.timed.end(), [&](TransitionId id) {
-      return transition(id).timing->density.kind != automata::Density::Kind::uniform;
-    });
-  }
-
- private:
-  [[nodiscard]] const Transition& transition(TransitionId id) const { return component_.transitions[id.index()]; }
-
-  template <class Condition>
-  [[nodiscard]] bool leads(const std::vector<TransitionId>& transitions, ModeId to, const Condition& condition) const {
-    return std::any_of(transitions.begin(), transitions.end(),
-                       [&](TransitionId id) { return transition(id).to == to && condition(transition(id)); });
-  }
-
-  const Component& component_;
-  const Enabled& enabled_;
-  Ticks before_;
-  Ticks now_;
-  std::optional<Ticks> period_;
-};
 
 class Replay {
  public:

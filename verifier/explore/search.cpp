@@ -12,15 +12,15 @@ namespace {
 
 class Search {
  public:
-  Search(TransitionSystem& system, Aim aim, Meter& meter)
-      : system_(system), aim_(aim), meter_(meter), passed_(system) {}
+  Search(TransitionSystem& system, SearchOrder order, Meter& meter)
+      : system_(system), order_(order), meter_(meter), passed_(system) {}
 
   std::optional<std::vector<PathState>> run() {
     system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
     while (!found_ && !queue_.empty()) {
       const std::uint32_t parent = queue_.front();
       queue_.pop_front();
-      if (aim_ == Aim::any && passed_[parent].covered) continue;
+      if (order_ == SearchOrder::any && passed_[parent].covered) continue;
       const std::uint32_t steps = passed_[parent].steps;
       meter_.at(steps, queue_.size());
       meter_.poll();
@@ -55,7 +55,7 @@ class Search {
   }
 
   TransitionSystem& system_;
-  Aim aim_;
+  SearchOrder order_;
   Meter& meter_;
   Passed passed_;
   std::deque<std::uint32_t> queue_;
@@ -64,8 +64,8 @@ class Search {
 
 }  // namespace
 
-std::optional<std::vector<PathState>> find_path(TransitionSystem& system, Aim aim, Meter& meter) {
-  return Search(system, aim, meter).run();
+std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, Meter& meter) {
+  return Search(system, order, meter).run();
 }
 
 }  // namespace verifier

@@ -17,7 +17,7 @@ struct PathState {
 };
 
 /// What is wanted of a path.
-enum class Aim {
+enum class SearchOrder {
   fewest_steps,
   any  ///< covered states need not be explored
 };
@@ -27,10 +27,10 @@ enum class Aim {
 /// A state is left out where one that was found before covers it: same discrete part, no more faults, a zone that can
 /// do all that its zone can. States are explored in order of steps, those that a silent label leads to with the state
 /// they come from.
-std::optional<std::vector<PathState>> find_path(TransitionSystem& system, Aim aim, Meter& meter);
+std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, Meter& meter);
 
 inline std::optional<std::vector<PathState>> shortest_path(TransitionSystem& system, Meter& meter) {
-  return find_path(system, Aim::fewest_steps, meter);
+  return find_path(system, SearchOrder::fewest_steps, meter);
 }
 
 }  // namespace verifier

@@ -177,13 +177,13 @@ class Check {
     std::optional<Trace> any;
     if (situations_.reading().is_dense()) {
       situations_.use(Steps::irreducible, visible_);
-      const auto path = find_path(system, Aim::any, meter_);
+      const auto path = find_path(system, SearchOrder::any, meter_);
       if (path) any = earliest_trace(*path, system);
       situations_.use(Steps::all, {});
       if (!any) return std::nullopt;
     }
     try {
-      const auto path = find_path(system, Aim::fewest_steps, meter_);
+      const auto path = find_path(system, SearchOrder::fewest_steps, meter_);
       assert((path.has_value() || !any) && "fewer steps lead where all do not");
       return path ? std::optional(earliest_trace(*path, system)) : std::nullopt;
     } catch (const LimitReached& reached) {
