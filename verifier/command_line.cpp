@@ -202,6 +202,19 @@ void add_program(CLI::App& app, CommandLine& line) {
       ->needs("--scenario");
 }
 
+/// The questions about faults that a search for one trace can be asked.
+void add_fault_questions(CLI::App* sub, CommandLine& line) {
+  CLI::Option* fewest =
+      sub->add_flag("--fewest-faults", line.fewest_faults,
+                    "a trace with the least number of faults there is; --faults bounds how many are tried");
+  CLI::Option* cut_sets =
+      sub->add_option("--cut-sets", line.cut_sets, "every minimal set of up to so many faults that leads to a trace")
+          ->type_name("N");
+  CLI::Option* faults = sub->get_option("--faults");
+  cut_sets->excludes(fewest)->excludes(faults);
+  sub->parse_complete_callback([&line, faults] { line.faults_given = faults->count() > 0; });
+}
+
 void add_window(CLI::App* sub, CommandLine& line) {
   add(sub, "--not-before", line.not_before, duration, "the formula counts from this time on")->type_name("T");
   add(sub, "--by", line.by, duration, "the formula counts up to this time")->type_name("T");
@@ -214,11 +227,13 @@ void add_properties(CLI::App& app, CommandLine& line) {
                                         "can the plant reach a state in which a formula holds? yes: a timed witness");
   reachability->add_option("--target", line.target, "what is to be reached")->required()->type_name("FORMULA");
   add_window(reachability, line);
+  add_fault_questions(reachability, line);
 
   CLI::App* safety =
       add_property(app, line, Kind::safety, "safety", "does a formula never hold? no: a timed counterexample");
   safety->add_option("--never", line.never, "what is never to hold")->required()->type_name("FORMULA");
   add_window(safety, line);
+  add_fault_questions(safety, line);
 
   CLI::App* response = add_property(app, line, Kind::response, "response",
                                     "once one formula has held, does another hold in time? no: a timed counterexample");
@@ -241,6 +256,7 @@ void add_properties(CLI::App& app, CommandLine& line) {
       ->required()
       ->expected(2)
       ->type_name("T FORMULA");
+  add_fault_questions(response, line);
   add_program(app, line);
 }
 

@@ -42,6 +42,9 @@ struct CommandLine {
   std::optional<automata::Ticks> not_before, by;
   bool fastest = false;
   unsigned faults = 0;
+  bool faults_given = false;
+  bool fewest_faults = false;
+  std::optional<unsigned> cut_sets;  ///< the most faults that such a set may hold
   Commands commands = Commands::one;
   bool entailed = false;
   std::string from;  ///< assignments; empty: the initial distribution

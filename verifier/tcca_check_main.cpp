@@ -74,6 +74,19 @@ int status(verifier::Verdict verdict) {
   return wrong_input;
 }
 
+verifier::CheckOptions options(const Plant& plant, const CommandLine& line) {
+  verifier::CheckOptions result{.period = line.period,
+                                .faults = line.faults,
+                                .commands = line.commands,
+                                .entailed = line.entailed,
+                                .fewest_faults = line.fewest_faults,
+                                .cut_sets = line.cut_sets.has_value(),
+                                .from = starting_modes(plant, line)};
+  if (line.fewest_faults && !line.faults_given) result.faults.reset();
+  if (line.cut_sets) result.faults = line.cut_sets;
+  return result;
+}
+
 int run(const CommandLine& line) {
   if (line.kind == CommandLine::Kind::program) return verifier::run_program(line, limits(line));
   const compiler::Compilation compilation = load(line);
@@ -85,8 +98,8 @@ int run(const CommandLine& line) {
   }
   automata::PlantStep step(plant);
   const verifier::Limits bounds = limits(line);
-  const verifier::Result result = verifier::check(
-      step, asked, {line.period, line.faults, line.commands, line.entailed, starting_modes(plant, line)}, bounds);
+  const verifier::CheckOptions asked_for = options(plant, line);
+  const verifier::Result result = verifier::check(step, asked, asked_for, bounds);
   if (bounds.report) std::fputs("\r\033[K", stderr);
   if (result.startless) {
     std::cerr
@@ -95,10 +108,10 @@ int run(const CommandLine& line) {
   }
   switch (line.format) {
     case CommandLine::Format::json:
-      std::cout << verifier::to_json(plant, asked, result).dump(2) << '\n';
+      std::cout << verifier::to_json(plant, asked, asked_for, result).dump(2) << '\n';
       break;
     case CommandLine::Format::text:
-      std::cout << verifier::to_text(plant, asked, result, line.statistics, colored(line, STDOUT_FILENO));
+      std::cout << verifier::to_text(plant, asked, asked_for, result, line.statistics, colored(line, STDOUT_FILENO));
       break;
   }
   if (!std::cout.flush()) throw InputError("standard output: cannot be written");

@@ -123,6 +123,97 @@ RC_GTEST_PROP(Reachability, SymmetricSampledIsTheTicks, ()) {
   compare(model, drawn, reference::fewest_steps_sampled(slow, drawn.question, Ticks::of_seconds(1)));
 }
 
+using Faults = std::vector<verifier::Fault>;
+
+/// The plant with no transitions into other fault modes than these.
+automata::Plant with_faults(automata::Plant plant, const Faults& faults) {
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    auto& component = plant.components[c];
+    std::erase_if(component.transitions, [&](const automata::Transition& t) {
+      return component.is_fault(t) && t.from != t.to &&
+             std::count(faults.begin(), faults.end(), verifier::Fault{automata::ComponentId(c), t.to}) == 0;
+    });
+  }
+  return plant;
+}
+
+/// Without faults that are certain: leaving one out would otherwise make nominal transitions possible.
+automata::Plant with_unlikely_faults(automata::Plant plant) {
+  for (auto& component : plant.components) {
+    for (auto& t : component.transitions) {
+      if (component.is_fault(t)) t.weight = {automata::Weight::Kind::probability, 0.001};
+    }
+  }
+  return plant;
+}
+
+Faults all_faults(const automata::Plant& plant) {
+  Faults result;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
+      if (plant.components[c].modes[m].fault) result.push_back({automata::ComponentId(c), automata::ModeId(m)});
+    }
+  }
+  return result;
+}
+
+/// The minimal sets of up to two faults, by trying each.
+std::vector<Faults> minimal_sets(const automata::Plant& plant, reference::Question question) {
+  question.faults = 2;
+  const Faults all = all_faults(plant);
+  std::vector<Faults> candidates = {{}};
+  for (const auto& f : all) candidates.push_back({f});
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t b = a + 1; b < all.size(); ++b) candidates.push_back({all[a], all[b]});
+  }
+  std::vector<Faults> found;
+  for (const Faults& candidate : candidates) {
+    const bool minimal = std::none_of(found.begin(), found.end(), [&](const Faults& f) {
+      return std::includes(candidate.begin(), candidate.end(), f.begin(), f.end());
+    });
+    if (!minimal) continue;
+    const automata::Plant less = with_faults(plant, candidate);
+    if (reference::fewest_steps_dense(reference::Step(less), question, Ticks::of_seconds(1)))
+      found.push_back(candidate);
+  }
+  return found;
+}
+
+RC_GTEST_PROP(Reachability, CutSetsAreTheMinimalOnes, ()) {
+  const automata::Plant plant = with_unlikely_faults((*models()).plant);
+  Drawn drawn = draw_question(plant);
+  drawn.options.faults = 2;
+  drawn.options.cut_sets = true;
+  automata::PlantStep step(plant);
+  const auto result =
+      verifier::check(step, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
+  std::vector<Faults> found;
+  for (const auto& cut : result.cut_sets) found.push_back(cut.faults);
+  RC_ASSERT(found == minimal_sets(plant, drawn.question));
+}
+
+RC_GTEST_PROP(Reachability, FewestFaultsAreThoseOfTheLeastBudget, ()) {
+  const Model model = *models();
+  Drawn drawn = draw_question(model.plant);
+  const bool sampled = chance(30);
+  drawn.options.faults.reset();
+  drawn.options.fewest_faults = true;
+  if (sampled) drawn.options.period = Ticks::of_seconds(1);
+  automata::PlantStep step(model.plant);
+  const auto result =
+      verifier::check(step, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
+  const reference::Step slow(model.plant);
+  for (drawn.question.faults = 0; drawn.question.faults < 4; ++drawn.question.faults) {
+    const auto steps = sampled ? reference::fewest_steps_sampled(slow, drawn.question, Ticks::of_seconds(1))
+                               : reference::fewest_steps_dense(slow, drawn.question, Ticks::of_seconds(1));
+    if (!steps) continue;
+    RC_ASSERT(result.fewest_faults == static_cast<unsigned>(drawn.question.faults));
+    RC_ASSERT(changes(*result.trace) == *steps);
+    return;
+  }
+  RC_ASSERT(!result.fewest_faults || *result.fewest_faults >= 4);
+}
+
 RC_GTEST_PROP(Reachability, SampledIsTheTicks, ()) {
   const Model model = *models();
   Drawn drawn = draw_question(model.plant);

@@ -84,6 +84,24 @@ std::string text_of(const Plant& plant, const Trace& trace) {
   return result;
 }
 
+const std::string& name_of(const Plant& plant, const Fault& fault) {
+  return plant[fault.component].modes[fault.mode.index()].name;
+}
+
+std::string text_of_cut_sets(const Plant& plant, const CheckOptions& options, const Result& result) {
+  if (result.verdict == Verdict::undecided) return "";
+  const std::string most = options.faults == 1U ? "1 fault" : std::to_string(options.faults.value()) + " faults";
+  std::string text = "minimal cut sets of up to " + most + ": " + std::to_string(result.cut_sets.size()) + "\n";
+  for (const FaultTrace& cut : result.cut_sets) {
+    text += "\ncut set:";
+    for (std::size_t f = 0; f < cut.faults.size(); ++f) {
+      text += (f == 0 ? " " : ", ") + plant[cut.faults[f].component].name + " = " + name_of(plant, cut.faults[f]);
+    }
+    text += (cut.faults.empty() ? " no fault is needed\n" : "\n") + text_of(plant, cut.trace);
+  }
+  return text;
+}
+
 std::string painted(std::string_view text, Verdict verdict, bool color) {
   if (!color) return std::string(text);
   const auto paint = [&](const char* code) { return std::string(code) + std::string(text) + "\033[0m"; };
@@ -152,19 +170,36 @@ std::string reason(const Result& result) {
          " steps was seen";
 }
 
-ordered_json to_json(const Plant& plant, const Property& property, const Result& result) {
+ordered_json to_json(const Plant& plant, const Property& property, const CheckOptions& options, const Result& result) {
   ordered_json json = {{"property", name_of(property)}, {"verdict", to_text(result.verdict)}};
   if (result.limit) json["reason"] = reason(result);
   json["trace"] = result.trace ? json_of(plant, *result.trace) : ordered_json::array();
+  if (result.fewest_faults) json["fewest_faults"] = *result.fewest_faults;
+  if (options.cut_sets) {
+    auto& sets = json["cut_sets"] = ordered_json::array();
+    for (const FaultTrace& cut : result.cut_sets) {
+      auto faults = ordered_json::array();
+      for (const Fault& f : cut.faults) {
+        faults.push_back({{"component", plant[f.component].name}, {"mode", name_of(plant, f)}});
+      }
+      sets.push_back({{"faults", std::move(faults)}, {"trace", json_of(plant, cut.trace)}});
+    }
+  }
   json["statistics"] = {
       {"states", result.progress.states}, {"seconds", result.progress.seconds}, {"peak_bytes", peak_bytes()}};
   return json;
 }
 
-std::string to_text(const Plant& plant, const Property& property, const Result& result, bool statistics, bool color) {
+std::string to_text(const Plant& plant, const Property& property, const CheckOptions& options, const Result& result,
+                    bool statistics, bool color) {
   std::string text = name_of(property) + ": " + painted(to_text(result.verdict), result.verdict, color) + " (" +
                      headline(property, result) + ")\n";
-  if (result.trace) text += text_of(plant, *result.trace);
+  if (options.cut_sets) {
+    text += text_of_cut_sets(plant, options, result);
+  } else if (result.trace) {
+    if (result.fewest_faults) text += "fewest faults: " + std::to_string(*result.fewest_faults) + "\n";
+    text += text_of(plant, *result.trace);
+  }
   if (result.trace && result.limit) text += "a faster trace may exist: " + reason(result) + "\n";
   if (statistics) {
     text += "states " + std::to_string(result.progress.states) + ", seconds " + seconds_text(result.progress.seconds) +

@@ -17,10 +17,11 @@ std::string_view to_text(Verdict verdict);
 std::string reason(const Result& result);
 
 /// The result for programs. Times are seconds.
-nlohmann::ordered_json to_json(const automata::Plant& plant, const Property& property, const Result& result);
+nlohmann::ordered_json to_json(const automata::Plant& plant, const Property& property, const CheckOptions& options,
+                               const Result& result);
 
 /// The result for people, lines ended; with a line of statistics if asked for, in colour if asked for.
-std::string to_text(const automata::Plant& plant, const Property& property, const Result& result, bool statistics,
-                    bool color);
+std::string to_text(const automata::Plant& plant, const Property& property, const CheckOptions& options,
+                    const Result& result, bool statistics, bool color);
 
 }  // namespace verifier

@@ -4,6 +4,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 namespace verifier {
 namespace {
 
@@ -41,6 +43,8 @@ void Meter::count_state() {
   if (limits_.states && progress_.states >= *limits_.states) throw LimitReached{Limit::states};
   ++progress_.states;
 }
+
+void Meter::used_faults(unsigned faults) { progress_.faults = std::max(progress_.faults, faults); }
 
 void Meter::at(std::size_t steps, std::size_t waiting) {
   progress_.steps = steps;

@@ -18,6 +18,7 @@ struct Progress {
   std::size_t states = 0;   ///< symbolic states found
   std::size_t waiting = 0;  ///< of those, not yet explored
   std::size_t steps = 0;    ///< every state within so many steps has been found
+  unsigned faults = 0;      ///< the most that an explored state has used
   double seconds = 0;
 };
 
@@ -47,6 +48,8 @@ class Meter {
   void poll();
   /// One more symbolic state. Throws LimitReached.
   void count_state();
+  /// A state with so many faults is explored.
+  void used_faults(unsigned faults);
   /// Where the search is, for reports.
   void at(std::size_t steps, std::size_t waiting);
 

@@ -33,7 +33,8 @@ std::uint64_t Passed::Arena<Entry>::add(std::span<const Units> matrix) {
   return position;
 }
 
-Passed::Passed(TransitionSystem& system) : system_(system), slots_(1024, none) {}
+Passed::Passed(TransitionSystem& system, bool steps_counted)
+    : system_(system), steps_counted_(steps_counted), slots_(1024, none) {}
 
 SymbolicState Passed::state(std::uint32_t number) const {
   const Node& node = nodes_[number];
@@ -49,7 +50,7 @@ SymbolicState Passed::state(std::uint32_t number) const {
 }
 
 bool Passed::covered_by(const Node& node, const SymbolicState& state, std::uint32_t steps) const {
-  if (node.faults > state.faults || node.steps > steps) return false;
+  if ((steps_counted_ && node.steps > steps) || !system_.no_more_faults(node.faults, state.faults)) return false;
   const auto test = [&](const auto* matrix) {
     const Units* own = state.zone.matrix().data();
     return limits_.empty() ? verifier::includes(matrix, own, node.dimension)
@@ -59,7 +60,7 @@ bool Passed::covered_by(const Node& node, const SymbolicState& state, std::uint3
 }
 
 bool Passed::covers(const SymbolicState& state, const Node& node) const {
-  if (state.faults > node.faults) return false;
+  if (!system_.no_more_faults(state.faults, node.faults)) return false;
   const auto test = [&](const auto* matrix) {
     const Units* own = state.zone.matrix().data();
     return limits_.empty() ? verifier::includes(own, matrix, node.dimension)
@@ -117,6 +118,13 @@ std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::u
   }
   nodes_.push_back(node);
   return number;
+}
+
+std::vector<PathState> Passed::path(std::uint32_t node) const {
+  std::vector<PathState> result;
+  for (; node != none; node = nodes_[node].parent) result.push_back({nodes_[node].discrete, nodes_[node].label});
+  std::reverse(result.begin(), result.end());
+  return result;
 }
 
 std::size_t Passed::bytes() const {

@@ -10,6 +10,12 @@
 
 namespace verifier {
 
+/// One state on the way to an accepted one, with the label that led to it.
+struct PathState {
+  std::uint64_t discrete;
+  Label label;
+};
+
 /// Numbered states with how each came about. A zone takes four bytes an entry (eight, where a bound does not fit).
 class Passed {
  public:
@@ -28,7 +34,8 @@ class Passed {
     bool covered = false;  ///< by a later one
   };
 
-  explicit Passed(TransitionSystem& system);
+  /// Where steps are counted, a state with more steps does not cover one with fewer.
+  Passed(TransitionSystem& system, bool steps_counted);
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
@@ -36,6 +43,8 @@ class Passed {
   /// The number of the state, added unless one that was found before covers it: same discrete part, no more faults
   /// and steps, and a zone that covers its zone. The nodes that it covers are marked so.
   std::uint32_t add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps);
+  /// How the node came about, from an initial state on.
+  [[nodiscard]] std::vector<PathState> path(std::uint32_t node) const;
   /// Bytes in use for nodes and zones.
   [[nodiscard]] std::size_t bytes() const;
 
@@ -58,6 +67,7 @@ class Passed {
   std::uint32_t& first(std::uint64_t discrete);
 
   TransitionSystem& system_;
+  bool steps_counted_;
   std::vector<Node> nodes_;
   Arena<std::int32_t> narrow_;
   Arena<Units> wide_;

@@ -64,8 +64,10 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
   const auto moves = situations_.moves(id);
   for (std::size_t m = 0; m < moves->size(); ++m) {
     const Move& move = (*moves)[m];
-    const unsigned faults = state.faults + move.faults;
-    if (faults > situations_.faults()) continue;
+    if (fault_count(state.faults) + move.faults > situations_.faults()) continue;
+    const unsigned faults = sets_ == nullptr
+                                ? state.faults + move.faults
+                                : sets_->after(state.faults, situations_.plant(), here.modes, move.target, move.faults);
     Zone zone = state.zone;
     if (move.hold) {
       if (!wait(zone, move.bounds, place)) continue;
@@ -118,6 +120,12 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
   if (!observer_.timed(phase)) return true;
   const Interval& accepted = *observer_.accepted();
   return state.zone.upper(stopwatch) >= accepted.lower && state.zone.lower(stopwatch) <= accepted.upper;
+}
+
+unsigned PlantSystem::fault_count(unsigned faults) const { return sets_ == nullptr ? faults : (*sets_)[faults].count; }
+
+bool PlantSystem::no_more_faults(unsigned a, unsigned b) const {
+  return fault_count(a) <= fault_count(b) && (sets_ == nullptr || subset((*sets_)[a], (*sets_)[b]));
 }
 
 bool PlantSystem::within(Zone& zone, const Box& box, const Place& place) {

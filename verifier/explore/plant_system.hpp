@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "verifier/explore/fault_sets.hpp"
 #include "verifier/explore/observer.hpp"
 #include "verifier/explore/situation.hpp"
 #include "verifier/explore/symmetry.hpp"
@@ -19,10 +20,14 @@ class PlantSystem : public TransitionSystem {
   /// Keeps references. `start` are the modes to start in.
   PlantSystem(Situations& situations, const Observer& observer, const Symmetry& symmetry,
               const std::vector<automata::Modes>& start);
+  /// From here on `SymbolicState::faults` is a number of these sets. There must be no symmetry.
+  void tell_faults_apart(FaultSets& sets) { sets_ = &sets; }
 
   void initial(const Visit& visit) override;
   void successors(const SymbolicState& state, const Visit& visit) override;
   [[nodiscard]] bool accepts(const SymbolicState& state) const override;
+  [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override;
+  [[nodiscard]] unsigned fault_count(unsigned faults) const override;
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override;
 
   /// A discrete part, taken apart.
@@ -70,6 +75,7 @@ class PlantSystem : public TransitionSystem {
   Situations& situations_;
   const Observer& observer_;
   const Symmetry& symmetry_;
+  FaultSets* sets_ = nullptr;  ///< none: faults are counted
   const std::vector<automata::Modes>& start_;
 };
 

@@ -1,11 +1,9 @@
-// Breadth-first search with inclusion checking.
+// Search with inclusion checking.
 // SPDX-License-Identifier: MIT
 #include "verifier/explore/search.hpp"
 
-#include <algorithm>
 #include <deque>
-
-#include "verifier/explore/passed.hpp"
+#include <map>
 
 namespace verifier {
 namespace {
@@ -13,23 +11,29 @@ namespace {
 class Search {
  public:
   Search(TransitionSystem& system, SearchOrder order, Meter& meter)
-      : system_(system), order_(order), meter_(meter), passed_(system) {}
+      : system_(system), order_(order), meter_(meter), passed_(system, order == SearchOrder::fewest_steps) {}
 
   std::optional<std::vector<PathState>> run() {
     system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
-    while (!found_ && !queue_.empty()) {
-      const std::uint32_t parent = queue_.front();
-      queue_.pop_front();
-      if (order_ == SearchOrder::any && passed_[parent].covered) continue;
+    while (!found_ && !queues_.empty()) {
+      const auto queue = queues_.begin();
+      if (queue->second.empty()) {
+        queues_.erase(queue);
+        continue;
+      }
+      const std::uint32_t parent = queue->second.front();
+      queue->second.pop_front();
+      if (order_ == SearchOrder::covering && passed_[parent].covered) continue;
       const std::uint32_t steps = passed_[parent].steps;
-      meter_.at(steps, queue_.size());
+      meter_.at(steps, queue->second.size());
+      meter_.used_faults(system_.fault_count(passed_[parent].faults));
       meter_.poll();
       system_.successors(passed_.state(parent), [&](SymbolicState&& next, const Label& label) {
         if (!found_) add(next, label, parent, label.silent ? steps : steps + 1);
       });
     }
     if (!found_) return std::nullopt;
-    return path(*found_);
+    return passed_.path(*found_);
   }
 
  private:
@@ -38,27 +42,19 @@ class Search {
     if (number == Passed::none) return;
     meter_.count_state();
     if (system_.accepts(state)) found_ = number;
+    auto& queue = queues_[order_ == SearchOrder::covering ? system_.fault_count(state.faults) : 0];
     if (label.silent) {
-      queue_.push_front(number);
+      queue.push_front(number);
     } else {
-      queue_.push_back(number);
+      queue.push_back(number);
     }
-  }
-
-  [[nodiscard]] std::vector<PathState> path(std::uint32_t last) const {
-    std::vector<PathState> result;
-    for (std::uint32_t n = last; n != Passed::none; n = passed_[n].parent) {
-      result.push_back({passed_[n].discrete, passed_[n].label});
-    }
-    std::reverse(result.begin(), result.end());
-    return result;
   }
 
   TransitionSystem& system_;
   SearchOrder order_;
   Meter& meter_;
   Passed passed_;
-  std::deque<std::uint32_t> queue_;
+  std::map<unsigned, std::deque<std::uint32_t>> queues_;  ///< by number of faults where that is the order
   std::optional<std::uint32_t> found_;
 };
 

@@ -13,7 +13,8 @@ namespace verifier {
 /// A set of states that agree on everything but clock readings.
 struct SymbolicState {
   std::uint64_t discrete;  ///< what the system numbers as it likes; states with equal numbers have the same clocks
-  unsigned faults;         ///< used so far: of two states otherwise alike, the one with fewer can do all the other can
+  unsigned faults;  ///< used so far, as the system counts them: of two states otherwise alike, the one with no more can
+                    ///< do all that the other can
   Zone zone;
 };
 
@@ -35,6 +36,10 @@ class TransitionSystem {
   virtual void successors(const SymbolicState& state, const Visit& visit) = 0;
   /// Whether the state holds what is looked for.
   [[nodiscard]] virtual bool accepts(const SymbolicState& state) const = 0;
+  /// Whether a state with faults `a` can do all that one with faults `b` can.
+  [[nodiscard]] virtual bool no_more_faults(unsigned a, unsigned b) const { return a <= b; }
+  /// How many faults that is.
+  [[nodiscard]] virtual unsigned fault_count(unsigned faults) const { return faults; }
   /// The greatest constants that the clocks of states with this discrete part are compared with from there on. A search
   /// takes one state to cover another up to what can be told apart by them. None: zones are compared as they are.
   virtual void limits([[maybe_unused]] std::uint64_t discrete, std::vector<ClockLimits>& result) { result.clear(); }

@@ -8,6 +8,7 @@
 #include "automata/error.hpp"
 #include "verifier/evidence/replay.hpp"
 #include "verifier/explore/cone.hpp"
+#include "verifier/explore/cut_sets.hpp"
 #include "verifier/explore/plant_system.hpp"
 #include "verifier/property/property.hpp"
 
@@ -72,21 +73,22 @@ std::vector<Ticks> times_of(const Quest& quest) {
 
 class Check {
  public:
-  Check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits)
+  Check(PlantStep& step, const Property& property, const CheckOptions& options, unsigned faults, Meter& meter)
       : step_(step),
         options_(options),
+        faults_(faults),
         reachability_(std::holds_alternative<Reachability>(property)),
         quest_(quest_of(property)),
-        meter_(limits),
-        situations_(step, Reading::of(options.period, step.plant(), times_of(quest_)), options.commands, options.faults,
-                    meter_) {}
+        meter_(meter),
+        situations_(step, Reading::of(options.period, step.plant(), times_of(quest_)), options.commands, faults,
+                    meter) {}
 
   Result run() {
     Result result;
     try {
       start_ = situations_.initial(options_.from);
       cone_ = cone_of_influence(step_, formulas_of(quest_));
-      symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(quest_), options_.from));
+      if (!options_.cut_sets) symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(quest_), options_.from));
       result.startless = start_.empty();
       if (result.startless && !options_.from.empty()) {
         throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
@@ -100,6 +102,7 @@ class Check {
       result.verdict = trace_.has_value() == reachability_ ? Verdict::holds : Verdict::violated;
     }
     result.trace = std::move(trace_);
+    result.cut_sets = std::move(cut_sets_);
     result.progress = meter_.progress();
     return result;
   }
@@ -163,21 +166,40 @@ class Check {
       situations_.freeze_all_but(cone_);
       const std::optional<Trace> trace = search_as_it_is(observer);
       situations_.freeze_all_but({});
-      if (!trace || possible(*trace)) return trace;
+      if (!trace || all_possible(*trace)) return trace;
     }
     std::optional<Trace> trace = search_as_it_is(observer);
-    assert((!trace || possible(*trace)) && "a witness cannot be replayed");
+    assert((!trace || all_possible(*trace)) && "a witness cannot be replayed");
     return trace;
+  }
+
+  /// Whether the trace is one of the plant, and those of the cut sets are.
+  [[nodiscard]] bool all_possible(const Trace& trace) {
+    return possible(trace) &&
+           std::all_of(cut_sets_.begin(), cut_sets_.end(), [&](const FaultTrace& cut) { return possible(cut.trace); });
+  }
+
+  std::optional<Trace> search_cut_sets(PlantSystem& system) {
+    FaultSets sets;
+    system.tell_faults_apart(sets);
+    if (situations_.reading().is_dense()) situations_.use(Steps::irreducible, visible_);
+    cut_sets_.clear();
+    for (const CutSet& cut : minimal_cut_sets(system, sets, meter_)) {
+      cut_sets_.push_back({cut.set.faults, earliest_trace(cut.path, system)});
+    }
+    situations_.use(Steps::all, {});
+    return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().trace);
   }
 
   /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
   /// the fewest steps are looked for among all.
   std::optional<Trace> search_as_it_is(const Observer& observer) {
     PlantSystem system(situations_, observer, symmetry_, start_);
+    if (options_.cut_sets) return search_cut_sets(system);
     std::optional<Trace> any;
-    if (situations_.reading().is_dense()) {
-      situations_.use(Steps::irreducible, visible_);
-      const auto path = find_path(system, SearchOrder::any, meter_);
+    if (situations_.reading().is_dense() || options_.fewest_faults) {
+      if (situations_.reading().is_dense()) situations_.use(Steps::irreducible, visible_);
+      const auto path = find_path(system, SearchOrder::covering, meter_);
       if (path) any = earliest_trace(*path, system);
       situations_.use(Steps::all, {});
       if (!any) return std::nullopt;
@@ -194,19 +216,21 @@ class Check {
   }
 
   [[nodiscard]] bool possible(const Trace& trace) {
-    return !replay(step_, trace, {options_.period, options_.commands, options_.faults, options_.from});
+    return !replay(step_, trace, {options_.period, options_.commands, faults_, options_.from});
   }
 
   PlantStep& step_;
   const CheckOptions& options_;
+  unsigned faults_;
   bool reachability_;
   Quest quest_;
-  Meter meter_;
+  Meter& meter_;
   Situations situations_;
   std::vector<bool> cone_;
   Symmetry symmetry_;
   std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way
   std::vector<Modes> start_;
+  std::vector<FaultTrace> cut_sets_;
   std::optional<Limit> limit_;  ///< what kept the best from being better
   std::optional<Trace> trace_;  ///< the best so far
 };
@@ -234,7 +258,14 @@ std::string name_of(const Property& property) {
 
 Result check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {
   demand_modes(step.plant(), options.from);
-  return Check(step, property, options, limits).run();
+  Meter meter(limits);
+  if (!options.fewest_faults) return Check(step, property, options, options.faults.value(), meter).run();
+  // Round by round one fault more, until there is a trace, or no state needs as many faults as there may be.
+  for (unsigned faults = 0;; ++faults) {
+    Result result = Check(step, property, options, faults, meter).run();
+    if (result.trace) result.fewest_faults = faults;
+    if (result.trace || result.limit || faults == options.faults || result.progress.faults < faults) return result;
+  }
 }
 
 }  // namespace verifier

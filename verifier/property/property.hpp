@@ -11,6 +11,7 @@
 #include "automata/step/plant_step.hpp"
 #include "verifier/evidence/trace.hpp"
 #include "verifier/explore/commands.hpp"
+#include "verifier/explore/fault_sets.hpp"
 #include "verifier/explore/limits.hpp"
 
 namespace verifier {
@@ -51,20 +52,32 @@ std::string name_of(const Property& property);
 /// What is free in a check.
 struct CheckOptions {
   std::optional<automata::Ticks> period;  ///< sampled time, above 0; none: dense
-  unsigned faults = 0;
+  std::optional<unsigned> faults = 0;     ///< none only with `fewest_faults`
   Commands commands = Commands::one;
   /// A formula over attributes holds at a state where the store allows it; with this, where the store implies it. A
   /// response is then missed only where the store refutes `then`; otherwise already where it does not imply it.
   bool entailed = false;
+  /// With the least number of faults that leads to a trace; `faults` is then the most that is tried, none: any number.
+  bool fewest_faults = false;
+  /// All minimal sets of faults that lead to a trace, with no more than `faults` faults.
+  bool cut_sets = false;
   /// Modes to start in, all clocks 0, in place of the initial distribution of their components.
   std::vector<automata::Assignment> from;
+};
+
+/// A minimal set of faults, with a trace that has them and no others.
+struct FaultTrace {
+  std::vector<Fault> faults;
+  Trace trace;
 };
 
 enum class Verdict { holds, violated, undecided };
 
 struct Result {
   Verdict verdict = Verdict::undecided;
-  std::optional<Trace> trace;  ///< a witness of reachability, a counterexample of the others
+  std::optional<Trace> trace;             ///< a witness of reachability, a counterexample of the others
+  std::optional<unsigned> fewest_faults;  ///< those of the trace, where they were asked for and there is one
+  std::vector<FaultTrace> cut_sets;       ///< where they were asked for; smallest first
   /// Why it is undecided; or, beside a trace, why a faster one may have been missed.
   std::optional<Limit> limit;
   /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
