@@ -202,8 +202,8 @@ void add_program(CLI::App& app, CommandLine& line) {
       ->needs("--scenario");
 }
 
-/// The questions about faults that a search for one trace can be asked.
-void add_fault_questions(CLI::App* sub, CommandLine& line) {
+/// What a search for a trace can be asked, besides how it is bounded.
+void add_search_options(CLI::App* sub, CommandLine& line) {
   CLI::Option* fewest =
       sub->add_flag("--fewest-faults", line.fewest_faults,
                     "a trace with the least number of faults there is; --faults bounds how many are tried");
@@ -211,6 +211,7 @@ void add_fault_questions(CLI::App* sub, CommandLine& line) {
       sub->add_option("--cut-sets", line.cut_sets, "every minimal set of up to so many faults that leads to a trace")
           ->type_name("N");
   CLI::Option* faults = sub->get_option("--faults");
+  sub->add_flag("--no-symmetry", line.no_symmetry, "explore also what differs only in the names of like components");
   cut_sets->excludes(fewest)->excludes(faults);
   sub->parse_complete_callback([&line, faults] { line.faults_given = faults->count() > 0; });
 }
@@ -227,13 +228,13 @@ void add_properties(CLI::App& app, CommandLine& line) {
                                         "can the plant reach a state in which a formula holds? yes: a timed witness");
   reachability->add_option("--target", line.target, "what is to be reached")->required()->type_name("FORMULA");
   add_window(reachability, line);
-  add_fault_questions(reachability, line);
+  add_search_options(reachability, line);
 
   CLI::App* safety =
       add_property(app, line, Kind::safety, "safety", "does a formula never hold? no: a timed counterexample");
   safety->add_option("--never", line.never, "what is never to hold")->required()->type_name("FORMULA");
   add_window(safety, line);
-  add_fault_questions(safety, line);
+  add_search_options(safety, line);
 
   CLI::App* response = add_property(app, line, Kind::response, "response",
                                     "once one formula has held, does another hold in time? no: a timed counterexample");
@@ -256,7 +257,7 @@ void add_properties(CLI::App& app, CommandLine& line) {
       ->required()
       ->expected(2)
       ->type_name("T FORMULA");
-  add_fault_questions(response, line);
+  add_search_options(response, line);
   add_program(app, line);
 }
 

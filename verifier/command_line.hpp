@@ -44,6 +44,7 @@ struct CommandLine {
   unsigned faults = 0;
   bool faults_given = false;
   bool fewest_faults = false;
+  bool no_symmetry = false;
   std::optional<unsigned> cut_sets;  ///< the most faults that such a set may hold
   Commands commands = Commands::one;
   bool entailed = false;

@@ -15,6 +15,22 @@ using automata::TransitionId;
 
 namespace {
 
+/// Each mode's intervals with equal cost, those that overlap joined; sorted.
+std::vector<Choice> joined(std::vector<Choice> choices) {
+  std::sort(choices.begin(), choices.end());
+  std::vector<Choice> result;
+  for (const Choice& choice : choices) {
+    const bool joins = !result.empty() && result.back().mode == choice.mode && result.back().faults == choice.faults &&
+                       choice.clock.lower <= result.back().clock.upper;
+    if (joins) {
+      result.back().clock.upper = std::max(result.back().clock.upper, choice.clock.upper);
+    } else {
+      result.push_back(choice);
+    }
+  }
+  return result;
+}
+
 /// The choices of one component, as they are collected.
 class Collector {
  public:
@@ -27,9 +43,7 @@ class Collector {
       add(t.to, t.to == mode_ ? 0 : 1, within(t));
     }
     for (const Interval& share : nominal_share()) add_nominal(share);
-    std::sort(result_.begin(), result_.end());
-    result_.erase(std::unique(result_.begin(), result_.end()), result_.end());
-    return std::move(result_);
+    return joined(std::move(result_));
   }
 
  private:
@@ -143,19 +157,51 @@ std::vector<Interval> waits(const Component& component, ModeId mode, const Enabl
   return stays;
 }
 
-ClockLimits clock_limits(const Component& component, ModeId mode, const Reading& reading) {
+namespace {
+
+/// Whether the faults that start in the mode can leave no nominal share.
+bool faults_can_be_certain(const Component& component, ModeId mode) {
+  double sum = 0;
+  for (const Transition& t : component.transitions) {
+    if (t.from != mode || !component.is_fault(t)) continue;
+    sum += t.weight.kind == automata::Weight::Kind::rate ? 0 : t.weight.value;
+  }
+  return sum >= 1;
+}
+
+/// In sampled time, and beside faults that can be certain, every bound cuts both ways: it ends one interval and begins
+/// the next.
+ClockLimits coarse_limits(const Component& component, ModeId mode, const Reading& reading) {
+  Units greatest = -1;
+  for (const Transition& t : component.transitions) {
+    if (t.from != mode || !t.timing) continue;
+    greatest = std::max(greatest, reading.more_than(t.timing->lower));
+    if (!t.timing->upper.is_infinite()) greatest = std::max(greatest, reading.more_than(t.timing->upper));
+  }
+  return {greatest, greatest};
+}
+
+}  // namespace
+
+ClockLimits clock_limits(const Component& component, ModeId mode, const Reading& reading,
+                         const std::vector<bool>& possible) {
+  if (!reading.is_dense() || faults_can_be_certain(component, mode)) return coarse_limits(component, mode, reading);
+  const auto exits =
+      std::count_if(component.transitions.begin(), component.transitions.end(),
+                    [&](const Transition& t) { return t.from == mode && t.timing && !component.is_fault(t); });
   ClockLimits limits;
   for (const Transition& t : component.transitions) {
     if (t.from != mode || !t.timing) continue;
-    const Units lower = reading.more_than(t.timing->lower);
-    limits.lower = std::max(limits.lower, lower);
-    // Every bound cuts both ways: it ends one interval and begins the next, at a fault's bounds and between an exit's
-    // being possible and its being certain.
-    limits.upper = std::max(limits.upper, lower);
-    if (t.timing->upper.is_infinite()) continue;
-    const Units upper = reading.more_than(t.timing->upper);
+    const bool finite = !t.timing->upper.is_infinite();
+    const Units lower = reading.at_least(t.timing->lower);
+    const Units upper = finite ? reading.at_most(t.timing->upper) : -1;
     limits.upper = std::max(limits.upper, upper);
-    limits.lower = std::max(limits.lower, upper);
+    // What leads into an impossible mode is never taken: only time stops for it.
+    if (!possible.empty() && !possible[t.to.index()]) continue;
+    limits.lower = std::max(limits.lower, lower);
+    // Alone, an exit is possible from its lower bound on. Another may be certain between its bounds, and exclude it
+    // until its own upper bound.
+    if (exits > 1 && !component.is_fault(t)) limits.lower = std::max(limits.lower, upper);
   }
   return limits;
 }

@@ -41,7 +41,10 @@ std::vector<Choice> choices(const automata::Component& component, automata::Mode
 std::vector<Interval> waits(const automata::Component& component, automata::ModeId mode,
                             const automata::Enabled& enabled, const Reading& reading);
 
-/// The greatest constants in what the two functions above can return for this mode.
-ClockLimits clock_limits(const automata::Component& component, automata::ModeId mode, const Reading& reading);
+/// The greatest constants that the clock of this mode is compared with, in lower bounds and in upper ones, by whatever
+/// guards are enabled in it from some time on; `possible`, by mode, leaves out what is never gone to (none: all may
+/// be).
+ClockLimits clock_limits(const automata::Component& component, automata::ModeId mode, const Reading& reading,
+                         const std::vector<bool>& possible = {});
 
 }  // namespace verifier

@@ -37,9 +37,15 @@ Situations::Situations(automata::PlantStep& step, const Reading& reading, Comman
       joint_steps_(behaviours_, faults, meter) {
   for (std::size_t c = 0; c < plant().components.size(); ++c) {
     auto& modes = limits_.emplace_back();
-    for (std::size_t m = 0; m < plant().components[c].modes.size(); ++m) {
+    const Component& component = plant().components[c];
+    std::vector<bool> possible;
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      const Assignment assumed{component.mode, automata::ValueId(m)};
+      possible.push_back(step.theory().consistent({&assumed, 1}));
+    }
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
       const bool live = plant().has_timed_exit(ComponentId(c), ModeId(m));
-      modes.push_back(live ? std::optional(clock_limits(plant().components[c], ModeId(m), reading)) : std::nullopt);
+      modes.push_back(live ? std::optional(clock_limits(component, ModeId(m), reading, possible)) : std::nullopt);
     }
   }
   position_of(automata::idle_action(plant()));

@@ -61,6 +61,8 @@ struct CheckOptions {
   bool fewest_faults = false;
   /// All minimal sets of faults that lead to a trace, with no more than `faults` faults.
   bool cut_sets = false;
+  /// Of states that are alike but for the names of like components, one is explored. No verdict depends on it.
+  bool symmetry = true;
   /// Modes to start in, all clocks 0, in place of the initial distribution of their components.
   std::vector<automata::Assignment> from;
 };
