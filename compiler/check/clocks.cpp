@@ -23,14 +23,19 @@ namespace {
 struct Summary {
   std::map<std::string, std::vector<Span>> needs;
   std::set<std::string> starts;
-  std::set<std::string> asks;  ///< parameters that stand for constraints: what their arguments read, the step reads
+  /// Parameters that stand for constraints: what their arguments read, the step reads, each time after it may have
+  /// started these clocks.
+  std::map<std::string, std::set<std::string>> asks;
 };
 
 /// Adds `more`; the larger set stays in place, so that a long way up costs little.
 void merge(Summary& into, Summary more) {
   if (into.starts.size() < more.starts.size()) std::swap(into.starts, more.starts);
   into.starts.merge(more.starts);
-  into.asks.merge(more.asks);
+  for (auto& [parameter, started] : more.asks) {
+    const auto [known, fresh] = into.asks.try_emplace(parameter, started);
+    if (!fresh) std::erase_if(known->second, [&](const auto& clock) { return started.count(clock) == 0; });
+  }
   if (into.needs.size() < more.needs.size()) std::swap(into.needs, more.needs);
   for (auto& [clock, spans] : more.needs) {
     auto& known = into.needs[clock];
@@ -40,6 +45,7 @@ void merge(Summary& into, Summary more) {
 
 void satisfy(Summary& summary, const std::set<std::string>& started) {
   std::erase_if(summary.needs, [&](const auto& need) { return started.count(need.first) != 0; });
+  for (auto& [parameter, before] : summary.asks) before.insert(started.begin(), started.end());
 }
 
 class Summaries {
@@ -87,10 +93,11 @@ class Summaries {
     }
     Summary result;
     for (Summary& thread : threads) {
-      std::erase_if(thread.needs, [&](const auto& need) {
-        const auto known = starters.find(need.first);
-        return known != starters.end() && known->second > thread.starts.count(need.first);
-      });
+      std::set<std::string> others;
+      for (const auto& [clock, threads_that_start] : starters) {
+        if (threads_that_start > thread.starts.count(clock)) others.insert(clock);
+      }
+      satisfy(thread, others);
       merge(result, std::move(thread));
     }
     return result;
@@ -169,14 +176,29 @@ class Summaries {
       needed.push_back(result.needs.erase(parameter.text) != 0);
       started.push_back(result.starts.erase(parameter.text) != 0);
     }
+    // The names that the callee's clocks have here.
+    const auto here = [&](const std::set<std::string>& clocks) {
+      std::set<std::string> names = clocks;
+      for (std::size_t a = 0; a < c.arguments.size(); ++a) {
+        const auto* name = std::get_if<grammar::Name>(&c.arguments[a].node);
+        if (name != nullptr && names.erase(callee.parameters[a].text) != 0) names.insert(name->text);
+      }
+      return names;
+    };
     for (std::size_t a = 0; a < c.arguments.size(); ++a) {
-      const bool asked = summaries_[known->second].asks.count(callee.parameters[a].text) != 0;
+      const auto ask = summaries_[known->second].asks.find(callee.parameters[a].text);
+      const bool asked = ask != summaries_[known->second].asks.end();
       if (const auto* name = std::get_if<grammar::Name>(&c.arguments[a].node)) {
         if (started[a]) result.starts.insert(name->text);
         if (needed[a]) result.needs[name->text].push_back(name->span);
-        if (asked && is_parameter(name->text)) result.asks.insert(name->text);
+        if (!asked || !is_parameter(name->text)) continue;
+        Summary passed_on;
+        passed_on.asks.emplace(name->text, here(ask->second));
+        merge(result, std::move(passed_on));
       } else if (asked) {
-        merge(result, reads(std::get<grammar::Constraint>(c.arguments[a].node)));
+        Summary read = reads(std::get<grammar::Constraint>(c.arguments[a].node));
+        satisfy(read, here(ask->second));
+        merge(result, std::move(read));
       }
     }
     return result;
@@ -196,7 +218,7 @@ class Summaries {
     std::visit(
         Overloaded{[](const grammar::Truth&) {},
                    [&](const grammar::Reference& r) {
-                     if (is_parameter(r.name.text)) into.asks.insert(r.name.text);
+                     if (is_parameter(r.name.text)) into.asks.try_emplace(r.name.text);
                    },
                    [](const grammar::Comparison&) {}, [](const grammar::Membership&) {},
                    [&](const grammar::ClockBound& b) { into.needs[b.clock.text].push_back(b.clock.span); },

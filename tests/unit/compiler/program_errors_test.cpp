@@ -94,6 +94,13 @@ TEST_F(ProgramErrors, Clocks) {
               ElementsAre("RMPL0300 p.rmpl:2:25"));
   EXPECT_THAT(errors("p.rmpl", "W(c) :: { when c donext x = on }\nP() :: { W(t > 1 s) }\n"),
               ElementsAre("RMPL0300 p.rmpl:2:12"));
+  // An argument is read where the callee asks for it, after what the callee has started by then.
+  EXPECT_THAT(errors("p.rmpl", "W(c) :: { t = 0; when c donext x = on }\nP() :: { W(t > 1 s) }\n"), IsEmpty());
+  EXPECT_THAT(errors("p.rmpl", "W(c) :: { when c donext x = on; t = 0 }\nP() :: { W(t > 1 s) }\n"),
+              ElementsAre("RMPL0300 p.rmpl:2:12"));
+  EXPECT_THAT(
+      errors("p.rmpl", "V(c) :: { when c donext x = on }\nW(c, u) :: { u = 0; V(c) }\nP() :: { W(t > 1 s, t) }\n"),
+      IsEmpty());
   EXPECT_THAT(errors("p.rmpl", "S(t) :: { t = 0 }\nP() :: { S(u); when u > 1 s donext x = on }\n"), IsEmpty());
   EXPECT_THAT(errors("p.rmpl", "P() :: { if x = on thennext { when t > 1 s donext { t = 0; P() } } }\n"), IsEmpty());
 }
