@@ -161,10 +161,12 @@ void finish_promises(const CLI::App& app, CommandLine& line) {
 void add_program(CLI::App& app, CommandLine& line) {
   CLI::App* sub = add_check(app, line, CommandLine::Kind::program, "program",
                             "what can become of a program that controls a plant? each violation with a timed trace");
-  sub->add_option("files", line.models, "the program and the plant: .rmpl and .tcca, or one compiled .json of both")
+  const auto model = [&line](const std::string& path) { line.models.push_back(path); };
+  sub->add_option_function<std::string>("program", model,
+                                        "the program: .rmpl, or a compiled .json of program and plant")
       ->required()
-      ->expected(1, 2)
-      ->type_name("PROGRAM PLANT");
+      ->type_name("PROGRAM");
+  sub->add_option_function<std::string>("plant", model, "the plant: .tcca or compiled .json")->type_name("PLANT");
   sub->add_option("--main", line.entry, "the definition to start with; else the one that no other calls")
       ->type_name("NAME");
   add(sub, "--check", line.general, general_properties,

@@ -19,6 +19,13 @@ class Sequencer {
 
   [[nodiscard]] const std::set<automata::LocationId>& marking() const { return marking_; }
 
+  /// Takes up a run elsewhere.
+  void resume(std::set<automata::LocationId> marking, std::map<automata::ClockId, automata::Ticks> started) {
+    marking_ = std::move(marking);
+    started_ = std::move(started);
+  }
+  [[nodiscard]] const std::map<automata::ClockId, automata::Ticks>& started() const { return started_; }
+
   struct Goal {
     std::set<automata::Assignment> assignments;
     bool contradictory = false;  ///< two different values for one variable

@@ -93,6 +93,21 @@ const std::vector<Output> outputs = {
      "tcca-check reachability {examples}/propulsion/propulsion.tcca --target 'engine = firing' --max-states 1 --format "
      "json",
      "verdict"},
+    {"ProgramHolds",
+     "tcca-check program {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca --format json",
+     "program_verdict"},
+    {"ProgramIsViolated",
+     "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --faults 1 --time 0.5s "
+     "--check all --eventually 'engine = firing within 1 min' --finally 'pde = off' --format json",
+     "program_verdict"},
+    {"ProgramIsUndecided",
+     "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --max-states 3 --format "
+     "json",
+     "program_verdict"},
+    {"EachFault",
+     "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --each-fault --format "
+     "json",
+     "program_verdict"},
     {"Plan", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = firing' --format json", "plan"},
     {"NothingToDo", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = off' --format json", "plan"},
     {"Diagnoses",

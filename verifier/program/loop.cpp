@@ -216,6 +216,19 @@ std::vector<LoopStateId> Loop::round(LoopStateId id) {
   }
 }
 
+std::vector<Interval> Loop::stays(const std::vector<Choice>& choices, ModeId mode) const {
+  if (!reading_.is_dense()) return {Interval{}};
+  std::vector<Interval> result;
+  for (const Choice& choice : choices) {
+    if (choice.faults == 0 && choice.mode == mode) result.push_back(choice.clock);
+  }
+  result = merged(std::move(result));
+  for (Interval& stay : result) {
+    if (stay.upper != unbounded) ++stay.upper;
+  }
+  return result;
+}
+
 std::vector<Wait> Loop::waits(LoopStateId id) {
   const std::vector<LoopStateId> states = round(id);
   if (states.empty()) return {};
@@ -227,11 +240,13 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
     for (const LoopStateId at : states) {
       const Turn& turn = cycle(at);
       std::vector<Interval> both;
-      const auto& enabled = step_.enabled(state.modes, turn.action);
+      const std::vector<automata::Enabled> enabled = step_.enabled(state.modes, turn.action);
       for (const Interval& wait : verifier::waits(plant().components[c], state.modes[c], enabled[c], reading_)) {
-        for (const Interval& known : intervals) {
-          const Interval common = intersection(wait, known);
-          if (!common.empty()) both.push_back(common);
+        for (const Interval& stay : stays(choices_of(state, turn, ComponentId(c)), state.modes[c])) {
+          for (const Interval& known : intervals) {
+            const Interval common = intersection(intersection(wait, stay), known);
+            if (!common.empty()) both.push_back(common);
+          }
         }
       }
       intervals = std::move(both);

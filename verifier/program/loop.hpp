@@ -103,6 +103,8 @@ class Loop {
   /// plant cannot stay. Sampled, only a cycle that changes nothing goes round: others are steps, one a period.
   std::vector<LoopStateId> round(LoopStateId id);
   std::vector<Wait> waits(LoopStateId id);
+  /// In dense time: where a wait may begin, and where it ends at the latest, as a fault that is certain begins there.
+  [[nodiscard]] std::vector<Interval> stays(const std::vector<Choice>& choices, automata::ModeId mode) const;
   [[nodiscard]] std::vector<Choice> choices_of(const LoopState& state, const Turn& turn,
                                                automata::ComponentId component);
 

@@ -73,14 +73,16 @@ class Story {
   std::string tell(const std::string& end) {
     line(Ticks{0}, text_of(subject_.plant, automata::assignments_of(subject_.plant, trace_.start)));
     const automata::Modes* modes = &trace_.start;
+    Ticks since{0};
     for (std::size_t i = 0; i < trace_.cycles.size(); ++i) {
       const LoopCycle& cycle = trace_.cycles[i];
-      if (trace_.repeats_from == i) line(cycle.begin, "from here on it repeats:");
-      tell_goal(cycle);
+      if (trace_.repeats_from == i) line(since, "from here on it repeats:");
+      tell_goal(cycle, since);
       tell_step(cycle, *modes);
       modes = &cycle.modes;
+      since = cycle.end;
     }
-    tell_goal(trace_.last);
+    tell_goal(trace_.last, since);
     line(trace_.last.begin, end);
     std::size_t width = 0;
     for (const auto& [time, text] : lines_) width = std::max(width, time.size());
@@ -94,10 +96,11 @@ class Story {
  private:
   void line(Ticks time, const std::string& text) { lines_.emplace_back(automata::format_seconds(time), text); }
 
-  void tell_goal(const LoopCycle& cycle) {
+  /// `since`: the end of the cycle before. All from there on assert the same.
+  void tell_goal(const LoopCycle& cycle, Ticks since) {
     if (cycle.goal == goal_) return;
     goal_ = cycle.goal;
-    if (!goal_.empty()) line(cycle.begin, "goal " + goal_text(subject_, cycle));
+    if (!goal_.empty()) line(since, "goal " + goal_text(subject_, cycle));
   }
 
   void tell_step(const LoopCycle& cycle, const automata::Modes& before) {

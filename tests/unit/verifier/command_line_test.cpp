@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace verifier {
@@ -70,6 +71,41 @@ TEST(CommandLine, HelpAndVersionAreNoErrors) {
     EXPECT_FALSE(parsed.failed);
     EXPECT_NE(parsed.message.find("--"), std::string::npos);
   }
+}
+
+TEST(CommandLine, ReadsAProgram) {
+  const auto parsed = parse({"program",      "p.rmpl",       "m.tcca",
+                             "--never",      "a = b",        "--never",
+                             "a = c",        "--eventually", "a = d within 2 min",
+                             "--eventually", "a = e",        "--within",
+                             "5s",           "--check",      "no-plan,termination",
+                             "--scenario",   "out.scn",      "--cycle",
+                             "0.25s",        "--main",       "P"});
+  ASSERT_TRUE(parsed.command_line) << parsed.message;
+  const CommandLine& line = *parsed.command_line;
+  EXPECT_EQ(line.kind, CommandLine::Kind::program);
+  EXPECT_EQ(line.models, (std::vector<std::string>{"p.rmpl", "m.tcca"}));
+  EXPECT_EQ(line.nevers, (std::vector<std::string>{"a = b", "a = c"}));
+  ASSERT_EQ(line.eventuallys.size(), 2u);
+  EXPECT_EQ(line.eventuallys[0].constraint, "a = d");
+  EXPECT_EQ(line.eventuallys[0].within, automata::Ticks::of_seconds(120));
+  EXPECT_EQ(line.eventuallys[1].within, automata::Ticks::of_seconds(5));
+  using Kind = ProgramProperty::Kind;
+  EXPECT_EQ(line.general, (std::vector<Kind>{Kind::no_plan, Kind::termination}));
+  EXPECT_EQ(line.cycle, automata::Ticks{250'000'000});
+  EXPECT_EQ(line.entry, "P");
+}
+
+TEST(CommandLine, APromiseNeedsATime) {
+  const auto parsed = parse({"program", "p.rmpl", "m.tcca", "--eventually", "a = b"});
+  EXPECT_TRUE(parsed.failed);
+  EXPECT_NE(parsed.message.find("--within"), std::string::npos) << parsed.message;
+}
+
+TEST(CommandLine, KnowsItsChecks) {
+  EXPECT_TRUE(parse({"program", "p.rmpl", "m.tcca", "--check", "no-plans"}).failed);
+  EXPECT_TRUE(parse({"program", "p.rmpl", "m.tcca", "x.tcca"}).failed);
+  EXPECT_TRUE(parse({"program", "p.rmpl", "m.tcca", "--each-fault", "--scenario", "o.scn"}).failed);
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+// The closed loop, symbolically and tick by tick, in both readings of time.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/property/draw.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/reference/closed_loop.hpp"
+#include "verifier/program/program_check.hpp"
+
+namespace property {
+namespace {
+
+using automata::Ticks;
+using verifier::ProgramProperty;
+using verifier::Verdict;
+using Kind = ProgramProperty::Kind;
+
+/// Small enough to be counted out tick by tick.
+Shape small() {
+  Shape shape;
+  shape.max_components = 2;
+  shape.max_attributes = 3;
+  shape.commanded = chance(50);
+  return shape;
+}
+
+void compare(std::optional<Ticks> period) {
+  const Model model = *models(small());
+  const RandomProgram program = *programs(model.plant);
+  reference::LoopQuestion question;
+  question.faults = up_to(0, 1);
+  question.period = period;
+  question.formula = *formulas(model.plant.variables, all_variables(model.plant), 1);
+  question.within = Ticks::of_seconds(static_cast<std::int64_t>(up_to(0, 4)));
+
+  automata::PlantStep step(model.plant);
+  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const auto adviser = [&](const automata::Modes& modes, const std::vector<automata::Assignment>& goal) {
+    const auto answer = reconfigurer->next(modes, automata::conjunction_of(goal));
+    const bool command = answer.outcome == runtime::Reconfiguration::Outcome::command;
+    return reference::Advice{answer.outcome == runtime::Reconfiguration::Outcome::no_plan,
+                             command ? answer.action : automata::idle_action(model.plant)};
+  };
+  const reference::Step slow(model.plant);
+  const reference::LoopAnswer expected = reference::explore_loop(program.program, slow, adviser, question);
+  RC_PRE(!expected.too_many);
+
+  const std::vector<ProgramProperty> properties = {{Kind::goal_conflict},
+                                                   {Kind::no_plan},
+                                                   {Kind::endless_wait},
+                                                   {Kind::termination},
+                                                   {Kind::never, question.formula},
+                                                   {Kind::eventually, question.formula, question.within},
+                                                   {Kind::finally, question.formula}};
+  const verifier::ProgramResult found =
+      verifier::check(program.program, step, properties, {period, static_cast<unsigned>(question.faults)}, {});
+  const std::vector<bool> violated = {expected.conflict,      expected.no_plan, expected.waits_for_ever,
+                                      expected.runs_for_ever, expected.holds,   expected.late,
+                                      expected.ends_without};
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    RC_LOG() << verifier::name_of(properties[p].kind) << " is " << (violated[p] ? "" : "not ")
+             << "violated tick by tick; formula " << automata::to_text(question.formula, model.plant.variables)
+             << ", within " << question.within.count << ", faults " << question.faults << std::endl;
+    RC_ASSERT(found.answers[p].verdict == (violated[p] ? Verdict::violated : Verdict::holds));
+  }
+  RC_TAG(expected.runs_for_ever ? "endless" : "ends");
+}
+
+RC_GTEST_PROP(ClosedLoop, DenseIsTheGrid, ()) { compare(std::nullopt); }
+
+RC_GTEST_PROP(ClosedLoop, SampledIsTheTicks, ()) {
+  compare(pick<Ticks>({{Ticks::per_second}, {Ticks::per_second / 2}, {3 * Ticks::per_second / 4}}));
+}
+
+}  // namespace
+}  // namespace property

@@ -1,0 +1,426 @@
+// The closed loop, state by state and tick by tick.
+// SPDX-License-Identifier: MIT
+#include "tests/reference/closed_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "tests/reference/belief.hpp"
+
+namespace reference {
+
+using automata::Assignment;
+using automata::ClockId;
+using automata::ControlAction;
+using automata::LocationId;
+using automata::ModeId;
+using automata::Modes;
+using automata::Ticks;
+using automata::Transition;
+
+namespace {
+
+constexpr std::size_t most_states = 20'000;
+constexpr int before = -1;
+constexpr int after = 1;
+
+/// A program clock: its reading, and on which side of it the last cycle saw it. `rank` orders clocks by their start.
+struct ProgramClock {
+  Ticks reading;
+  int side = after;
+  int rank = 0;
+  auto operator<=>(const ProgramClock&) const = default;
+};
+
+struct State {
+  std::set<LocationId> marking;
+  std::map<ClockId, ProgramClock> clocks;
+  Modes modes;
+  std::vector<Ticks> component_clocks;
+  std::size_t faults = 0;
+  std::optional<Ticks> late;  ///< time so far, while the formula has not held
+  auto operator<=>(const State&) const = default;
+};
+
+struct Edge {
+  std::size_t target;
+  bool time;                    ///< it takes time
+  bool same;                    ///< nothing changes on it
+  std::vector<bool> impatient;  ///< per component: it could have left its mode, and stays
+};
+
+/// The first half of a cycle.
+struct Begun {
+  Sequencer sequencer;
+  std::vector<Assignment> goal;
+  bool conflict;
+  Advice advice;
+};
+
+class Explorer {
+ public:
+  Explorer(const automata::Program& program, const Step& step, const Adviser& adviser, const LoopQuestion& question)
+      : program_(program),
+        step_(step),
+        plant_(step.plant()),
+        adviser_(adviser),
+        question_(question),
+        unit_(question.period.value_or(Ticks::of_seconds(1))) {
+    const auto widen = [&](Ticks bound) {
+      if (!bound.is_infinite()) cap_ = std::max(cap_, bound);
+    };
+    for (const automata::Component& component : plant_.components)
+      for (const Transition& t : component.transitions)
+        if (t.timing) {
+          widen(t.timing->lower);
+          widen(t.timing->upper);
+        }
+    widen(Ticks::of_seconds(3));  // the greatest constant of a random program
+    cap_ += unit_ + unit_;
+  }
+
+  LoopAnswer run(bool late) {
+    for (const auto& [start, probability] : initial_belief(step_)) {
+      State state{Sequencer(program_, step_.models()).marking(), {}, start.modes, start.clock_starts, 0, std::nullopt};
+      if (late) state.late = Ticks{0};
+      if (!late || !implies(state.modes)) number(state);
+    }
+    for (std::size_t s = 0; s < states_.size() && states_.size() < most_states; ++s) {
+      edges_.emplace_back();
+      const State state = *states_[s];
+      look(state);
+      if (state.marking.empty() && !late) continue;
+      if (state.late && *state.late > question_.within) continue;
+      if (question_.period)
+        cycles(s, state, state, true);
+      else
+        dense(s, state);
+    }
+    answer_.too_many = states_.size() >= most_states;
+    if (!late && !answer_.too_many) find_endless();
+    return answer_;
+  }
+
+ private:
+  std::size_t number(const State& state) {
+    const auto [at, fresh] = numbers_.try_emplace(state, states_.size());
+    if (fresh) states_.push_back(&at->first);
+    return at->second;
+  }
+
+  void look(const State& state) {
+    const auto store = assumptions_of(plant_, state.modes);
+    answer_.holds = answer_.holds || step_.models().allows(store, question_.formula);
+    answer_.ends_without = answer_.ends_without || (state.marking.empty() && !implies(state.modes));
+    answer_.late = answer_.late || (state.late && *state.late > question_.within);
+  }
+
+  [[nodiscard]] bool implies(const Modes& modes) const {
+    return step_.models().entails(assumptions_of(plant_, modes), question_.formula);
+  }
+
+  /// `seen` is the state with its clocks on the sides from which this cycle sees them.
+  Begun begin(const State& state, const State& seen) {
+    Begun begun{Sequencer(program_, step_.models()), {}, false, {}};
+    std::map<ClockId, Ticks> started;
+    for (const auto& [clock, c] : seen.clocks)
+      started[clock] = Ticks{0} - c.reading - Ticks{question_.period ? 0 : c.side};
+    begun.sequencer.resume(state.marking, started);
+    const auto goal = begun.sequencer.begin(assumptions_of(plant_, state.modes), Ticks{0});
+    begun.conflict = goal.contradictory;
+    if (!goal.contradictory) begun.goal.assign(goal.assignments.begin(), goal.assignments.end());
+    const auto [at, fresh] = advice_.try_emplace({state.modes, begun.goal});
+    if (fresh) at->second = adviser_(state.modes, begun.goal);
+    begun.advice = at->second;
+    if (!state.marking.empty()) {
+      answer_.conflict = answer_.conflict || begun.conflict;
+      answer_.no_plan = answer_.no_plan || begun.advice.no_plan;
+    }
+    return begun;
+  }
+
+  /// What a component may do: a mode, and whether that is a fault. `from` and `to` are its clock around the step.
+  std::vector<std::pair<ModeId, bool>> choices(const State& state, std::size_t component, const ControlAction& action,
+                                               Ticks from, Ticks to) {
+    const automata::Component& automaton = plant_.components[component];
+    std::vector<std::pair<ModeId, bool>> result;
+    std::vector<const Transition*> untimed, timed;
+    double faulty = 0;
+    for (const Transition* t : enabled(state.modes, component, action)) {
+      if (automaton.is_fault(*t)) {
+        if (t->weight.value <= 0 || (t->timing && (to < t->timing->lower || to > t->timing->upper))) continue;
+        result.emplace_back(t->to, t->to != state.modes[component]);
+        const bool rate = t->weight.kind == automata::Weight::Kind::rate;
+        const double step = question_.period ? question_.period->seconds() : 0;
+        faulty += rate ? 1 - std::exp(-t->weight.value * step) : t->weight.value;
+      } else if (t->timing) {
+        timed.push_back(t);
+      } else if (t->weight.kind == automata::Weight::Kind::none || t->weight.value > 0) {
+        untimed.push_back(t);
+      }
+    }
+    if (faulty >= 1) return result;
+    for (const Transition* t : untimed) result.emplace_back(t->to, false);
+    if (!untimed.empty()) return result;
+    const bool certain = std::any_of(timed.begin(), timed.end(), [&](const Transition* t) {
+      return question_.period ? to >= t->timing->upper : to > t->timing->upper;
+    });
+    for (const Transition* t : timed) {
+      const bool possible = certain            ? to >= t->timing->upper
+                            : question_.period ? from < t->timing->upper && t->timing->lower < to
+                                               : to >= t->timing->lower;
+      if (possible) result.emplace_back(t->to, false);
+    }
+    if (!certain || !question_.period) result.emplace_back(state.modes[component], false);
+    return result;
+  }
+
+  std::vector<const Transition*> enabled(const Modes& modes, std::size_t component, const ControlAction& action) {
+    const auto [at, fresh] = enabled_.try_emplace({modes, component, action});
+    if (fresh)
+      for (const Transition& t : plant_.components[component].transitions)
+        if (t.from == modes[component] && step_.enabled(t, modes, action)) at->second.push_back(&t);
+    return at->second;
+  }
+
+  /// Whether a component could leave its mode sooner or later, if all stayed as it is.
+  bool could_leave(const Modes& modes, std::size_t component, const ControlAction& action) {
+    bool untimed = false, untimed_leaves = false, timed_leaves = false;
+    for (const Transition* t : enabled(modes, component, action)) {
+      if (plant_.components[component].is_fault(*t)) continue;
+      if (t->weight.kind != automata::Weight::Kind::none && t->weight.value <= 0) continue;
+      const bool leaves = t->to != modes[component];
+      (t->timing ? timed_leaves : untimed_leaves) |= leaves;
+      untimed = untimed || !t->timing;
+    }
+    return untimed ? untimed_leaves : timed_leaves;
+  }
+
+  [[nodiscard]] State later(State state) const {
+    for (auto& [clock, c] : state.clocks) {
+      const bool capped = c.reading >= cap_;
+      if (!capped) c.reading += unit_;
+      c.side = capped || question_.period ? after : before;
+    }
+    for (std::size_t i = 0; i < state.modes.size(); ++i) {
+      const auto& transitions = plant_.components[i].transitions;
+      const bool timed = std::any_of(transitions.begin(), transitions.end(),
+                                     [&](const Transition& t) { return t.from == state.modes[i] && t.timing; });
+      if (timed) state.component_clocks[i] = std::min(state.component_clocks[i] + unit_, cap_);
+    }
+    if (state.late) *state.late += unit_;
+    return state;
+  }
+
+  /// Every outcome of one cycle. Sampled, time passes in it.
+  void cycles(std::size_t from, const State& state, const State& seen, bool sampled) {
+    const Begun begun = begin(state, seen);
+    const State at_end = sampled ? later(seen) : seen;
+    std::vector<std::vector<std::pair<ModeId, bool>>> options;
+    std::vector<std::size_t> sizes;
+    for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+      options.push_back(choices(state, c, begun.advice.action, state.component_clocks[c], at_end.component_clocks[c]));
+      sizes.push_back(options.back().size());
+    }
+    for (const auto& tuple : tuples(sizes)) {
+      State next = at_end;
+      for (std::size_t c = 0; c < tuple.size(); ++c) {
+        const auto [mode, fault] = options[c][tuple[c]];
+        if (mode != state.modes[c]) next.component_clocks[c] = Ticks{0};
+        next.modes[c] = mode;
+        next.faults += fault;
+      }
+      if (next.faults > question_.faults || !step_.possible(next.modes)) continue;
+      finish(next, begun, sampled);
+      if (next.late && *next.late <= question_.within && implies(next.modes)) continue;
+      add_edge(from, state, next, sampled, begun.advice.action);
+    }
+  }
+
+  /// The second half of a cycle: marking and clocks of `next`.
+  void finish(State& next, const Begun& begun, bool sampled) {
+    Sequencer sequencer = begun.sequencer;
+    sequencer.finish(assumptions_of(plant_, next.modes));
+    next.marking = sequencer.marking();
+    int rank = 0;
+    for (const auto& [clock, c] : next.clocks) rank = std::max(rank, c.rank + 1);
+    for (const auto& [clock, start] : sequencer.started())
+      if (!next.clocks.contains(clock)) next.clocks[clock] = {sampled ? unit_ : Ticks{0}, after, rank};
+  }
+
+  void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action) {
+    std::vector<bool> impatient;
+    for (std::size_t c = 0; c < state.modes.size(); ++c)
+      impatient.push_back(state.modes[c] == next.modes[c] && could_leave(state.modes, c, action));
+    const bool same = state.modes == next.modes && state.marking == next.marking;
+    edges_[from].push_back({number(next), time, same, std::move(impatient)});
+  }
+
+  void dense(std::size_t from, const State& state) {
+    // Every way of seeing the clocks: each start has one side, none falls back.
+    std::set<int> ranks;
+    for (const auto& [clock, c] : state.clocks) ranks.insert(c.rank);
+    const std::vector<std::size_t> sizes(ranks.size(), 3);
+    for (const auto& tuple : tuples(sizes)) {
+      State seen = state;
+      bool right = true;
+      for (auto& [clock, c] : seen.clocks) {
+        const auto start = static_cast<std::size_t>(std::distance(ranks.begin(), ranks.find(c.rank)));
+        const int side = static_cast<int>(tuple[start]) - 1;
+        right = right && side >= c.side && (c.reading > Ticks{0} || side == after);
+        c.side = side;
+      }
+      for (const auto& [one, a] : seen.clocks)
+        for (const auto& [other, b] : seen.clocks)
+          if (a.rank < b.rank && a.reading == b.reading)
+            right = right && (a.side > b.side || (a.side == b.side && a.side != 0));
+      if (right) cycles(from, state, seen, false);
+    }
+    if (const auto action = idles(state)) {
+      State next = later(state);
+      if (!next.late || *next.late > question_.within || !implies(next.modes))
+        add_edge(from, state, next, true, *action);
+    }
+  }
+
+  /// Whether cycles go round for a unit of time while the plant stays as it is; the command of the first of them.
+  std::optional<ControlAction> idles(const State& state) {
+    State seen = state;
+    for (auto& [clock, c] : seen.clocks) c.side = after;
+    std::set<std::set<LocationId>> met;
+    std::optional<ControlAction> first;
+    while (met.insert(seen.marking).second) {
+      const Begun begun = begin(seen, seen);
+      if (!first) first = begun.advice.action;
+      for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+        bool stays = false, due = false;
+        for (const Transition* t : enabled(seen.modes, c, begun.advice.action)) {
+          if (plant_.components[c].is_fault(*t)) continue;
+          if (t->weight.kind != automata::Weight::Kind::none && t->weight.value <= 0) continue;
+          const bool leaves = t->to != seen.modes[c];
+          if (!t->timing && leaves) return std::nullopt;
+          if (!t->timing) stays = true;
+          if (t->timing && leaves && seen.component_clocks[c] >= t->timing->upper) due = true;
+        }
+        if (due && !stays) return std::nullopt;
+        const auto options = choices(seen, c, begun.advice.action, seen.component_clocks[c], seen.component_clocks[c]);
+        if (std::find(options.begin(), options.end(), std::pair(seen.modes[c], false)) == options.end())
+          return std::nullopt;
+      }
+      const auto clocks = seen.clocks.size();
+      finish(seen, begun, false);
+      if (seen.clocks.size() != clocks) return std::nullopt;
+    }
+    return seen.marking == state.marking ? first : std::nullopt;
+  }
+
+  /// Strongly connected states, by what each reaches: slow, and plain.
+  void find_endless() {
+    edges_.resize(states_.size());
+    std::vector<std::size_t> component(states_.size(), states_.size());
+    std::vector<std::vector<std::size_t>> back(states_.size());
+    for (std::size_t s = 0; s < states_.size(); ++s)
+      for (const Edge& e : edges_[s]) back[e.target].push_back(s);
+    const auto reach = [&](std::size_t start, const auto& next) {
+      std::vector<bool> seen(states_.size(), false);
+      std::vector<std::size_t> queue{start};
+      seen[start] = true;
+      while (!queue.empty()) {
+        const std::size_t s = queue.back();
+        queue.pop_back();
+        next(s, [&](std::size_t t) {
+          if (!seen[t]) queue.push_back(t);
+          seen[t] = true;
+        });
+      }
+      return seen;
+    };
+    for (std::size_t s = 0; s < states_.size(); ++s) {
+      if (component[s] != states_.size()) continue;
+      const bool loops = !edges_[s].empty() && !back[s].empty();
+      if (!loops) {
+        component[s] = s;
+        continue;
+      }
+      const auto ahead = reach(s, [&](std::size_t v, const auto& go) {
+        for (const Edge& e : edges_[v]) go(e.target);
+      });
+      const auto behind = reach(s, [&](std::size_t v, const auto& go) {
+        for (const std::size_t source : back[v]) go(source);
+      });
+      std::vector<std::size_t> members;
+      for (std::size_t t = 0; t < states_.size(); ++t)
+        if (ahead[t] && behind[t]) {
+          component[t] = s;
+          members.push_back(t);
+        }
+      judge(members, component);
+    }
+  }
+
+  void judge(const std::vector<std::size_t>& members, const std::vector<std::size_t>& component) {
+    bool time = false;
+    bool changes = false;
+    std::vector<bool> patient(plant_.components.size(), false);
+    for (const std::size_t s : members)
+      for (const Edge& e : edges_[s]) {
+        if (component[e.target] != component[s]) continue;
+        time = time || e.time;
+        changes = changes || states_[s]->modes != states_[e.target]->modes;
+        for (std::size_t c = 0; c < patient.size(); ++c) patient[c] = patient[c] || !e.impatient[c];
+      }
+    const bool fair = std::all_of(patient.begin(), patient.end(), [](bool p) { return p; });
+    if (!time) return;
+    answer_.runs_for_ever = answer_.runs_for_ever || fair;
+    // Waiting: time alone goes by in one state, or, in dense time, while the marking goes round.
+    for (const std::size_t s : members)
+      for (const Edge& e : edges_[s]) {
+        const bool stays = e.target == s && e.time && e.same;
+        const bool nothing_to_come =
+            std::none_of(e.impatient.begin(), e.impatient.end(), [](bool impatient) { return impatient; });
+        if (stays && nothing_to_come && round_is_patient(*states_[s])) answer_.waits_for_ever = true;
+      }
+  }
+
+  /// Whether in all cycles of a round no component could leave its mode.
+  bool round_is_patient(const State& state) {
+    State seen = state;
+    for (auto& [clock, c] : seen.clocks) c.side = after;
+    do {
+      const Begun begun = begin(seen, seen);
+      for (std::size_t c = 0; c < plant_.components.size(); ++c)
+        if (could_leave(seen.modes, c, begun.advice.action)) return false;
+      finish(seen, begun, false);
+    } while (seen.marking != state.marking);
+    return true;
+  }
+
+  const automata::Program& program_;
+  const Step& step_;
+  const automata::Plant& plant_;
+  const Adviser& adviser_;
+  const LoopQuestion& question_;
+  Ticks unit_;
+  Ticks cap_;
+  LoopAnswer answer_;
+  std::map<State, std::size_t> numbers_;
+  std::vector<const State*> states_;
+  std::vector<std::vector<Edge>> edges_;
+  std::map<std::pair<Modes, std::vector<Assignment>>, Advice> advice_;
+  std::map<std::tuple<Modes, std::size_t, ControlAction>, std::vector<const Transition*>> enabled_;
+};
+
+}  // namespace
+
+LoopAnswer explore_loop(const automata::Program& program, const Step& step, const Adviser& adviser,
+                        const LoopQuestion& question) {
+  LoopAnswer answer = Explorer(program, step, adviser, question).run(false);
+  const LoopAnswer timed = Explorer(program, step, adviser, question).run(true);
+  answer.late = timed.late;
+  answer.too_many = answer.too_many || timed.too_many;
+  return answer;
+}
+
+}  // namespace reference
