@@ -7,6 +7,8 @@
 
 #include "compiler/check/resolve.hpp"
 #include "compiler/input_set.hpp"
+#include "compiler/load/files.hpp"
+#include "compiler/lower/property.hpp"
 #include "grammar/parse/parse.hpp"
 #include "grammar/source/render.hpp"
 
@@ -93,6 +95,18 @@ CompiledAssignments compile_assignments(std::string_view text, const automata::P
   }
   if (argument.diagnostics.has_errors()) return {std::nullopt, argument.rendered(color)};
   return {std::move(assignments), {}};
+}
+
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool color) {
+  grammar::Sources sources;
+  grammar::Diagnostics diagnostics;
+  const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, read_text(path));
+  CompiledProperties result;
+  if (const auto tree = grammar::parse_properties(sources, file, diagnostics)) {
+    result.properties = lower_properties(sources, *tree, plant, diagnostics);
+  }
+  if (diagnostics.has_errors()) return {std::nullopt, grammar::render_text(diagnostics.sorted(), sources, color)};
+  return result;
 }
 
 }  // namespace compiler

@@ -11,6 +11,7 @@
 
 #include "automata/logic/formula.hpp"
 #include "automata/plant.hpp"
+#include "automata/property.hpp"
 #include "automata/scenario.hpp"
 
 namespace compiler {
@@ -65,5 +66,13 @@ struct CompiledAssignments {
 };
 CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where,
                                         bool color);
+
+/// A file of properties (`.props`; `-` is standard input) over a plant. Where it is wrong, `properties` is empty and
+/// `diagnostics` says why. Throws automata::InputError where the file cannot be read.
+struct CompiledProperties {
+  std::optional<std::vector<automata::PlantProperty>> properties;
+  std::string diagnostics;
+};
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool color);
 
 }  // namespace compiler

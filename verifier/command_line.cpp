@@ -79,12 +79,29 @@ void add_common(CLI::App* app, CommandLine& line) {
   app->add_flag("-v,--verbose", line.verbose, "tell what is being checked");
 }
 
-/// What every subcommand has: the reading of time, faults, limits, the form of the answer.
-CLI::App* add_check(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
-                    const std::string& description) {
+CLI::App* add_subcommand(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
+                         const std::string& description) {
   CLI::App* sub = app.add_subcommand(name, description);
   sub->fallthrough();
   sub->callback([&line, kind] { line.kind = kind; });
+  return sub;
+}
+
+void add_model(CLI::App* sub, CommandLine& line) {
+  sub->add_option("model", line.models, "the plant: .tcca or compiled .json; - for standard input")
+      ->required()
+      ->expected(1)
+      ->type_name("MODEL");
+}
+
+void add_commands(CLI::App* sub, CommandLine& line) {
+  add_choice(sub, "--commands", line.commands,
+             {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},
+             "how many controls may be off their idle value in one step; one unless given");
+}
+
+/// Of a run: the reading of time, faults, the start.
+void add_freedom(CLI::App* sub, CommandLine& line) {
   const auto period = [](const std::string& text) {
     return text == "dense" ? std::nullopt : std::optional(positive_duration(text));
   };
@@ -95,12 +112,23 @@ CLI::App* add_check(CLI::App& app, CommandLine& line, CommandLine::Kind kind, co
   sub->add_option("--from", line.from,
                   "modes to start in, such as 'engine = off'; what is not named starts as in the plant")
       ->type_name("MODES");
+}
+
+void add_limits(CLI::App* sub, CommandLine& line) {
   sub->add_option("--max-states", line.max_states, "give up after so many symbolic states")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->type_name("N");
   add(sub, "--timeout", line.timeout, duration, "give up after so much time")->type_name("T");
   add(sub, "--max-memory", line.max_bytes, memory_size, "give up when so much memory is in use")
       ->type_name("BYTES[K|M|G]");
+}
+
+/// What every check has: what is free, limits, the form of the answer.
+CLI::App* add_check(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
+                    const std::string& description) {
+  CLI::App* sub = add_subcommand(app, line, kind, name, description);
+  add_freedom(sub, line);
+  add_limits(sub, line);
   using Format = CommandLine::Format;
   add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}}, "text unless given");
   sub->add_flag("--stats", line.statistics, "tell what the check has cost");
@@ -111,13 +139,8 @@ CLI::App* add_check(CLI::App& app, CommandLine& line, CommandLine::Kind kind, co
 CLI::App* add_property(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
                        const std::string& description) {
   CLI::App* sub = add_check(app, line, kind, name, description);
-  sub->add_option("model", line.models, "the plant: .tcca or compiled .json; - for standard input")
-      ->required()
-      ->expected(1)
-      ->type_name("MODEL");
-  add_choice(sub, "--commands", line.commands,
-             {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},
-             "how many controls may be off their idle value in one step; one unless given");
+  add_model(sub, line);
+  add_commands(sub, line);
   return sub;
 }
 
@@ -218,6 +241,50 @@ void add_search_options(CLI::App* sub, CommandLine& line) {
   sub->parse_complete_callback([&line, faults] { line.faults_given = faults->count() > 0; });
 }
 
+/// All properties of a file, which says itself what is free.
+void add_check_file(CLI::App& app, CommandLine& line) {
+  CLI::App* sub = add_subcommand(app, line, CommandLine::Kind::check_file, "check",
+                                 "do all properties of a file come out as it expects? a table of verdicts");
+  sub->add_option_function<std::vector<std::string>>(
+         "files",
+         [&line](const std::vector<std::string>& files) {
+           line.models = {files[0]};
+           line.properties = files[1];
+         },
+         "the plant, .tcca or compiled .json, and its properties, .props; one of them - for standard input")
+      ->required()
+      ->expected(2)
+      ->type_name("MODEL PROPERTIES");
+  sub->add_option("--only", line.only, "check this property alone; may be given several times")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
+  add_limits(sub, line);
+  using Format = CommandLine::Format;
+  add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}, {"junit", Format::junit}},
+             "text unless given");
+  sub->add_flag("--stats", line.statistics, "tell what each search has cost; properties may share one");
+}
+
+/// The question of reachability or safety in the language of another tool.
+void add_export(CLI::App& app, CommandLine& line) {
+  using Tool = CommandLine::Tool;
+  CLI::App* sub = add_subcommand(app, line, CommandLine::Kind::export_model, "export",
+                                 "the same question for another tool, which has to give the same answer");
+  add_model(sub, line);
+  add_choice(sub, "--format", line.tool,
+             {{"tchecker", Tool::tchecker}, {"uppaal", Tool::uppaal}, {"prism", Tool::prism}},
+             "which tool is asked: the first two in dense time, prism with the period of --time")
+      ->required();
+  CLI::Option_group* question = sub->add_option_group("question");
+  question->require_option(1);
+  question->add_option("--target", line.target, "what is to be reached")->type_name("FORMULA");
+  question->add_option("--never", line.never, "what is never to hold")->type_name("FORMULA");
+  add_freedom(sub, line);
+  add_commands(sub, line);
+  add_limits(sub, line);
+}
+
 void add_window(CLI::App* sub, CommandLine& line) {
   add(sub, "--not-before", line.not_before, duration, "the formula counts from this time on")->type_name("T");
   add(sub, "--by", line.by, duration, "the formula counts up to this time")->type_name("T");
@@ -275,6 +342,8 @@ ParsedCommandLine parse_command_line(int count, const char* const* arguments, co
   app.require_subcommand(1);
   add_common(&app, line);
   add_properties(app, line);
+  add_check_file(app, line);
+  add_export(app, line);
   ParsedCommandLine result;
   try {
     app.parse(count, arguments);

@@ -20,8 +20,10 @@ struct Promise {
 };
 
 struct CommandLine {
-  enum class Kind { reachability, safety, response, program };
-  enum class Format { text, json };
+  enum class Kind { reachability, safety, response, program, check_file, export_model };
+  enum class Format { text, json, junit };
+  /// The tools that a model can be written for.
+  enum class Tool { tchecker, uppaal, prism };
   enum class Color { automatic, always, never };
 
   Kind kind = Kind::reachability;
@@ -37,6 +39,9 @@ struct CommandLine {
   bool each_fault = false;
   std::string scenario;  ///< where to write a witness as a scenario; empty: nowhere
   automata::Ticks cycle = {automata::Ticks::per_second / 2};  ///< of that scenario, where time is dense
+  // Of a file of properties:
+  std::string properties;         ///< a path, or `-`
+  std::vector<std::string> only;  ///< the names of those to check; empty: all
 
   std::optional<automata::Ticks> period;  ///< none: dense time
   std::optional<automata::Ticks> not_before, by;
@@ -54,6 +59,7 @@ struct CommandLine {
   std::optional<std::size_t> max_bytes;
   Format format = Format::text;
   bool statistics = false;
+  Tool tool = Tool::tchecker;
   Color color = Color::automatic;
   bool quiet = false;
   bool verbose = false;

@@ -8,6 +8,8 @@
 #include <iostream>
 
 #include "automata/error.hpp"
+#include "verifier/command/check_command.hpp"
+#include "verifier/command/export_command.hpp"
 #include "verifier/command/input.hpp"
 #include "verifier/command/program_command.hpp"
 #include "verifier/evidence/report.hpp"
@@ -44,6 +46,8 @@ verifier::Property property(const Plant& plant, const CommandLine& line) {
       return verifier::Safety{formula(line.never, plant, "--never", line), window, line.fastest};
     case CommandLine::Kind::response:
     case CommandLine::Kind::program:
+    case CommandLine::Kind::check_file:
+    case CommandLine::Kind::export_model:
       break;
   }
   return verifier::Response{formula(line.after, plant, "--after", line), formula(line.then, plant, "--within", line),
@@ -90,6 +94,8 @@ verifier::CheckOptions options(const Plant& plant, const CommandLine& line) {
 
 int run(const CommandLine& line) {
   if (line.kind == CommandLine::Kind::program) return verifier::run_program(line, limits(line));
+  if (line.kind == CommandLine::Kind::check_file) return verifier::run_check(line, limits(line));
+  if (line.kind == CommandLine::Kind::export_model) return verifier::run_export(line, limits(line));
   const compiler::Compilation compilation = load(line);
   const Plant& plant = compilation.document().plants.front();
   const verifier::Property asked = property(plant, line);
@@ -112,6 +118,7 @@ int run(const CommandLine& line) {
       std::cout << verifier::to_json(plant, asked, asked_for, result).dump(2) << '\n';
       break;
     case CommandLine::Format::text:
+    case CommandLine::Format::junit:  // of `check` alone
       std::cout << verifier::to_text(plant, asked, asked_for, result, line.statistics, colored(line, STDOUT_FILENO));
       break;
   }

@@ -22,19 +22,6 @@ using grammar::Code;
 
 namespace {
 
-/// The whole text of a file. Throws InputError with the reason.
-std::string read_text(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a directory, expected a file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read"));
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (file.bad() || text.bad()) throw InputError(path + ": cannot be read to its end");
-  return std::move(text).str();
-}
-
 std::string canonical(const std::string& path) {
   std::error_code error;
   const auto resolved = std::filesystem::weakly_canonical(path, error);
@@ -76,11 +63,23 @@ struct Files::Importing {
   const grammar::Import* import;  ///< null for a root
 };
 
+std::string read_text(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a directory, expected a file");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read"));
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (file.bad() || text.bad()) throw InputError(path + ": cannot be read to its end");
+  return std::move(text).str();
+}
+
 const File& Files::open(const std::string& path) {
   if (path == "-") {
     if (const auto known = files_.find(path); known != files_.end()) return known->second;
-    std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    return read(path, path, std::move(text));
+    return read(path, path, read_text(path));
   }
   const std::string id = canonical(path);
   if (const auto known = files_.find(id); known != files_.end()) return known->second;

@@ -41,6 +41,9 @@ struct FileSet {
   bool complete = true;   ///< false where a file is missing or has syntax errors; that has been reported
 };
 
+/// The whole text of a file; `-` is standard input. Throws automata::InputError with the reason.
+std::string read_text(const std::string& path);
+
 /// Reads and parses; the same file once, however it is named.
 class Files {
  public:

@@ -46,6 +46,10 @@ std::optional<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_
   return parse_whole(scenario_file, ScenarioFile{}, sources, file, diagnostics);
 }
 
+std::optional<PropertyFile> parse_properties(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+  return parse_whole(property_file, PropertyFile{}, sources, file, diagnostics);
+}
+
 std::optional<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   return parse_whole(constraint, Constraint{}, sources, file, diagnostics);
 }

@@ -9,6 +9,7 @@
 #include "grammar/ast/constraint.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
+#include "grammar/ast/property.hpp"
 #include "grammar/ast/scenario.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
@@ -24,6 +25,7 @@ inline constexpr std::size_t nesting_limit = 400;
 std::optional<ProgramFile> parse_program(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
 std::optional<PlantFile> parse_plant(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
 std::optional<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+std::optional<PropertyFile> parse_properties(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
 
 /// A lone constraint, as on a command line.
 std::optional<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);

@@ -8,6 +8,7 @@
 #include "grammar/ast/declaration.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
+#include "grammar/ast/property.hpp"
 #include "grammar/ast/scenario.hpp"
 #include "grammar/parse/lexeme.hpp"
 
@@ -58,7 +59,8 @@ BOOST_SPIRIT_DECLARE(decltype(module_))
 inline constexpr Rule<struct ProgramFileId, ProgramFile> program_file{"a program"};
 inline constexpr Rule<struct PlantFileId, PlantFile> plant_file{"a plant model"};
 inline constexpr Rule<struct ScenarioFileId, ScenarioFile> scenario_file{"a scenario"};
-BOOST_SPIRIT_DECLARE(decltype(program_file), decltype(plant_file), decltype(scenario_file))
+inline constexpr Rule<struct PropertyFileId, PropertyFile> property_file{"a property"};
+BOOST_SPIRIT_DECLARE(decltype(program_file), decltype(plant_file), decltype(scenario_file), decltype(property_file))
 
 /// A domain by name, or its values in place.
 template <auto Member>

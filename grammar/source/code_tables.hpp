@@ -14,5 +14,6 @@ std::span<const CodeInfo> plant_codes();
 std::span<const CodeInfo> program_codes();
 std::span<const CodeInfo> scenario_codes();
 std::span<const CodeInfo> document_codes();
+std::span<const CodeInfo> property_codes();
 
 }  // namespace grammar

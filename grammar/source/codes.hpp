@@ -12,7 +12,7 @@
 namespace grammar {
 
 /// The number of a code: `RMPL0001` is 1. A number is never given to another meaning. Hundreds group by subject:
-/// 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled documents.
+/// 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled documents, 7 properties.
 enum class Code : std::uint16_t {
   // Text.
   syntax = 1,
@@ -77,6 +77,11 @@ enum class Code : std::uint16_t {
   scenario_finer_than_cycle = 406,
   // Compiled documents.
   document_schema = 600,
+  // Properties.
+  property_without_claim = 700,
+  property_repeated_part = 701,
+  property_not_a_mode = 702,
+  property_period = 703,
 };
 
 /// What a code means.

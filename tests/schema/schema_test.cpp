@@ -108,6 +108,13 @@ const std::vector<Output> outputs = {
      "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --each-fault --format "
      "json",
      "program_verdict"},
+    {"Verdicts",
+     "tcca-check check {examples}/propulsion/propulsion.tcca {examples}/propulsion/propulsion.props --format json",
+     "verdicts"},
+    {"UndecidedVerdicts",
+     "tcca-check check {examples}/propulsion/propulsion.tcca {examples}/propulsion/propulsion.props --max-states 1 "
+     "--format json",
+     "verdicts"},
     {"Plan", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = firing' --format json", "plan"},
     {"NothingToDo", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = off' --format json", "plan"},
     {"Diagnoses",

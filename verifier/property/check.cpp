@@ -236,6 +236,14 @@ class Check {
   std::optional<Trace> trace_;  ///< the best so far
 };
 
+}  // namespace
+
+std::string name_of(const Property& property) {
+  return std::visit(Overloaded{[](const Reachability&) { return "reachability"; },
+                               [](const Safety&) { return "safety"; }, [](const Response&) { return "response"; }},
+                    property);
+}
+
 void demand_modes(const automata::Plant& plant, const std::vector<Assignment>& from) {
   std::set<automata::VariableId> seen;
   for (const Assignment& a : from) {
@@ -247,14 +255,6 @@ void demand_modes(const automata::Plant& plant, const std::vector<Assignment>& f
       throw automata::InputError("'" + name + "' is given more than one mode to start in");
     }
   }
-}
-
-}  // namespace
-
-std::string name_of(const Property& property) {
-  return std::visit(Overloaded{[](const Reachability&) { return "reachability"; },
-                               [](const Safety&) { return "safety"; }, [](const Response&) { return "response"; }},
-                    property);
 }
 
 Result check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {

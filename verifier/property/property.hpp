@@ -73,6 +73,9 @@ struct FaultTrace {
   Trace trace;
 };
 
+/// Throws automata::InputError where `from` names what is no mode of a component, or one component twice.
+void demand_modes(const automata::Plant& plant, const std::vector<automata::Assignment>& from);
+
 enum class Verdict { holds, violated, undecided };
 
 struct Result {

@@ -1,0 +1,156 @@
+// From a file of properties to properties of a plant.
+// SPDX-License-Identifier: MIT
+#include "compiler/lower/property.hpp"
+
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "compiler/check/resolve.hpp"
+#include "compiler/lower/part.hpp"
+#include "compiler/lower/timing.hpp"
+#include "compiler/overloaded.hpp"
+
+namespace compiler {
+
+using automata::PlantProperty;
+using grammar::Code;
+
+namespace {
+
+/// What stands once: the index of an item's kind, all claims counting as one.
+std::size_t subject_of(const grammar::PropertyItem& item) {
+  constexpr std::size_t last_claim = 2;
+  return item.index() <= last_claim ? 0 : item.index();
+}
+
+grammar::Span span_of(const grammar::PropertyItem& item) {
+  return std::visit([](const auto& part) { return part.span; }, item);
+}
+
+class PropertyLowering {
+ public:
+  PropertyLowering(const grammar::Sources& sources, const automata::Plant& plant, grammar::Diagnostics& diagnostics)
+      : sources_(sources),
+        plant_(plant),
+        diagnostics_(diagnostics),
+        resolver_({plant.variables, nullptr, "plant " + backquoted(plant.name), Code::not_in_plant}, diagnostics) {}
+
+  std::vector<PlantProperty> run(const grammar::PropertyFile& file) {
+    PlantProperty settings;
+    add_all(file.defaults, settings);
+    std::vector<PlantProperty> result;
+    std::map<std::string, grammar::Span> names;
+    for (const grammar::PropertyDefinition& definition : file.properties) {
+      const auto [first, fresh] = names.emplace(definition.name.text, definition.name.span);
+      if (!fresh) {
+        report_twice(definition.name.span, "a second property " + quoted(definition.name.text), first->second);
+      }
+      PlantProperty property = settings;
+      property.name = definition.name.text;
+      property.origin = origin_of(sources_, definition.span);
+      if (!add_all(definition.items, property)) {
+        diagnostics_.error(Code::property_without_claim, definition.name.span,
+                           "the property claims nothing, expected `never`, `reach` or `after`");
+      }
+      result.push_back(std::move(property));
+    }
+    return result;
+  }
+
+ private:
+  static std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
+  void report_twice(grammar::Span span, const std::string& what, grammar::Span first) {
+    diagnostics_.error(Code::property_repeated_part, span, what).notes.push_back({first, "the first is here"});
+  }
+
+  /// Whether a claim is among them.
+  bool add_all(const std::vector<grammar::PropertyItem>& items, PlantProperty& property) {
+    constexpr std::array names = {"claim",      "claim",  "claim",      "`faults`", "`time`",
+                                  "`commands`", "`from`", "`entailed`", "`expect`"};
+    static_assert(names.size() == std::variant_size_v<grammar::PropertyItem>);
+    std::map<std::size_t, grammar::Span> seen;
+    for (const grammar::PropertyItem& item : items) {
+      const auto [first, fresh] = seen.emplace(subject_of(item), span_of(item));
+      if (!fresh) report_twice(span_of(item), std::string("a second ") + names.at(item.index()), first->second);
+      std::visit([&](const auto& part) { add(part, property); }, item);
+    }
+    return seen.count(0) > 0;
+  }
+
+  void add(const grammar::NeverClaim& part, PlantProperty& property) {
+    property.claim = PlantProperty::Claim::never;
+    property.formula = resolver_.resolve(part.constraint);
+  }
+  void add(const grammar::ReachClaim& part, PlantProperty& property) {
+    property.claim = PlantProperty::Claim::reach;
+    property.formula = resolver_.resolve(part.constraint);
+  }
+  void add(const grammar::ResponseClaim& part, PlantProperty& property) {
+    property.claim = PlantProperty::Claim::response;
+    property.formula = resolver_.resolve(part.after);
+    property.then = resolver_.resolve(part.then);
+    if (const auto within = ticks_of(part.within, diagnostics_)) property.within = *within;
+  }
+  void add(const grammar::FaultsSetting& part, PlantProperty& property) {
+    // More than any plant has components is as many as one likes.
+    property.faults = static_cast<unsigned>(std::min<std::uint64_t>(part.count, std::numeric_limits<unsigned>::max()));
+  }
+  void add(const grammar::TimeSetting& part, PlantProperty& property) {
+    property.period.reset();
+    if (!part.period) return;
+    property.period = ticks_of(*part.period, diagnostics_);
+    if (property.period == automata::Ticks{0}) {
+      diagnostics_.error(Code::property_period, part.period->span, "a period is longer than 0");
+    }
+  }
+  void add(const grammar::CommandsSetting& part, PlantProperty& property) {
+    switch (part.freedom) {
+      case grammar::CommandsSetting::Freedom::none:
+        property.commands = PlantProperty::Commands::none;
+        return;
+      case grammar::CommandsSetting::Freedom::one:
+        property.commands = PlantProperty::Commands::one;
+        return;
+      case grammar::CommandsSetting::Freedom::any:
+        property.commands = PlantProperty::Commands::any;
+        return;
+    }
+  }
+  void add(const grammar::FromSetting& part, PlantProperty& property) {
+    property.from.clear();
+    std::map<automata::VariableId, grammar::Span> given;
+    for (const grammar::AssignmentText& text : part.modes) {
+      const auto mode = resolver_.assignment(text.variable, text.value);
+      if (!mode) continue;
+      if (!plant_.component_of(mode->variable)) {
+        diagnostics_.error(Code::property_not_a_mode, text.variable.span,
+                           backquoted(text.variable.text) + " is an attribute, expected a component");
+        continue;
+      }
+      const auto [first, fresh] = given.emplace(mode->variable, text.span);
+      if (!fresh) report_twice(text.span, "a second mode of " + backquoted(text.variable.text), first->second);
+      property.from.push_back(*mode);
+    }
+  }
+  void add(const grammar::EntailedSetting&, PlantProperty& property) { property.entailed = true; }
+  void add(const grammar::ExpectedVerdict& part, PlantProperty& property) { property.expect_violated = part.violated; }
+
+  const grammar::Sources& sources_;
+  const automata::Plant& plant_;
+  grammar::Diagnostics& diagnostics_;
+  Resolver resolver_;
+};
+
+}  // namespace
+
+std::vector<PlantProperty> lower_properties(const grammar::Sources& sources, const grammar::PropertyFile& file,
+                                            const automata::Plant& plant, grammar::Diagnostics& diagnostics) {
+  return PropertyLowering(sources, plant, diagnostics).run(file);
+}
+
+}  // namespace compiler

@@ -1,0 +1,20 @@
+// From a file of properties to properties of a plant, with every reference checked.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "automata/plant.hpp"
+#include "automata/property.hpp"
+#include "grammar/ast/property.hpp"
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
+
+namespace compiler {
+
+/// The properties in the order of the file. They mean something only where nothing is reported.
+std::vector<automata::PlantProperty> lower_properties(const grammar::Sources& sources,
+                                                      const grammar::PropertyFile& file, const automata::Plant& plant,
+                                                      grammar::Diagnostics& diagnostics);
+
+}  // namespace compiler

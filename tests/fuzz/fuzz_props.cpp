@@ -1,0 +1,20 @@
+// Fuzz target: any bytes as a `.props` file give a tree or diagnostics, and the diagnostics can be shown.
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "grammar/parse/parse.hpp"
+#include "grammar/source/render.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  grammar::Sources sources;
+  grammar::Diagnostics diagnostics;
+  const auto file = sources.add("fuzz.props", std::string(data, data + size));
+  const auto tree = grammar::parse_properties(sources, file, diagnostics);
+  if (tree.has_value() == diagnostics.has_errors()) std::abort();
+  grammar::render_text(diagnostics.sorted(), sources, true);
+  grammar::render_json(diagnostics.sorted(), sources);
+  return 0;
+}

@@ -1,0 +1,63 @@
+// Answers to a file of properties: counts, and JUnit XML that a reader of XML takes.
+// SPDX-License-Identifier: MIT
+#include "verifier/property/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+
+#include "tests/unit/verifier/plants.hpp"
+
+namespace verifier {
+namespace {
+
+std::vector<Answer> answers(automata::PlantStep& step, const test::PlantBuilder& b, const Limits& limits) {
+  const Property standby = Reachability{b.is("engine", "standby"), {}, false};
+  const Property never_standby = Safety{b.is("engine", "standby"), {}, false};
+  const std::vector<Question> questions = {{standby, {}}, {never_standby, {}}, {never_standby, {}}};
+  const std::vector<Result> results = check_all(step, questions, limits);
+  return {{"can be <ready>", questions[0], false, results[0]},
+          {"never", questions[1], false, results[1]},
+          {"\"never\", expected not to", questions[2], true, results[2]}};
+}
+
+TEST(Table, CountsAgainstWhatIsExpected) {
+  const auto b = test::engine();
+  automata::PlantStep step(b.plant);
+  const Count found = count(answers(step, b, {}));
+  EXPECT_EQ(found.expected, 2U);
+  EXPECT_EQ(found.unexpected, 1U);
+  EXPECT_EQ(found.undecided, 0U);
+}
+
+TEST(Table, JunitIsWellFormedAndCounts) {
+  const auto b = test::engine();
+  automata::PlantStep step(b.plant);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(to_junit(b.plant, answers(step, b, {})).c_str()));
+  const pugi::xml_node suite = document.child("testsuites").child("testsuite");
+  EXPECT_EQ(suite.attribute("tests").as_int(), 3);
+  EXPECT_EQ(suite.attribute("failures").as_int(), 1);
+  EXPECT_EQ(suite.attribute("errors").as_int(), 0);
+  EXPECT_EQ(std::distance(suite.begin(), suite.end()), 3);
+  EXPECT_STREQ(suite.first_child().attribute("name").value(), "can be <ready>");
+  EXPECT_FALSE(suite.first_child().child("failure"));
+  const pugi::xml_node failure = suite.first_child().next_sibling().child("failure");
+  EXPECT_STREQ(failure.attribute("message").value(), "violated");
+  EXPECT_NE(std::string(failure.text().get()).find("engine: heating -> standby"), std::string::npos);
+}
+
+TEST(Table, WhatIsUndecidedIsAnErrorOfJunit) {
+  const auto b = test::engine();
+  automata::PlantStep step(b.plant);
+  Limits limits;
+  limits.states = 1;
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(to_junit(b.plant, answers(step, b, limits)).c_str()));
+  const pugi::xml_node suite = document.child("testsuites").child("testsuite");
+  EXPECT_EQ(suite.attribute("errors").as_int(), 3);
+  EXPECT_TRUE(suite.first_child().child("error"));
+}
+
+}  // namespace
+}  // namespace verifier
