@@ -60,26 +60,27 @@ ClockCells::ClockCells(const automata::Program& program) {
   find_reads(program);
 }
 
-// What a location may lead to: its targets, what starts inside it, and what holds it, which is marked along with it.
-// That is more than can happen, never less.
+// A location that is marked fully starts what it holds; one that is marked because something inside it is does not. So
+// each is there twice: as itself, and, `count` further, marked fully.
 void ClockCells::find_reads(const automata::Program& program) {
   const std::size_t count = program.locations.size();
-  std::vector<std::vector<LocationId>> leads(count);
-  reads_.assign(count, std::vector<bool>(program.clocks.size(), false));
+  std::vector<std::vector<std::size_t>> leads(2 * count);
+  reads_.assign(2 * count, std::vector<bool>(program.clocks.size(), false));
   for (std::size_t l = 0; l < count; ++l) {
     const Location& location = program.locations[l];
     for_each_atom(location, [&](const Formula& atom) { reads_[l][atom.clock.index()] = true; });
-    for (const automata::Arc& arc : location.arcs) leads[l].push_back(arc.target);
+    for (const automata::Arc& arc : location.arcs) leads[l].push_back(count + arc.target.index());
+    leads[count + l].push_back(l);
     if (!location.parent) continue;
-    leads[l].push_back(*location.parent);
-    if (location.start) leads[location.parent->index()].emplace_back(l);
+    leads[l].push_back(location.parent->index());
+    if (location.start) leads[count + location.parent->index()].push_back(count + l);
   }
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t l = 0; l < count; ++l) {
-      for (const LocationId next : leads[l]) {
+    for (std::size_t l = 0; l < leads.size(); ++l) {
+      for (const std::size_t next : leads[l]) {
         for (std::size_t c = 0; c < program.clocks.size(); ++c) {
-          if (!reads_[next.index()][c] || reads_[l][c]) continue;
+          if (!reads_[next][c] || reads_[l][c]) continue;
           reads_[l][c] = true;
           changed = true;
         }

@@ -54,7 +54,7 @@ class ClockCells {
   std::vector<automata::Ticks> constants_;
   std::uint32_t start_ = 0;
   std::vector<std::vector<bool>> begins_;  ///< per clock, per position: some atom tells it from the one before
-  std::vector<std::vector<bool>> reads_;   ///< per location: the clocks that may be read once it is marked
+  std::vector<std::vector<bool>> reads_;   ///< per location, and again marked fully: the clocks that may be read
 };
 
 }  // namespace verifier
