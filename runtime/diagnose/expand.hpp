@@ -14,9 +14,6 @@
 
 namespace runtime {
 
-/// What every net is known to be: its observed value, or nothing.
-using Known = std::vector<std::optional<bool>>;
-
 /// Expands the undominated gates of a top-level diagnosis into their sections. Let the outputs of the gates
 /// d1 … dk be fixed to a vector v; all other nets follow. v is a witness if every observed net then has its value. A
 /// choice of one gate out of each section is a diagnosis if for some witness v each chosen gate, flipped, gives its
