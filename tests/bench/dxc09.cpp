@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,16 +15,11 @@
 #include "runtime/command/competition.hpp"
 #include "runtime/diagnose/minimal.hpp"
 #include "tests/bench/netlist_plant.hpp"
+#include "tests/bench/processor_time.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 void measure(const fs::path& dxc, const std::string& name) {
   const automata::Document document = bench::imported(dxc / "models" / (name + ".xml"), compiler::FaultModel::weak);
@@ -36,12 +30,12 @@ void measure(const fs::path& dxc, const std::string& name) {
   std::vector<std::vector<automata::Assignment>> observations;
   for (const fs::path& file : files) observations.push_back(*runtime::competition_observation(file, plant));
 
-  double start = processor_seconds();
+  double start = bench::processor_seconds();
   const auto circuit = runtime::circuit_of(plant);
   runtime::CircuitDiagnosis diagnosis(*circuit);
   const auto nothing = [](const runtime::FaultSet&) {};
   diagnosis.solve(observations.front(), runtime::CircuitDiagnosis::Scope::first, nothing);
-  const double set_up = processor_seconds() - start;
+  const double set_up = bench::processor_seconds() - start;
 
   constexpr int runs = 3;
   std::vector<double> seconds;
@@ -50,9 +44,9 @@ void measure(const fs::path& dxc, const std::string& name) {
   for (std::size_t i = 0; i < observations.size(); ++i) {
     double least = 1e9;
     for (int run = 0; run < runs; ++run) {
-      start = processor_seconds();
+      start = bench::processor_seconds();
       const auto found = diagnosis.solve(observations[i], runtime::CircuitDiagnosis::Scope::first, nothing);
-      least = std::min(least, processor_seconds() - start);
+      least = std::min(least, bench::processor_seconds() - start);
       if (!found) {
         std::fprintf(stderr, "%s: no diagnosis\n", files[i].c_str());
         std::exit(EXIT_FAILURE);
@@ -60,8 +54,6 @@ void measure(const fs::path& dxc, const std::string& name) {
       if (run > 0) continue;
       greatest = std::max(greatest, found->cardinality);
       calls += found->checked;
-      if (std::getenv("DXC_EACH"))
-        std::printf("%s %zu %zu %.3f\n", files[i].c_str(), found->cardinality, found->checked, least * 1e3);
     }
     seconds.push_back(least);
   }
