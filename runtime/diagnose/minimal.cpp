@@ -7,33 +7,9 @@
 
 #include "runtime/diagnose/core_guided.hpp"
 #include "runtime/diagnose/encoding.hpp"
-#include "runtime/diagnose/expand.hpp"
+#include "runtime/diagnose/enumerate.hpp"
 
 namespace runtime {
-namespace {
-
-using automata::Literal;
-
-/// Witnesses of one top-level diagnosis by the solver: for diagnoses too large to simulate every vector.
-std::vector<std::vector<bool>> witnesses_by_solver(Encoding& encoding, const std::vector<std::size_t>& places) {
-  std::vector<std::vector<bool>> found;
-  const Literal active = encoding.sat.fresh();
-  std::vector<Literal> assumptions{active};
-  for (const std::size_t p : places) assumptions.push_back(-encoding.healthy[p]);
-  while (encoding.sat.solve(assumptions)) {
-    auto& witness = found.emplace_back();
-    std::vector<Literal> different{-active};
-    for (const std::size_t p : places) {
-      const Literal output = encoding.output(p);
-      witness.push_back(encoding.sat.value(output));
-      different.push_back(witness.back() ? -output : output);
-    }
-    encoding.sat.add(different);
-  }
-  return found;
-}
-
-}  // namespace
 
 void CircuitDiagnosis::prepare(const std::vector<bool>& observed) {
   if (observed == observed_) return;
@@ -63,14 +39,11 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
   const std::vector<Word> nominal = simulation.values();
   Encoding encoding(circuit_, sections_, known, nominal);
   CoreGuided guided(encoding.sat);
-  std::vector<std::size_t> places;  // of the faulty gates in the solver's model
   std::vector<Forced> forced;
   const auto take_model = [&] {
-    places.clear();
     forced.clear();
     for (std::size_t p = 0; p < encoding.tops.size(); ++p) {
       if (encoding.sat.value(encoding.healthy[p])) continue;
-      places.push_back(p);
       forced.push_back({encoding.tops[p], encoding.sat.value(encoding.output(p))});
     }
     std::sort(forced.begin(), forced.end(), [](const Forced& a, const Forced& b) { return a.gate < b.gate; });
@@ -83,7 +56,7 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
     [[maybe_unused]] const bool explained = guided.minimise();
     assert(explained && "the gates that drive them explain all observed nets");
     take_model();
-    assert(places.size() == guided.cost() && "a model at the bound breaks as many soft literals as it costs");
+    assert(forced.size() == guided.cost() && "a model at the bound breaks as many soft literals as it costs");
   }
 
   MinimalDiagnoses result{guided.cost(), 1, encoding.sat.calls()};
@@ -100,23 +73,8 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
     if (known[n] && circuit_.driver[n]) encoding.include(static_cast<NetId>(n));
   }
   guided.commit();
-  result.count = 0;
-  Expansion expansion(circuit_, sections_, known);
-  // Each top-level diagnosis comes after a clause that at least one gate of each found before works.
-  while (encoding.sat.solve({})) {
-    take_model();
-    std::vector<std::size_t> tops;
-    std::vector<Literal> blocking;
-    for (const std::size_t p : places) {
-      tops.push_back(encoding.tops[p]);
-      blocking.push_back(encoding.healthy[p]);
-    }
-    const auto witnesses =
-        tops.size() <= Expansion::exhaustive_limit ? expansion.witnesses(tops) : witnesses_by_solver(encoding, places);
-    result.count += expansion.expand(tops, witnesses, scope == Scope::list ? report : nullptr);
-    if (blocking.empty()) break;
-    encoding.sat.add(blocking);
-  }
+  Expansion expansion(circuit_, sections_, known, nominal, scope == Scope::list);
+  result.count = Enumeration(circuit_, encoding, expansion).run(scope == Scope::list ? report : nullptr);
   result.checked = encoding.sat.calls();
   return result;
 }
