@@ -9,11 +9,12 @@ namespace runtime {
 using automata::Literal;
 
 Encoding::Encoding(const Circuit& circuit, const Sections& sections, const Known& known,
-                   const std::vector<Word>& nominal)
+                   const std::vector<Word>& nominal, const std::vector<bool>& suspects)
     : circuit_(circuit),
       sections_(sections),
       known_(known),
       nominal_(nominal),
+      suspects_(suspects),
       true_(sat.fresh()),
       nets_(circuit.nets, 0),
       added_(circuit.gates.size(), 0) {
@@ -45,12 +46,13 @@ void Encoding::add(std::size_t g) {
   const CircuitGate& gate = circuit_.gates[g];
   function(gate);
   Literal& output = nets_[gate.output];
-  if (*sections_.top[g] != g || (!faults_ && output == 0)) {
+  const bool may_fail = *sections_.top[g] == g && faults_ && (suspects_.empty() || suspects_[g]);
+  if (!may_fail && output == 0) {
     output = settle();
     return;
   }
   if (operation_ == Operation::none && stack_.back() == output) return;
-  if (!faults_) {
+  if (!may_fail) {
     const Literal value = settle();
     sat.add({output == true_ ? value : -value});
     return;

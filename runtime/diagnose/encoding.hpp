@@ -24,8 +24,10 @@ namespace runtime {
 /// the solver, which tries "true" first, leaves alone what no fault has touched.
 class Encoding {
  public:
-  /// `nominal`: the value of every net where no gate is faulty. All arguments must outlive this object.
-  Encoding(const Circuit& circuit, const Sections& sections, const Known& known, const std::vector<Word>& nominal);
+  /// `nominal`: the value of every net where no gate is faulty. `suspects`, per gate: which may be faulty; all where it
+  /// is empty. All arguments must outlive this object.
+  Encoding(const Circuit& circuit, const Sections& sections, const Known& known, const std::vector<Word>& nominal,
+           const std::vector<bool>& suspects);
 
   /// Adds the cone of an observed net that a gate drives; once.
   void include(NetId observed);
@@ -58,6 +60,7 @@ class Encoding {
   const Sections& sections_;
   const Known& known_;
   const std::vector<Word>& nominal_;
+  const std::vector<bool>& suspects_;
   automata::Literal true_;
   bool faults_ = true;
   std::vector<automata::Literal> nets_;  ///< per net; 0 where not yet added

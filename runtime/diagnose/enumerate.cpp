@@ -3,22 +3,83 @@
 #include "runtime/diagnose/enumerate.hpp"
 
 #include <algorithm>
-#include <map>
+
+#include "runtime/diagnose/core_guided.hpp"
 
 namespace runtime {
+namespace {
 
 using automata::Literal;
 using boost::multiprecision::cpp_int;
 
-cpp_int Enumeration::run(const Report& report) {
-  find_possible();
+/// The places of the gates that are faulty in the solver's model.
+std::vector<std::size_t> faulty_places(const Encoding& encoding) {
+  std::vector<std::size_t> places;
+  for (std::size_t p = 0; p < encoding.tops.size(); ++p) {
+    if (!encoding.sat.value(encoding.healthy[p])) places.push_back(p);
+  }
+  return places;
+}
+
+/// The gates that are faulty in some model. Each that was in none so far is asked for; one that is in none at all is
+/// told to work, which makes the next question easier.
+std::vector<std::size_t> possible_gates(Encoding& encoding) {
+  std::vector<bool> possible(encoding.tops.size(), false);
+  const auto mark = [&] {
+    for (const std::size_t p : faulty_places(encoding)) possible[p] = true;
+  };
+  if (encoding.sat.solve({})) mark();
+  std::vector<std::size_t> gates;
+  for (std::size_t p = 0; p < encoding.tops.size(); ++p) {
+    const Literal faulty = -encoding.healthy[p];
+    if (!possible[p] && encoding.sat.solve(std::span(&faulty, 1))) mark();
+    if (possible[p]) {
+      gates.push_back(encoding.tops[p]);
+    } else {
+      encoding.sat.add({encoding.healthy[p]});
+    }
+  }
+  return gates;
+}
+
+/// The witnesses of a group of gates by the solver, while those at `faulty` and no others are faulty.
+std::vector<Expansion::Witness> witnesses(Encoding& encoding, const std::vector<std::size_t>& faulty,
+                                          std::span<const std::size_t> group) {
+  std::vector<Expansion::Witness> found;
+  const Literal active = encoding.sat.fresh();
+  std::vector<Literal> assumptions{active};
+  std::vector<Literal> outputs(group.size());
+  for (const std::size_t p : faulty) {
+    assumptions.push_back(-encoding.healthy[p]);
+    const auto at = std::find(group.begin(), group.end(), encoding.tops[p]);
+    if (at != group.end()) outputs[static_cast<std::size_t>(at - group.begin())] = encoding.output(p);
+  }
+  while (encoding.sat.solve(assumptions)) {
+    auto& witness = found.emplace_back();
+    std::vector<Literal> different{-active};
+    for (const Literal output : outputs) {
+      witness.push_back(encoding.sat.value(output));
+      different.push_back(witness.back() ? -output : output);
+    }
+    encoding.sat.add(different);
+  }
+  return found;
+}
+
+}  // namespace
+
+Enumeration::Enumeration(const Subject& subject, bool list)
+    : subject_(subject),
+      list_(list),
+      expansion_(subject.circuit, subject.sections, subject.known, subject.nominal, list) {}
+
+cpp_int Enumeration::run(Encoding& encoding, const Report& report) {
   cpp_int count = 1;
   std::vector<std::vector<FaultSet>> sets;
-  for (const Places& part : parts()) {
-    if (report) sets.emplace_back();
-    count *= enumerate(part, report ? &sets.back() : nullptr);
+  for (const Gates& part : expansion_.groups(possible_gates(encoding))) {
+    count *= enumerate(part, sets.emplace_back());
   }
-  if (!report) return count;
+  if (!list_) return count;
   FaultSet faults;
   const auto combine = [&](const auto& self, std::size_t position) -> void {
     if (position == sets.size()) {
@@ -37,91 +98,34 @@ cpp_int Enumeration::run(const Report& report) {
   return count;
 }
 
-void Enumeration::take_model() {
-  faulty_.clear();
-  for (std::size_t p = 0; p < encoding_.tops.size(); ++p) {
-    if (!encoding_.sat.value(encoding_.healthy[p])) faulty_.push_back(p);
-  }
-}
+cpp_int Enumeration::enumerate(const Gates& part, std::vector<FaultSet>& sets) {
+  std::vector<bool> suspects(subject_.circuit.gates.size(), false);
+  for (const std::size_t gate : part) suspects[gate] = true;
+  Encoding encoding(subject_.circuit, subject_.sections, subject_.known, subject_.nominal, suspects);
+  for (const NetId net : expansion_.observed(part)) encoding.include(net);
+  CoreGuided guided(encoding.sat);
+  for (const Literal healthy : encoding.healthy) guided.keep(healthy);
+  guided.minimise();
+  guided.commit();
 
-/// Asks for a model for each gate that was in none so far; one that is in none at all works from now on.
-void Enumeration::find_possible() {
-  possible_.assign(encoding_.tops.size(), false);
-  const auto mark = [&] {
-    take_model();
-    for (const std::size_t p : faulty_) possible_[p] = true;
-  };
-  if (encoding_.sat.solve({})) mark();
-  for (std::size_t p = 0; p < encoding_.tops.size(); ++p) {
-    if (possible_[p]) continue;
-    const Literal faulty = -encoding_.healthy[p];
-    if (encoding_.sat.solve(std::span(&faulty, 1))) {
-      mark();
-    } else {
-      encoding_.sat.add({encoding_.healthy[p]});
-    }
-  }
-}
-
-std::vector<Enumeration::Places> Enumeration::parts() const {
-  std::map<std::size_t, std::size_t> place_of;
-  std::vector<std::size_t> tops;
-  for (std::size_t p = 0; p < encoding_.tops.size(); ++p) {
-    if (!possible_[p]) continue;
-    place_of.emplace(encoding_.tops[p], p);
-    tops.push_back(encoding_.tops[p]);
-  }
-  std::vector<Places> all;
-  for (const auto& group : expansion_.groups(tops)) {
-    Places& part = all.emplace_back();
-    for (const std::size_t top : group) part.push_back(place_of.at(top));
-  }
-  return all;
-}
-
-/// Each top-level diagnosis of a part comes after clauses that at least one gate of each found before works; they are
-/// in force for this part only.
-cpp_int Enumeration::enumerate(const Places& part, std::vector<FaultSet>* sets) {
-  const Literal active = encoding_.sat.fresh();
-  const auto keep = [&](const FaultSet& faults) { sets->push_back(faults); };
-  const auto ask = [&](std::span<const std::size_t> group) { return witnesses(group); };
+  std::vector<std::size_t> faulty;
+  const auto ask = [&](std::span<const std::size_t> group) { return witnesses(encoding, faulty, group); };
+  const auto keep = [&](const FaultSet& faults) { sets.push_back(faults); };
   cpp_int count = 0;
-  while (encoding_.sat.solve(std::span(&active, 1))) {
-    take_model();
-    std::vector<std::size_t> tops;
-    std::vector<Literal> blocking{-active};
-    for (const std::size_t p : part) {
-      if (encoding_.sat.value(encoding_.healthy[p])) continue;
-      tops.push_back(encoding_.tops[p]);
-      blocking.push_back(encoding_.healthy[p]);
+  // Each top-level diagnosis comes after clauses that at least one gate of each found before works.
+  while (encoding.sat.solve({})) {
+    faulty = faulty_places(encoding);
+    Gates tops;
+    std::vector<Literal> blocking;
+    for (const std::size_t p : faulty) {
+      tops.push_back(encoding.tops[p]);
+      blocking.push_back(encoding.healthy[p]);
     }
     count += expansion_.expand(tops, ask, keep);
-    encoding_.sat.add(blocking);
+    encoding.sat.add(blocking);
   }
+  questions_ += encoding.sat.calls();
   return count;
-}
-
-/// Of a group of faulty gates, by the solver, in what the other gates of the last model leave open.
-std::vector<Expansion::Witness> Enumeration::witnesses(std::span<const std::size_t> group) {
-  std::vector<Expansion::Witness> found;
-  const Literal active = encoding_.sat.fresh();
-  std::vector<Literal> assumptions{active};
-  std::vector<Literal> outputs(group.size());
-  for (const std::size_t p : faulty_) {
-    assumptions.push_back(-encoding_.healthy[p]);
-    const auto at = std::find(group.begin(), group.end(), encoding_.tops[p]);
-    if (at != group.end()) outputs[static_cast<std::size_t>(at - group.begin())] = encoding_.output(p);
-  }
-  while (encoding_.sat.solve(assumptions)) {
-    auto& witness = found.emplace_back();
-    std::vector<Literal> different{-active};
-    for (const Literal output : outputs) {
-      witness.push_back(encoding_.sat.value(output));
-      different.push_back(witness.back() ? -output : output);
-    }
-    encoding_.sat.add(different);
-  }
-  return found;
 }
 
 }  // namespace runtime

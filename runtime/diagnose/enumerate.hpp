@@ -13,36 +13,41 @@
 
 namespace runtime {
 
-/// Enumerates the models of an encoding that holds the cones of all observed nets and admits diagnoses of minimum
-/// cardinality alone.
+/// Enumerates the diagnoses of minimum cardinality.
 ///
-/// First the gates are found that are faulty in any of them. Where these fall into parts that reach no observed net in
-/// common, each part has to explain its own nets, with its own least number of faults: the diagnoses are the product of
-/// the parts', and only the parts are enumerated.
+/// First the undominated gates are found that are faulty in any of them. Where these fall into parts that reach no
+/// observed net in common, each part has to explain its own nets, with its own least number of faults: the diagnoses
+/// are the product of the parts'. A part is encoded anew with its gates as the only suspects, which leaves little of
+/// the circuit, and its top-level diagnoses are enumerated.
 class Enumeration {
  public:
+  /// A circuit under an observation; `nominal` are its values without faults.
+  struct Subject {
+    const Circuit& circuit;
+    const Sections& sections;
+    const Known& known;
+    const std::vector<Word>& nominal;
+  };
   using Report = std::function<void(const FaultSet&)>;
-  /// All must outlive this object.
-  Enumeration(const Circuit& circuit, Encoding& encoding, Expansion& expansion)
-      : circuit_(circuit), encoding_(encoding), expansion_(expansion) {}
 
-  /// The number of diagnoses; `report`, where it is one, is called with each, once. The expansion must list them then.
-  boost::multiprecision::cpp_int run(const Report& report);
+  /// With `list`, diagnoses are reported, not only counted. What `subject` refers to must outlive this object.
+  Enumeration(const Subject& subject, bool list);
+
+  /// `encoding` holds the cones of all observed nets and admits diagnoses of minimum cardinality alone. The number of
+  /// diagnoses; `report` is called with each, once, where they are listed.
+  boost::multiprecision::cpp_int run(Encoding& encoding, const Report& report);
+  /// Asked of the solvers of the parts.
+  [[nodiscard]] std::size_t questions() const { return questions_; }
 
  private:
-  using Places = std::vector<std::size_t>;
+  using Gates = std::vector<std::size_t>;
 
-  void take_model();
-  void find_possible();
-  std::vector<Places> parts() const;
-  boost::multiprecision::cpp_int enumerate(const Places& part, std::vector<FaultSet>* sets);
-  std::vector<Expansion::Witness> witnesses(std::span<const std::size_t> group);
+  boost::multiprecision::cpp_int enumerate(const Gates& part, std::vector<FaultSet>& sets);
 
-  const Circuit& circuit_;
-  Encoding& encoding_;
-  Expansion& expansion_;
-  Places faulty_;               ///< places of the gates that are faulty in the last model
-  std::vector<bool> possible_;  ///< per place: faulty in some model
+  Subject subject_;
+  bool list_;
+  Expansion expansion_;
+  std::size_t questions_ = 0;
 };
 
 }  // namespace runtime

@@ -40,12 +40,13 @@ Expansion::Expansion(const Circuit& circuit, const Sections& sections, const Kno
       list_(list),
       readers_(circuit.nets),
       words_(nominal) {
-  std::size_t observed = 0;
   std::vector<std::size_t> place(circuit.nets);
   for (std::size_t n = 0; n < circuit.nets; ++n) {
-    if (known[n] && circuit.driver[n]) place[n] = observed++;
+    if (!known[n] || !circuit.driver[n]) continue;
+    place[n] = observed_.size();
+    observed_.push_back(static_cast<NetId>(n));
   }
-  reaches_.assign(circuit.gates.size(), Mask((observed + 63) / 64, 0));
+  reaches_.assign(circuit.gates.size(), Mask((observed_.size() + 63) / 64, 0));
   for (std::size_t g = circuit.gates.size(); g-- > 0;) {
     const NetId output = circuit.gates[g].output;
     if (known[output]) reaches_[g][place[output] / 64] |= Word{1} << place[output] % 64;
@@ -102,6 +103,16 @@ std::vector<Expansion::Gates> Expansion::groups(std::span<const std::size_t> top
     all.push_back(std::move(gates));
   }
   return all;
+}
+
+std::vector<NetId> Expansion::observed(std::span<const std::size_t> gates) const {
+  Mask all((observed_.size() + 63) / 64, 0);
+  for (const std::size_t gate : gates) unite(all, reaches_[gate]);
+  std::vector<NetId> nets;
+  for (std::size_t i = 0; i < observed_.size(); ++i) {
+    if (((all[i / 64] >> i % 64) & 1) != 0) nets.push_back(observed_[i]);
+  }
+  return nets;
 }
 
 const Expansion::Group& Expansion::group(const Gates& tops, const Ask& ask) {

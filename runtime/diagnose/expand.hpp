@@ -42,6 +42,8 @@ class Expansion {
 
   /// Gates that reach an observed net in common, directly or by way of others; each group ascending.
   [[nodiscard]] std::vector<std::vector<std::size_t>> groups(std::span<const std::size_t> tops) const;
+  /// The observed nets that some of these gates reach.
+  [[nodiscard]] std::vector<NetId> observed(std::span<const std::size_t> gates) const;
   /// The number of diagnoses that the undominated gates `tops` stand for; `report` is called with each where they are
   /// listed.
   boost::multiprecision::cpp_int expand(std::span<const std::size_t> tops, const Ask& ask,
@@ -74,6 +76,7 @@ class Expansion {
   const Known& known_;
   const std::vector<Word>& nominal_;
   bool list_;
+  std::vector<NetId> observed_;                    ///< that a gate drives
   std::vector<Mask> reaches_;                      ///< per gate: observed nets
   std::vector<std::vector<std::size_t>> readers_;  ///< per net; of an observed net none, it is cut
   std::map<Gates, Group> groups_;

@@ -37,7 +37,8 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
   CutSimulation simulation(circuit_, known);
   std::vector<NetId> demands = simulation.unexplained({});
   const std::vector<Word> nominal = simulation.values();
-  Encoding encoding(circuit_, sections_, known, nominal);
+  const std::vector<bool> all_gates;
+  Encoding encoding(circuit_, sections_, known, nominal, all_gates);
   CoreGuided guided(encoding.sat);
   std::vector<Forced> forced;
   const auto take_model = [&] {
@@ -73,9 +74,10 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
     if (known[n] && circuit_.driver[n]) encoding.include(static_cast<NetId>(n));
   }
   guided.commit();
-  Expansion expansion(circuit_, sections_, known, nominal, scope == Scope::list);
-  result.count = Enumeration(circuit_, encoding, expansion).run(scope == Scope::list ? report : nullptr);
-  result.checked = encoding.sat.calls();
+  const Enumeration::Subject subject{circuit_, sections_, known, nominal};
+  Enumeration enumeration(subject, scope == Scope::list);
+  result.count = enumeration.run(encoding, report);
+  result.checked = encoding.sat.calls() + enumeration.questions();
   return result;
 }
 
