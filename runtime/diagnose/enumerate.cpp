@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/diagnose/core_guided.hpp"
+#include "runtime/diagnose/expand.hpp"
 
 namespace runtime {
 namespace {
@@ -42,59 +43,36 @@ std::vector<std::size_t> possible_gates(Encoding& encoding) {
   return gates;
 }
 
-/// The witnesses of a group of gates by the solver, while those at `faulty` and no others are faulty.
-std::vector<Expansion::Witness> witnesses(Encoding& encoding, const std::vector<std::size_t>& faulty,
-                                          std::span<const std::size_t> group) {
-  std::vector<Expansion::Witness> found;
-  const Literal active = encoding.sat.fresh();
-  std::vector<Literal> assumptions{active};
-  std::vector<Literal> outputs(group.size());
-  for (const std::size_t p : faulty) {
-    assumptions.push_back(-encoding.healthy[p]);
-    const auto at = std::find(group.begin(), group.end(), encoding.tops[p]);
-    if (at != group.end()) outputs[static_cast<std::size_t>(at - group.begin())] = encoding.output(p);
+/// Calls `report` with each way to take one member of each list, joined to `taken`.
+template <class List, class Report>
+void product(const std::vector<List>& lists, std::size_t position, FaultSet& taken, const Report& report) {
+  if (position == lists.size()) {
+    report(taken);
+    return;
   }
-  while (encoding.sat.solve(assumptions)) {
-    auto& witness = found.emplace_back();
-    std::vector<Literal> different{-active};
-    for (const Literal output : outputs) {
-      witness.push_back(encoding.sat.value(output));
-      different.push_back(witness.back() ? -output : output);
-    }
-    encoding.sat.add(different);
+  const std::size_t before = taken.size();
+  for (const FaultSet& member : lists[position]) {
+    taken.insert(taken.end(), member.begin(), member.end());
+    product(lists, position + 1, taken, report);
+    taken.resize(before);
   }
-  return found;
 }
 
 }  // namespace
 
-Enumeration::Enumeration(const Subject& subject, bool list)
-    : subject_(subject),
-      list_(list),
-      expansion_(subject.circuit, subject.sections, subject.known, subject.nominal, list) {}
-
 cpp_int Enumeration::run(Encoding& encoding, const Report& report) {
   cpp_int count = 1;
   std::vector<std::vector<FaultSet>> sets;
-  for (const Gates& part : expansion_.groups(possible_gates(encoding))) {
+  for (const Gates& part : reach_.groups(possible_gates(encoding))) {
     count *= enumerate(part, sets.emplace_back());
   }
   if (!list_) return count;
   FaultSet faults;
-  const auto combine = [&](const auto& self, std::size_t position) -> void {
-    if (position == sets.size()) {
-      FaultSet sorted = faults;
-      std::sort(sorted.begin(), sorted.end());
-      report(sorted);
-      return;
-    }
-    for (const FaultSet& set : sets[position]) {
-      faults.insert(faults.end(), set.begin(), set.end());
-      self(self, position + 1);
-      faults.resize(faults.size() - set.size());
-    }
-  };
-  combine(combine, 0);
+  product(sets, 0, faults, [&](const FaultSet& taken) {
+    FaultSet sorted = taken;
+    std::sort(sorted.begin(), sorted.end());
+    report(sorted);
+  });
   return count;
 }
 
@@ -102,30 +80,42 @@ cpp_int Enumeration::enumerate(const Gates& part, std::vector<FaultSet>& sets) {
   std::vector<bool> suspects(subject_.circuit.gates.size(), false);
   for (const std::size_t gate : part) suspects[gate] = true;
   Encoding encoding(subject_.circuit, subject_.sections, subject_.known, subject_.nominal, suspects);
-  for (const NetId net : expansion_.observed(part)) encoding.include(net);
+  for (const NetId net : reach_.observed(part)) encoding.include(net);
   CoreGuided guided(encoding.sat);
   for (const Literal healthy : encoding.healthy) guided.keep(healthy);
   guided.minimise();
   guided.commit();
 
-  std::vector<std::size_t> faulty;
-  const auto ask = [&](std::span<const std::size_t> group) { return witnesses(encoding, faulty, group); };
-  const auto keep = [&](const FaultSet& faults) { sets.push_back(faults); };
+  Expansion expansion(subject_.circuit, subject_.sections, subject_.known, subject_.nominal, reach_.cone(part));
   cpp_int count = 0;
   // Each top-level diagnosis comes after clauses that at least one gate of each found before works.
   while (encoding.sat.solve({})) {
-    faulty = faulty_places(encoding);
     Gates tops;
     std::vector<Literal> blocking;
-    for (const std::size_t p : faulty) {
+    for (const std::size_t p : faulty_places(encoding)) {
       tops.push_back(encoding.tops[p]);
       blocking.push_back(encoding.healthy[p]);
     }
-    count += expansion_.expand(tops, ask, keep);
+    std::sort(tops.begin(), tops.end());
+    const auto& choices = expansion.choices(tops);
+    cpp_int combinations = 1;
+    for (const Gates& choice : choices) combinations *= choice.size();
+    count += combinations;
+    if (list_) keep(choices, sets);
     encoding.sat.add(blocking);
   }
   questions_ += encoding.sat.calls();
   return count;
+}
+
+void Enumeration::keep(const std::vector<Gates>& choices, std::vector<FaultSet>& sets) const {
+  std::vector<std::vector<FaultSet>> components;
+  for (const Gates& choice : choices) {
+    auto& single = components.emplace_back();
+    for (const std::size_t gate : choice) single.push_back({subject_.circuit.gates[gate].component});
+  }
+  FaultSet faults;
+  product(components, 0, faults, [&](const FaultSet& taken) { sets.push_back(taken); });
 }
 
 }  // namespace runtime

@@ -9,9 +9,14 @@
 #include <vector>
 
 #include "runtime/diagnose/encoding.hpp"
-#include "runtime/diagnose/expand.hpp"
+#include "runtime/diagnose/reach.hpp"
+#include "runtime/diagnose/sections.hpp"
+#include "runtime/diagnose/simulate.hpp"
 
 namespace runtime {
+
+/// Faulty components, ascending.
+using FaultSet = std::vector<automata::ComponentId>;
 
 /// Enumerates the diagnoses of minimum cardinality.
 ///
@@ -31,7 +36,8 @@ class Enumeration {
   using Report = std::function<void(const FaultSet&)>;
 
   /// With `list`, diagnoses are reported, not only counted. What `subject` refers to must outlive this object.
-  Enumeration(const Subject& subject, bool list);
+  Enumeration(const Subject& subject, bool list)
+      : subject_(subject), list_(list), reach_(subject.circuit, subject.known) {}
 
   /// `encoding` holds the cones of all observed nets and admits diagnoses of minimum cardinality alone. The number of
   /// diagnoses; `report` is called with each, once, where they are listed.
@@ -43,10 +49,11 @@ class Enumeration {
   using Gates = std::vector<std::size_t>;
 
   boost::multiprecision::cpp_int enumerate(const Gates& part, std::vector<FaultSet>& sets);
+  void keep(const std::vector<Gates>& choices, std::vector<FaultSet>& sets) const;
 
   Subject subject_;
   bool list_;
-  Expansion expansion_;
+  Reach reach_;
   std::size_t questions_ = 0;
 };
 

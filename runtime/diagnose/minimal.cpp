@@ -7,7 +7,6 @@
 
 #include "runtime/diagnose/core_guided.hpp"
 #include "runtime/diagnose/encoding.hpp"
-#include "runtime/diagnose/enumerate.hpp"
 
 namespace runtime {
 

@@ -11,7 +11,7 @@
 
 #include "automata/logic/variables.hpp"
 #include "runtime/diagnose/circuit.hpp"
-#include "runtime/diagnose/expand.hpp"
+#include "runtime/diagnose/enumerate.hpp"
 #include "runtime/diagnose/sections.hpp"
 
 namespace runtime {
