@@ -22,27 +22,6 @@ std::vector<std::size_t> faulty_places(const Encoding& encoding) {
   return places;
 }
 
-/// The gates that are faulty in some model. Each that was in none so far is asked for; one that is in none at all is
-/// told to work, which makes the next question easier.
-std::vector<std::size_t> possible_gates(Encoding& encoding) {
-  std::vector<bool> possible(encoding.tops.size(), false);
-  const auto mark = [&] {
-    for (const std::size_t p : faulty_places(encoding)) possible[p] = true;
-  };
-  if (encoding.sat.solve({})) mark();
-  std::vector<std::size_t> gates;
-  for (std::size_t p = 0; p < encoding.tops.size(); ++p) {
-    const Literal faulty = -encoding.healthy[p];
-    if (!possible[p] && encoding.sat.solve(std::span(&faulty, 1))) mark();
-    if (possible[p]) {
-      gates.push_back(encoding.tops[p]);
-    } else {
-      encoding.sat.add({encoding.healthy[p]});
-    }
-  }
-  return gates;
-}
-
 /// Calls `report` with each way to take one member of each list, joined to `taken`.
 template <class List, class Report>
 void product(const std::vector<List>& lists, std::size_t position, FaultSet& taken, const Report& report) {
@@ -60,11 +39,46 @@ void product(const std::vector<List>& lists, std::size_t position, FaultSet& tak
 
 }  // namespace
 
+/// What has not been seen in any model so far is asked for; what is in none is told to the solver, which makes the next
+/// question easier.
+Enumeration::Gates Enumeration::possible_gates(Encoding& encoding) {
+  const std::size_t count = encoding.tops.size();
+  std::vector<bool> faulty(count, false);
+  std::vector<bool> high(count, false);
+  std::vector<bool> low(count, false);
+  const auto seen = [&](Literal literal) {
+    if (!encoding.sat.solve(std::span(&literal, literal != 0 ? 1 : 0))) return false;
+    for (std::size_t p = 0; p < count; ++p) {
+      if (!encoding.sat.value(encoding.healthy[p])) faulty[p] = true;
+      (encoding.sat.value(encoding.output(p)) ? high : low)[p] = true;
+    }
+    return true;
+  };
+  seen(0);
+  Gates gates;
+  for (std::size_t p = 0; p < count; ++p) {
+    if (!faulty[p] && !seen(-encoding.healthy[p])) encoding.sat.add({encoding.healthy[p]});
+    if (faulty[p]) gates.push_back(encoding.tops[p]);
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    if (high[p] && low[p]) continue;
+    const Literal other = high[p] ? -encoding.output(p) : encoding.output(p);
+    if (seen(other)) continue;
+    encoding.sat.add({-other});
+    known_[circuit_.gates[encoding.tops[p]].output] = high[p];
+  }
+  return gates;
+}
+
 cpp_int Enumeration::run(Encoding& encoding, const Report& report) {
+  const Gates possible = possible_gates(encoding);
+  CutSimulation simulation(circuit_, known_);
+  simulation.unexplained({});
+  const Reach reach(circuit_, known_);
   cpp_int count = 1;
   std::vector<std::vector<FaultSet>> sets;
-  for (const Gates& part : reach_.groups(possible_gates(encoding))) {
-    count *= enumerate(part, sets.emplace_back());
+  for (const Gates& part : reach.groups(possible)) {
+    count *= enumerate(reach, simulation.values(), part, sets.emplace_back());
   }
   if (!list_) return count;
   FaultSet faults;
@@ -76,17 +90,18 @@ cpp_int Enumeration::run(Encoding& encoding, const Report& report) {
   return count;
 }
 
-cpp_int Enumeration::enumerate(const Gates& part, std::vector<FaultSet>& sets) {
-  std::vector<bool> suspects(subject_.circuit.gates.size(), false);
+cpp_int Enumeration::enumerate(const Reach& reach, const std::vector<Word>& nominal, const Gates& part,
+                               std::vector<FaultSet>& sets) {
+  std::vector<bool> suspects(circuit_.gates.size(), false);
   for (const std::size_t gate : part) suspects[gate] = true;
-  Encoding encoding(subject_.circuit, subject_.sections, subject_.known, subject_.nominal, suspects);
-  for (const NetId net : reach_.observed(part)) encoding.include(net);
+  Encoding encoding(circuit_, sections_, known_, nominal, suspects);
+  for (const NetId net : reach.observed(part)) encoding.include(net);
   CoreGuided guided(encoding.sat);
   for (const Literal healthy : encoding.healthy) guided.keep(healthy);
   guided.minimise();
   guided.commit();
 
-  Expansion expansion(subject_.circuit, subject_.sections, subject_.known, subject_.nominal, reach_.cone(part));
+  Expansion expansion(circuit_, sections_, known_, nominal, reach.cone(part));
   cpp_int count = 0;
   // Each top-level diagnosis comes after clauses that at least one gate of each found before works.
   while (encoding.sat.solve({})) {
@@ -112,7 +127,7 @@ void Enumeration::keep(const std::vector<Gates>& choices, std::vector<FaultSet>&
   std::vector<std::vector<FaultSet>> components;
   for (const Gates& choice : choices) {
     auto& single = components.emplace_back();
-    for (const std::size_t gate : choice) single.push_back({subject_.circuit.gates[gate].component});
+    for (const std::size_t gate : choice) single.push_back({circuit_.gates[gate].component});
   }
   FaultSet faults;
   product(components, 0, faults, [&](const FaultSet& taken) { sets.push_back(taken); });

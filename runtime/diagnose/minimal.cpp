@@ -73,8 +73,7 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
     if (known[n] && circuit_.driver[n]) encoding.include(static_cast<NetId>(n));
   }
   guided.commit();
-  const Enumeration::Subject subject{circuit_, sections_, known, nominal};
-  Enumeration enumeration(subject, scope == Scope::list);
+  Enumeration enumeration(circuit_, sections_, known, scope == Scope::list);
   result.count = enumeration.run(encoding, report);
   result.checked = encoding.sat.calls() + enumeration.questions();
   return result;
