@@ -21,6 +21,8 @@ Sat::Sat() : solver_(std::make_unique<Solver>()) {
   solver_->cadical.set("profile", 0);
   solver_->cadical.set("elim", 0);
   solver_->cadical.set("lucky", 0);
+  // Assumptions are many: to jump back over them and decide them again costs less than it gains in order.
+  solver_->cadical.set("chrono", 0);
 }
 Sat::~Sat() = default;
 Sat::Sat(Sat&&) noexcept = default;
@@ -32,6 +34,8 @@ void Sat::add(std::span<const Literal> clause) {
   for (const Literal literal : clause) solver_->cadical.add(literal);
   solver_->cadical.add(0);
 }
+
+void Sat::prefer_true() { solver_->cadical.set("forcephase", 1); }
 
 bool Sat::solve(std::span<const Literal> assumptions) {
   for (const Literal literal : assumptions) solver_->cadical.assume(literal);

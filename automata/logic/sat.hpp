@@ -23,6 +23,9 @@ class Sat {
   Literal fresh();
   void add(std::span<const Literal> clause);
   void add(std::initializer_list<Literal> clause) { add(std::span<const Literal>(clause.begin(), clause.size())); }
+  /// Has the search always try "true" first, instead of what a variable was last: for clauses whose variables are
+  /// meant to hold unless something speaks against it. Before the first clause.
+  void prefer_true();
   /// Whether the clauses can hold together with the assumptions. Assumptions last one call.
   bool solve(std::span<const Literal> assumptions);
   /// After a `solve` that returned false: whether this assumption takes part in the proof.

@@ -4,8 +4,7 @@
 
 namespace automata {
 
-Theory model_theory(const Plant& plant) {
-  Theory theory(plant.variables);
+void tell_model(Theory& theory, const Plant& plant) {
   for (const Formula& q : plant.interconnections) theory.tell(q);
   for (const Component& component : plant.components) {
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
@@ -13,6 +12,11 @@ Theory model_theory(const Plant& plant) {
       if (!constraint.is_true()) theory.tell_if({component.mode, ValueId(m)}, constraint);
     }
   }
+}
+
+Theory model_theory(const Plant& plant) {
+  Theory theory(plant.variables);
+  tell_model(theory, plant);
   return theory;
 }
 

@@ -7,6 +7,10 @@
 
 namespace automata {
 
+/// Tells a theory, whose variables begin with the plant's, the interconnections, and M(x = v) wherever x = v is
+/// assumed.
+void tell_model(Theory& theory, const Plant& plant);
+
 /// A theory that holds the interconnections, and M(x = v) wherever x = v is assumed. Asked with the modes of a state
 /// as assumptions, it is the store C_M of that state.
 Theory model_theory(const Plant& plant);

@@ -1,7 +1,12 @@
 // rmpl-run diagnose: the leading diagnoses of one snapshot.
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <numbers>
 
 #include "runtime/command/command.hpp"
 #include "runtime/command/competition.hpp"
@@ -30,12 +35,28 @@ exit code: 0 done; 2 an input is wrong
 examples:
   rmpl-run diagnose c17.tcca --observe 'N1 = true, N22.o = false'
   rmpl-run diagnose valves.tcca --observe 'flow = none' -k 3 --format json
+  rmpl-run diagnose c432.tcca --observe 'N1 = true, N223.o = false' -k 10 --ratio 100
   rmpl-run diagnose 74181.tcca --scenario 74181.000.scn --all-minimal --count)";
+
+/// The prior as a number that any reader of decimal numbers takes; also where it underflows a double.
+std::string probability_text(const Diagnosis& diagnosis) {
+  constexpr double tiny = 1e-300;
+  if (diagnosis.probability >= tiny || !std::isfinite(diagnosis.log_probability)) {
+    JsonLine number;
+    number.number(diagnosis.probability);
+    return std::string(number.text());
+  }
+  const double decimal = diagnosis.log_probability / std::numbers::ln10;
+  const double exponent = std::floor(decimal);
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.9ge%.0f", std::pow(10.0, decimal - exponent), exponent);
+  return text.data();
+}
 
 void write_json(JsonLine& json, const automata::Plant& plant, const Diagnoses& found) {
   json.open('{').key("diagnoses").open('[');
   for (const Diagnosis& diagnosis : found.diagnoses) {
-    json.open('{').key("probability").number(diagnosis.probability).key("modes").open('{');
+    json.open('{').key("probability").digits(probability_text(diagnosis)).key("modes").open('{');
     for (const auto& [component, mode] : diagnosis.faults) {
       json.key(plant[component].name).string(plant[component].modes[mode.index()].name);
     }
@@ -54,11 +75,8 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
   if (count_only) return found.count.str() + "\n";
   if (found.diagnoses.empty()) return "no diagnosis: no modes of the components are consistent with the observations\n";
   std::string text;
-  JsonLine number;
   for (const Diagnosis& diagnosis : found.diagnoses) {
-    number.clear();
-    number.number(diagnosis.probability);
-    std::string probability = number.text();
+    std::string probability = probability_text(diagnosis);
     if (probability.size() < 24) probability.append(24 - probability.size(), ' ');
     text += probability;
     if (diagnosis.faults.empty()) text += " nothing is at fault";
@@ -109,6 +127,9 @@ Subcommand diagnose_command(CLI::App& app, const Common& common) {
   command->add_option("-k", options->search.k, "how many diagnoses (default: 10)")
       ->option_text("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
+  command->add_option("--ratio", options->search.ratio, "none more than R times less likely than the best")
+      ->option_text("R")
+      ->check(CLI::Range(1.0, std::numeric_limits<double>::max()));
   command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
   command->add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
   add_format(*command, options->format);

@@ -9,17 +9,24 @@ namespace runtime {
 
 using automata::Literal;
 
-CoreGuided::CoreGuided(automata::Sat& sat, std::span<const Literal> softs)
-    : sat_(sat), active_(softs.begin(), softs.end()) {}
-
 bool CoreGuided::minimise() {
-  while (!sat_.solve(active_)) {
+  while (true) {
+    if (sat_.solve(active_)) {
+      // Bounds on cores wait until no core is left without them: cores that share nothing come first, and are small.
+      if (waiting_.empty()) return true;
+      active_.insert(active_.end(), waiting_.begin(), waiting_.end());
+      waiting_.clear();
+      continue;
+    }
     std::vector<Literal> core = core_of(active_);
     if (core.empty()) return false;
-    reduce(core);
-    relax(core);
+    // Asked again for the core alone, the solver often blames fewer. To leave out one after the other has it find a
+    // model for each that is needed, which costs more than the smaller totalizer saves.
+    const bool possible = sat_.solve(core);
+    assert(!possible && "a core is inconsistent");
+    (void)possible;
+    relax(core_of(core));
   }
-  return true;
 }
 
 std::vector<Literal> CoreGuided::core_of(const std::vector<Literal>& assumptions) const {
@@ -28,30 +35,6 @@ std::vector<Literal> CoreGuided::core_of(const std::vector<Literal>& assumptions
     if (sat_.failed(soft)) core.push_back(soft);
   }
   return core;
-}
-
-// A smaller core makes a smaller totalizer and a better next bound: first let the solver prove it again from the core
-// alone while that helps, then try each member of a small one.
-void CoreGuided::reduce(std::vector<Literal>& core) {
-  constexpr std::size_t small = 24;
-  for (std::size_t before = core.size() + 1; core.size() < before;) {
-    before = core.size();
-    const bool possible = sat_.solve(core);
-    assert(!possible && "a core is inconsistent");
-    (void)possible;
-    core = core_of(core);
-  }
-  if (core.size() > small) return;
-  for (std::size_t i = 0; i < core.size();) {
-    std::vector<Literal> rest = core;
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-    if (sat_.solve(rest)) {
-      ++i;
-    } else {
-      core = core_of(rest);
-      i = 0;
-    }
-  }
 }
 
 void CoreGuided::relax(const std::vector<Literal>& core) {
@@ -68,7 +51,7 @@ void CoreGuided::relax(const std::vector<Literal>& core) {
     if (limit < totalizers_[totalizer].size()) {
       const Literal next = -totalizers_[totalizer][limit];
       bounds_.emplace(next, Bound{totalizer, limit + 1});
-      active_.push_back(next);
+      waiting_.push_back(next);
     }
   }
   sat_.add(broken);
@@ -76,7 +59,7 @@ void CoreGuided::relax(const std::vector<Literal>& core) {
   totalizers_.push_back(totalize(broken));
   const Literal second = -totalizers_.back()[1];
   bounds_.emplace(second, Bound{totalizers_.size() - 1, 2});
-  active_.push_back(second);
+  waiting_.push_back(second);
 }
 
 // Only "inputs imply outputs" is needed: an output may hold without cause, but then it breaks a soft literal for
@@ -100,6 +83,7 @@ std::vector<Literal> CoreGuided::totalize(std::span<const Literal> inputs) {
 }
 
 void CoreGuided::commit() {
+  assert(waiting_.empty() && "committed after minimising");
   for (const Literal soft : active_) sat_.add({soft});
   active_.clear();
 }

@@ -18,11 +18,14 @@ namespace runtime {
 
 class CoreGuided {
  public:
-  /// `softs`: the literals to keep, each worth one. The solver must outlive this object.
-  CoreGuided(automata::Sat& sat, std::span<const automata::Literal> softs);
+  /// The solver must outlive this object.
+  explicit CoreGuided(automata::Sat& sat) : sat_(sat) {}
 
-  /// Finds the smallest number of soft literals that must be broken; nothing else may be asked before. False where the
-  /// hard clauses alone contradict each other.
+  /// A soft literal more.
+  void keep(automata::Literal soft) { active_.push_back(soft); }
+  /// Finds the smallest number of soft literals that must be broken, and leaves the solver with a model that breaks no
+  /// more. May be called again after clauses and soft literals were added: cores that were found still hold. False
+  /// where the hard clauses alone contradict each other.
   bool minimise();
   /// That number. Proved: each core needs one fault more.
   [[nodiscard]] std::size_t cost() const { return cost_; }
@@ -35,12 +38,12 @@ class CoreGuided {
     std::size_t limit;  ///< this soft literal says: fewer than `limit` of the totalizer's inputs hold
   };
   std::vector<automata::Literal> core_of(const std::vector<automata::Literal>& assumptions) const;
-  void reduce(std::vector<automata::Literal>& core);
   void relax(const std::vector<automata::Literal>& core);
   std::vector<automata::Literal> totalize(std::span<const automata::Literal> inputs);
 
   automata::Sat& sat_;
-  std::vector<automata::Literal> active_;                   ///< soft literals, in order of birth
+  std::vector<automata::Literal> active_;                   ///< soft literals that are assumed, in order of birth
+  std::vector<automata::Literal> waiting_;                  ///< those that are not assumed yet
   std::vector<std::vector<automata::Literal>> totalizers_;  ///< outputs: k-th holds if k + 1 inputs do
   std::map<automata::Literal, Bound> bounds_;               ///< of soft literals that are negated outputs
   std::size_t cost_ = 0;

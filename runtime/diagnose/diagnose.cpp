@@ -7,15 +7,22 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <map>
 #include <span>
 
 #include "runtime/diagnose/minimal.hpp"
 #include "runtime/diagnose/snapshot.hpp"
 #include "runtime/estimate/ocsp.hpp"
-#include "runtime/estimate/order.hpp"
 
 namespace runtime {
 namespace {
+
+std::vector<Statuses> all_statuses(const automata::Plant& plant) {
+  std::vector<Statuses> all;
+  for (const automata::Component& component : plant.components) all.push_back(statuses_of(component));
+  return all;
+}
 
 /// Costs whose order is that of falling priors.
 OptimalSearch::Costs costs(const std::vector<Statuses>& components) {
@@ -32,34 +39,78 @@ Diagnosis diagnosis_of(std::span<const std::uint32_t> candidate, const std::vect
   Diagnosis diagnosis;
   diagnosis.probability = 1;
   for (std::size_t c = 0; c < candidate.size(); ++c) {
-    diagnosis.probability *= components[c].priors[candidate[c]];
+    const double prior = components[c].priors[candidate[c]];
+    diagnosis.probability *= prior;
+    diagnosis.log_probability += std::log(prior);
     if (candidate[c] > 0) diagnosis.faults.emplace_back(c, components[c].faults[candidate[c] - 1]);
   }
   return diagnosis;
 }
 
-/// The order of the search among equal priors: component by component, nominal before faults.
-bool before(const Diagnosis& a, const Diagnosis& b) {
-  const auto [in_a, in_b] = std::mismatch(a.faults.begin(), a.faults.end(), b.faults.begin(), b.faults.end());
-  if (in_a == a.faults.end() || in_b == b.faults.end()) return in_a == a.faults.end() && in_b != b.faults.end();
-  return in_a->first != in_b->first ? in_a->first > in_b->first : in_a->second < in_b->second;
-}
+/// Most probable first, in the order of the search: among equal priors component by component, nominal before faults.
+/// Compared is by how much each fault is less likely than being nominal, in whole units, so that equal products are
+/// equal in whatever order they are multiplied.
+class ByPrior {
+ public:
+  explicit ByPrior(const std::vector<Statuses>& components) {
+    for (const Statuses& statuses : components) {
+      auto& units = units_.emplace_back();
+      for (std::size_t f = 0; f < statuses.faults.size(); ++f) {
+        const double odds = std::log(statuses.priors[f + 1]) - std::max(-limit, std::log(statuses.priors[0]));
+        units[statuses.faults[f]] = std::llround(std::ldexp(std::max(-limit, odds), 40));
+      }
+    }
+  }
+
+  void sort(std::vector<Diagnosis>& diagnoses) const {
+    std::sort(diagnoses.begin(), diagnoses.end(), [this](const Diagnosis& a, const Diagnosis& b) {
+      const std::int64_t of_a = units(a);
+      const std::int64_t of_b = units(b);
+      return of_a != of_b ? of_a > of_b : before(a, b);
+    });
+  }
+
+ private:
+  static constexpr double limit = 1000;  // of a logarithm that may be infinite
+
+  [[nodiscard]] std::int64_t units(const Diagnosis& diagnosis) const {
+    std::int64_t sum = 0;
+    for (const auto& [component, mode] : diagnosis.faults) sum += units_[component.index()].at(mode);
+    return sum;
+  }
+  static bool before(const Diagnosis& a, const Diagnosis& b) {
+    const auto [in_a, in_b] = std::mismatch(a.faults.begin(), a.faults.end(), b.faults.begin(), b.faults.end());
+    if (in_a == a.faults.end() || in_b == b.faults.end()) return in_a == a.faults.end() && in_b != b.faults.end();
+    return in_a->first != in_b->first ? in_a->first > in_b->first : in_a->second < in_b->second;
+  }
+
+  std::vector<std::map<automata::ModeId, std::int64_t>> units_;  ///< per component
+};
 
 void leading(const automata::Plant& plant, const automata::Observation& observation, const DiagnoseOptions& options,
              Diagnoses& result) {
   Snapshot snapshot(plant, observation);
   OptimalSearch search(costs(snapshot.statuses()));
-  search.set_budget(options.candidates);
   const auto check = [&](std::span<const std::uint32_t> candidate) { return snapshot.refute(candidate); };
-  while (result.diagnoses.size() < options.k) {
+  constexpr double tolerance = 1e-9;
+  double limit = std::numeric_limits<double>::infinity();
+  // One candidate at a time: none is checked that would be too unlikely.
+  while (result.diagnoses.size() < options.k && search.bound() <= limit) {
+    const bool spent = result.checked >= options.candidates;
+    search.set_budget(spent ? 0 : 1);
     const OptimalSearch::Outcome outcome = search.next(check);
-    result.cut = outcome == OptimalSearch::Outcome::budget;
-    if (outcome != OptimalSearch::Outcome::solution) break;
-    result.diagnoses.push_back(diagnosis_of(search.values(), snapshot.statuses()));
-    const std::size_t faults = result.diagnoses.back().faults.size();
+    result.checked = search.checked();
+    result.cut = spent && outcome == OptimalSearch::Outcome::budget;
+    if (outcome == OptimalSearch::Outcome::exhausted || result.cut) break;
+    if (outcome == OptimalSearch::Outcome::budget) continue;
+    // The tolerance is for rounding: what is exactly so many times less likely still counts.
+    if (result.diagnoses.empty()) limit = search.cost() + std::log(options.ratio) + tolerance;
+    if (search.cost() > limit) break;
+    Diagnosis found = diagnosis_of(search.values(), snapshot.statuses());
+    const std::size_t faults = found.faults.size();
     result.cardinality = std::min(result.cardinality.value_or(faults), faults);
+    result.diagnoses.push_back(std::move(found));
   }
-  result.checked = search.checked();
 }
 
 /// Raises the number of faults until some candidate has no more, then asks for one after the other, each excluded when
@@ -90,12 +141,10 @@ void fewest(const automata::Plant& plant, const automata::Observation& observati
 }
 
 /// The same for a circuit, by cores and sections; false where the plant is none, or an input is not observed.
-bool fewest_of_circuit(const automata::Plant& plant, const automata::Observation& observation,
-                       const DiagnoseOptions& options, Diagnoses& result) {
+bool fewest_of_circuit(const automata::Plant& plant, const std::vector<Statuses>& statuses,
+                       const automata::Observation& observation, const DiagnoseOptions& options, Diagnoses& result) {
   const auto circuit = circuit_of(plant);
   if (!circuit) return false;
-  std::vector<Statuses> statuses;
-  for (const automata::Component& component : plant.components) statuses.push_back(statuses_of(component));
   const auto report = [&](const FaultSet& faults) {
     std::vector<std::uint32_t> candidate(statuses.size(), 0);
     for (const automata::ComponentId component : faults) candidate[component.index()] = 1;
@@ -116,12 +165,18 @@ Diagnoses diagnose(const automata::Plant& plant, const automata::Observation& ob
                    const DiagnoseOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Diagnoses result;
-  if (!options.all_minimal || !fewest_of_circuit(plant, observation, options, result)) {
-    (options.all_minimal ? fewest : leading)(plant, observation, options, result);
+  if (!options.all_minimal) {
+    leading(plant, observation, options, result);
     result.count = result.diagnoses.size();
-    if (options.count_only) result.diagnoses.clear();
+  } else {
+    const std::vector<Statuses> statuses = all_statuses(plant);
+    if (!fewest_of_circuit(plant, statuses, observation, options, result)) {
+      fewest(plant, observation, options, result);
+      result.count = result.diagnoses.size();
+      if (options.count_only) result.diagnoses.clear();
+    }
+    ByPrior(statuses).sort(result.diagnoses);
   }
-  put_in_order(result.diagnoses, before);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -15,18 +15,22 @@
 namespace runtime {
 
 struct DiagnoseOptions {
-  std::size_t k = 10;        ///< how many of the leading diagnoses; without effect where `all_minimal`
-  bool all_minimal = false;  ///< instead every diagnosis with the fewest faults
-  bool count_only = false;   ///< with `all_minimal`: only how many there are
+  std::size_t k = 10;  ///< how many of the leading diagnoses; without effect where `all_minimal`
+  /// None that is more than so many times less likely than the best; at least 1. Without effect where `all_minimal`.
+  double ratio = std::numeric_limits<double>::infinity();
+  bool all_minimal = false;                                          ///< instead every diagnosis with the fewest faults
+  bool count_only = false;                                           ///< with `all_minimal`: only how many there are
   std::size_t candidates = std::numeric_limits<std::size_t>::max();  ///< how many may be checked
 };
 
 /// Components that are faulty, each in one fault mode; all others are in some nominal mode.
 struct Diagnosis {
-  /// The prior of the assignment, a product over all components. A fault mode has the probability of the likeliest
-  /// fault transition into it (a rate counts over one second), or, where none leads into it, its initial probability;
-  /// the nominal modes together have the rest. It is not divided by the probability of the observations.
+  /// The prior of the assignment, a product over all components. A component is in a fault mode if it began there,
+  /// with the initial probability, or if it began in no fault mode and entered this one, with the probability of the
+  /// likeliest fault transition into it (a rate counts over one second); the nominal modes together have the rest. It
+  /// is not divided by the probability of the observations.
   double probability = 0;
+  double log_probability = 0;  ///< its natural logarithm: of thousands of components the product may underflow
   std::vector<std::pair<automata::ComponentId, automata::ModeId>> faults;  ///< in order of component
 };
 

@@ -1,160 +1,62 @@
-// Expanding top-level diagnoses by simulation, sixty-four witnesses at a time.
+// Expanding top-level diagnoses by simulation, sixty-four gates of a section at a time.
 // SPDX-License-Identifier: MIT
 #include "runtime/diagnose/expand.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <stdexcept>
+#include <utility>
 
 namespace runtime {
-namespace {
 
-bool meets(const std::vector<Word>& a, const std::vector<Word>& b) {
-  for (std::size_t w = 0; w < a.size(); ++w) {
-    if ((a[w] & b[w]) != 0) return true;
-  }
-  return false;
+Expansion::Expansion(const Circuit& circuit, const Sections& sections, const Known& known,
+                     const std::vector<Word>& nominal, std::vector<std::size_t> cone)
+    : circuit_(circuit), sections_(sections), known_(known), cone_(std::move(cone)), words_(nominal) {}
+
+const std::vector<std::vector<std::size_t>>& Expansion::choices(std::span<const std::size_t> tops) {
+  simulate(tops);
+  choices_.resize(tops.size());
+  for (std::size_t j = 0; j < tops.size(); ++j) choose(tops[j], choices_[j]);
+  return choices_;
 }
 
-std::vector<Word> intersection(const std::vector<Word>& a, const std::vector<Word>& b) {
-  std::vector<Word> both(a.size());
-  for (std::size_t w = 0; w < a.size(); ++w) both[w] = a[w] & b[w];
-  return both;
-}
-
-}  // namespace
-
-Expansion::Expansion(const Circuit& circuit, const Sections& sections, const Known& known)
-    : circuit_(circuit), sections_(sections), known_(known), words_(circuit.nets, 0), flipped_(circuit.nets, 0) {
-  for (std::size_t n = 0; n < circuit.nets; ++n) {
-    if (!circuit.driver[n]) words_[n] = known[n].value_or(false) ? ~Word{0} : 0;
-  }
-}
-
-void Expansion::simulate(std::span<const std::size_t> tops, const std::vector<Word>& forced) {
-  for (std::size_t g = 0; g < circuit_.gates.size(); ++g) {
-    if (!sections_.top[g]) continue;
+void Expansion::simulate(std::span<const std::size_t> tops) {
+  const auto word_of = [&](NetId net) { return words_[net]; };
+  for (const std::size_t g : cone_) {
     const CircuitGate& gate = circuit_.gates[g];
-    const auto at = std::find(tops.begin(), tops.end(), g);
-    words_[gate.output] = at != tops.end() ? forced[static_cast<std::size_t>(at - tops.begin())]
-                                           : evaluate_(gate, [&](NetId net) { return words_[net]; });
+    Word value = evaluate_(gate, word_of);
+    if (!tops.empty() && tops.front() == g) {
+      value = ~value;
+      tops = tops.subspan(1);
+    }
+    if (!known_[gate.output]) {
+      words_[gate.output] = value;
+    } else if (value != words_[gate.output]) {
+      throw std::logic_error("a diagnosis that does not explain the observation");
+    }
   }
 }
 
-std::vector<std::vector<bool>> Expansion::witnesses(std::span<const std::size_t> tops) {
-  // Bit i of the j-th pattern is bit j of i: all vectors of six values in one word.
-  constexpr std::array<Word, 6> patterns{0xaaaaaaaaaaaaaaaaU, 0xccccccccccccccccU, 0xf0f0f0f0f0f0f0f0U,
-                                         0xff00ff00ff00ff00U, 0xffff0000ffff0000U, 0xffffffff00000000U};
-  std::vector<std::vector<bool>> found;
-  const std::size_t vectors = std::size_t{1} << tops.size();
-  std::vector<Word> forced(tops.size());
-  for (std::size_t base = 0; base < vectors; base += 64) {
-    for (std::size_t j = 0; j < tops.size(); ++j) {
-      forced[j] = j < patterns.size() ? patterns[j] : ((base >> j) & 1) != 0 ? ~Word{0} : 0;
+void Expansion::choose(std::size_t top, std::vector<std::size_t>& chosen) {
+  const std::vector<std::size_t>& section = sections_.members[top];
+  const auto word_of = [&](NetId net) { return words_[net]; };
+  const std::size_t others = section.size() - 1;
+  chosen.clear();
+  saved_.resize(others);
+  for (std::size_t m = 0; m < others; ++m) saved_[m] = words_[circuit_.gates[section[m]].output];
+  for (std::size_t base = 0; base < others; base += 64) {
+    for (std::size_t m = 0; m < others; ++m) {
+      const CircuitGate& gate = circuit_.gates[section[m]];
+      words_[gate.output] = evaluate_(gate, word_of);
+      if (m >= base && m < base + 64) words_[gate.output] ^= Word{1} << (m - base);
     }
-    simulate(tops, forced);
-    Word good = vectors >= 64 ? ~Word{0} : (Word{1} << vectors) - 1;
-    for (std::size_t n = 0; n < circuit_.nets && good != 0; ++n) {
-      const auto& driver = circuit_.driver[n];
-      if (driver && known_[n] && sections_.top[*driver]) good &= *known_[n] ? words_[n] : ~words_[n];
-    }
-    for (std::size_t i = 0; i < 64 && base + i < vectors; ++i) {
-      if (((good >> i) & 1) == 0) continue;
-      auto& witness = found.emplace_back();
-      for (std::size_t j = 0; j < tops.size(); ++j) witness.push_back((((base + i) >> j) & 1) != 0);
+    const CircuitGate& gate = circuit_.gates[top];
+    const Word serves = ~(evaluate_(gate, word_of) ^ words_[gate.output]);
+    for (std::size_t m = base; m < std::min(others, base + 64); ++m) {
+      if (((serves >> (m - base)) & 1) != 0) chosen.push_back(section[m]);
     }
   }
-  return found;
-}
-
-std::vector<std::vector<Expansion::Choice>> Expansion::choices(std::span<const std::size_t> tops,
-                                                               const std::vector<std::vector<bool>>& witnesses) {
-  const std::size_t words = (witnesses.size() + 63) / 64;
-  std::vector<std::map<std::size_t, Mask>> masks(tops.size());
-  for (std::size_t w = 0; w < words; ++w) {
-    const std::size_t used = std::min<std::size_t>(64, witnesses.size() - 64 * w);
-    const Word valid = used == 64 ? ~Word{0} : (Word{1} << used) - 1;
-    std::vector<Word> forced(tops.size(), 0);
-    for (std::size_t i = 0; i < used; ++i) {
-      for (std::size_t j = 0; j < tops.size(); ++j) {
-        if (witnesses[64 * w + i][j]) forced[j] |= Word{1} << i;
-      }
-    }
-    simulate(tops, forced);
-    for (std::size_t j = 0; j < tops.size(); ++j) {
-      const auto& members = sections_.members[tops[j]];
-      for (std::size_t m = 0; m < members.size(); ++m) {
-        Word serves = valid;
-        if (members[m] != tops[j]) {
-          // The section again, with this one gate flipped; what lies outside does not depend on it.
-          flipped_ = words_;
-          const auto word_of = [&](NetId net) { return flipped_[net]; };
-          const CircuitGate& gate = circuit_.gates[members[m]];
-          flipped_[gate.output] = ~evaluate_(gate, word_of);
-          for (std::size_t later = m + 1; later < members.size(); ++later) {
-            const CircuitGate& next = circuit_.gates[members[later]];
-            flipped_[next.output] = evaluate_(next, word_of);
-          }
-          const NetId output = circuit_.gates[tops[j]].output;
-          serves &= ~(flipped_[output] ^ forced[j]);
-        }
-        if (serves == 0) continue;
-        auto& mask = masks[j].try_emplace(members[m], Mask(words, 0)).first->second;
-        mask[w] = serves;
-      }
-    }
-  }
-  std::vector<std::vector<Choice>> all(tops.size());
-  for (std::size_t j = 0; j < tops.size(); ++j) {
-    std::map<Mask, std::vector<std::size_t>> groups;
-    for (const auto& [gate, mask] : masks[j]) groups[mask].push_back(gate);
-    for (auto& [mask, gates] : groups) all[j].push_back({mask, std::move(gates)});
-  }
-  return all;
-}
-
-boost::multiprecision::cpp_int Expansion::expand(std::span<const std::size_t> tops,
-                                                 const std::vector<std::vector<bool>>& witnesses,
-                                                 const std::function<void(const FaultSet&)>& report) {
-  const auto all = choices(tops, witnesses);
-  const Mask everything((witnesses.size() + 63) / 64, ~Word{0});
-  // How many choices out of the sections so far share exactly these witnesses.
-  std::map<Mask, boost::multiprecision::cpp_int> partial{{everything, 1}};
-  for (const auto& section : all) {
-    std::map<Mask, boost::multiprecision::cpp_int> next;
-    for (const auto& [mask, count] : partial) {
-      for (const Choice& choice : section) {
-        if (meets(mask, choice.mask)) next[intersection(mask, choice.mask)] += count * choice.gates.size();
-      }
-    }
-    partial = std::move(next);
-  }
-  boost::multiprecision::cpp_int total = 0;
-  for (const auto& [mask, count] : partial) total += count;
-  if (report) {
-    FaultSet chosen;
-    list(all, 0, everything, chosen, report);
-  }
-  return total;
-}
-
-void Expansion::list(const std::vector<std::vector<Choice>>& all, std::size_t position, const Mask& mask,
-                     FaultSet& chosen, const std::function<void(const FaultSet&)>& report) const {
-  if (position == all.size()) {
-    FaultSet sorted = chosen;
-    std::sort(sorted.begin(), sorted.end());
-    report(sorted);
-    return;
-  }
-  for (const Choice& choice : all[position]) {
-    if (!meets(mask, choice.mask)) continue;
-    const Mask both = intersection(mask, choice.mask);
-    for (const std::size_t gate : choice.gates) {
-      chosen.push_back(circuit_.gates[gate].component);
-      list(all, position + 1, both, chosen, report);
-      chosen.pop_back();
-    }
-  }
+  for (std::size_t m = 0; m < others; ++m) words_[circuit_.gates[section[m]].output] = saved_[m];
+  chosen.push_back(top);
 }
 
 }  // namespace runtime

@@ -2,58 +2,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "runtime/diagnose/minimal.hpp"
+#include "runtime/diagnose/circuit.hpp"
+#include "runtime/diagnose/sections.hpp"
 #include "runtime/diagnose/simulate.hpp"
 
 namespace runtime {
 
-/// What every net is known to be: its observed value, or nothing.
-using Known = std::vector<std::optional<bool>>;
-
-/// Expands the undominated gates of a top-level diagnosis into their sections. Let the outputs of the gates
-/// d1 … dk be fixed to a vector v; all other nets follow. v is a witness if every observed net then has its value. A
-/// choice of one gate out of each section is a diagnosis if for some witness v each chosen gate, flipped, gives its
-/// section's output the value in v.
+/// Expands the undominated gates of a top-level diagnosis of minimum cardinality into their sections.
+///
+/// Such a gate gives the opposite of what its inputs ask for: if it gave that, it would not be needed. So the faulty
+/// gates determine the value of every net. Another gate of a section explains as much if it, flipped, brings the
+/// section's output to the value that it has, and which one it is does not matter to other sections: the diagnoses are
+/// the product of the sections' choices.
 class Expansion {
  public:
-  Expansion(const Circuit& circuit, const Sections& sections, const Known& known);
+  /// `nominal`: the value of every net where no gate is faulty. `cone`: all gates that depend on a gate to be expanded,
+  /// ascending. What is passed by reference must outlive this object.
+  Expansion(const Circuit& circuit, const Sections& sections, const Known& known, const std::vector<Word>& nominal,
+            std::vector<std::size_t> cone);
 
-  /// Simulates every vector v: for at most this many gates.
-  static constexpr std::size_t exhaustive_limit = 12;
-
-  /// All witnesses of the gates in `tops`, each as one value per gate. |tops| <= exhaustive_limit.
-  std::vector<std::vector<bool>> witnesses(std::span<const std::size_t> tops);
-  /// The number of diagnoses that `tops` stands for; `report` is called with each where it is given.
-  boost::multiprecision::cpp_int expand(std::span<const std::size_t> tops,
-                                        const std::vector<std::vector<bool>>& witnesses,
-                                        const std::function<void(const FaultSet&)>& report);
+  /// Per gate of `tops` (ascending), the gates of its section that may be faulty in its place, itself the last. Throws
+  /// std::logic_error where the gates are no diagnosis of minimum cardinality.
+  const std::vector<std::vector<std::size_t>>& choices(std::span<const std::size_t> tops);
 
  private:
-  /// Which witnesses a gate serves: bit i is the i-th witness.
-  using Mask = std::vector<Word>;
-  struct Choice {
-    Mask mask;
-    std::vector<std::size_t> gates;
-  };
-
-  void simulate(std::span<const std::size_t> tops, const std::vector<Word>& forced);
-  std::vector<std::vector<Choice>> choices(std::span<const std::size_t> tops,
-                                           const std::vector<std::vector<bool>>& witnesses);
-  void list(const std::vector<std::vector<Choice>>& all, std::size_t position, const Mask& mask, FaultSet& chosen,
-            const std::function<void(const FaultSet&)>& report) const;
+  void simulate(std::span<const std::size_t> tops);
+  void choose(std::size_t top, std::vector<std::size_t>& chosen);
 
   const Circuit& circuit_;
   const Sections& sections_;
   const Known& known_;
-  std::vector<Word> words_;    ///< per net, of the last simulation
-  std::vector<Word> flipped_;  ///< per net, while a section is simulated again
+  std::vector<std::size_t> cone_;
+  std::vector<Word> words_;  ///< per net
+  std::vector<Word> saved_;  ///< of a section, while it is simulated again
+  std::vector<std::vector<std::size_t>> choices_;
   GateEvaluator evaluate_;
 };
 

@@ -5,148 +5,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "automata/logic/sat.hpp"
 #include "runtime/diagnose/core_guided.hpp"
-#include "runtime/diagnose/expand.hpp"
+#include "runtime/diagnose/encoding.hpp"
 
 namespace runtime {
-namespace {
-
-using automata::Literal;
-using automata::Sat;
-
-/// The circuit under one observation in clauses. Constants are folded, so what the inputs decide costs nothing; a
-/// dominated gate works and needs no variable of its own beyond its function.
-class Encoding {
- public:
-  Encoding(const Circuit& circuit, const Sections& sections, const Known& known) : true_(sat.fresh()) {
-    sat.add({true_});
-    nets.assign(circuit.nets, true_);
-    for (std::size_t n = 0; n < circuit.nets; ++n) {
-      if (known[n]) nets[n] = *known[n] ? true_ : -true_;
-    }
-    for (std::size_t g = 0; g < circuit.gates.size(); ++g) {
-      if (!sections.top[g]) continue;
-      const CircuitGate& gate = circuit.gates[g];
-      const Literal value = function(gate);
-      if (*sections.top[g] != g) {
-        nets[gate.output] = value;
-        continue;
-      }
-      if (!known[gate.output]) nets[gate.output] = sat.fresh();
-      const Literal output = nets[gate.output];
-      if (output == value) continue;
-      const Literal works = sat.fresh();
-      clause({-works, -output, value});
-      clause({-works, output, -value});
-      tops.push_back(g);
-      healthy.push_back(works);
-    }
-  }
-
-  Sat sat;
-  std::vector<Literal> nets;
-  std::vector<std::size_t> tops;  ///< undominated gates that can matter, and beside them:
-  std::vector<Literal> healthy;   ///< "this gate works"
-
- private:
-  void clause(std::vector<Literal> literals) {
-    if (std::find(literals.begin(), literals.end(), true_) != literals.end()) return;
-    std::erase(literals, -true_);
-    sat.add(literals);
-  }
-
-  Literal conjunction(std::vector<Literal> inputs) {
-    std::sort(inputs.begin(), inputs.end());
-    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
-    std::erase(inputs, true_);
-    for (const Literal input : inputs) {
-      if (input == -true_ || std::binary_search(inputs.begin(), inputs.end(), -input)) return -true_;
-    }
-    if (inputs.empty()) return true_;
-    if (inputs.size() == 1) return inputs[0];
-    const Literal gate = sat.fresh();
-    std::vector<Literal> closing{gate};
-    for (const Literal input : inputs) {
-      sat.add({-gate, input});
-      closing.push_back(-input);
-    }
-    sat.add(closing);
-    return gate;
-  }
-
-  Literal equivalence(Literal a, Literal b) {
-    if (a == true_ || b == true_) return a == true_ ? b : a;
-    if (a == -true_ || b == -true_) return a == -true_ ? -b : -a;
-    if (a == b || a == -b) return a == b ? true_ : -true_;
-    const Literal gate = sat.fresh();
-    sat.add({-gate, -a, b});
-    sat.add({-gate, a, -b});
-    sat.add({gate, a, b});
-    sat.add({gate, -a, -b});
-    return gate;
-  }
-
-  Literal function(const CircuitGate& gate) {
-    std::vector<Literal> stack;
-    for (const GateStep& step : gate.function) {
-      const auto from = stack.end() - static_cast<std::ptrdiff_t>(step.count);
-      switch (step.kind) {
-        case GateStep::Kind::net:
-          stack.push_back(nets[step.net]);
-          break;
-        case GateStep::Kind::constant:
-          stack.push_back(step.truth ? true_ : -true_);
-          break;
-        case GateStep::Kind::negation:
-          stack.back() = -stack.back();
-          break;
-        case GateStep::Kind::conjunction:
-        case GateStep::Kind::disjunction: {
-          // A disjunction is the negation of the conjunction of the negations.
-          const int sign = step.kind == GateStep::Kind::conjunction ? 1 : -1;
-          std::vector<Literal> inputs(from, stack.end());
-          for (Literal& input : inputs) input *= sign;
-          stack.erase(from, stack.end());
-          stack.push_back(sign * conjunction(std::move(inputs)));
-          break;
-        }
-        case GateStep::Kind::equivalence: {
-          Literal value = *from;
-          for (auto at = from + 1; at != stack.end(); ++at) value = equivalence(value, *at);
-          stack.erase(from, stack.end());
-          stack.push_back(value);
-          break;
-        }
-      }
-    }
-    return stack.back();
-  }
-
-  Literal true_;
-};
-
-/// Witnesses of one top-level diagnosis by the solver: for diagnoses too large to simulate every vector.
-std::vector<std::vector<bool>> witnesses_by_solver(Encoding& encoding, const Circuit& circuit,
-                                                   const std::vector<std::size_t>& positions) {
-  std::vector<std::vector<bool>> found;
-  const Literal active = encoding.sat.fresh();
-  std::vector<Literal> assumptions{active};
-  for (const std::size_t p : positions) assumptions.push_back(-encoding.healthy[p]);
-  while (encoding.sat.solve(assumptions)) {
-    auto& witness = found.emplace_back();
-    std::vector<Literal> different{-active};
-    for (const std::size_t p : positions) {
-      const Literal output = encoding.nets[circuit.gates[encoding.tops[p]].output];
-      witness.push_back(encoding.sat.value(output));
-      different.push_back(witness.back() ? -output : output);
-    }
-    encoding.sat.add(different);
-  }
-  return found;
-}
-
-}  // namespace
 
 void CircuitDiagnosis::prepare(const std::vector<bool>& observed) {
   if (observed == observed_) return;
@@ -171,41 +33,49 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
   }
   prepare(observed);
 
-  Encoding encoding(circuit_, sections_, known);
-  CoreGuided guided(encoding.sat, encoding.healthy);
-  if (!guided.minimise()) return std::nullopt;
-  MinimalDiagnoses result{guided.cost(), 0, 0};
-  if (scope != Scope::first) guided.commit();
-  Expansion expansion(circuit_, sections_, known);
-  // The model that ended the minimisation is the first diagnosis; each further one comes after a clause that at least
-  // one gate of each found before works.
-  while (true) {
-    std::vector<std::size_t> tops, positions;
-    std::vector<Literal> blocking;
-    if (scope != Scope::first && !encoding.sat.solve({})) break;
+  CutSimulation simulation(circuit_, known);
+  std::vector<NetId> demands = simulation.unexplained({});
+  const std::vector<Word> nominal = simulation.values();
+  const std::vector<bool> all_gates;
+  Encoding encoding(circuit_, sections_, known, nominal, all_gates);
+  CoreGuided guided(encoding.sat);
+  std::vector<Forced> forced;
+  const auto take_model = [&] {
+    forced.clear();
     for (std::size_t p = 0; p < encoding.tops.size(); ++p) {
       if (encoding.sat.value(encoding.healthy[p])) continue;
-      positions.push_back(p);
-      tops.push_back(encoding.tops[p]);
-      blocking.push_back(encoding.healthy[p]);
+      forced.push_back({encoding.tops[p], encoding.sat.value(encoding.output(p))});
     }
-    assert(tops.size() == guided.cost() && "a model at the bound breaks as many soft literals as it costs");
-    if (scope == Scope::first) {
-      FaultSet faults;
-      for (const std::size_t g : tops) faults.push_back(circuit_.gates[g].component);
-      std::sort(faults.begin(), faults.end());
-      result.count = 1;
-      report(faults);
-      break;
-    }
-    const auto witnesses = tops.size() <= Expansion::exhaustive_limit
-                               ? expansion.witnesses(tops)
-                               : witnesses_by_solver(encoding, circuit_, positions);
-    result.count += expansion.expand(tops, witnesses, scope == Scope::list ? report : nullptr);
-    if (blocking.empty()) break;
-    encoding.sat.add(blocking);
+    std::sort(forced.begin(), forced.end(), [](const Forced& a, const Forced& b) { return a.gate < b.gate; });
+  };
+  // Only the cones of nets that are not as they should be are encoded; those of further nets when a diagnosis of what
+  // is there fails to explain them.
+  for (std::size_t included = 0; !demands.empty(); demands = simulation.unexplained(forced)) {
+    for (const NetId net : demands) encoding.include(net);
+    for (; included < encoding.healthy.size(); ++included) guided.keep(encoding.healthy[included]);
+    [[maybe_unused]] const bool explained = guided.minimise();
+    assert(explained && "the gates that drive them explain all observed nets");
+    take_model();
+    assert(forced.size() == guided.cost() && "a model at the bound breaks as many soft literals as it costs");
   }
-  result.checked = encoding.sat.calls();
+
+  MinimalDiagnoses result{guided.cost(), 1, encoding.sat.calls()};
+  if (scope == Scope::first) {
+    FaultSet faults;
+    for (const Forced& gate : forced) faults.push_back(circuit_.gates[gate.gate].component);
+    std::sort(faults.begin(), faults.end());
+    report(faults);
+    return result;
+  }
+  // A diagnosis with a gate outside the cones would have one fault fewer inside them than is possible.
+  encoding.no_more_faults();
+  for (std::size_t n = 0; n < circuit_.nets; ++n) {
+    if (known[n] && circuit_.driver[n]) encoding.include(static_cast<NetId>(n));
+  }
+  guided.commit();
+  Enumeration enumeration(circuit_, sections_, known, scope == Scope::list);
+  result.count = enumeration.run(encoding, report);
+  result.checked = encoding.sat.calls() + enumeration.questions();
   return result;
 }
 

@@ -11,12 +11,10 @@
 
 #include "automata/logic/variables.hpp"
 #include "runtime/diagnose/circuit.hpp"
+#include "runtime/diagnose/enumerate.hpp"
 #include "runtime/diagnose/sections.hpp"
 
 namespace runtime {
-
-/// Faulty components, ascending.
-using FaultSet = std::vector<automata::ComponentId>;
 
 struct MinimalDiagnoses {
   std::size_t cardinality = 0;

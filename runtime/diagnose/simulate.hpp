@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "runtime/diagnose/circuit.hpp"
@@ -53,6 +55,35 @@ class GateEvaluator {
     }
   }
   std::vector<Word> stack_;
+};
+
+/// What every net is known to be: its observed value, or nothing.
+using Known = std::vector<std::optional<bool>>;
+
+/// A gate that gives a value whatever its inputs are.
+struct Forced {
+  std::size_t gate;
+  bool value;
+};
+
+/// The circuit under an observation, where an observed net is cut: what reads it reads the observed value.
+class CutSimulation {
+ public:
+  /// Both must outlive this object. Every net that no gate drives must be known.
+  CutSimulation(const Circuit& circuit, const Known& known);
+
+  /// The observed nets to which some gates give another value than the observed one, while all gates but the `forced`
+  /// ones (in ascending order) work.
+  const std::vector<NetId>& unexplained(std::span<const Forced> forced);
+  /// The value of every net in the last simulation, all bits of a word alike.
+  [[nodiscard]] const std::vector<Word>& values() const { return values_; }
+
+ private:
+  const Circuit& circuit_;
+  const Known& known_;
+  std::vector<Word> values_;
+  std::vector<NetId> unexplained_;
+  GateEvaluator evaluate_;
 };
 
 }  // namespace runtime

@@ -20,16 +20,20 @@ namespace runtime {
 
 /// The statuses of a component: status 0 is nominal, status i + 1 its i-th fault mode.
 struct Statuses {
-  automata::VariableId variable;
+  automata::VariableId variable;          ///< the mode itself where there is one nominal mode
+  std::vector<automata::ValueId> values;  ///< of that variable, per status
   std::vector<automata::ModeId> faults;
+  std::vector<automata::ModeId> nominals;
   std::vector<double> priors;  ///< per status, as `Diagnosis::probability` says; they sum to 1
-  bool has_nominal = false;
+
+  [[nodiscard]] automata::Assignment is(std::size_t status) const { return {variable, values[status]}; }
 };
 
-/// The statuses of a component but for their variable: its fault modes, with the priors of `Diagnosis::probability`.
+/// The statuses of a component but for their variable and values: its fault modes, with the priors of
+/// `Diagnosis::probability`.
 Statuses statuses_of(const automata::Component& component);
 
-/// The plant with a status variable for each component, under one observation. `counted` is for `at_most`: how many
+/// The plant with a status for each component, under one observation. `counted` is for `at_most`: how many
 /// faults can be told apart; each costs a variable a component.
 class Snapshot {
  public:
@@ -49,12 +53,14 @@ class Snapshot {
 
  private:
   automata::Variables extend(const automata::Plant& plant, std::size_t counted);
+  [[nodiscard]] std::uint32_t status_of(automata::Assignment assignment) const;
   void tell_statuses(const automata::Plant& plant);
   void tell_counter();
 
   std::vector<Statuses> statuses_;
   /// Per component, per j below `counted`: whether it and those before it have more than j faults.
   std::vector<std::vector<automata::VariableId>> more_than_;
+  std::vector<std::uint32_t> component_of_;  ///< per variable, of status variables
   automata::Theory theory_;
   std::vector<automata::Assignment> assumptions_;
 };

@@ -65,7 +65,7 @@ struct RandomCircuit {
 
 TEST(Circuit, CompleteSetsEqualEnumeration) {
   std::mt19937 random(20031);
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 300; ++round) {
     const std::size_t inputs = 2 + random() % 3;
     const std::size_t gates = 4 + random() % 6;
     const RandomCircuit made(random, inputs, gates);
@@ -115,6 +115,12 @@ TEST(Circuit, CompleteSetsEqualEnumeration) {
     EXPECT_EQ(result->count, found.size()) << "round " << round;
     const auto counted = diagnosis.solve(observation, CircuitDiagnosis::Scope::count, nullptr);
     EXPECT_EQ(counted->count, found.size());
+    std::size_t one = 0;
+    const auto first = diagnosis.solve(observation, CircuitDiagnosis::Scope::first, [&](const FaultSet& faults) {
+      for (const auto component : faults) one |= std::size_t{1} << component.index();
+    });
+    EXPECT_EQ(first->cardinality, fewest);
+    EXPECT_TRUE(expected.contains(one));
   }
 }
 

@@ -93,6 +93,43 @@ TEST(Diagnose, AFaultWithoutTransitionHasItsInitialProbability) {
   EXPECT_NEAR(result.diagnoses[0].probability, 0.7 * -std::expm1(-2.0) * 0.99 * 0.99, 1e-12);
 }
 
+TEST(Diagnose, AFaultMayBeThereAtFirstOrCome) {
+  PlantWriter w = gates(0.01);
+  w.plant.components[0].initial = {0.7, 0.3};
+  const Diagnoses result = diagnose(w.plant, {w.assignment("a", "zero"), w.assignment("b", "zero")}, {.k = 1});
+  ASSERT_EQ(result.diagnoses.size(), 1u);
+  EXPECT_NEAR(result.diagnoses[0].probability, (0.3 + 0.7 * 0.01) * std::pow(0.99, 3), 1e-12);
+}
+
+TEST(Diagnose, ARatioEndsTheListWhereTheRestIsTooUnlikely) {
+  const PlantWriter w = gates(0.01);
+  // One fault (c is wrong through either of two gates), or two; each fault more is 99 times less likely.
+  const Observation wrong{w.assignment("a", "zero"), w.assignment("c", "one")};
+  using Names = std::vector<std::vector<std::string>>;
+  const Names single{{"not2=bad"}, {"not1=bad"}};
+  EXPECT_EQ(names(w, diagnose(w.plant, wrong, {.k = 100, .ratio = 98})), single);
+  EXPECT_GT(diagnose(w.plant, wrong, {.k = 100, .ratio = 100}).diagnoses.size(), 2u);
+  EXPECT_EQ(diagnose(w.plant, wrong, {.k = 100, .ratio = 1}).diagnoses.size(), 2u) << "what is as likely stays";
+  EXPECT_EQ(diagnose(w.plant, wrong, {.k = 1, .ratio = 1e9}).diagnoses.size(), 1u);
+}
+
+TEST(Diagnose, TheOrderHoldsWhereProbabilitiesUnderflow) {
+  PlantWriter w;
+  w.observable("lamp", {"dark", "lit"});
+  for (int i = 0; i < 400; ++i) {
+    const auto unlikely = w.component("c" + std::to_string(i), {{"good"}, {"bad", true}});
+    w.fault(unlikely, "bad", 0.9);
+  }
+  const auto bulb = w.component("bulb", {{"good", false, w.is("lamp", "lit")}, {"bad", true}});
+  w.fault(bulb, "bad", 0.001);
+  DiagnoseOptions options;
+  options.all_minimal = true;
+  const Diagnoses result = diagnose(w.plant, {w.assignment("lamp", "dark")}, options);
+  ASSERT_EQ(result.diagnoses.size(), 1u);
+  EXPECT_EQ(result.diagnoses[0].probability, 0);
+  EXPECT_NEAR(result.diagnoses[0].log_probability, 400 * std::log(0.1) + std::log(0.001), 1e-6);
+}
+
 /// All consistent fault assignments, by asking each.
 std::vector<std::pair<double, Faults>> enumerate(const automata::Plant& plant, const Observation& observation) {
   automata::PlantStep step(plant);

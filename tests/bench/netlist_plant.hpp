@@ -1,0 +1,32 @@
+// Netlists as automata, for the benchmarks of diagnosis.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "compiler/compiler.hpp"
+#include "compiler/import/import.hpp"
+
+namespace bench {
+
+/// Imports and compiles a netlist, as `rmplc import` and the reader of every program do.
+inline automata::Document imported(const std::filesystem::path& netlist, compiler::FaultModel faults) {
+  const auto model = std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_circuit.tcca");
+  std::ofstream(model) << compiler::import_circuit(netlist, faults);
+  const std::string path = model;
+  const compiler::Compilation compilation = compiler::compile(std::span(&path, 1));
+  std::filesystem::remove(model);
+  if (!compilation.ok()) {
+    std::fputs(compilation.diagnostics(compiler::DiagnosticFormat::text, false).c_str(), stderr);
+    std::exit(EXIT_FAILURE);
+  }
+  return compilation.document();
+}
+
+}  // namespace bench
