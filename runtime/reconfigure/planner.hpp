@@ -62,6 +62,8 @@ class Planner {
 
   /// States that a search visits at most, before it gives up.
   static constexpr std::size_t search_limit = 1u << 14;
+  /// Control actions that it tries at most, over all states.
+  static constexpr std::size_t trial_limit = 1u << 18;
 
  private:
   using Choice = std::variant<PlannedStep, Impasse>;
@@ -86,6 +88,10 @@ class Planner {
                  std::span<const automata::ModeId> wanted);
   Choice bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                      const NominalTransition& transition);
+  /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
+  /// upstream of it. What no component in question can feel is not tried.
+  [[nodiscard]] std::vector<automata::ControlAction> promising(const automata::Modes& modes,
+                                                               const Objective& objective) const;
   Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits);
 
   /// Whether the step is no wait, or a safe one.
