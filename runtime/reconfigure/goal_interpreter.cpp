@@ -78,12 +78,11 @@ bool reads_modes(const Plant& plant, const automata::Formula& goal) {
 std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, const Goal& goal) {
   const Plant& plant = step_.plant();
   Theory& theory = step_.theory();
-  Reachable reachable;
+  const Reachable reachable = graph_.reachable(modes, goal.named());
   Reachable possible;
   OptimalSearch::Costs costs;
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const Component& component = plant.components[c];
-    reachable.push_back(graph_.reachable(ComponentId(c), modes[c], goal.named()[c]));
     auto& may = possible.emplace_back(reachable[c]);
     double best = -std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < may.size(); ++m) {

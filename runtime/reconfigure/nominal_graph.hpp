@@ -2,9 +2,11 @@
 // reach. SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "automata/plant.hpp"
+#include "automata/state.hpp"
 #include "runtime/reconfigure/islands.hpp"
 #include "runtime/reconfigure/support.hpp"
 
@@ -47,9 +49,9 @@ class NominalGraph {
     return transition.timed || transition.reversible || transition.repair || named[transition.to.index()];
   }
 
-  /// Per mode: whether permitted transitions lead there from `from`, which is always one of them.
-  [[nodiscard]] std::vector<bool> reachable(automata::ComponentId component, automata::ModeId from,
-                                            const std::vector<bool>& named) const;
+  /// Per component, per mode: whether permitted transitions lead there from `modes`, each by a support whose modes the
+  /// other components reach too: what hangs behind a failed driver is out of reach.
+  [[nodiscard]] std::vector<std::vector<bool>> reachable(const automata::Modes& modes, const NamedModes& named) const;
 
   /// The components that may change their mode of themselves: some untimed transition needs no command. While one part
   /// of the plant is commanded, these do not stand still, so their islands are planned together.
@@ -57,7 +59,7 @@ class NominalGraph {
 
  private:
   std::vector<std::vector<NominalTransition>> transitions_;
-  std::vector<std::size_t> modes_;  ///< per component, how many
+  std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
 };
 
 }  // namespace runtime

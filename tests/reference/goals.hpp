@@ -11,11 +11,12 @@
 
 namespace reference {
 
-/// The modes that the goal interpreter may choose for a component in mode `from`: those it reaches by nominal
-/// transitions that are timed, reversible, repairs of `from`, or lead to a mode that the goal names: assigns
-/// outside negations. A transition counts only where some consistent state and control action imply its guard.
-std::set<automata::ModeId> reachable_modes(const Step& step, std::size_t component, automata::ModeId from,
-                                           const automata::Formula& goal);
+/// Per component, the modes that the goal interpreter may choose: those it reaches by nominal transitions that are
+/// timed, reversible, repairs of its mode, or lead to a mode that the goal names: assigns outside negations. A
+/// transition counts only where some consistent state and control action imply its guard, by modes that the other
+/// components reach.
+std::vector<std::set<automata::ModeId>> reachable_modes(const Step& step, const automata::Modes& modes,
+                                                        const automata::Formula& goal);
 
 struct GoalState {
   automata::Modes modes;
