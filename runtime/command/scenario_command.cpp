@@ -109,7 +109,13 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   run.k = options.k;
   run.real_time = options.real_time;
   run.interrupted = interrupted;
+  const auto begin = std::chrono::steady_clock::now();
   const ScenarioResult result = run_scenario(document, scenario, run, observers);
+  if (options.stats) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    std::cerr << scenario.name << ": " << result.cycles << " cycles in " << seconds.count() << " s\n"
+              << text_of(result.measurements);
+  }
   if (trace) trace->keep();
   if (options.format == Format::text) {
     const std::string gap = common.quiet ? scenario.name + ": " : "\n";
@@ -158,7 +164,7 @@ Status run(const Options& options, const Common& common) {
   json.close(']').close('}');
   std::cout << (options.format == Format::json ? json.text() + "\n" : text);
   finish_output();
-  if (options.stats || common.verbose) {
+  if (common.verbose) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     std::cerr << cycles << " cycles in " << seconds.count() << " s\n";
   }
@@ -181,7 +187,7 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
                      "how the executive estimates (default: k-best)");
   add_k(*command, options->k);
   command->add_flag("--real-time", options->real_time, "let each cycle take as long as it says");
-  command->add_flag("--stats", options->stats, "say on standard error how many cycles took how long");
+  command->add_flag("--stats", options->stats, "say on standard error what estimation and reconfiguration took");
   command->footer(footer);
   return {command, [options, &common] { return run(*options, common); }};
 }

@@ -108,7 +108,9 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
     return local ? candidate.refuted_by_world(plant, theory, possible) : candidate.conflict(assignments);
   };
   OptimalSearch search(costs);
-  switch (search.next(check)) {
+  const auto outcome = search.next(check);
+  checked_ = search.checked();
+  switch (outcome) {
     case OptimalSearch::Outcome::solution: {
       Modes goal_state;
       for (const std::uint32_t m : search.values()) goal_state.emplace_back(m);

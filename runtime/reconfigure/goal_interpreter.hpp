@@ -27,6 +27,8 @@ class GoalInterpreter {
   GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph) : step_(step), graph_(graph) {}
 
   std::variant<automata::Modes, Impasse> interpret(const automata::Modes& modes, const Goal& goal);
+  /// How many candidates the last interpretation checked.
+  [[nodiscard]] std::size_t checked() const { return checked_; }
 
  private:
   using Reachable = std::vector<std::vector<bool>>;
@@ -34,6 +36,7 @@ class GoalInterpreter {
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;
+  std::size_t checked_ = 0;
 };
 
 }  // namespace runtime

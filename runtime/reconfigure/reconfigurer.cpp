@@ -51,7 +51,9 @@ class PolicyReconfigurer : public Reconfigurer {
     Memory& memory = remember(goal);
     if (const auto known = memory.answers.find(modes); known != memory.answers.end()) return known->second;
     if (memory.answers.size() >= answer_limit) memory.answers.clear();
-    return memory.answers.emplace(modes, answer(modes, memory.goal)).first->second;
+    Reconfiguration fresh = memory.answers.emplace(modes, answer(modes, memory.goal)).first->second;
+    fresh.checked = interpreter_.checked();
+    return fresh;
   }
 
  private:

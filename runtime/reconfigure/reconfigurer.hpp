@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct Reconfiguration {
   std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one;
                                                    ///< with `command` and `wait`: the one that is to change its mode
   std::string reason;                              ///< with `no_plan`: in words
+  std::size_t checked = 0;                         ///< candidates checked for this answer; 0 where it was remembered
   bool irreversible = false;                       ///< the command leads where no nominal sequence leads back from
 };
 

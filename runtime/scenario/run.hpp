@@ -11,6 +11,7 @@
 #include "automata/scenario.hpp"
 #include "runtime/estimate/estimator.hpp"
 #include "runtime/scenario/expectations.hpp"
+#include "runtime/scenario/meter.hpp"
 #include "runtime/trace/cycle_record.hpp"
 
 namespace runtime {
@@ -31,6 +32,7 @@ struct ScenarioResult {
   std::optional<automata::Ticks> ended;  ///< when the program ended
   bool interrupted = false;
   std::vector<Judgement> judgements;  ///< one per expectation
+  Measurements measurements;          ///< of this machine, at this moment: no part of the verdict
 
   /// `failed` where an expectation failed, else `undecided` where one is or the run was interrupted, else `met`.
   [[nodiscard]] Judgement::Verdict verdict() const;
