@@ -10,6 +10,7 @@
 #include "runtime/command/command.hpp"
 #include "runtime/command/input.hpp"
 #include "runtime/command/policy_report.hpp"
+#include "runtime/reconfigure/one_step.hpp"
 #include "runtime/reconfigure/plan.hpp"
 #include "runtime/trace/json_line.hpp"
 #include "runtime/trace/suggestion.hpp"
@@ -22,6 +23,7 @@ struct Options {
   std::string from;
   std::string goal;
   bool policy = false;
+  bool one_step = false;
   std::string component;
   Format format = Format::text;
 };
@@ -162,7 +164,7 @@ Status run(const Options& options, const Common& common) {
                                joined(automata::assignments_of(plant, modes), plant.variables) +
                                ": the model forbids these modes together");
   }
-  const auto reconfigurer = make_reconfigurer(step);
+  const auto reconfigurer = options.one_step ? make_one_step_reconfigurer(step) : make_reconfigurer(step);
   const Plan plan = make_plan(*reconfigurer, modes, *goal);
   if (options.format == Format::json) {
     JsonLine json;
@@ -184,6 +186,8 @@ Subcommand plan_command(CLI::App& app, const Common& common) {
   command->add_option("--from", options->from, "the modes to start from")->option_text("'x = m, ...'");
   auto* const goal = command->add_option("--goal", options->goal, "a constraint over modes and attributes")
                          ->option_text("'constraint'");
+  add_choice<bool>(*command, "--reconfigurer", options->one_step, {{"planner", false}, {"one-step", true}},
+                   "a sequence of commands, or one control action that is enough (default: planner)");
   auto* const policy =
       command->add_flag("--policy", options->policy, "print the policy of each component instead of a plan")
           ->excludes(goal);

@@ -24,6 +24,7 @@ namespace {
 
 using automata::InputError;
 using Engine = ScenarioOptions::Engine;
+using Recovery = ScenarioOptions::Recovery;
 
 struct Options {
   std::string file;
@@ -32,6 +33,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   Format format = Format::text;
   Engine engine = Engine::k_best;
+  Recovery recovery = Recovery::planner;
   std::size_t k = 16;
   bool real_time = false;
   bool stats = false;
@@ -106,6 +108,7 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   ScenarioOptions run;
   run.seed = options.seed;
   run.engine = options.engine;
+  run.recovery = options.recovery;
   run.k = options.k;
   run.real_time = options.real_time;
   run.interrupted = interrupted;
@@ -186,6 +189,9 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
   add_choice<Engine>(*command, "--estimator", options->engine, {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
                      "how the executive estimates (default: k-best)");
   add_k(*command, options->k);
+  add_choice<Recovery>(*command, "--reconfigurer", options->recovery,
+                       {{"planner", Recovery::planner}, {"one-step", Recovery::one_step}},
+                       "how the executive finds commands (default: planner)");
   command->add_flag("--real-time", options->real_time, "let each cycle take as long as it says");
   command->add_flag("--stats", options->stats, "say on standard error what estimation and reconfiguration took");
   command->footer(footer);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "automata/logic/formula.hpp"
@@ -39,6 +40,12 @@ class Reconfigurer {
   /// The first control action of a sequence from `modes` to the best reachable state that entails `goal` (over modes
   /// and attributes; no clock atoms). `true` as goal asks for nothing: the answer is `nothing_to_do`.
   virtual Reconfiguration next(const automata::Modes& modes, const automata::Formula& goal) = 0;
+  /// The same, told all states that are tracked, at least one, the most likely first.
+  virtual Reconfiguration next_of_all(std::span<const automata::Modes> tracked, const automata::Formula& goal) {
+    return next(tracked.front(), goal);
+  }
+  /// Whether the states after the first can matter.
+  [[nodiscard]] virtual bool looks_at_all() const { return false; }
 };
 
 /// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction. Remembers its answers:

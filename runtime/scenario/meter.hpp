@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace runtime {
 struct Measurement {
   std::vector<double> seconds;  ///< one a call
   std::size_t checked = 0;      ///< candidates, over all calls
+  std::size_t most = 0;         ///< candidates, of one call
+
+  void note(double seconds_taken, std::size_t candidates);
 
   /// Seconds that this share of the calls took at most; 0 without calls. `share` in (0, 1].
   [[nodiscard]] double quantile(double share) const;
@@ -46,6 +50,8 @@ class MeteredReconfigurer final : public Reconfigurer {
   MeteredReconfigurer(Reconfigurer& reconfigurer, Measurement& measurement)
       : reconfigurer_(reconfigurer), measurement_(measurement) {}
   Reconfiguration next(const automata::Modes& modes, const automata::Formula& goal) override;
+  Reconfiguration next_of_all(std::span<const automata::Modes> tracked, const automata::Formula& goal) override;
+  [[nodiscard]] bool looks_at_all() const override { return reconfigurer_.looks_at_all(); }
 
  private:
   Reconfigurer& reconfigurer_;

@@ -20,6 +20,8 @@ struct ScenarioOptions {
   enum class Engine { exact, k_best };
   std::optional<std::uint64_t> seed;  ///< instead of the scenario's own
   Engine engine = Engine::k_best;
+  enum class Recovery { planner, one_step };
+  Recovery recovery = Recovery::planner;
   std::size_t k = 16;                                        ///< system states that k-best keeps
   bool real_time = false;                                    ///< a cycle takes as long as it says
   std::function<bool()> interrupted = [] { return false; };  ///< asked once a cycle, and while waiting in real time

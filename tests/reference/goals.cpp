@@ -183,6 +183,58 @@ std::set<Modes> nominal_successors(const Step& step, const Modes& modes, const C
   return result;
 }
 
+namespace {
+
+bool is_enough(const Step& step, const Modes& modes, const ControlAction& action, const automata::Formula& goal) {
+  const automata::Plant& plant = step.plant();
+  if (!step.models().consistent(assumptions_of(plant, modes, action))) return false;
+  const ControlAction idle = automata::idle_action(plant);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const automata::Component& automaton = plant.components[i];
+    const auto transitions = nominal_transitions(step, i);
+    for (const Transition* t : transitions) {
+      if (t->from != modes[i] || t->to == t->from || t->timing) continue;
+      if (!step.enabled(*t, modes, action) || step.enabled(*t, modes, idle)) continue;
+      const auto back = closure(transitions, t->to, [](const Transition&) { return true; });
+      const bool repair = automaton.modes[t->from.index()].fault;
+      if (!back.contains(t->from) && !repair && !names(goal, automaton.mode, automata::ValueId(t->to.index())))
+        return false;
+    }
+  }
+  const auto choices = nominal_choices(step, modes, action);
+  const auto& conjuncts = goal.kind == automata::Formula::Kind::conjunction ? goal.operands : std::vector{goal};
+  for (const automata::Formula& conjunct : conjuncts)
+    for (std::size_t i = 0; i < modes.size(); ++i)
+      for (const ModeId mode : choices[i])
+        if (conjunct.kind == automata::Formula::Kind::member && conjunct.variable == plant.components[i].mode &&
+            std::find(conjunct.values.begin(), conjunct.values.end(), automata::ValueId(mode.index())) ==
+                conjunct.values.end())
+          return false;
+  const auto successors = nominal_successors(step, modes, action);
+  return !successors.empty() && std::all_of(successors.begin(), successors.end(), [&](const Modes& next) {
+    return step.models().entails(assumptions_of(plant, next), goal);
+  });
+}
+
+}  // namespace
+
+std::optional<ControlAction> cheapest_action(const Step& step, const std::vector<Modes>& states,
+                                             const automata::Formula& goal) {
+  const auto cost = [&](const ControlAction& action) {
+    std::size_t off_idle = 0;
+    for (std::size_t i = 0; i < action.size(); ++i) off_idle += action[i] != step.plant().controls[i].idle ? 1 : 0;
+    return off_idle;
+  };
+  std::optional<ControlAction> best;
+  for (const ControlAction& action : all_actions(step.plant())) {
+    if (best && cost(action) >= cost(*best)) continue;
+    const bool enough =
+        std::all_of(states.begin(), states.end(), [&](const Modes& s) { return is_enough(step, s, action, goal); });
+    if (enough) best = action;
+  }
+  return best;
+}
+
 std::set<Modes> nominal_outcomes(const Step& step, const Modes& modes, const std::vector<ControlAction>& commands) {
   std::set<Modes> states = {modes};
   for (const ControlAction& command : commands) {

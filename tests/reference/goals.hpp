@@ -31,6 +31,13 @@ std::optional<GoalState> best_goal_state(const Step& step, const automata::Modes
 std::set<automata::Modes> nominal_successors(const Step& step, const automata::Modes& modes,
                                              const automata::ControlAction& action);
 
+/// The cheapest control action that is enough in one step: in every one of the states it agrees with the store, takes
+/// no step of its own that cannot be undone and is not named, leads each component to modes only that the goal's
+/// conjuncts over it permit, and every one of at least one possible nominal successor entails the goal. Cheapest:
+/// fewest controls off idle, then the first by values. Nothing where there is none.
+std::optional<automata::ControlAction> cheapest_action(const Step& step, const std::vector<automata::Modes>& states,
+                                                       const automata::Formula& goal);
+
 /// Every state in which a nominal execution of the commands, one a step, may end.
 std::set<automata::Modes> nominal_outcomes(const Step& step, const automata::Modes& modes,
                                            const std::vector<automata::ControlAction>& commands);
