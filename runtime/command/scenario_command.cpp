@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -81,9 +82,12 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
   return result;
 }
 
+/// What reconfiguration computes beforehand, once for each plant.
+using Graphs = std::map<std::size_t, std::shared_ptr<const NominalGraph>>;
+
 /// Flies one scenario. Its story goes to `text`, or in real time to standard output as it happens.
 ScenarioResult fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
-                   const Common& common, std::string& text) {
+                   const Common& common, Graphs& graphs, std::string& text) {
   const automata::Plant& plant = document.plants[scenario.plant];
   const Style style{common.color_output()};
   const bool live = options.real_time && options.format == Format::text;
@@ -109,6 +113,9 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   run.seed = options.seed;
   run.engine = options.engine;
   run.recovery = options.recovery;
+  auto& graph = graphs[scenario.plant];
+  if (!graph) graph = reconfiguration_graph(plant);
+  run.graph = graph;
   run.k = options.k;
   run.real_time = options.real_time;
   run.interrupted = interrupted;
@@ -154,11 +161,12 @@ Status run(const Options& options, const Common& common) {
   Status status = Status::done;
   std::uint64_t cycles = 0;
   std::string text;
+  Graphs graphs;
   JsonLine json;
   json.open('{').key("scenarios").open('[');
   for (const automata::Scenario* scenario : selected(document, options)) {
     if (!text.empty() && !common.quiet) text += "\n";
-    const ScenarioResult result = fly(document, *scenario, options, common, text);
+    const ScenarioResult result = fly(document, *scenario, options, common, graphs, text);
     write_result(json, *scenario, result);
     status = worse(status, status_of(result.verdict()));
     cycles += result.cycles;

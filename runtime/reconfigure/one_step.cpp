@@ -11,7 +11,6 @@
 
 #include "runtime/estimate/ocsp.hpp"
 #include "runtime/reconfigure/goal.hpp"
-#include "runtime/reconfigure/islands.hpp"
 #include "runtime/reconfigure/nominal_graph.hpp"
 
 namespace runtime {
@@ -40,11 +39,11 @@ bool contains(const std::vector<TransitionId>& ids, TransitionId id) {
 
 class OneStepReconfigurer final : public Reconfigurer {
  public:
-  explicit OneStepReconfigurer(automata::PlantStep& step)
+  OneStepReconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph)
       : step_(step),
         plant_(step.plant()),
         idle_(idle_action(plant_)),
-        graph_(plant_, Islands(plant_)),
+        graph_(std::move(graph)),
         control_of_(plant_.variables.size(), none) {
     for (std::size_t i = 0; i < plant_.controls.size(); ++i) control_of_[plant_.controls[i].variable.index()] = i;
     for (std::size_t i = 0; i < idle_.size(); ++i) {
@@ -109,7 +108,7 @@ class OneStepReconfigurer final : public Reconfigurer {
     answer.outcome = answer.action == idle_ ? Reconfiguration::Outcome::wait : Reconfiguration::Outcome::command;
     if (moved != modes.end()) answer.component = ComponentId(static_cast<std::size_t>(moved - modes.begin()));
     for (std::size_t c = 0; c < modes.size() && answer.outcome == Reconfiguration::Outcome::command; ++c) {
-      const auto& transitions = graph_.transitions(ComponentId(c));
+      const auto& transitions = graph_->transitions(ComponentId(c));
       answer.irreversible =
           answer.irreversible || std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
             return t.from == modes[c] && t.to == expected[c] && t.from != t.to && !t.reversible;
@@ -136,7 +135,7 @@ class OneStepReconfigurer final : public Reconfigurer {
   Conflict felt(ComponentId component, ModeId from, std::optional<TransitionId> only,
                 const ControlAction& action) const {
     std::set<std::size_t> controls;
-    for (const NominalTransition& t : graph_.transitions(component)) {
+    for (const NominalTransition& t : graph_->transitions(component)) {
       if (t.from != from || (only && t.id != *only)) continue;
       if (t.supports.size() >= SupportFinder::limit) return whole(action);
       for (const Support& support : t.supports) {
@@ -201,7 +200,7 @@ class OneStepReconfigurer final : public Reconfigurer {
   std::optional<Conflict> forbidden(ComponentId component, ModeId mode, const Enabled& idle, const Enabled& enabled,
                                     const Goal& goal, const ControlAction& action) const {
     for (const TransitionId id : enabled.untimed) {
-      const NominalTransition* const t = graph_.find(component, id);
+      const NominalTransition* const t = graph_->find(component, id);
       if (t == nullptr || t->from == t->to || contains(idle.untimed, id)) continue;
       if (!NominalGraph::permitted(*t, goal.named()[component.index()])) return felt(component, mode, id, action);
     }
@@ -228,7 +227,7 @@ class OneStepReconfigurer final : public Reconfigurer {
   automata::PlantStep& step_;
   const Plant& plant_;
   ControlAction idle_;
-  NominalGraph graph_;
+  std::shared_ptr<const NominalGraph> graph_;
   std::vector<std::size_t> control_of_;  ///< by variable
   OptimalSearch::Costs costs_;
   std::list<Goal> goals_;
@@ -236,8 +235,10 @@ class OneStepReconfigurer final : public Reconfigurer {
 
 }  // namespace
 
-std::unique_ptr<Reconfigurer> make_one_step_reconfigurer(automata::PlantStep& step) {
-  return std::make_unique<OneStepReconfigurer>(step);
+std::unique_ptr<Reconfigurer> make_one_step_reconfigurer(automata::PlantStep& step,
+                                                         std::shared_ptr<const NominalGraph> graph) {
+  if (!graph) graph = reconfiguration_graph(step.plant());
+  return std::make_unique<OneStepReconfigurer>(step, std::move(graph));
 }
 
 }  // namespace runtime

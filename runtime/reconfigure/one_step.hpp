@@ -16,7 +16,8 @@ namespace runtime {
 /// order of control variables, then values. What cannot be undone is commanded only where the goal names the mode, as
 /// the planner does it. `no_plan` where no action achieves the goal in one step.
 ///
-/// Keeps a reference to `step`, and asks its theory.
-std::unique_ptr<Reconfigurer> make_one_step_reconfigurer(automata::PlantStep& step);
+/// Keeps a reference to `step`, and asks its theory; `graph` is as for `make_reconfigurer`.
+std::unique_ptr<Reconfigurer> make_one_step_reconfigurer(automata::PlantStep& step,
+                                                         std::shared_ptr<const NominalGraph> graph = nullptr);
 
 }  // namespace runtime

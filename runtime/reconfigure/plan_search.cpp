@@ -68,12 +68,21 @@ std::vector<automata::ControlAction> Planner::promising(const Modes& modes, cons
   return actions;
 }
 
+/// Promising actions first; where they do not get there, all.
+Planner::Found Planner::search(const Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits) {
+  const auto& all = actions_[objective.island];
+  const std::vector<automata::ControlAction> some = promising(modes, objective);
+  Found found = search(modes, objective, otherwise, waits, some);
+  if (std::holds_alternative<PlannedStep>(found.first) || some.size() == all.size()) return found;
+  return search(modes, objective, otherwise, waits, all);
+}
+
 /// Uniform-cost search over the nominal successors of the whole island: fewest irreversible steps, then fewest steps.
 /// The same rules on irreversible steps hold; what is achieved may be undone on the way.
-Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits) {
+Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
+                               std::span<const automata::ControlAction> actions) {
   bool excluded = false;
   std::size_t tried = 0;
-  const std::vector<automata::ControlAction> actions = promising(modes, objective);
   std::unordered_map<Modes, Way, automata::ModesHash> ways;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<PlannedStep> first_steps;

@@ -105,7 +105,7 @@ Planner::Choice Planner::first_step(const Modes& modes, const Objective& objecti
   if (std::holds_alternative<PlannedStep>(safe.first)) return std::move(safe.first);
   if (stuck == nullptr) return std::move(trace.first);
   if (!safe.excluded) return std::move(safe.first);
-  return search(modes, objective, std::move(*stuck), Waits::any).first;
+  return search(modes, objective, *stuck, Waits::any).first;
 }
 
 Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, Order order) {

@@ -14,6 +14,8 @@
 
 namespace runtime {
 
+class NominalGraph;
+
 /// What reconfiguration answers in one cycle.
 struct Reconfiguration {
   enum class Outcome {
@@ -50,6 +52,12 @@ class Reconfigurer {
 
 /// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction. Remembers its answers:
 /// a repeated question costs a look-up. Keeps a reference to `step`, and asks its theory.
-std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step);
+/// `graph` is what was computed beforehand for the same plant, by `reconfiguration_graph`; without it that is done
+/// here.
+std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step,
+                                                std::shared_ptr<const NominalGraph> graph = nullptr);
+
+/// What reconfiguration computes before the first question, and most of its cost: several runs of one plant share it.
+std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant);
 
 }  // namespace runtime

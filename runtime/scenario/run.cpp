@@ -36,9 +36,9 @@ std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Scena
 std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const ScenarioOptions& options) {
   switch (options.recovery) {
     case ScenarioOptions::Recovery::planner:
-      return make_reconfigurer(step);
+      return make_reconfigurer(step, options.graph);
     case ScenarioOptions::Recovery::one_step:
-      return make_one_step_reconfigurer(step);
+      return make_one_step_reconfigurer(step, options.graph);
   }
   return nullptr;
 }

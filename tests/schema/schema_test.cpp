@@ -94,6 +94,7 @@ const std::vector<Output> outputs = {
      "json",
      "verdict"},
     {"Plan", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = firing' --format json", "plan"},
+    {"Policies", "rmpl-run plan {examples}/propulsion/propulsion.tcca --policy --format json", "policy"},
     {"NothingToDo", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = off' --format json", "plan"},
     {"Diagnoses",
      "rmpl-run diagnose {examples}/propulsion/propulsion.tcca --observe 'engine.thrust = zero' --format json",
