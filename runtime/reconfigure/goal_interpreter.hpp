@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
@@ -32,6 +33,8 @@ class GoalInterpreter {
 
  private:
   using Reachable = std::vector<std::vector<bool>>;
+  Impasse out_of_reach(const automata::Modes& modes, const Goal& goal, const Reachable& reachable,
+                       automata::ComponentId component, std::vector<bool> asked);
   Impasse impasse(const automata::Modes& modes, const Goal& goal, const Reachable& reachable);
 
   automata::PlantStep& step_;

@@ -3,6 +3,8 @@
 #include "runtime/reconfigure/nominal_graph.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace runtime {
 
@@ -101,29 +103,49 @@ std::vector<ComponentId> NominalGraph::restless(const automata::Plant& plant) co
   return result;
 }
 
+bool NominalGraph::meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const {
+  const auto component = component_of_[requirement.variable.index()];
+  return !component || std::any_of(requirement.values.begin(), requirement.values.end(),
+                                   [&](automata::ValueId v) { return reached[component->index()][v.index()]; });
+}
+
 std::vector<std::vector<bool>> NominalGraph::reachable(const automata::Modes& modes, const NamedModes& named) const {
   std::vector<std::vector<bool>> reached;
   for (std::size_t c = 0; c < modes.size(); ++c) {
     reached.emplace_back(named[c].size())[modes[c].index()] = true;
   }
-  const auto met = [&](const Requirement& r) {
-    const auto component = component_of_[r.variable.index()];
-    return !component || std::any_of(r.values.begin(), r.values.end(),
-                                     [&](automata::ValueId v) { return reached[component->index()][v.index()]; });
+  const auto supported = [&](const Support& support) {
+    return std::all_of(support.begin(), support.end(), [&](const Requirement& r) { return meets(r, reached); });
   };
   for (bool grown = true; grown;) {
     grown = false;
     for (std::size_t c = 0; c < modes.size(); ++c) {
       for (const NominalTransition& t : transitions_[c]) {
         if (!reached[c][t.from.index()] || reached[c][t.to.index()] || !permitted(t, named[c])) continue;
-        const bool supported = std::any_of(t.supports.begin(), t.supports.end(), [&](const Support& support) {
-          return std::all_of(support.begin(), support.end(), met);
-        });
-        if (supported) reached[c][t.to.index()] = grown = true;
+        if (std::any_of(t.supports.begin(), t.supports.end(), supported)) reached[c][t.to.index()] = grown = true;
       }
     }
   }
   return reached;
+}
+
+std::optional<NominalGraph::Obstacle> NominalGraph::obstacle(ComponentId component, const std::vector<bool>& wanted,
+                                                             const std::vector<std::vector<bool>>& reached,
+                                                             const NamedModes& named) const {
+  const std::vector<bool>& names = named[component.index()];
+  const std::vector<bool>& own = reached[component.index()];
+  for (const NominalTransition& t : transitions(component)) {
+    if (!own[t.from.index()] || own[t.to.index()] || !permitted(t, names)) continue;
+    const auto further = closure(transitions(component), names.size(), t.to,
+                                 [&](const NominalTransition& next) { return permitted(next, names); });
+    const bool leads = std::inner_product(further.begin(), further.end(), wanted.begin(), false, std::logical_or<>(),
+                                          std::logical_and<>());
+    if (!leads) continue;
+    for (const Requirement& r : t.supports.front()) {
+      if (!meets(r, reached)) return Obstacle{&t, &r};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace runtime

@@ -53,11 +53,23 @@ class NominalGraph {
   /// other components reach too: what hangs behind a failed driver is out of reach.
   [[nodiscard]] std::vector<std::vector<bool>> reachable(const automata::Modes& modes, const NamedModes& named) const;
 
+  /// Why a component does not get out of what it reaches towards any of the wanted modes, though its own permitted
+  /// transitions lead there.
+  struct Obstacle {
+    const NominalTransition* transition;  ///< would lead further
+    const Requirement* requirement;       ///< that nothing in reach meets, of its simplest support
+  };
+  [[nodiscard]] std::optional<Obstacle> obstacle(automata::ComponentId component, const std::vector<bool>& wanted,
+                                                 const std::vector<std::vector<bool>>& reached,
+                                                 const NamedModes& named) const;
+
   /// The components that may change their mode of themselves: some untimed transition needs no command. While one part
   /// of the plant is commanded, these do not stand still, so their islands are planned together.
   [[nodiscard]] std::vector<automata::ComponentId> restless(const automata::Plant& plant) const;
 
  private:
+  [[nodiscard]] bool meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const;
+
   std::vector<std::vector<NominalTransition>> transitions_;
   std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
 };
