@@ -10,6 +10,7 @@
 
 #include "automata/error.hpp"
 #include "automata/json/document.hpp"
+#include "automata/size.hpp"
 #include "compiler/compiler.hpp"
 #include "compiler/import/import.hpp"
 #include "compiler/write_file.hpp"
@@ -68,6 +69,11 @@ int compile(const Settings& settings) {
   if (settings.verbose) {
     std::cerr << "plants: " << document.plants.size() << ", programs: " << document.programs.size()
               << ", scenarios: " << document.scenarios.size() << "\n";
+    for (const automata::Plant& plant : document.plants) {
+      const automata::PlantSize size = automata::size_of(plant);
+      std::cerr << "plant " << plant.name << ": " << size.components << " components, " << size.modes << " modes, "
+                << size.propositions << " propositions, " << size.clauses << " clauses\n";
+    }
   }
   return done;
 }

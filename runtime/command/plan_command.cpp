@@ -9,8 +9,11 @@
 #include "automata/step/plant_step.hpp"
 #include "runtime/command/command.hpp"
 #include "runtime/command/input.hpp"
+#include "runtime/command/policy_report.hpp"
+#include "runtime/reconfigure/one_step.hpp"
 #include "runtime/reconfigure/plan.hpp"
 #include "runtime/trace/json_line.hpp"
+#include "runtime/trace/suggestion.hpp"
 
 namespace runtime {
 namespace {
@@ -19,6 +22,9 @@ struct Options {
   std::string plant;
   std::string from;
   std::string goal;
+  bool policy = false;
+  bool one_step = false;
+  std::string component;
   Format format = Format::text;
 };
 
@@ -27,11 +33,15 @@ constexpr const char* footer =
 those that lead there if nothing fails, one a cycle. A wait is for a timed transition. Components that
 --from does not name are in their most likely initial mode.
 
+A policy says for each current and target mode of a component what to achieve next: modes of others and a
+command; 'idle' is to wait, 'failure' that no nominal transitions lead there.
+
 exit code: 0 there is a plan, or nothing to do; 1 there is no plan; 2 an input is wrong
 
 examples:
   rmpl-run plan propulsion.tcca --from 'engine = off, pde = off' --goal 'engine = firing'
-  rmpl-run plan lander.tcca --from 'lander = unsuccessful-attempt' --goal 'lander = separated' --format json)";
+  rmpl-run plan lander.tcca --from 'lander = unsuccessful-attempt' --goal 'lander = separated' --format json
+  rmpl-run plan propulsion.tcca --policy --component engine)";
 
 std::string_view name_of(Plan::Outcome outcome) {
   switch (outcome) {
@@ -108,10 +118,40 @@ std::string text_of(const automata::Plant& plant, const Plan& plan) {
   return text;
 }
 
+std::vector<automata::ComponentId> components_named(const automata::Plant& plant, const std::string& name) {
+  std::vector<automata::ComponentId> result;
+  std::vector<std::string_view> names;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    names.emplace_back(plant.components[c].name);
+    if (name.empty() || plant.components[c].name == name) result.emplace_back(c);
+  }
+  if (result.empty()) {
+    throw automata::InputError("--component: plant '" + plant.name + "' has no component '" + name + "'" +
+                               suggestion(name, names));
+  }
+  return result;
+}
+
+Status print_policies(const Options& options, const automata::Plant& plant) {
+  const auto components = components_named(plant, options.component);
+  const NominalGraph graph(plant, Islands(plant));
+  if (options.format == Format::json) {
+    JsonLine json;
+    write_policies(json, plant, graph, components);
+    std::cout << json.text() << '\n';
+  } else {
+    std::cout << policy_text(plant, graph, components);
+  }
+  finish_output();
+  return Status::done;
+}
+
 Status run(const Options& options, const Common& common) {
   const auto compilation = load({options.plant}, common);
   if (!compilation) return Status::wrong;
   const automata::Plant& plant = only_plant(compilation->document(), options.plant);
+  if (options.policy) return print_policies(options, plant);
+  if (options.goal.empty()) throw automata::InputError("plan: expected --goal, or --policy");
   std::optional<std::vector<automata::Assignment>> given{std::in_place};
   if (!options.from.empty()) given = assignments_option(options.from, plant, "--from", common);
   const auto goal = formula_option(options.goal, plant, "--goal", common);
@@ -124,7 +164,7 @@ Status run(const Options& options, const Common& common) {
                                joined(automata::assignments_of(plant, modes), plant.variables) +
                                ": the model forbids these modes together");
   }
-  const auto reconfigurer = make_reconfigurer(step);
+  const auto reconfigurer = options.one_step ? make_one_step_reconfigurer(step) : make_reconfigurer(step);
   const Plan plan = make_plan(*reconfigurer, modes, *goal);
   if (options.format == Format::json) {
     JsonLine json;
@@ -144,9 +184,16 @@ Subcommand plan_command(CLI::App& app, const Common& common) {
   const auto options = std::make_shared<Options>();
   command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
   command->add_option("--from", options->from, "the modes to start from")->option_text("'x = m, ...'");
-  command->add_option("--goal", options->goal, "a constraint over modes and attributes")
-      ->required()
-      ->option_text("'constraint'");
+  auto* const goal = command->add_option("--goal", options->goal, "a constraint over modes and attributes")
+                         ->option_text("'constraint'");
+  add_choice<bool>(*command, "--reconfigurer", options->one_step, {{"planner", false}, {"one-step", true}},
+                   "a sequence of commands, or one control action that is enough (default: planner)");
+  auto* const policy =
+      command->add_flag("--policy", options->policy, "print the policy of each component instead of a plan")
+          ->excludes(goal);
+  command->add_option("--component", options->component, "with --policy: of this component only")
+      ->option_text("NAME")
+      ->needs(policy);
   add_format(*command, options->format);
   command->footer(footer);
   return {command, [options, &common] { return run(*options, common); }};

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,6 +25,7 @@ namespace {
 
 using automata::InputError;
 using Engine = ScenarioOptions::Engine;
+using Recovery = ScenarioOptions::Recovery;
 
 struct Options {
   std::string file;
@@ -32,6 +34,7 @@ struct Options {
   std::optional<std::uint64_t> seed;
   Format format = Format::text;
   Engine engine = Engine::k_best;
+  Recovery recovery = Recovery::planner;
   std::size_t k = 16;
   bool real_time = false;
   bool stats = false;
@@ -79,9 +82,12 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
   return result;
 }
 
+/// What reconfiguration computes beforehand, once for each plant.
+using Graphs = std::map<std::size_t, std::shared_ptr<const NominalGraph>>;
+
 /// Flies one scenario. Its story goes to `text`, or in real time to standard output as it happens.
 ScenarioResult fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
-                   const Common& common, std::string& text) {
+                   const Common& common, Graphs& graphs, std::string& text) {
   const automata::Plant& plant = document.plants[scenario.plant];
   const Style style{common.color_output()};
   const bool live = options.real_time && options.format == Format::text;
@@ -106,10 +112,20 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   ScenarioOptions run;
   run.seed = options.seed;
   run.engine = options.engine;
+  run.recovery = options.recovery;
+  auto& graph = graphs[scenario.plant];
+  if (!graph) graph = reconfiguration_graph(plant);
+  run.graph = graph;
   run.k = options.k;
   run.real_time = options.real_time;
   run.interrupted = interrupted;
+  const auto begin = std::chrono::steady_clock::now();
   const ScenarioResult result = run_scenario(document, scenario, run, observers);
+  if (options.stats) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    std::cerr << scenario.name << ": " << result.cycles << " cycles in " << seconds.count() << " s\n"
+              << text_of(result.measurements);
+  }
   if (trace) trace->keep();
   if (options.format == Format::text) {
     const std::string gap = common.quiet ? scenario.name + ": " : "\n";
@@ -145,11 +161,12 @@ Status run(const Options& options, const Common& common) {
   Status status = Status::done;
   std::uint64_t cycles = 0;
   std::string text;
+  Graphs graphs;
   JsonLine json;
   json.open('{').key("scenarios").open('[');
   for (const automata::Scenario* scenario : selected(document, options)) {
     if (!text.empty() && !common.quiet) text += "\n";
-    const ScenarioResult result = fly(document, *scenario, options, common, text);
+    const ScenarioResult result = fly(document, *scenario, options, common, graphs, text);
     write_result(json, *scenario, result);
     status = worse(status, status_of(result.verdict()));
     cycles += result.cycles;
@@ -158,7 +175,7 @@ Status run(const Options& options, const Common& common) {
   json.close(']').close('}');
   std::cout << (options.format == Format::json ? json.text() + "\n" : text);
   finish_output();
-  if (options.stats || common.verbose) {
+  if (common.verbose) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     std::cerr << cycles << " cycles in " << seconds.count() << " s\n";
   }
@@ -180,8 +197,11 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
   add_choice<Engine>(*command, "--estimator", options->engine, {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
                      "how the executive estimates (default: k-best)");
   add_k(*command, options->k);
+  add_choice<Recovery>(*command, "--reconfigurer", options->recovery,
+                       {{"planner", Recovery::planner}, {"one-step", Recovery::one_step}},
+                       "how the executive finds commands (default: planner)");
   command->add_flag("--real-time", options->real_time, "let each cycle take as long as it says");
-  command->add_flag("--stats", options->stats, "say on standard error how many cycles took how long");
+  command->add_flag("--stats", options->stats, "say on standard error what estimation and reconfiguration took");
   command->footer(footer);
   return {command, [options, &common] { return run(*options, common); }};
 }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "automata/state.hpp"
+#include "runtime/estimate/estimator.hpp"
 
 namespace runtime {
 
@@ -33,6 +34,7 @@ struct ReconfigurationRequested {};
 /// ME dispatcher to MR: the new state (step 15).
 struct StateEstimated {
   std::span<const automata::ModeId> modes;
+  const Belief* belief;  ///< all states that are tracked
 };
 
 using ReconfigurationMessage = std::variant<GoalAsserted, ReconfigurationRequested, StateEstimated>;

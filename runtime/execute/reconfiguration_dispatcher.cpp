@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/execute/reconfiguration_dispatcher.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace runtime {
@@ -26,9 +27,9 @@ void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.pus
 void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
   assert(control_ != nullptr && "connected before the first request");
   // 5. The request invokes MR with the configuration goal, 6. which returns the next command of a sequence.
-  if (modes_ != asked_modes_ || goals_ != asked_goals_) {
-    answer_ = reconfigurer_.next(modes_, automata::conjunction_of(goals_));
-    asked_modes_ = modes_;
+  if (tracked_ != asked_states_ || goals_ != asked_goals_) {
+    answer_ = reconfigurer_.next_of_all(tracked_, automata::conjunction_of(goals_));
+    asked_states_ = tracked_;
     asked_goals_ = goals_;
   }
   goals_.clear();
@@ -37,7 +38,14 @@ void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
 }
 
 void ReconfigurationDispatcher::handle(const StateEstimated& message) {
-  modes_.assign(message.modes.begin(), message.modes.end());
+  tracked_.resize(1);
+  tracked_.front().assign(message.modes.begin(), message.modes.end());
+  if (!reconfigurer_.looks_at_all()) return;
+  for (const BeliefEntry& entry : *message.belief) {
+    if (std::find(tracked_.begin(), tracked_.end(), entry.state.modes) == tracked_.end()) {
+      tracked_.push_back(entry.state.modes);
+    }
+  }
 }
 
 }  // namespace runtime

@@ -36,12 +36,12 @@ class ReconfigurationDispatcher {
   const Clock& clock_;
   ControlAdapter* control_ = nullptr;
   MessageQueue<ReconfigurationMessage> queue_;
-  automata::Modes modes_;
+  std::vector<automata::Modes> tracked_;  ///< the most likely first; it alone where MR does not look at the others
   std::vector<automata::Assignment> goals_;
   const automata::ControlAction idle_;
-  // Most cycles ask what the cycle before asked, and an answer depends on modes and goal alone: no formula is made
+  // Most cycles ask what the cycle before asked, and an answer depends on states and goal alone: no formula is made
   // then.
-  automata::Modes asked_modes_;
+  std::vector<automata::Modes> asked_states_;
   std::vector<automata::Assignment> asked_goals_;
   Reconfiguration answer_;
 };

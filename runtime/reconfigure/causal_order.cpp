@@ -13,25 +13,6 @@ namespace {
 
 using Upstream = std::vector<std::vector<std::size_t>>;
 
-Upstream upstream_of(const automata::Plant& plant, const NominalGraph& graph) {
-  std::unordered_map<automata::VariableId, std::size_t> component_of;
-  for (std::size_t c = 0; c < plant.components.size(); ++c) component_of.emplace(plant.components[c].mode, c);
-  Upstream upstream(plant.components.size());
-  for (std::size_t c = 0; c < upstream.size(); ++c) {
-    for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
-      for (const Support& support : t.supports) {
-        for (const Requirement& r : support) {
-          if (const auto at = component_of.find(r.variable); at != component_of.end())
-            upstream[c].push_back(at->second);
-        }
-      }
-    }
-    std::sort(upstream[c].begin(), upstream[c].end());
-    upstream[c].erase(std::unique(upstream[c].begin(), upstream[c].end()), upstream[c].end());
-  }
-  return upstream;
-}
-
 /// Tarjan's strongly connected components, with a stack of its own: plants may be deep.
 class Cycles {
  public:
@@ -89,11 +70,70 @@ class Cycles {
   std::size_t visited_ = 0;
 };
 
+/// The edges of the causal graph, without those that only supports need which another one of the same transition makes
+/// superfluous: a mode that lets a cause be concluded from its effect (one engine burns, so there is pressure for the
+/// other) is no way to bring it about while there are others.
+class CausalGraph {
+ public:
+  CausalGraph(const automata::Plant& plant, const NominalGraph& graph) {
+    std::unordered_map<automata::VariableId, std::size_t> component_of;
+    for (std::size_t c = 0; c < plant.components.size(); ++c) component_of.emplace(plant.components[c].mode, c);
+    for (std::size_t c = 0; c < plant.components.size(); ++c) {
+      auto& transitions = ways_.emplace_back();
+      for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
+        auto& ways = transitions.emplace_back();
+        for (const Support& support : t.supports) {
+          auto& way = ways.emplace_back();
+          for (const Requirement& r : support) {
+            if (const auto at = component_of.find(r.variable); at != component_of.end()) way.push_back(at->second);
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Upstream upstream() const {
+    Upstream upstream(ways_.size());
+    for (std::size_t c = 0; c < upstream.size(); ++c) {
+      for (const auto& ways : ways_[c]) {
+        for (const auto& way : ways) upstream[c].insert(upstream[c].end(), way.begin(), way.end());
+      }
+      std::sort(upstream[c].begin(), upstream[c].end());
+      upstream[c].erase(std::unique(upstream[c].begin(), upstream[c].end()), upstream[c].end());
+    }
+    return upstream;
+  }
+
+  /// Whether anything was taken away.
+  bool cut(const Cycles& cycles) {
+    bool any = false;
+    for (std::size_t c = 0; c < ways_.size(); ++c) {
+      const auto circular = [&](const std::vector<std::size_t>& way) {
+        return std::any_of(way.begin(), way.end(), [&](std::size_t u) { return cycles.number[u] == cycles.number[c]; });
+      };
+      for (auto& ways : ways_[c]) {
+        if (!std::all_of(ways.begin(), ways.end(), circular)) any = std::erase_if(ways, circular) > 0 || any;
+      }
+    }
+    return any;
+  }
+
+ private:
+  std::vector<std::vector<std::vector<std::vector<std::size_t>>>> ways_;  ///< per component, transition, support
+};
+
 }  // namespace
 
 CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph)
     : rank_(plant.components.size()), in_cycle_(plant.components.size()) {
-  const Upstream upstream = upstream_of(plant, graph);
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    component_of_.emplace(plant.components[c].mode, ComponentId(c));
+  }
+  CausalGraph causal(plant, graph);
+  while (causal.cut(Cycles(causal.upstream()))) {
+  }
+  upstream_ = causal.upstream();
+  const Upstream& upstream = upstream_;
   const Cycles cycles(upstream);
   std::vector<std::vector<std::size_t>> members(cycles.count);
   for (std::size_t c = 0; c < upstream.size(); ++c) members[cycles.number[c]].push_back(c);
@@ -124,6 +164,14 @@ CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph
       }
     }
   }
+}
+
+bool CausalOrder::goes_upstream(ComponentId component, const Support& support) const {
+  return std::all_of(support.begin(), support.end(), [&](const Requirement& r) {
+    const auto at = component_of_.find(r.variable);
+    return at == component_of_.end() || std::binary_search(upstream_[component.index()].begin(),
+                                                           upstream_[component.index()].end(), at->second.index());
+  });
 }
 
 }  // namespace runtime

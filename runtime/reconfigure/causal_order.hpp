@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
 #include "runtime/reconfigure/nominal_graph.hpp"
 
 namespace runtime {
 
-/// Component u is upstream of c when a transition of c has a support that requires modes of u.
+/// Component u is upstream of c when a transition of c has a support that requires modes of u. Supports that make a
+/// causal cycle do not count where the transition has others.
 class CausalOrder {
  public:
   CausalOrder(const automata::Plant& plant, const NominalGraph& graph);
@@ -21,7 +23,12 @@ class CausalOrder {
   /// Whether the component is upstream of itself, through others or directly.
   [[nodiscard]] bool in_cycle(automata::ComponentId component) const { return in_cycle_[component.index()]; }
 
+  /// Whether all that the support requires counts as upstream of the component.
+  [[nodiscard]] bool goes_upstream(automata::ComponentId component, const Support& support) const;
+
  private:
+  std::unordered_map<automata::VariableId, automata::ComponentId> component_of_;
+  std::vector<std::vector<std::size_t>> upstream_;  ///< per component, those directly upstream, ascending
   std::vector<automata::ComponentId> order_;
   std::vector<std::size_t> rank_;
   std::vector<bool> in_cycle_;

@@ -78,12 +78,11 @@ bool reads_modes(const Plant& plant, const automata::Formula& goal) {
 std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, const Goal& goal) {
   const Plant& plant = step_.plant();
   Theory& theory = step_.theory();
-  Reachable reachable;
+  const Reachable reachable = graph_.reachable(modes, goal.named());
   Reachable possible;
   OptimalSearch::Costs costs;
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const Component& component = plant.components[c];
-    reachable.push_back(graph_.reachable(ComponentId(c), modes[c], goal.named()[c]));
     auto& may = possible.emplace_back(reachable[c]);
     double best = -std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < may.size(); ++m) {
@@ -109,7 +108,9 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
     return local ? candidate.refuted_by_world(plant, theory, possible) : candidate.conflict(assignments);
   };
   OptimalSearch search(costs);
-  switch (search.next(check)) {
+  const auto outcome = search.next(check);
+  checked_ = search.checked();
+  switch (outcome) {
     case OptimalSearch::Outcome::solution: {
       Modes goal_state;
       for (const std::uint32_t m : search.values()) goal_state.emplace_back(m);
@@ -122,6 +123,34 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
   return impasse(modes, goal, reachable);
 }
 
+/// Goes upstream as long as it is another component that bars the way: the last one is to blame.
+Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Goal& goal, const Reachable& reachable,
+                                      ComponentId component, std::vector<bool> asked) {
+  const Plant& plant = step_.plant();
+  const auto name = [&](ComponentId c, ModeId m) { return "'" + plant[c].modes[m.index()].name + "'"; };
+  std::string purpose;
+  std::vector<bool> visited(modes.size());
+  for (;;) {
+    std::string wanted;
+    for (std::size_t m = 0; m < asked.size(); ++m) {
+      if (asked[m]) wanted += (wanted.empty() ? "" : " or ") + name(component, ModeId(m));
+    }
+    if (wanted.empty()) return {component, "the goal permits no mode of '" + plant[component].name + "'"};
+    const auto obstacle = graph_.obstacle(component, asked, reachable, goal.named());
+    if (!obstacle || visited[component.index()]) {
+      return {component, "no permitted nominal transitions lead '" + plant[component].name + "' from " +
+                             name(component, modes[component.index()]) + " to " + wanted + purpose};
+    }
+    visited[component.index()] = true;
+    purpose = ", as it takes for '" + plant[component].name + "' to go from " +
+              name(component, obstacle->transition->from) + " to " + name(component, obstacle->transition->to) +
+              purpose;
+    component = *plant.component_of(obstacle->requirement->variable);
+    asked.assign(plant[component].modes.size(), false);
+    for (const ValueId v : obstacle->requirement->values) asked[v.index()] = true;
+  }
+}
+
 /// The most telling of: a component that cannot reach what the goal asks of it; modes that are the only ones left and
 /// exclude each other or the goal.
 Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Reachable& reachable) {
@@ -130,19 +159,12 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Rea
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const Component& component = plant.components[c];
     std::vector<ModeId> left;
-    std::string asked;
+    std::vector<bool> asked(component.modes.size());
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      if (!goal.permits(ComponentId(c), ModeId(m))) continue;
-      asked += asked.empty() ? "'" : " or '";
-      asked += component.modes[m].name + "'";
-      if (reachable[c][m]) left.emplace_back(m);
+      asked[m] = goal.permits(ComponentId(c), ModeId(m));
+      if (asked[m] && reachable[c][m]) left.emplace_back(m);
     }
-    if (left.empty()) {
-      const std::string from = "'" + component.modes[modes[c].index()].name + "'";
-      if (asked.empty()) return {ComponentId(c), "the goal permits no mode of '" + component.name + "'"};
-      return {ComponentId(c),
-              "no permitted nominal transitions lead '" + component.name + "' from " + from + " to " + asked};
-    }
+    if (left.empty()) return out_of_reach(modes, goal, reachable, ComponentId(c), std::move(asked));
     if (left.size() == 1) forced.push_back({component.mode, ValueId(left.front().index())});
   }
   const auto& rest = goal.rest();

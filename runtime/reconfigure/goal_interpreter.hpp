@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
@@ -27,13 +28,18 @@ class GoalInterpreter {
   GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph) : step_(step), graph_(graph) {}
 
   std::variant<automata::Modes, Impasse> interpret(const automata::Modes& modes, const Goal& goal);
+  /// How many candidates the last interpretation checked.
+  [[nodiscard]] std::size_t checked() const { return checked_; }
 
  private:
   using Reachable = std::vector<std::vector<bool>>;
+  Impasse out_of_reach(const automata::Modes& modes, const Goal& goal, const Reachable& reachable,
+                       automata::ComponentId component, std::vector<bool> asked);
   Impasse impasse(const automata::Modes& modes, const Goal& goal, const Reachable& reachable);
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;
+  std::size_t checked_ = 0;
 };
 
 }  // namespace runtime

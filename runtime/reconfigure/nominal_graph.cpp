@@ -3,6 +3,8 @@
 #include "runtime/reconfigure/nominal_graph.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace runtime {
 
@@ -50,10 +52,13 @@ NamedModes named_modes(const automata::Plant& plant, const Formula& goal) {
 
 NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands) {
   SupportFinder finder(plant, islands);
+  component_of_.resize(plant.variables.size());
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    component_of_[plant.components[c].mode.index()] = ComponentId(c);
+  }
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const Component& component = plant.components[c];
     auto& transitions = transitions_.emplace_back();
-    modes_.push_back(component.modes.size());
     for (std::size_t i = 0; i < component.transitions.size(); ++i) {
       const automata::Transition& t = component.transitions[i];
       const bool weightless = t.weight.kind != automata::Weight::Kind::none && !(t.weight.value > 0);
@@ -71,7 +76,8 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
                              .supports = std::move(supports)});
     }
     for (NominalTransition& t : transitions) {
-      const auto back = closure(transitions, modes_.back(), t.to, [](const NominalTransition&) { return true; });
+      const auto back =
+          closure(transitions, component.modes.size(), t.to, [](const NominalTransition&) { return true; });
       t.reversible = back[t.from.index()];
     }
   }
@@ -97,9 +103,49 @@ std::vector<ComponentId> NominalGraph::restless(const automata::Plant& plant) co
   return result;
 }
 
-std::vector<bool> NominalGraph::reachable(ComponentId component, ModeId from, const std::vector<bool>& named) const {
-  return closure(transitions(component), modes_[component.index()], from,
-                 [&](const NominalTransition& t) { return permitted(t, named); });
+bool NominalGraph::meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const {
+  const auto component = component_of_[requirement.variable.index()];
+  return !component || std::any_of(requirement.values.begin(), requirement.values.end(),
+                                   [&](automata::ValueId v) { return reached[component->index()][v.index()]; });
+}
+
+std::vector<std::vector<bool>> NominalGraph::reachable(const automata::Modes& modes, const NamedModes& named) const {
+  std::vector<std::vector<bool>> reached;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    reached.emplace_back(named[c].size())[modes[c].index()] = true;
+  }
+  const auto supported = [&](const Support& support) {
+    return std::all_of(support.begin(), support.end(), [&](const Requirement& r) { return meets(r, reached); });
+  };
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      for (const NominalTransition& t : transitions_[c]) {
+        if (!reached[c][t.from.index()] || reached[c][t.to.index()] || !permitted(t, named[c])) continue;
+        if (std::any_of(t.supports.begin(), t.supports.end(), supported)) reached[c][t.to.index()] = grown = true;
+      }
+    }
+  }
+  return reached;
+}
+
+std::optional<NominalGraph::Obstacle> NominalGraph::obstacle(ComponentId component, const std::vector<bool>& wanted,
+                                                             const std::vector<std::vector<bool>>& reached,
+                                                             const NamedModes& named) const {
+  const std::vector<bool>& names = named[component.index()];
+  const std::vector<bool>& own = reached[component.index()];
+  for (const NominalTransition& t : transitions(component)) {
+    if (!own[t.from.index()] || own[t.to.index()] || !permitted(t, names)) continue;
+    const auto further = closure(transitions(component), names.size(), t.to,
+                                 [&](const NominalTransition& next) { return permitted(next, names); });
+    const bool leads = std::inner_product(further.begin(), further.end(), wanted.begin(), false, std::logical_or<>(),
+                                          std::logical_and<>());
+    if (!leads) continue;
+    for (const Requirement& r : t.supports.front()) {
+      if (!meets(r, reached)) return Obstacle{&t, &r};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace runtime

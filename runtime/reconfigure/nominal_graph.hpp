@@ -2,9 +2,11 @@
 // reach. SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "automata/plant.hpp"
+#include "automata/state.hpp"
 #include "runtime/reconfigure/islands.hpp"
 #include "runtime/reconfigure/support.hpp"
 
@@ -47,17 +49,29 @@ class NominalGraph {
     return transition.timed || transition.reversible || transition.repair || named[transition.to.index()];
   }
 
-  /// Per mode: whether permitted transitions lead there from `from`, which is always one of them.
-  [[nodiscard]] std::vector<bool> reachable(automata::ComponentId component, automata::ModeId from,
-                                            const std::vector<bool>& named) const;
+  /// Per component, per mode: whether permitted transitions lead there from `modes`, each by a support whose modes the
+  /// other components reach too: what hangs behind a failed driver is out of reach.
+  [[nodiscard]] std::vector<std::vector<bool>> reachable(const automata::Modes& modes, const NamedModes& named) const;
+
+  /// Why a component does not get out of what it reaches towards any of the wanted modes, though its own permitted
+  /// transitions lead there.
+  struct Obstacle {
+    const NominalTransition* transition;  ///< would lead further
+    const Requirement* requirement;       ///< that nothing in reach meets, of its simplest support
+  };
+  [[nodiscard]] std::optional<Obstacle> obstacle(automata::ComponentId component, const std::vector<bool>& wanted,
+                                                 const std::vector<std::vector<bool>>& reached,
+                                                 const NamedModes& named) const;
 
   /// The components that may change their mode of themselves: some untimed transition needs no command. While one part
   /// of the plant is commanded, these do not stand still, so their islands are planned together.
   [[nodiscard]] std::vector<automata::ComponentId> restless(const automata::Plant& plant) const;
 
  private:
+  [[nodiscard]] bool meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const;
+
   std::vector<std::vector<NominalTransition>> transitions_;
-  std::vector<std::size_t> modes_;  ///< per component, how many
+  std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
 };
 
 }  // namespace runtime

@@ -32,10 +32,57 @@ struct Entry {
 
 }  // namespace
 
+std::vector<automata::ControlAction> Planner::promising(const Modes& modes, const Objective& objective) const {
+  std::vector<bool> involved(modes.size());
+  std::vector<bool> useful(nominal_.plant().variables.size());
+  std::vector<automata::ComponentId> open;
+  const auto involve = [&](automata::ComponentId c) {
+    if (involved[c.index()]) return;
+    involved[c.index()] = true;
+    open.push_back(c);
+  };
+  for (const automata::ComponentId c : islands_.components(objective.island)) {
+    if (modes[c.index()] != objective.target[c.index()]) involve(c);
+  }
+  while (!open.empty()) {
+    const automata::ComponentId c = open.back();
+    open.pop_back();
+    for (const NominalTransition& t : graph_.transitions(c)) {
+      for (const Support& support : t.supports) {
+        for (const Requirement& r : support) {
+          useful[r.variable.index()] = true;
+          if (const auto upstream = component_of_[r.variable.index()]) involve(*upstream);
+        }
+      }
+    }
+  }
+  std::vector<automata::ControlAction> actions;
+  const auto& controls = nominal_.plant().controls;
+  for (const automata::ControlAction& action : actions_[objective.island]) {
+    bool useless = false;
+    for (std::size_t i = 0; i < action.size(); ++i) {
+      useless = useless || (action[i] != idle_[i] && !useful[controls[i].variable.index()]);
+    }
+    if (!useless) actions.push_back(action);
+  }
+  return actions;
+}
+
+/// Promising actions first; where they do not get there, all.
+Planner::Found Planner::search(const Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits) {
+  const auto& all = actions_[objective.island];
+  const std::vector<automata::ControlAction> some = promising(modes, objective);
+  Found found = search(modes, objective, otherwise, waits, some);
+  if (std::holds_alternative<PlannedStep>(found.first) || some.size() == all.size()) return found;
+  return search(modes, objective, otherwise, waits, all);
+}
+
 /// Uniform-cost search over the nominal successors of the whole island: fewest irreversible steps, then fewest steps.
 /// The same rules on irreversible steps hold; what is achieved may be undone on the way.
-Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits) {
+Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
+                               std::span<const automata::ControlAction> actions) {
   bool excluded = false;
+  std::size_t tried = 0;
   std::unordered_map<Modes, Way, automata::ModesHash> ways;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<PlannedStep> first_steps;
@@ -57,11 +104,12 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
     const Modes current = *entry.modes;
     const Way reached = way;
     if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded};
-    if (++settled > search_limit) {
-      otherwise.reason += "; the search for another way was given up after " + std::to_string(search_limit) + " states";
+    if (++settled > search_limit || tried > trial_limit) {
+      otherwise.reason += "; the search for another way was given up after " + std::to_string(settled - 1) + " states";
       return {std::move(otherwise), excluded};
     }
-    for (const automata::ControlAction& action : actions_[objective.island]) {
+    tried += actions.size();
+    for (const automata::ControlAction& action : actions) {
       for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.island, objective.named)) {
         if (waits == Waits::safe && !is_safe(current, objective, action, outcome)) {
           excluded = true;

@@ -105,7 +105,7 @@ Planner::Choice Planner::first_step(const Modes& modes, const Objective& objecti
   if (std::holds_alternative<PlannedStep>(safe.first)) return std::move(safe.first);
   if (stuck == nullptr) return std::move(trace.first);
   if (!safe.excluded) return std::move(safe.first);
-  return search(modes, objective, std::move(*stuck), Waits::any).first;
+  return search(modes, objective, *stuck, Waits::any).first;
 }
 
 Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, Order order) {
@@ -192,10 +192,15 @@ Planner::Subgoals Planner::subgoals(const Modes& modes, const Objective& objecti
     const ModeId current = modes[component->index()];
     if (std::binary_search(r.values.begin(), r.values.end(), ValueId(current.index()))) continue;
     const Policy& policy = policies_.of(*component, objective.named);
+    // What is not part of the goal state has to be undone again.
+    const ModeId target = objective.target[component->index()];
     std::optional<Distance> nearest;
     for (const ValueId v : r.values) {
-      const auto& distance = policy.distance(current, ModeId(v.index()));
-      if (distance && (!nearest || *distance < *nearest)) nearest = distance;
+      const auto& there = policy.distance(current, ModeId(v.index()));
+      const auto& back = policy.distance(ModeId(v.index()), target);
+      if (!there) continue;
+      const Distance distance = *there + back.value_or(Distance{1, 0});
+      if (!nearest || distance < *nearest) nearest = distance;
     }
     result.pending.emplace_back(*component, &r);
     result.distance = result.distance && nearest ? std::optional(*result.distance + *nearest) : std::nullopt;
@@ -223,7 +228,9 @@ Planner::Choice Planner::bring_about(const Modes& modes, const Objective& object
   const std::string what = "'" + plant[component].name + "' to go from " + name(component, transition.from) + " to " +
                            name(component, transition.to);
   std::vector<std::pair<Subgoals, const Support*>> ways;
-  for (const Support& support : transition.supports) ways.emplace_back(subgoals(modes, objective, support), &support);
+  for (const Support& support : transition.supports) {
+    if (order_.goes_upstream(component, support)) ways.emplace_back(subgoals(modes, objective, support), &support);
+  }
   std::stable_sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
     if (!a.first.distance || !b.first.distance) return a.first.distance.has_value() && !b.first.distance;
     return *a.first.distance < *b.first.distance;

@@ -62,6 +62,8 @@ class Planner {
 
   /// States that a search visits at most, before it gives up.
   static constexpr std::size_t search_limit = 1u << 14;
+  /// Control actions that it tries at most, over all states.
+  static constexpr std::size_t trial_limit = 1u << 16;
 
  private:
   using Choice = std::variant<PlannedStep, Impasse>;
@@ -86,7 +88,13 @@ class Planner {
                  std::span<const automata::ModeId> wanted);
   Choice bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                      const NominalTransition& transition);
-  Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits);
+  /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
+  /// upstream of it. It can take others, to bring a component out of the way that is where it should be in the end.
+  [[nodiscard]] std::vector<automata::ControlAction> promising(const automata::Modes& modes,
+                                                               const Objective& objective) const;
+  Found search(const automata::Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits);
+  Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
+               std::span<const automata::ControlAction> actions);
 
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,

@@ -52,8 +52,10 @@ const Policy& Policies::of(ComponentId component, const NamedModes& named) {
 }
 
 PolicyTable policy_table(const automata::Plant& plant, ComponentId component) {
-  const Islands islands(plant);
-  const NominalGraph graph(plant, islands);
+  return policy_table(plant, NominalGraph(plant, Islands(plant)), component);
+}
+
+PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph, ComponentId component) {
   const std::size_t modes = plant[component].modes.size();
   const Policy policy(graph.transitions(component), modes, std::vector<bool>(modes, true));
 

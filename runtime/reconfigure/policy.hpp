@@ -80,6 +80,7 @@ struct PolicyEntry {
 struct PolicyTable {
   std::vector<std::vector<PolicyEntry>> entries;
 };
+PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph, automata::ComponentId component);
 PolicyTable policy_table(const automata::Plant& plant, automata::ComponentId component);
 
 }  // namespace runtime

@@ -38,20 +38,22 @@ Reconfiguration refusal(Impasse impasse, std::optional<Modes> goal_state) {
 
 class PolicyReconfigurer : public Reconfigurer {
  public:
-  explicit PolicyReconfigurer(automata::PlantStep& step)
+  PolicyReconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph)
       : step_(step),
         idle_(idle_action(step.plant())),
-        graph_(step.plant(), Islands(step.plant())),
-        islands_(step.plant(), graph_.restless(step.plant())),
-        interpreter_(step, graph_),
-        planner_(step, graph_, islands_) {}
+        graph_(std::move(graph)),
+        islands_(step.plant(), graph_->restless(step.plant())),
+        interpreter_(step, *graph_),
+        planner_(step, *graph_, islands_) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
     if (goal.is_true()) return idle(Reconfiguration::Outcome::nothing_to_do);
     Memory& memory = remember(goal);
     if (const auto known = memory.answers.find(modes); known != memory.answers.end()) return known->second;
     if (memory.answers.size() >= answer_limit) memory.answers.clear();
-    return memory.answers.emplace(modes, answer(modes, memory.goal)).first->second;
+    Reconfiguration fresh = memory.answers.emplace(modes, answer(modes, memory.goal)).first->second;
+    fresh.checked = interpreter_.checked();
+    return fresh;
   }
 
  private:
@@ -146,7 +148,7 @@ class PolicyReconfigurer : public Reconfigurer {
 
   automata::PlantStep& step_;
   automata::ControlAction idle_;
-  NominalGraph graph_;
+  std::shared_ptr<const NominalGraph> graph_;
   Islands islands_;
   GoalInterpreter interpreter_;
   Planner planner_;
@@ -155,8 +157,13 @@ class PolicyReconfigurer : public Reconfigurer {
 
 }  // namespace
 
-std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step) {
-  return std::make_unique<PolicyReconfigurer>(step);
+std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph) {
+  if (!graph) graph = reconfiguration_graph(step.plant());
+  return std::make_unique<PolicyReconfigurer>(step, std::move(graph));
+}
+
+std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant) {
+  return std::make_shared<NominalGraph>(plant, Islands(plant));
 }
 
 }  // namespace runtime

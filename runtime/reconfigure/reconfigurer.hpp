@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "automata/logic/formula.hpp"
@@ -11,6 +13,8 @@
 #include "automata/step/plant_step.hpp"
 
 namespace runtime {
+
+class NominalGraph;
 
 /// What reconfiguration answers in one cycle.
 struct Reconfiguration {
@@ -27,6 +31,7 @@ struct Reconfiguration {
   std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one;
                                                    ///< with `command` and `wait`: the one that is to change its mode
   std::string reason;                              ///< with `no_plan`: in words
+  std::size_t checked = 0;                         ///< candidates checked for this answer; 0 where it was remembered
   bool irreversible = false;                       ///< the command leads where no nominal sequence leads back from
 };
 
@@ -37,10 +42,22 @@ class Reconfigurer {
   /// The first control action of a sequence from `modes` to the best reachable state that entails `goal` (over modes
   /// and attributes; no clock atoms). `true` as goal asks for nothing: the answer is `nothing_to_do`.
   virtual Reconfiguration next(const automata::Modes& modes, const automata::Formula& goal) = 0;
+  /// The same, told all states that are tracked, at least one, the most likely first.
+  virtual Reconfiguration next_of_all(std::span<const automata::Modes> tracked, const automata::Formula& goal) {
+    return next(tracked.front(), goal);
+  }
+  /// Whether the states after the first can matter.
+  [[nodiscard]] virtual bool looks_at_all() const { return false; }
 };
 
 /// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction. Remembers its answers:
 /// a repeated question costs a look-up. Keeps a reference to `step`, and asks its theory.
-std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step);
+/// `graph` is what was computed beforehand for the same plant, by `reconfiguration_graph`; without it that is done
+/// here.
+std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step,
+                                                std::shared_ptr<const NominalGraph> graph = nullptr);
+
+/// What reconfiguration computes before the first question, and most of its cost: several runs of one plant share it.
+std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant);
 
 }  // namespace runtime

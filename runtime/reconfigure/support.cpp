@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -25,13 +27,44 @@ namespace {
 
 constexpr std::size_t yes = 1;
 
-/// The plant with a variable for each transition; `?` keeps the names apart from those of models.
-Plant with_questions(const Plant& plant, std::vector<std::vector<VariableId>>& questions) {
+/// Exclusions after which the theory is built anew before the next question.
+constexpr std::size_t exclusion_limit = 16;
+
+void collect_conjuncts(const Formula& formula, std::vector<Formula>& conjuncts) {
+  if (formula.kind != Formula::Kind::conjunction) {
+    conjuncts.push_back(formula);
+    return;
+  }
+  for (const Formula& operand : formula.operands) collect_conjuncts(operand, conjuncts);
+}
+
+/// At least one: `true` is a conjunct of itself.
+std::vector<Formula> conjuncts_of(const Formula& formula) {
+  std::vector<Formula> conjuncts;
+  collect_conjuncts(formula, conjuncts);
+  if (conjuncts.empty()) conjuncts.push_back(automata::constant(true));
+  return conjuncts;
+}
+
+/// The plant with a variable for each question, and for each mode one that tells its constraint to hold, whatever the
+/// mode is; `?` keeps the names apart from those of models.
+Plant with_questions(const Plant& plant, std::vector<std::vector<std::vector<VariableId>>>& questions,
+                     std::vector<std::vector<VariableId>>& tolerates) {
   Plant extended = plant;
   for (const Component& component : plant.components) {
-    auto& ids = questions.emplace_back();
+    auto& of_component = tolerates.emplace_back();
+    for (const auto& mode : component.modes) {
+      of_component.push_back(extended.variables.add({component.name + "?" + mode.name, {"no", "yes"}}));
+    }
+  }
+  for (const Component& component : plant.components) {
+    auto& of_component = questions.emplace_back();
     for (std::size_t t = 0; t < component.transitions.size(); ++t) {
-      ids.push_back(extended.variables.add({component.name + "?" + std::to_string(t), {"no", "yes"}}));
+      auto& ids = of_component.emplace_back();
+      for (std::size_t i = 0; i < conjuncts_of(component.transitions[t].guard).size(); ++i) {
+        ids.push_back(extended.variables.add(
+            {component.name + "?" + std::to_string(t) + "?" + std::to_string(i), {"no", "yes"}}));
+      }
     }
   }
   return extended;
@@ -89,49 +122,210 @@ Formula formula_of(const Support& support) {
   return automata::conjunction(std::move(parts));
 }
 
+/// Whether whatever fits `narrow` fits `wide` too.
+bool subsumes(const Support& wide, const Support& narrow) {
+  return std::all_of(wide.begin(), wide.end(), [&](const Requirement& r) {
+    const auto at = std::lower_bound(narrow.begin(), narrow.end(), r.variable,
+                                     [](const Requirement& n, VariableId v) { return n.variable < v; });
+    return at != narrow.end() && at->variable == r.variable &&
+           std::includes(r.values.begin(), r.values.end(), at->values.begin(), at->values.end());
+  });
+}
+
+/// What fits both; nothing where they exclude each other.
+std::optional<Support> both(const Support& left, const Support& right) {
+  Support result = left;
+  for (const Requirement& r : right) {
+    const auto at = std::lower_bound(result.begin(), result.end(), r.variable,
+                                     [](const Requirement& n, VariableId v) { return n.variable < v; });
+    if (at == result.end() || at->variable != r.variable) {
+      result.insert(at, r);
+      continue;
+    }
+    std::vector<ValueId> values;
+    std::set_intersection(at->values.begin(), at->values.end(), r.values.begin(), r.values.end(),
+                          std::back_inserter(values));
+    if (values.empty()) return std::nullopt;
+    at->values = std::move(values);
+  }
+  return result;
+}
+
 }  // namespace
 
 bool needs_no_command(const Plant& plant, const Support& support) { return commanded_controls(plant, support) == 0; }
 
-/// One guard in one source mode: what is asked, and what may be decided to bring it about.
+/// One conjunct of a guard in one source mode: what is asked, and what may be decided to bring it about.
 struct SupportFinder::Question {
   ComponentId component;
-  Assignment asked;   ///< assumed where the guard is wanted and what is excluded stays excluded
+  Assignment asked;   ///< assumed where the conjunct is wanted and what is excluded stays excluded
   Assignment source;  ///< the component's own mode
-  const Formula& guard;
-  Theory::Handle refuted;  ///< the guard's negation
+  Formula guard;
+  Theory::Handle refuted;  ///< its negation
   std::size_t island;
-  std::vector<VariableId> decisions;   ///< mode variables of the other components, then controls
-  std::vector<VariableId> attributes;  ///< the rest of the island
+  std::vector<VariableId> decisions;   ///< modes of other components and controls
+  std::vector<VariableId> attributes;  ///< that the decisions may leave open
 };
 
 SupportFinder::SupportFinder(const Plant& plant, const Islands& islands)
-    : plant_(with_questions(plant, questions_)), islands_(islands), theory_(model_theory(plant_)) {}
+    : plant_(with_questions(plant, questions_, tolerates_)), islands_(islands), theory_(fresh_theory()) {
+  find_regions(plant.variables.size());
+}
+
+Theory SupportFinder::fresh_theory() const {
+  Theory theory = model_theory(plant_);
+  for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+    for (std::size_t m = 0; m < tolerates_[c].size(); ++m) {
+      theory.tell_if({tolerates_[c][m], ValueId(yes)}, plant_.components[c].modes[m].constraint);
+    }
+  }
+  return theory;
+}
+
+/// Union and find over the attributes, then the decisions that the constraints of each region read.
+void SupportFinder::find_regions(std::size_t variables) {
+  std::vector<bool> decided(variables);
+  for (const Component& component : plant_.components) decided[component.mode.index()] = true;
+  for (const automata::Control& control : plant_.controls) decided[control.variable.index()] = true;
+
+  std::vector<std::vector<VariableId>> constraints;
+  const auto constrain = [&](const Formula& formula, std::optional<VariableId> mode) {
+    for (const Formula& conjunct : conjuncts_of(formula)) {
+      auto& read = constraints.emplace_back(variables_of(conjunct));
+      if (mode) read.push_back(*mode);
+    }
+  };
+  for (const Formula& q : plant_.interconnections) constrain(q, std::nullopt);
+  for (const Component& component : plant_.components) {
+    for (const auto& mode : component.modes) constrain(mode.constraint, component.mode);
+  }
+
+  std::vector<std::size_t> parent(variables);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  const auto first_attribute = [&](const std::vector<VariableId>& read) {
+    return std::find_if(read.begin(), read.end(), [&](VariableId v) { return !decided[v.index()]; });
+  };
+  for (const auto& read : constraints) {
+    const auto first = first_attribute(read);
+    for (auto v = first; v != read.end(); ++v) {
+      if (!decided[v->index()]) parent[root(v->index())] = root(first->index());
+    }
+  }
+  region_of_.resize(variables);
+  for (std::size_t v = 0; v < variables; ++v) {
+    if (decided[v]) continue;
+    auto& region = region_of_[root(v)];
+    if (!region) {
+      region = regions_.size();
+      regions_.emplace_back();
+    }
+    region_of_[v] = region;
+    regions_[*region].attributes.emplace_back(v);
+  }
+  neighbours_.resize(variables);
+  for (const auto& read : constraints) {
+    const auto first = first_attribute(read);
+    if (first == read.end()) continue;
+    for (const VariableId v : read) {
+      if (decided[v.index()]) continue;
+      std::copy_if(read.begin(), read.end(), std::back_inserter(neighbours_[v.index()]),
+                   [&](VariableId w) { return w != v && !decided[w.index()]; });
+    }
+    auto& decisions = regions_[*region_of_[first->index()]].decisions;
+    std::copy_if(read.begin(), read.end(), std::back_inserter(decisions),
+                 [&](VariableId v) { return decided[v.index()]; });
+  }
+  readers_.resize(variables);
+  for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+    for (std::size_t m = 0; m < plant_.components[c].modes.size(); ++m) {
+      for (const VariableId v : variables_of(plant_.components[c].modes[m].constraint)) {
+        readers_[v.index()].push_back({plant_.components[c].mode, ValueId(m)});
+      }
+    }
+  }
+  for (Region& region : regions_) {
+    std::sort(region.decisions.begin(), region.decisions.end());
+    region.decisions.erase(std::unique(region.decisions.begin(), region.decisions.end()), region.decisions.end());
+  }
+}
 
 std::vector<Support> SupportFinder::supports(ComponentId component, TransitionId transition) {
   const auto& t = plant_[component].transitions[transition.index()];
-  Question question{.component = component,
-                    .asked = {questions_[component.index()][transition.index()], ValueId(yes)},
-                    .source = {plant_[component].mode, ValueId(t.from.index())},
-                    .guard = t.guard,
-                    .refuted = theory_.encode(negation(t.guard)),
-                    .island = islands_.of(component),
-                    .decisions = {},
-                    .attributes = {}};
-  std::vector<bool> decided(plant_.variables.size());
-  decided[question.source.variable.index()] = true;
-  const auto decide = [&](VariableId v) {
-    if (decided[v.index()]) return;
-    decided[v.index()] = true;
-    question.decisions.push_back(v);
-  };
-  for (const ComponentId c : islands_.components(question.island)) decide(plant_[c].mode);
-  for (const std::size_t i : islands_.controls(question.island)) decide(plant_.controls[i].variable);
-  for (const VariableId v : islands_.variables(question.island)) {
-    if (!decided[v.index()]) question.attributes.push_back(v);
+  const Assignment source{plant_[component].mode, ValueId(t.from.index())};
+  std::vector<Support> found{{}};
+  const std::vector<Formula> conjuncts = conjuncts_of(t.guard);
+  for (std::size_t i = 0; i < conjuncts.size(); ++i) {
+    Question question{.component = component,
+                      .asked = {questions_[component.index()][transition.index()][i], ValueId(yes)},
+                      .source = source,
+                      .guard = conjuncts[i],
+                      .refuted = {},
+                      .island = islands_.of(component),
+                      .decisions = {},
+                      .attributes = {}};
+    std::vector<bool> chosen(plant_.variables.size());
+    chosen[source.variable.index()] = true;
+    const auto choose = [&](VariableId v, std::vector<VariableId>& from) {
+      if (!chosen[v.index()]) from.push_back(v);
+      chosen[v.index()] = true;
+    };
+    for (const VariableId v : variables_of(conjuncts[i])) {
+      const auto region = region_of_[v.index()];
+      if (!region) {
+        choose(v, question.decisions);
+        continue;
+      }
+      for (const VariableId decision : regions_[*region].decisions) choose(decision, question.decisions);
+      for (const VariableId attribute : regions_[*region].attributes) choose(attribute, question.attributes);
+    }
+    std::sort(question.decisions.begin(), question.decisions.end());
+    found = joined(found, part_supports(question), source);
   }
-  theory_.tell_if(question.asked, t.guard);
+  const auto rank = [&](const Support& support) {
+    return std::make_tuple(commanded_controls(plant_, support), support.size());
+  };
+  std::sort(found.begin(), found.end(), [&](const Support& a, const Support& b) {
+    return std::tuple_cat(rank(a), std::tie(a)) < std::tuple_cat(rank(b), std::tie(b));
+  });
+  if (found.size() > limit) found.resize(limit);
+  return found;
+}
 
+/// The unions that the store permits, without those that a wider one makes superfluous.
+std::vector<Support> SupportFinder::joined(const std::vector<Support>& left, const std::vector<Support>& right,
+                                           Assignment source) {
+  std::vector<Support> unions;
+  for (const Support& l : left) {
+    for (const Support& r : right) {
+      if (auto whole = both(l, r)) unions.push_back(std::move(*whole));
+    }
+  }
+  std::sort(unions.begin(), unions.end());
+  unions.erase(std::unique(unions.begin(), unions.end()), unions.end());
+  std::vector<Support> result;
+  for (const Support& support : unions) {
+    const bool superfluous = std::any_of(unions.begin(), unions.end(), [&](const Support& other) {
+      return &other != &support && subsumes(other, support);
+    });
+    if (!superfluous && theory_.allows(std::span(&source, 1), theory_.encode(formula_of(support)))) {
+      result.push_back(support);
+    }
+  }
+  return result;
+}
+
+std::vector<Support> SupportFinder::part_supports(Question& question) {
+  // What was told for the questions before only slows the solver down.
+  if (excluded_ > exclusion_limit) {
+    theory_ = fresh_theory();
+    excluded_ = 0;
+  }
+  question.refuted = theory_.encode(negation(question.guard));
+  theory_.tell_if(question.asked, question.guard);
   std::vector<Support> found;
   const std::vector<Assignment> wanted{question.asked, question.source};
   while (found.size() < limit && theory_.consistent(wanted)) {
@@ -147,13 +341,6 @@ std::vector<Support> SupportFinder::supports(ComponentId component, TransitionId
       found.push_back(std::move(support));
     }
   }
-
-  const auto rank = [&](const Support& support) {
-    return std::make_tuple(commanded_controls(plant_, support), support.size());
-  };
-  std::sort(found.begin(), found.end(), [&](const Support& a, const Support& b) {
-    return std::tuple_cat(rank(a), std::tie(a)) < std::tuple_cat(rank(b), std::tie(b));
-  });
   return found;
 }
 
@@ -206,10 +393,69 @@ void SupportFinder::widen(const Question& question, Support& support) {
   }
 }
 
+/// After a world was found that refutes the guard under the assumptions: another one that satisfies the constraints of
+/// as many modes as can be added one by one, so that it refutes as many proposals as possible.
+SupportFinder::World SupportFinder::most_tolerant(const Question& question, std::vector<Assignment> assumptions) {
+  World world = read_world(question);
+  const auto tolerated = [&](ComponentId c, std::size_t m) {
+    return evaluate(plant_[c].modes[m].constraint, [&](VariableId v) { return world[v.index()]; });
+  };
+  for (const ComponentId c : islands_.components(question.island)) {
+    const bool decided = std::binary_search(question.decisions.begin(), question.decisions.end(), plant_[c].mode);
+    if (!decided) continue;
+    for (std::size_t m = 0; m < plant_[c].modes.size(); ++m) {
+      assumptions.push_back({tolerates_[c.index()][m], ValueId(yes)});
+      if (tolerated(c, m)) continue;
+      if (theory_.allows(assumptions, question.refuted)) {
+        world = read_world(question);
+      } else {
+        assumptions.pop_back();
+      }
+    }
+  }
+  return world;
+}
+
+/// The attributes that are to have their values from the refuting world: those that differ from the proposal, and
+/// around them all that can take part without any mode being at odds with it that is not at odds already.
+std::vector<bool> SupportFinder::swapped(const Question& question, const World& proposal, const World& refuting) const {
+  const auto at_odds = [&](Assignment mode) {
+    const auto& modes = plant_[*plant_.component_of(mode.variable)].modes;
+    return !evaluate(modes[mode.value.index()].constraint, [&](VariableId v) { return refuting[v.index()]; });
+  };
+  std::vector<bool> swapped(plant_.variables.size());
+  std::vector<bool> seen(plant_.variables.size());
+  std::vector<Assignment> refused;
+  std::vector<VariableId> open;
+  for (const VariableId v : question.attributes) {
+    if (refuting[v.index()] == proposal[v.index()]) continue;
+    swapped[v.index()] = seen[v.index()] = true;
+    open.push_back(v);
+    std::copy_if(readers_[v.index()].begin(), readers_[v.index()].end(), std::back_inserter(refused), at_odds);
+  }
+  while (!open.empty()) {
+    const VariableId v = open.back();
+    open.pop_back();
+    for (const VariableId w : neighbours_[v.index()]) {
+      if (seen[w.index()]) continue;
+      seen[w.index()] = true;
+      const auto& readers = readers_[w.index()];
+      const bool harmless = std::all_of(readers.begin(), readers.end(), [&](Assignment mode) {
+        return !at_odds(mode) || std::find(refused.begin(), refused.end(), mode) != refused.end();
+      });
+      if (!harmless) continue;
+      swapped[w.index()] = true;
+      open.push_back(w);
+    }
+  }
+  return swapped;
+}
+
 /// After the proposal's decisions were found not to imply the guard. A refuting world is looked for that keeps as many
-/// attributes as the proofs of its impossibility allow; D are those that change. Whatever world the values of D, put in
+/// attributes as the proofs of its impossibility allow. Whatever world the values of those that are swapped, put in
 /// place of its own, turn into one that satisfies the store and refutes the guard, it proposes no support: its own
-/// decisions admit that other world. Only constraints that read D can tell, so only those are in what is excluded.
+/// decisions admit that other world. Only constraints that read what is swapped can tell, so only those are in what is
+/// excluded.
 void SupportFinder::exclude(const Question& question, const World& proposal) {
   std::vector<Assignment> fixed{question.source};
   for (const VariableId v : question.decisions) fixed.push_back({v, proposal[v.index()]});
@@ -223,9 +469,9 @@ void SupportFinder::exclude(const Question& question, const World& proposal) {
     std::erase_if(kept,
                   [&](const Assignment& a) { return std::find(blamed.begin(), blamed.end(), a) != blamed.end(); });
   }
-  const World refuting = read_world(question);
-  std::vector<bool> changed(plant_.variables.size());
-  for (const VariableId v : question.attributes) changed[v.index()] = refuting[v.index()] != proposal[v.index()];
+  fixed.insert(fixed.end(), kept.begin(), kept.end());
+  const World refuting = most_tolerant(question, fixed);
+  const std::vector<bool> changed = swapped(question, proposal, refuting);
 
   const auto value_of = [&](VariableId v) {
     return changed[v.index()] ? std::optional(refuting[v.index()]) : std::nullopt;
@@ -243,6 +489,7 @@ void SupportFinder::exclude(const Question& question, const World& proposal) {
     }
   }
   theory_.tell_if(question.asked, negation(automata::conjunction(std::move(parts))));
+  ++excluded_;
 }
 
 }  // namespace runtime

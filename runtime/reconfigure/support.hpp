@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "automata/logic/theory.hpp"
@@ -33,6 +34,10 @@ bool needs_no_command(const automata::Plant& plant, const Support& support);
 /// values, and excluded. If not, a world with the same modes and controls refutes them; it is chosen close to the
 /// proposal, and all worlds that the same local change refutes are excluded with it, so that components far from the
 /// change are never enumerated.
+///
+/// A guard is asked conjunct by conjunct: what supports a conjunction supports each part, so its supports are unions of
+/// theirs. And each part is asked of its region only, the attributes that constraints join once modes and controls are
+/// fixed: those of other regions cannot make it true or false in a consistent state.
 class SupportFinder {
  public:
   SupportFinder(const automata::Plant& plant, const Islands& islands);
@@ -49,17 +54,35 @@ class SupportFinder {
 
  private:
   struct Question;
+  struct Region {
+    std::vector<automata::VariableId> attributes;
+    std::vector<automata::VariableId> decisions;  ///< modes and controls that its constraints read
+  };
   using World = std::vector<automata::ValueId>;  ///< by variable; of the island only
 
+  [[nodiscard]] automata::Theory fresh_theory() const;
+  void find_regions(std::size_t variables);
+  std::vector<Support> part_supports(Question& question);
+  std::vector<Support> joined(const std::vector<Support>& left, const std::vector<Support>& right,
+                              automata::Assignment source);
   World read_world(const Question& question) const;
   Support shrink(const Question& question);
   void widen(const Question& question, Support& support);
+  World most_tolerant(const Question& question, std::vector<automata::Assignment> assumptions);
+  [[nodiscard]] std::vector<bool> swapped(const Question& question, const World& proposal, const World& refuting) const;
   void exclude(const Question& question, const World& proposal);
 
-  std::vector<std::vector<automata::VariableId>> questions_;  ///< per component, per transition
-  automata::Plant plant_;  ///< with one more variable for each transition: assumed, it asks for that guard
+  /// Per component, per transition, per conjunct of its guard.
+  std::vector<std::vector<std::vector<automata::VariableId>>> questions_;
+  std::vector<std::vector<automata::VariableId>> tolerates_;  ///< per component, per mode
+  automata::Plant plant_;  ///< with those variables: assumed, one asks for a conjunct, or tells a mode's constraint
   const Islands& islands_;
   automata::Theory theory_;
+  std::size_t excluded_ = 0;  ///< by this theory
+  std::vector<Region> regions_;
+  std::vector<std::optional<std::size_t>> region_of_;          ///< by variable; of attributes
+  std::vector<std::vector<automata::VariableId>> neighbours_;  ///< by variable: attributes in one constraint with it
+  std::vector<std::vector<automata::Assignment>> readers_;     ///< by variable: modes whose constraint reads it
 };
 
 }  // namespace runtime

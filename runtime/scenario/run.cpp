@@ -9,6 +9,7 @@
 #include "runtime/execute/executive.hpp"
 #include "runtime/plant/scripted_plant.hpp"
 #include "runtime/plant/simulated_plant.hpp"
+#include "runtime/reconfigure/one_step.hpp"
 
 namespace runtime {
 namespace {
@@ -28,6 +29,16 @@ std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Scena
       return make_exact_estimator(step, estimator);
     case ScenarioOptions::Engine::k_best:
       return make_k_best_estimator(step, estimator);
+  }
+  return nullptr;
+}
+
+std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const ScenarioOptions& options) {
+  switch (options.recovery) {
+    case ScenarioOptions::Recovery::planner:
+      return make_reconfigurer(step, options.graph);
+    case ScenarioOptions::Recovery::one_step:
+      return make_one_step_reconfigurer(step, options.graph);
   }
   return nullptr;
 }
@@ -60,11 +71,13 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
 
   automata::PlantStep step(model);
   const auto estimator = make_estimator(step, options);
-  const auto reconfigurer = make_reconfigurer(step);
+  const auto reconfigurer = make_recovery(step, options);
   const auto plant = make_plant(model, scenario, result.seed);
   const auto clock = make_clock(options);
   Expectations expectations(step, scenario);
-  Executive executive(program, model, *estimator, *reconfigurer, *plant, *clock, scenario.cycle);
+  MeteredEstimator metered_estimator(*estimator, result.measurements.estimation);
+  MeteredReconfigurer metered_reconfigurer(*reconfigurer, result.measurements.reconfiguration);
+  Executive executive(program, model, metered_estimator, metered_reconfigurer, *plant, *clock, scenario.cycle);
 
   const auto look = [&](const CycleRecord& record) {
     if (executive.ended() && !result.ended) result.ended = record.time;

@@ -11,6 +11,7 @@
 #include "automata/scenario.hpp"
 #include "runtime/estimate/estimator.hpp"
 #include "runtime/scenario/expectations.hpp"
+#include "runtime/scenario/meter.hpp"
 #include "runtime/trace/cycle_record.hpp"
 
 namespace runtime {
@@ -19,6 +20,9 @@ struct ScenarioOptions {
   enum class Engine { exact, k_best };
   std::optional<std::uint64_t> seed;  ///< instead of the scenario's own
   Engine engine = Engine::k_best;
+  enum class Recovery { planner, one_step };
+  Recovery recovery = Recovery::planner;
+  std::shared_ptr<const NominalGraph> graph = nullptr;       ///< of the scenario's plant, where it was computed before
   std::size_t k = 16;                                        ///< system states that k-best keeps
   bool real_time = false;                                    ///< a cycle takes as long as it says
   std::function<bool()> interrupted = [] { return false; };  ///< asked once a cycle, and while waiting in real time
@@ -31,6 +35,7 @@ struct ScenarioResult {
   std::optional<automata::Ticks> ended;  ///< when the program ended
   bool interrupted = false;
   std::vector<Judgement> judgements;  ///< one per expectation
+  Measurements measurements;          ///< of this machine, at this moment: no part of the verdict
 
   /// `failed` where an expectation failed, else `undecided` where one is or the run was interrupted, else `met`.
   [[nodiscard]] Judgement::Verdict verdict() const;

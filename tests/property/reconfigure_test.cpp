@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "runtime/reconfigure/one_step.hpp"
 #include "runtime/reconfigure/plan.hpp"
 #include "runtime/reconfigure/reconfigurer.hpp"
 #include "tests/property/draw.hpp"
@@ -88,6 +89,27 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
     RC_LOG() << automata::to_text(goal, model.plant.variables) << ": " << plan.reason << ", where " << commands->size()
              << " commands do it" << std::endl;
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
+  }
+}
+
+RC_GTEST_PROP(Reconfigure, OneStepIsTheCheapestActionOfAll, ()) {
+  const Model model = *models(planning);
+  const reference::Step slow(model.plant);
+  automata::PlantStep step(model.plant);
+  const auto reconfigurer = runtime::make_one_step_reconfigurer(step);
+  for (int question = 0; question < 6; ++question) {
+    std::vector<Modes> tracked;
+    for (int i = 0; i < 3; ++i) {
+      const Modes modes = *modes_of(model.plant);
+      if (slow.possible(modes) && (tracked.empty() || chance(50))) tracked.push_back(modes);
+    }
+    const Formula goal = draw_goal(model.plant);
+    if (tracked.empty() || goal.is_true()) continue;
+    const auto expected = reference::cheapest_action(slow, tracked, goal);
+    const runtime::Reconfiguration found = reconfigurer->next_of_all(tracked, goal);
+    RC_LOG() << automata::to_text(goal, model.plant.variables) << ": " << found.reason << std::endl;
+    RC_ASSERT((found.outcome == runtime::Reconfiguration::Outcome::no_plan) == !expected);
+    if (expected) RC_ASSERT(found.action == *expected);
   }
 }
 

@@ -80,20 +80,58 @@ bool names(const automata::Formula& goal, automata::VariableId variable, automat
 
 }  // namespace
 
-std::set<ModeId> reachable_modes(const Step& step, std::size_t component, ModeId from, const automata::Formula& goal) {
-  const automata::Component& automaton = step.plant().components[component];
-  const auto transitions = nominal_transitions(step, component);
-  return closure(transitions, from, [&](const Transition& t) {
-    const auto back = closure(transitions, t.to, [](const Transition&) { return true; });
-    const bool repair = t.from == from && automaton.modes[from.index()].fault;
-    return t.timing || back.contains(t.from) || repair || names(goal, automaton.mode, automata::ValueId(t.to.index()));
-  });
+std::vector<std::set<ModeId>> reachable_modes(const Step& step, const Modes& modes, const automata::Formula& goal) {
+  const automata::Plant& plant = step.plant();
+  std::vector<Modes> possible = all_states(plant);
+  std::erase_if(possible, [&](const Modes& state) { return !step.possible(state); });
+  const std::vector<ControlAction> actions = all_actions(plant);
+  std::vector<std::set<ModeId>> reached;
+  for (const ModeId mode : modes) reached.push_back({mode});
+
+  const auto in_reach = [&](std::size_t i, ModeId mode) { return reached[i].contains(mode); };
+  const auto enables = [&](std::size_t i, const Transition& t, const Modes& state, const ControlAction& action) {
+    return state[i] == t.from && step.models().consistent(assumptions_of(plant, state, action)) &&
+           step.enabled(t, state, action);
+  };
+  // What is out of reach does not matter: whatever modes the components have that are not in reach, the guard is
+  // implied.
+  const auto supported = [&](std::size_t i, const Transition& t) {
+    for (const Modes& state : possible) {
+      for (const ControlAction& action : actions) {
+        if (!enables(i, t, state, action)) continue;
+        const bool firm = std::all_of(possible.begin(), possible.end(), [&](const Modes& other) {
+          for (std::size_t j = 0; j < other.size(); ++j)
+            if ((j == i || in_reach(j, state[j])) && other[j] != state[j]) return true;
+          return !step.models().consistent(assumptions_of(plant, other, action)) || enables(i, t, other, action);
+        });
+        if (firm) return true;
+      }
+    }
+    return false;
+  };
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const automata::Component& automaton = plant.components[i];
+      const auto transitions = nominal_transitions(step, i);
+      for (const Transition* t : transitions) {
+        if (!in_reach(i, t->from) || in_reach(i, t->to)) continue;
+        const auto back = closure(transitions, t->to, [](const Transition&) { return true; });
+        const bool repair = t->from == modes[i] && automaton.modes[t->from.index()].fault;
+        const bool permitted = t->timing || back.contains(t->from) || repair ||
+                               names(goal, automaton.mode, automata::ValueId(t->to.index()));
+        if (!permitted || !supported(i, *t)) continue;
+        reached[i].insert(t->to);
+        grown = true;
+      }
+    }
+  }
+  return reached;
 }
 
 std::optional<GoalState> best_goal_state(const Step& step, const Modes& modes, const automata::Formula& goal) {
   const automata::Plant& plant = step.plant();
-  std::vector<std::set<ModeId>> reachable;
-  for (std::size_t i = 0; i < modes.size(); ++i) reachable.push_back(reachable_modes(step, i, modes[i], goal));
+  const std::vector<std::set<ModeId>> reachable = reachable_modes(step, modes, goal);
 
   std::optional<GoalState> best;
   for (const Modes& candidate : all_states(plant)) {
@@ -143,6 +181,58 @@ std::set<Modes> nominal_successors(const Step& step, const Modes& modes, const C
     if (step.possible(next)) result.insert(next);
   }
   return result;
+}
+
+namespace {
+
+bool is_enough(const Step& step, const Modes& modes, const ControlAction& action, const automata::Formula& goal) {
+  const automata::Plant& plant = step.plant();
+  if (!step.models().consistent(assumptions_of(plant, modes, action))) return false;
+  const ControlAction idle = automata::idle_action(plant);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const automata::Component& automaton = plant.components[i];
+    const auto transitions = nominal_transitions(step, i);
+    for (const Transition* t : transitions) {
+      if (t->from != modes[i] || t->to == t->from || t->timing) continue;
+      if (!step.enabled(*t, modes, action) || step.enabled(*t, modes, idle)) continue;
+      const auto back = closure(transitions, t->to, [](const Transition&) { return true; });
+      const bool repair = automaton.modes[t->from.index()].fault;
+      if (!back.contains(t->from) && !repair && !names(goal, automaton.mode, automata::ValueId(t->to.index())))
+        return false;
+    }
+  }
+  const auto choices = nominal_choices(step, modes, action);
+  const auto& conjuncts = goal.kind == automata::Formula::Kind::conjunction ? goal.operands : std::vector{goal};
+  for (const automata::Formula& conjunct : conjuncts)
+    for (std::size_t i = 0; i < modes.size(); ++i)
+      for (const ModeId mode : choices[i])
+        if (conjunct.kind == automata::Formula::Kind::member && conjunct.variable == plant.components[i].mode &&
+            std::find(conjunct.values.begin(), conjunct.values.end(), automata::ValueId(mode.index())) ==
+                conjunct.values.end())
+          return false;
+  const auto successors = nominal_successors(step, modes, action);
+  return !successors.empty() && std::all_of(successors.begin(), successors.end(), [&](const Modes& next) {
+    return step.models().entails(assumptions_of(plant, next), goal);
+  });
+}
+
+}  // namespace
+
+std::optional<ControlAction> cheapest_action(const Step& step, const std::vector<Modes>& states,
+                                             const automata::Formula& goal) {
+  const auto cost = [&](const ControlAction& action) {
+    std::size_t off_idle = 0;
+    for (std::size_t i = 0; i < action.size(); ++i) off_idle += action[i] != step.plant().controls[i].idle ? 1 : 0;
+    return off_idle;
+  };
+  std::optional<ControlAction> best;
+  for (const ControlAction& action : all_actions(step.plant())) {
+    if (best && cost(action) >= cost(*best)) continue;
+    const bool enough =
+        std::all_of(states.begin(), states.end(), [&](const Modes& s) { return is_enough(step, s, action, goal); });
+    if (enough) best = action;
+  }
+  return best;
 }
 
 std::set<Modes> nominal_outcomes(const Step& step, const Modes& modes, const std::vector<ControlAction>& commands) {

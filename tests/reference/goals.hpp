@@ -11,11 +11,12 @@
 
 namespace reference {
 
-/// The modes that the goal interpreter may choose for a component in mode `from`: those it reaches by nominal
-/// transitions that are timed, reversible, repairs of `from`, or lead to a mode that the goal names: assigns
-/// outside negations. A transition counts only where some consistent state and control action imply its guard.
-std::set<automata::ModeId> reachable_modes(const Step& step, std::size_t component, automata::ModeId from,
-                                           const automata::Formula& goal);
+/// Per component, the modes that the goal interpreter may choose: those it reaches by nominal transitions that are
+/// timed, reversible, repairs of its mode, or lead to a mode that the goal names: assigns outside negations. A
+/// transition counts only where some consistent state and control action imply its guard, by modes that the other
+/// components reach.
+std::vector<std::set<automata::ModeId>> reachable_modes(const Step& step, const automata::Modes& modes,
+                                                        const automata::Formula& goal);
 
 struct GoalState {
   automata::Modes modes;
@@ -29,6 +30,13 @@ std::optional<GoalState> best_goal_state(const Step& step, const automata::Modes
 /// Every state that one nominal step may lead to: timed exits may fire or not.
 std::set<automata::Modes> nominal_successors(const Step& step, const automata::Modes& modes,
                                              const automata::ControlAction& action);
+
+/// The cheapest control action that is enough in one step: in every one of the states it agrees with the store, takes
+/// no step of its own that cannot be undone and is not named, leads each component to modes only that the goal's
+/// conjuncts over it permit, and every one of at least one possible nominal successor entails the goal. Cheapest:
+/// fewest controls off idle, then the first by values. Nothing where there is none.
+std::optional<automata::ControlAction> cheapest_action(const Step& step, const std::vector<automata::Modes>& states,
+                                                       const automata::Formula& goal);
 
 /// Every state in which a nominal execution of the commands, one a step, may end.
 std::set<automata::Modes> nominal_outcomes(const Step& step, const automata::Modes& modes,

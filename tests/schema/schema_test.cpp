@@ -116,6 +116,7 @@ const std::vector<Output> outputs = {
      "--format json",
      "verdicts"},
     {"Plan", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = firing' --format json", "plan"},
+    {"Policies", "rmpl-run plan {examples}/propulsion/propulsion.tcca --policy --format json", "policy"},
     {"NothingToDo", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = off' --format json", "plan"},
     {"Diagnoses",
      "rmpl-run diagnose {examples}/propulsion/propulsion.tcca --observe 'engine.thrust = zero' --format json",
