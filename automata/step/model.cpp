@@ -4,8 +4,8 @@
 
 namespace automata {
 
-Theory model_theory(const Plant& plant) {
-  Theory theory(plant.variables);
+Theory model_theory(const Plant& plant, Theory::Upkeep upkeep) {
+  Theory theory(plant.variables, upkeep);
   for (const Formula& q : plant.interconnections) theory.tell(q);
   for (const Component& component : plant.components) {
     for (std::size_t m = 0; m < component.modes.size(); ++m) {

@@ -106,7 +106,7 @@ struct SupportFinder::Question {
 };
 
 SupportFinder::SupportFinder(const Plant& plant, const Islands& islands)
-    : plant_(with_questions(plant, questions_)), islands_(islands), theory_(model_theory(plant_)) {}
+    : plant_(with_questions(plant, questions_)), islands_(islands), theory_(model_theory(plant_, automata::Theory::Upkeep::searched)) {}
 
 std::vector<Support> SupportFinder::supports(ComponentId component, TransitionId transition) {
   const auto& t = plant_[component].transitions[transition.index()];
