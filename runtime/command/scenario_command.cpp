@@ -12,6 +12,7 @@
 #include "runtime/command/command.hpp"
 #include "runtime/command/input.hpp"
 #include "runtime/command/interruption.hpp"
+#include "runtime/command/latency.hpp"
 #include "runtime/command/progress.hpp"
 #include "runtime/scenario/report.hpp"
 #include "runtime/scenario/run.hpp"
@@ -48,6 +49,28 @@ examples:
   rmpl-run scenario faults.scn --only 'pde reset'  one scenario of several
   rmpl-run scenario dice.scn --seed 42             another draw of the same plant)";
 
+/// Adds up what the cycles of all flights cost.
+class Account : public CycleObserver {
+ public:
+  void observe(const CycleRecord& record) override {
+    if (record.cycle == 0) return;
+    checked_ += record.checked;
+    estimation_.add(record.estimation_seconds);
+    reconfiguration_.add(record.reconfiguration_seconds);
+    both_.add(record.estimation_seconds + record.reconfiguration_seconds);
+  }
+  void report(double seconds) const {
+    std::cerr << both_.count() << " cycles in " << seconds << " s, " << checked_ << " candidates checked\n";
+    if (both_.count() == 0) return;
+    std::cerr << "estimation: " << estimation_.text() << "\nreconfiguration: " << reconfiguration_.text()
+              << "\nboth: " << both_.text() << '\n';
+  }
+
+ private:
+  std::size_t checked_ = 0;
+  Latency estimation_, reconfiguration_, both_;
+};
+
 /// What is wrong with a seed, or nothing: the parser by itself would wrap a negative one around.
 std::string seed_error(const std::string& text) {
   std::uint64_t seed = 0;
@@ -81,7 +104,7 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
 
 /// Flies one scenario. Its story goes to `text`, or in real time to standard output as it happens.
 ScenarioResult fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
-                   const Common& common, std::string& text) {
+                   const Common& common, Account& account, std::string& text) {
   const automata::Plant& plant = document.plants[scenario.plant];
   const Style style{common.color_output()};
   const bool live = options.real_time && options.format == Format::text;
@@ -102,6 +125,7 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, options.trace));
   Progress progress(scenario.name, scenario.duration, !common.quiet && !live);
   observers.push_back(&progress);
+  observers.push_back(&account);
 
   ScenarioOptions run;
   run.seed = options.seed;
@@ -143,25 +167,21 @@ Status run(const Options& options, const Common& common) {
   const automata::Document& document = compilation->document();
   watch_for_interruption();
   Status status = Status::done;
-  std::uint64_t cycles = 0;
+  Account account;
   std::string text;
   JsonLine json;
   json.open('{').key("scenarios").open('[');
   for (const automata::Scenario* scenario : selected(document, options)) {
     if (!text.empty() && !common.quiet) text += "\n";
-    const ScenarioResult result = fly(document, *scenario, options, common, text);
+    const ScenarioResult result = fly(document, *scenario, options, common, account, text);
     write_result(json, *scenario, result);
     status = worse(status, status_of(result.verdict()));
-    cycles += result.cycles;
     if (result.interrupted) break;
   }
   json.close(']').close('}');
   std::cout << (options.format == Format::json ? json.text() + "\n" : text);
   finish_output();
-  if (options.stats || common.verbose) {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    std::cerr << cycles << " cycles in " << seconds.count() << " s\n";
-  }
+  if (options.stats || common.verbose) account.report(seconds_since(begin));
   return status;
 }
 
@@ -181,7 +201,8 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
                      "how the executive estimates (default: k-best)");
   add_k(*command, options->k);
   command->add_flag("--real-time", options->real_time, "let each cycle take as long as it says");
-  command->add_flag("--stats", options->stats, "say on standard error how many cycles took how long");
+  command->add_flag("--stats", options->stats,
+                    "say on standard error how long cycles took: estimation, reconfiguration, both");
   command->footer(footer);
   return {command, [options, &common] { return run(*options, common); }};
 }

@@ -11,7 +11,7 @@
 
 #include "runtime/diagnose/minimal.hpp"
 #include "runtime/diagnose/snapshot.hpp"
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 #include "runtime/estimate/order.hpp"
 
 namespace runtime {
