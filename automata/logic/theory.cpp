@@ -7,9 +7,10 @@
 
 namespace automata {
 
-Theory::Theory(const Variables& variables) {
-  true_ = sat_.fresh();
-  sat_.add({true_});
+Theory::Theory(const Variables& variables, Upkeep upkeep) {
+  if (upkeep == Upkeep::maintained) maintenance_.emplace();
+  true_ = fresh();
+  add({true_});
   literals_.reserve(variables.size());
   for (const Variable& variable : variables) {
     // Two values need one literal; more get one each, exactly one of which holds. An empty domain has no model.
@@ -17,13 +18,13 @@ Theory::Theory(const Variables& variables) {
     if (variable.values.size() == 1) {
       values = {true_};
     } else if (variable.values.size() == 2) {
-      const Literal first = sat_.fresh();
+      const Literal first = fresh();
       values = {first, -first};
     } else {
-      for (std::size_t v = 0; v < variable.values.size(); ++v) values.push_back(sat_.fresh());
-      sat_.add(values);
+      for (std::size_t v = 0; v < variable.values.size(); ++v) values.push_back(fresh());
+      add(values);
       for (std::size_t v = 0; v < values.size(); ++v) {
-        for (std::size_t w = v + 1; w < values.size(); ++w) sat_.add({-values[v], -values[w]});
+        for (std::size_t w = v + 1; w < values.size(); ++w) add({-values[v], -values[w]});
       }
     }
     literals_.push_back(std::move(values));
@@ -39,24 +40,24 @@ void Theory::tell(const Formula& formula) {
     for (const Formula& operand : formula.operands) tell(operand);
     return;
   }
-  sat_.add({encode(formula).literal});
+  add({encode(formula).literal});
 }
 
 void Theory::tell_if(Assignment condition, const Formula& formula) {
-  sat_.add({-literal(condition), encode(formula).literal});
+  add({-literal(condition), encode(formula).literal});
 }
 
 Literal Theory::encode_gate(const Formula& formula, bool conjunctive) {
   // A disjunction is the negation of the conjunction of the negations: one gate serves both.
   const int sign = conjunctive ? 1 : -1;
-  const Literal gate = sat_.fresh();
+  const Literal gate = fresh();
   std::vector<Literal> closing{gate};
   for (const Formula& operand : formula.operands) {
     const Literal input = sign * encode(operand).literal;
-    sat_.add({-gate, input});
+    add({-gate, input});
     closing.push_back(-input);
   }
-  sat_.add(closing);
+  add(closing);
   return sign * gate;
 }
 
@@ -69,23 +70,23 @@ Theory::Handle Theory::encode(const Formula& formula) {
       if (formula.values.empty()) return {-true_};
       if (formula.values.size() == values.size()) return {true_};
       if (formula.values.size() == 1) return {values[formula.values[0].index()]};
-      const Literal gate = sat_.fresh();
+      const Literal gate = fresh();
       std::vector<Literal> closing{-gate};
       for (const ValueId v : formula.values) {
-        sat_.add({-values[v.index()], gate});
+        add({-values[v.index()], gate});
         closing.push_back(values[v.index()]);
       }
-      sat_.add(closing);
+      add(closing);
       return {gate};
     }
     case Formula::Kind::equality: {
       const auto& left = literals_[formula.variable.index()];
       const auto& right = literals_[formula.other.index()];
       assert(left.size() == right.size() && "an equality compares variables of one domain");
-      const Literal gate = sat_.fresh();
+      const Literal gate = fresh();
       for (std::size_t v = 0; v < left.size(); ++v) {
-        sat_.add({-gate, -left[v], right[v]});
-        sat_.add({gate, -left[v], -right[v]});
+        add({-gate, -left[v], right[v]});
+        add({gate, -left[v], -right[v]});
       }
       return {gate};
     }
@@ -101,38 +102,62 @@ Theory::Handle Theory::encode(const Formula& formula) {
     case Formula::Kind::implication: {
       const Literal premise = encode(formula.operands[0]).literal;
       const Literal conclusion = encode(formula.operands[1]).literal;
-      const Literal gate = sat_.fresh();
-      sat_.add({-gate, -premise, conclusion});
-      sat_.add({gate, premise});
-      sat_.add({gate, -conclusion});
+      const Literal gate = fresh();
+      add({-gate, -premise, conclusion});
+      add({gate, premise});
+      add({gate, -conclusion});
       return {gate};
     }
     case Formula::Kind::equivalence: {
       const Literal left = encode(formula.operands[0]).literal;
       const Literal right = encode(formula.operands[1]).literal;
-      const Literal gate = sat_.fresh();
-      sat_.add({-gate, -left, right});
-      sat_.add({-gate, left, -right});
-      sat_.add({gate, left, right});
-      sat_.add({gate, -left, -right});
+      const Literal gate = fresh();
+      add({-gate, -left, right});
+      add({-gate, left, -right});
+      add({gate, left, right});
+      add({gate, -left, -right});
       return {gate};
     }
   }
   return {true_};
 }
 
+Literal Theory::fresh() {
+  const Literal literal = sat_.fresh();
+  if (maintenance_) maintenance_->reserve(static_cast<std::uint32_t>(literal));
+  return literal;
+}
+
+void Theory::add(std::span<const Literal> clause) {
+  sat_.add(clause);
+  if (maintenance_) maintenance_->add(clause);
+}
+
 bool Theory::solve(std::span<const Assignment> assumptions, Literal extra) {
+  ++questions_;
   assumed_.clear();
   for (const Assignment& a : assumptions) assumed_.push_back(literal(a));
   assumed_.push_back(extra);
-  const bool possible = sat_.solve(assumed_);
   conflict_.clear();
-  if (!possible) {
+  const auto blame = [&](const auto& reasoner) {
     for (std::size_t i = 0; i < assumptions.size(); ++i) {
-      if (sat_.failed(assumed_[i])) conflict_.push_back(assumptions[i]);
+      if (reasoner.failed(assumed_[i])) conflict_.push_back(assumptions[i]);
+    }
+    return false;
+  };
+  if (maintenance_) {
+    switch (maintenance_->ask(assumed_)) {
+      case TruthMaintenance::Answer::consistent:
+        return true;
+      case TruthMaintenance::Answer::inconsistent:
+        return blame(*maintenance_);
+      case TruthMaintenance::Answer::open:
+        break;
     }
   }
-  return possible;
+  if (!sat_.solve(assumed_)) return blame(sat_);
+  if (maintenance_) maintenance_->adopt(assumed_, [this](Literal l) { return sat_.value(l); });
+  return true;
 }
 
 bool Theory::consistent(std::span<const Assignment> assumptions) { return solve(assumptions, true_); }
@@ -141,18 +166,28 @@ bool Theory::allows(std::span<const Assignment> assumptions, Handle formula) {
   return solve(assumptions, formula.literal);
 }
 
+bool Theory::entails(std::span<const Assignment> assumptions, Literal conclusion) {
+  if (maintenance_) {
+    // A model at hand refutes most that is not implied, and propagation derives most that is.
+    if (!solve(assumptions, true_)) return true;
+    if (!value(conclusion)) return false;
+    if (maintenance_->follows(conclusion)) return true;
+  }
+  return !solve(assumptions, -conclusion);
+}
+
 bool Theory::entails(std::span<const Assignment> assumptions, Handle formula) {
-  return !solve(assumptions, -formula.literal);
+  return entails(assumptions, formula.literal);
 }
 
 bool Theory::entails(std::span<const Assignment> assumptions, Assignment assignment) {
-  return !solve(assumptions, -literal(assignment));
+  return entails(assumptions, literal(assignment));
 }
 
 ValueId Theory::value(VariableId variable) const {
   const auto& values = literals_[variable.index()];
   for (std::size_t v = 0; v < values.size(); ++v) {
-    if (sat_.value(values[v])) return ValueId(v);
+    if (value(values[v])) return ValueId(v);
   }
   assert(false && "each variable has a value in a model");
   return {};

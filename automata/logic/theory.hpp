@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "automata/logic/formula.hpp"
 #include "automata/logic/sat.hpp"
+#include "automata/logic/truth_maintenance.hpp"
 #include "automata/logic/variables.hpp"
 
 namespace automata {
@@ -21,7 +23,12 @@ class Theory {
     Literal literal;
   };
 
-  explicit Theory(const Variables& variables);
+  /// How questions are answered. Maintained: what follows from the assumptions is kept from one question to the next,
+  /// and the solver is asked only where that leaves open; for many questions that differ in a few assumptions.
+  /// Searched: by the solver always; for single hard questions.
+  enum class Upkeep { searched, maintained };
+
+  explicit Theory(const Variables& variables, Upkeep upkeep = Upkeep::searched);
 
   /// Adds a permanent constraint. No clock atoms.
   void tell(const Formula& formula);
@@ -43,14 +50,34 @@ class Theory {
   [[nodiscard]] const std::vector<Assignment>& conflict() const { return conflict_; }
   /// After `consistent` or `allows` returned true: the value of a variable in the model found.
   [[nodiscard]] ValueId value(VariableId variable) const;
+  /// Then also: the truth of an encoded formula in that model, and whether it is known already to be implied by the
+  /// store and the assumptions (a sufficient condition that costs nothing; searched theories never know).
+  [[nodiscard]] bool holds(Handle formula) const { return value(formula.literal); }
+  [[nodiscard]] bool known_to_follow(Handle formula) const {
+    return maintenance_ && maintenance_->follows(formula.literal);
+  }
+  [[nodiscard]] bool known_to_follow(Assignment assignment) const {
+    return maintenance_ && maintenance_->follows(literal(assignment));
+  }
+  /// How often the solver was asked, and how many questions there were.
   [[nodiscard]] std::size_t solver_calls() const { return sat_.calls(); }
+  [[nodiscard]] std::size_t questions() const { return questions_; }
 
  private:
+  Literal fresh();
+  void add(std::span<const Literal> clause);
+  void add(std::initializer_list<Literal> clause) { add(std::span<const Literal>(clause.begin(), clause.size())); }
   bool solve(std::span<const Assignment> assumptions, Literal extra);
+  bool entails(std::span<const Assignment> assumptions, Literal conclusion);
+  [[nodiscard]] bool value(Literal literal) const {
+    return maintenance_ ? maintenance_->value(literal) : sat_.value(literal);
+  }
   Literal literal(Assignment assignment) const;
   Literal encode_gate(const Formula& formula, bool conjunctive);
 
   Sat sat_;
+  std::optional<TruthMaintenance> maintenance_;
+  std::size_t questions_ = 0;
   std::vector<std::vector<Literal>> literals_;  ///< per variable, per value
   Literal true_;
   std::vector<Literal> assumed_;

@@ -14,8 +14,8 @@ void tell_model(Theory& theory, const Plant& plant) {
   }
 }
 
-Theory model_theory(const Plant& plant) {
-  Theory theory(plant.variables);
+Theory model_theory(const Plant& plant, Theory::Upkeep upkeep) {
+  Theory theory(plant.variables, upkeep);
   tell_model(theory, plant);
   return theory;
 }

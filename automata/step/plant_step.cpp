@@ -11,34 +11,69 @@
 namespace automata {
 namespace {
 
+/// Beyond this many remembered modes, of all states together, a memory of whole states is emptied.
+constexpr std::size_t memory_limit = 1u << 18;
+
+template <class Remembered>
+void bound_memory(Remembered& memory, std::size_t components) {
+  if (memory.size() * (components + 1) >= memory_limit) memory.clear();
+}
+
+std::size_t combine(std::size_t hash, std::size_t value) { return (hash ^ value) * 0x100000001b3u; }
+
 /// The share of a nominal transition among those that take the nominal share together.
 double share_weight(const Weight& weight) { return weight.kind == Weight::Kind::none ? 1.0 : weight.value; }
+
+/// The list of enabled transitions that one belongs to.
+std::vector<TransitionId>& kind_of(Enabled& enabled, const Component& component, TransitionId id) {
+  const Transition& t = component.transitions[id.index()];
+  return component.is_fault(t) ? enabled.faults : t.timing ? enabled.timed : enabled.untimed;
+}
 
 /// Adds up probabilities by target mode, in order of mode.
 class Moves {
  public:
-  explicit Moves(std::size_t modes) : by_mode_(modes, 0.0) {}
-  void add(ModeId mode, double probability) { by_mode_[mode.index()] += probability; }
-  [[nodiscard]] std::vector<Move> positive() const {
-    std::vector<Move> moves;
-    for (std::size_t m = 0; m < by_mode_.size(); ++m) {
-      if (by_mode_[m] > 0) moves.push_back({ModeId(m), by_mode_[m]});
+  void add(ModeId mode, double probability) {
+    const auto at = std::lower_bound(moves_.begin(), moves_.end(), mode,
+                                     [](const Move& move, ModeId other) { return move.mode < other; });
+    if (at != moves_.end() && at->mode == mode) {
+      at->probability += probability;
+    } else {
+      moves_.insert(at, {mode, probability});
     }
-    return moves;
+  }
+  [[nodiscard]] std::vector<Move> positive() {
+    std::erase_if(moves_, [](const Move& move) { return !(move.probability > 0); });
+    return std::move(moves_);
   }
 
  private:
-  std::vector<double> by_mode_;
+  std::vector<Move> moves_;
 };
 
 }  // namespace
 
+std::size_t PlantStep::StateActionHash::operator()(const StateAction& key) const noexcept {
+  std::size_t hash = ModesHash{}(key.modes);
+  for (const ValueId value : key.action) hash = combine(hash, value.value);
+  return hash;
+}
+
+std::size_t PlantStep::StateObservationHash::operator()(const StateObservation& key) const noexcept {
+  std::size_t hash = ModesHash{}(key.modes);
+  for (const Assignment& a : key.observation) hash = combine(combine(hash, a.variable.value), a.value.value);
+  return hash;
+}
+
 PlantStep::PlantStep(const Plant& plant) : plant_(plant), locality_(plant), theory_(model_theory(plant)) {
   for (const Component& component : plant.components) {
     auto& handles = guards_.emplace_back();
+    auto& exits = exits_.emplace_back(component.modes.size());
     std::vector<Support> supports(component.modes.size());
     for (const Transition& t : component.transitions) {
       handles.push_back(theory_.encode(t.guard));
+      const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
+      if (!weightless) exits[t.from.index()].push_back({TransitionId(handles.size() - 1), handles.back()});
       supports[t.from.index()].join(locality_.support_of(t.guard));
     }
     auto& parts = parts_.emplace_back();
@@ -50,7 +85,7 @@ PlantStep::PlantStep(const Plant& plant) : plant_(plant), locality_(plant), theo
   for (const Locality::Island& island : locality_.islands()) {
     const Support modes{island.support.components, {}};
     if (island.constrained) constrained_.push_back(islands_.size());
-    islands_.push_back({{plant, modes}, {plant, island.support}, {plant, modes}});
+    islands_.push_back({{plant, modes}, {plant, island.support}});
   }
 }
 
@@ -90,8 +125,7 @@ Enabled PlantStep::sort_out(ComponentId id, ModeId mode, const Test& test) const
     const Transition& t = component.transitions[i];
     const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
     if (t.from != mode || weightless || !test(i)) continue;
-    auto& kind = component.is_fault(t) ? result.faults : t.timing ? result.timed : result.untimed;
-    kind.emplace_back(i);
+    kind_of(result, component, TransitionId(i)).emplace_back(i);
   }
   return result;
 }
@@ -105,7 +139,7 @@ Enabled PlantStep::work_out(ComponentId id, const Modes& modes, const ControlAct
   assert(consistent && "what contradicts itself enables everything");
   std::vector<bool> possible;
   for (const Transition& t : component.transitions) {
-    possible.push_back(t.from == mode && evaluate(t.guard, [&](VariableId v) { return theory_.value(v); }));
+    possible.push_back(t.from == mode && theory_.holds(guards_[id.index()][possible.size()]));
   }
   return sort_out(id, mode, [&](std::size_t t) {
     return possible[t] && (component.transitions[t].guard.is_true() || theory_.entails(store, guards_[id.index()][t]));
@@ -117,15 +151,51 @@ const Enabled& PlantStep::enabled(ComponentId component, const Modes& modes, con
       modes, action, [&] { return work_out(component, modes, action); });
 }
 
-const std::vector<Enabled>& PlantStep::enabled(const Modes& modes, const ControlAction& action) {
-  const bool implies_all = !consistent(modes, action);
-  answer_.resize(plant_.components.size());
-  for (std::size_t c = 0; c < answer_.size(); ++c) {
-    const ComponentId id(c);
-    answer_[c] = implies_all ? sort_out(id, modes[c], [](std::size_t) { return true; }) : enabled(id, modes, action);
+/// One model of the store refutes most guards that are not implied, and propagation proves most that are: few are asked
+/// one by one.
+PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& action) {
+  std::vector<Assignment> store = assignments_of(plant_, modes);
+  const std::vector<Assignment> controls = assignments_of(plant_, action);
+  store.insert(store.end(), controls.begin(), controls.end());
+  enum class Verdict : std::uint8_t { refuted, implied, open };
+  std::vector<Verdict> verdicts;
+  const bool consistent = theory_.consistent(store);
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (const Exit& exit : exits_[c][modes[c].index()]) {
+      if (!consistent) {
+        verdicts.push_back(Verdict::implied);
+      } else if (!theory_.holds(exit.guard)) {
+        verdicts.push_back(Verdict::refuted);
+      } else {
+        verdicts.push_back(theory_.known_to_follow(exit.guard) ? Verdict::implied : Verdict::open);
+      }
+    }
   }
-  return answer_;
+  std::vector<Enabled> answer(modes.size());
+  auto verdict = verdicts.begin();
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (const Exit& exit : exits_[c][modes[c].index()]) {
+      const Verdict given = *verdict++;
+      if (given == Verdict::refuted || (given == Verdict::open && !theory_.entails(store, exit.guard))) continue;
+      kind_of(answer[c], plant_.components[c], exit.transition).push_back(exit.transition);
+    }
+  }
+  return {consistent, std::move(answer)};
 }
+
+const PlantStep::Whole& PlantStep::whole(const Modes& modes, const ControlAction& action) {
+  asked_.modes = modes;
+  asked_.action = action;
+  if (const auto known = enabled_.find(asked_); known != enabled_.end()) return known->second;
+  bound_memory(enabled_, modes.size());
+  return enabled_.emplace(asked_, work_out(modes, action)).first->second;
+}
+
+const std::vector<Enabled>& PlantStep::enabled(const Modes& modes, const ControlAction& action) {
+  return whole(modes, action).enabled;
+}
+
+bool PlantStep::permits(const Modes& modes, const ControlAction& action) { return whole(modes, action).consistent; }
 
 std::vector<Move> PlantStep::moves(ComponentId id, ModeId mode, const Enabled& enabled, Ticks clock_start, Ticks before,
                                    Ticks now) const {
@@ -133,7 +203,7 @@ std::vector<Move> PlantStep::moves(ComponentId id, ModeId mode, const Enabled& e
   const auto transition = [&](TransitionId t) -> const Transition& { return component.transitions[t.index()]; };
   const Ticks from = before - clock_start;
   const Ticks to = now - clock_start;
-  Moves result(component.modes.size());
+  Moves result;
 
   double faulty = 0;
   for (const TransitionId t : enabled.faults) {
@@ -227,44 +297,32 @@ SystemState PlantStep::advance(const SystemState& state, const Modes& next, Tick
   return result;
 }
 
-const PlantStep::Seen& PlantStep::see(std::size_t island, const Modes& modes, std::span<const Assignment> readings) {
-  std::vector<std::uint64_t> words;
-  for (const Assignment& a : readings) words.push_back(std::uint64_t{a.variable.value} << 32 | a.value.value);
-  return islands_[island].seen.find(modes, words, [&] {
-    const Support support{locality_.islands()[island].support.components, {}};
-    const std::vector<Assignment> store = assumptions(support, modes, {});
-    std::vector<Assignment> with = store;
-    with.insert(with.end(), readings.begin(), readings.end());
-    Seen answer{theory_.consistent(with), {}};
-    for (const Assignment& a : readings) answer.entailed.push_back(answer.consistent && theory_.entails(store, a));
-    return answer;
-  });
+/// A reading that the store entails cannot contradict it; readings are assumed together only where some is open.
+double PlantStep::work_out(const Modes& modes, const Observation& observation) {
+  std::vector<Assignment> store = assignments_of(plant_, modes);
+  if (!theory_.consistent(store)) return 0;
+  std::vector<Assignment> open;
+  for (const Assignment& reading : observation) {
+    if (!theory_.known_to_follow(reading)) open.push_back(reading);
+  }
+  double factor = 1;
+  bool contingent = false;
+  for (const Assignment& reading : open) {
+    if (theory_.entails(store, reading)) continue;
+    contingent = true;
+    factor /= static_cast<double>(plant_.variables[reading.variable].values.size());
+  }
+  if (!contingent) return factor;
+  store.insert(store.end(), observation.begin(), observation.end());
+  return theory_.consistent(store) ? factor : 0.0;
 }
 
 double PlantStep::observation_factor(const Modes& modes, const Observation& observation) {
-  if (!possible(modes)) return 0;
-  std::vector<std::vector<Assignment>> by_island(islands_.size());
-  for (const Assignment& reading : observation) {
-    if (const auto island = locality_.island_of(reading.variable)) {
-      by_island[*island].push_back(reading);
-    } else if (modes[plant_.component_of(reading.variable)->index()].index() != reading.value.index()) {
-      return 0;
-    }
-  }
-  std::vector<bool> entailed(plant_.variables.size(), true);
-  for (std::size_t i = 0; i < by_island.size(); ++i) {
-    if (by_island[i].empty()) continue;
-    const Seen& seen = see(i, modes, by_island[i]);
-    if (!seen.consistent) return 0;
-    for (std::size_t r = 0; r < by_island[i].size(); ++r) entailed[by_island[i][r].variable.index()] = seen.entailed[r];
-  }
-  double factor = 1;
-  for (const Assignment& reading : observation) {
-    if (!entailed[reading.variable.index()]) {
-      factor /= static_cast<double>(plant_.variables[reading.variable].values.size());
-    }
-  }
-  return factor;
+  seen_.modes = modes;
+  seen_.observation = observation;
+  if (const auto known = factors_.find(seen_); known != factors_.end()) return known->second;
+  bound_memory(factors_, modes.size());
+  return factors_.emplace(seen_, work_out(modes, observation)).first->second;
 }
 
 bool PlantStep::explains(const Modes& modes, const Observation& observation) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "automata/logic/theory.hpp"
@@ -28,7 +29,9 @@ struct Enabled {
 
 /// The step function of a plant. Holds one incremental solver and remembers what it has proved, part by part: a
 /// question costs a look-up wherever the modes and controls that its answer can depend on (support.hpp) have been met
-/// before, whatever the rest of the plant does. Not for use from two threads at once. Keeps a reference to the plant.
+/// before, whatever the rest of the plant does; a question about a whole state, one look-up where it was met before,
+/// and else a pass over what propagation derives from it (truth_maintenance.hpp). Not for use from two threads at once.
+/// Keeps a reference to the plant.
 class PlantStep {
  public:
   explicit PlantStep(const Plant& plant);
@@ -55,6 +58,8 @@ class PlantStep {
   const Enabled& enabled(ComponentId component, const Modes& modes, const ControlAction& action);
   /// Per component, what the store of `modes` and the control action enable. The reference lasts until the next call.
   const std::vector<Enabled>& enabled(const Modes& modes, const ControlAction& action);
+  /// `consistent`, at no cost where `enabled` is asked the same.
+  bool permits(const Modes& modes, const ControlAction& action);
 
   /// What `component` may do in the step that ends at `now`, the step before having ended at `before`: every mode with
   /// a positive probability, each once, in order of mode; they sum to 1.
@@ -85,15 +90,16 @@ class PlantStep {
     Support support;
     Memory<Enabled> enabled;
   };
-  /// What is known of one island: whether it is consistent, in modes, under control actions, with observations.
-  struct Seen {
-    bool consistent;
-    std::vector<bool> entailed;  ///< by reading
-  };
+  /// What is known of one island: whether it is consistent, in modes and under control actions.
   struct IslandMemory {
     Memory<bool> possible;
     Memory<bool> consistent;
-    Memory<Seen> seen;
+  };
+
+  /// What is known of a whole state under a control action.
+  struct Whole {
+    bool consistent;
+    std::vector<Enabled> enabled;
   };
 
   [[nodiscard]] std::vector<Assignment> assumptions(const Support& support, const Modes& modes,
@@ -102,16 +108,45 @@ class PlantStep {
   /// All that start in the mode and can weigh something, each tested.
   template <class Test>
   [[nodiscard]] Enabled sort_out(ComponentId component, ModeId mode, const Test& test) const;
-  const Seen& see(std::size_t island, const Modes& modes, std::span<const Assignment> readings);
+  [[nodiscard]] Whole work_out(const Modes& modes, const ControlAction& action);
+  const Whole& whole(const Modes& modes, const ControlAction& action);
+  [[nodiscard]] double work_out(const Modes& modes, const Observation& observation);
 
   const Plant& plant_;
   Locality locality_;
   Theory theory_;
   std::vector<std::vector<Theory::Handle>> guards_;  ///< per component, per transition
-  std::vector<std::vector<Part>> parts_;             ///< per component, per mode
-  std::vector<IslandMemory> islands_;                ///< by island
-  std::vector<std::size_t> constrained_;             ///< positions of the islands that can be inconsistent
-  std::vector<Enabled> answer_;
+  /// A transition that can be taken, with its guard.
+  struct Exit {
+    TransitionId transition;
+    Theory::Handle guard;
+  };
+  std::vector<std::vector<std::vector<Exit>>> exits_;  ///< per component, per mode
+  std::vector<std::vector<Part>> parts_;               ///< per component, per mode
+  std::vector<IslandMemory> islands_;                  ///< by island
+  std::vector<std::size_t> constrained_;               ///< positions of the islands that can be inconsistent
+
+  /// Whole states are remembered too: a plant at rest asks the same again and again.
+  struct StateAction {
+    Modes modes;
+    ControlAction action;
+    bool operator==(const StateAction&) const = default;
+  };
+  struct StateActionHash {
+    std::size_t operator()(const StateAction& key) const noexcept;
+  };
+  struct StateObservation {
+    Modes modes;
+    Observation observation;
+    bool operator==(const StateObservation&) const = default;
+  };
+  struct StateObservationHash {
+    std::size_t operator()(const StateObservation& key) const noexcept;
+  };
+  std::unordered_map<StateAction, Whole, StateActionHash> enabled_;
+  std::unordered_map<StateObservation, double, StateObservationHash> factors_;
+  StateAction asked_;      ///< the last question, kept for its memory
+  StateObservation seen_;  ///< likewise
 };
 
 }  // namespace automata

@@ -13,6 +13,7 @@
 #include "runtime/command/command.hpp"
 #include "runtime/command/input.hpp"
 #include "runtime/command/interruption.hpp"
+#include "runtime/command/latency.hpp"
 #include "runtime/command/progress.hpp"
 #include "runtime/scenario/report.hpp"
 #include "runtime/scenario/run.hpp"
@@ -50,6 +51,29 @@ examples:
   rmpl-run scenario nominal.scn --trace out.jsonl  every cycle, as JSON Lines
   rmpl-run scenario faults.scn --only 'pde reset'  one scenario of several
   rmpl-run scenario dice.scn --seed 42             another draw of the same plant)";
+
+/// Adds up what the cycles of a flight cost.
+class Account : public CycleObserver {
+ public:
+  void observe(const CycleRecord& record) override {
+    if (record.cycle == 0) return;
+    checked_ += record.checked;
+    estimation_.add(record.estimation_seconds);
+    reconfiguration_.add(record.reconfiguration_seconds);
+    both_.add(record.estimation_seconds + record.reconfiguration_seconds);
+  }
+  void report(const std::string& scenario, double seconds) const {
+    std::cerr << scenario << ": " << both_.count() << " cycles in " << seconds << " s, " << checked_
+              << " candidates checked\n";
+    if (both_.count() == 0) return;
+    std::cerr << "  estimation: " << estimation_.text() << "\n  reconfiguration: " << reconfiguration_.text()
+              << "\n  both: " << both_.text() << '\n';
+  }
+
+ private:
+  std::size_t checked_ = 0;
+  Latency estimation_, reconfiguration_, both_;
+};
 
 /// What is wrong with a seed, or nothing: the parser by itself would wrap a negative one around.
 std::string seed_error(const std::string& text) {
@@ -108,6 +132,8 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, options.trace));
   Progress progress(scenario.name, scenario.duration, !common.quiet && !live);
   observers.push_back(&progress);
+  Account account;
+  observers.push_back(&account);
 
   ScenarioOptions run;
   run.seed = options.seed;
@@ -121,11 +147,7 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   run.interrupted = interrupted;
   const auto begin = std::chrono::steady_clock::now();
   const ScenarioResult result = run_scenario(document, scenario, run, observers);
-  if (options.stats) {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    std::cerr << scenario.name << ": " << result.cycles << " cycles in " << seconds.count() << " s\n"
-              << text_of(result.measurements);
-  }
+  if (options.stats || common.verbose) account.report(scenario.name, seconds_since(begin));
   if (trace) trace->keep();
   if (options.format == Format::text) {
     const std::string gap = common.quiet ? scenario.name + ": " : "\n";
@@ -153,13 +175,11 @@ Status worse(Status a, Status b) {
 }
 
 Status run(const Options& options, const Common& common) {
-  const auto begin = std::chrono::steady_clock::now();
   const auto compilation = load({options.file}, common);
   if (!compilation) return Status::wrong;
   const automata::Document& document = compilation->document();
   watch_for_interruption();
   Status status = Status::done;
-  std::uint64_t cycles = 0;
   std::string text;
   Graphs graphs;
   JsonLine json;
@@ -169,16 +189,11 @@ Status run(const Options& options, const Common& common) {
     const ScenarioResult result = fly(document, *scenario, options, common, graphs, text);
     write_result(json, *scenario, result);
     status = worse(status, status_of(result.verdict()));
-    cycles += result.cycles;
     if (result.interrupted) break;
   }
   json.close(']').close('}');
   std::cout << (options.format == Format::json ? json.text() + "\n" : text);
   finish_output();
-  if (common.verbose) {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    std::cerr << cycles << " cycles in " << seconds.count() << " s\n";
-  }
   return status;
 }
 
@@ -201,7 +216,8 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
                        {{"planner", Recovery::planner}, {"one-step", Recovery::one_step}},
                        "how the executive finds commands (default: planner)");
   command->add_flag("--real-time", options->real_time, "let each cycle take as long as it says");
-  command->add_flag("--stats", options->stats, "say on standard error what estimation and reconfiguration took");
+  command->add_flag("--stats", options->stats,
+                    "say on standard error how long cycles took: estimation, reconfiguration, both");
   command->footer(footer);
   return {command, [options, &common] { return run(*options, common); }};
 }

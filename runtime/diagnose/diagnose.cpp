@@ -13,7 +13,7 @@
 
 #include "runtime/diagnose/minimal.hpp"
 #include "runtime/diagnose/snapshot.hpp"
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 
 namespace runtime {
 namespace {

@@ -14,7 +14,7 @@
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 
 namespace runtime {
 

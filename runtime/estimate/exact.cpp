@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "runtime/estimate/belief.hpp"
-#include "runtime/estimate/estimator.hpp"
+#include "runtime/estimate/filter.hpp"
 
 namespace runtime {
 namespace {
@@ -21,7 +21,7 @@ using automata::Ticks;
 /// Probabilities of target states, summed (step 3 of Fig. 6-10).
 using Targets = std::unordered_map<SystemState, double, SystemStateHash>;
 
-class Exact final : public Estimator {
+class Exact final : public Filter {
  public:
   Exact(automata::PlantStep& step, const EstimatorOptions& options)
       : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only) {
@@ -29,24 +29,38 @@ class Exact final : public Estimator {
     Targets initial;
     const SystemState start{Modes(components), std::vector<Ticks>(components)};
     spread({start, 1.0}, step.initial_moves(), Ticks{}, initial);
-    estimate_.consistent = settle(initial, {});
-    if (!estimate_.consistent) estimate_.modes = likeliest_initial_modes(step.plant());
+    estimate_.consistent = weigh(initial, {});
+    if (estimate_.consistent) {
+      settle();
+    } else {
+      estimate_.modes = likeliest_initial_modes(step.plant());
+    }
   }
 
-  const Estimate& update(const automata::ControlAction& action, const automata::Observation& observation,
-                         Ticks now) override {
-    assert(now >= last_);
-    Targets targets;
+  bool condition(const StepInput& input) override {
+    assert(input.now >= last_);
+    targets_.clear();
     for (const BeliefEntry& entry : belief_) {
-      spread(entry, step_.moves(entry.state, action, last_, now), now, targets);
+      spread(entry, step_.moves(entry.state, input.action, last_, input.now), input.now, targets_);
     }
+    estimate_.checked = targets_.size();
+    return weigh(targets_, input.observation);
+  }
+
+  bool predict(const StepInput& /*input*/, bool /*doubtful*/) override { return weigh(targets_, {}); }
+
+  void adopt(const StepInput& input, bool /*consistent*/) override {
+    settle();
+    last_ = input.now;
+  }
+
+  void stay(const StepInput& input) override { last_ = input.now; }
+
+  void resume(Belief belief, double missing, Ticks now) override {
+    belief_ = std::move(belief);
+    tell_most_likely(belief_, estimate_);
+    estimate_.missing_total = missing;
     last_ = now;
-    estimate_.checked = targets.size();
-    // Where nothing explains the observations the belief is predicted forward; where even that leaves no possible
-    // state it stays.
-    estimate_.consistent = settle(targets, observation);
-    if (!estimate_.consistent) settle(targets, {});
-    return estimate_;
   }
 
   [[nodiscard]] const Belief& belief() const override { return belief_; }
@@ -71,34 +85,39 @@ class Exact final : public Estimator {
     visit(visit, 0, entry.probability);
   }
 
-  /// Conditions the targets on the observation (steps 4 and 5) and takes them as the belief; false, with the belief as
-  /// it was, where nothing is left.
-  bool settle(const Targets& targets, const automata::Observation& observation) {
-    Belief posterior;
+  /// Conditions the targets on the observation (steps 4 and 5), into `posterior_`; false where nothing is left.
+  bool weigh(const Targets& targets, const automata::Observation& observation) {
+    posterior_.clear();
     for (const auto& [state, probability] : targets) {
       const double factor = step_.observation_factor(state.modes, observation);
       const double conditioned = probability * (options_.observation_factor || factor == 0 ? factor : 1.0);
-      if (conditioned > 0) posterior.push_back({state, conditioned});
+      if (conditioned > 0) posterior_.push_back({state, conditioned});
     }
-    if (posterior.empty()) return false;
-    put_in_order(posterior);
-    if (options_.normalise) normalise(posterior);
-    belief_ = std::move(posterior);
+    return !posterior_.empty();
+  }
+
+  /// Takes the posterior as the belief.
+  void settle() {
+    put_in_order(posterior_);
+    if (options_.normalise) normalise(posterior_);
+    belief_ = std::move(posterior_);
+    posterior_ = {};
     tell_most_likely(belief_, estimate_);
-    return true;
   }
 
   automata::PlantStep& step_;
   EstimatorOptions options_;
   Clocks clocks_;
   Ticks last_;
+  Targets targets_;
+  Belief posterior_;
   Belief belief_;
   Estimate estimate_;
 };
 
 }  // namespace
 
-std::unique_ptr<Estimator> make_exact_estimator(automata::PlantStep& step, const EstimatorOptions& options) {
+std::unique_ptr<Filter> make_exact_filter(automata::PlantStep& step, const EstimatorOptions& options) {
   return std::make_unique<Exact>(step, options);
 }
 

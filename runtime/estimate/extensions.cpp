@@ -63,19 +63,37 @@ Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automat
 void Extensions::restart(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
   evidence_ = &evidence;
   found_.clear();
-  priors_.resize(moves.size());
-  costs_.resize(moves.size());
-  for (std::size_t c = 0; c < moves.size(); ++c) {
-    priors_[c].assign(moves[c].empty() ? 0 : moves[c].back().mode.index() + 1, 0.0);
-    for (const automata::Move& move : moves[c]) priors_[c][move.mode.index()] = move.probability;
+  priors_.clear();
+  begin_.assign(1, 0);
+  best_ = 1;
+  started_ = false;
+  for (const std::vector<automata::Move>& component : moves) {
+    double greatest = 0;
+    priors_.resize(begin_.back() + (component.empty() ? 0 : component.back().mode.index() + 1), 0.0);
+    for (const automata::Move& move : component) {
+      priors_[begin_.back() + move.mode.index()] = move.probability;
+      greatest = std::max(greatest, move.probability);
+    }
+    begin_.push_back(static_cast<std::uint32_t>(priors_.size()));
+    best_ *= greatest;
+  }
+}
+
+void Extensions::start() {
+  started_ = true;
+  costs_.resize(begin_.size() - 1);
+  for (std::size_t c = 0; c < costs_.size(); ++c) {
     costs_[c].clear();
     // A rounded probability may exceed 1 in the last bit.
-    for (const double prior : priors_[c]) costs_[c].push_back(std::max(0.0, -std::log(prior)));
+    for (std::uint32_t i = begin_[c]; i < begin_[c + 1]; ++i) {
+      costs_[c].push_back(std::max(0.0, -std::log(priors_[i])));
+    }
   }
-  search_.restart(costs_, evidence.conflicts());
+  search_.restart(costs_, evidence_->conflicts());
 }
 
 void Extensions::check_one() {
+  if (!started_) start();
   search_.set_budget(1);
   double factor = 0;
   const auto check = [&](std::span<const std::uint32_t> candidate) -> std::optional<Conflict> {
@@ -91,6 +109,7 @@ void Extensions::check_one() {
 }
 
 double Extensions::bound(std::size_t i) const {
+  if (!started_) return best_;
   return i < found_.size() ? found_[i].prior : std::exp(-search_.bound());
 }
 

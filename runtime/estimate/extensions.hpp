@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,7 +11,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 
 namespace runtime {
 
@@ -68,16 +69,21 @@ class Extensions {
     return product;
   }
   [[nodiscard]] double prior(std::size_t component, automata::ModeId mode) const {
-    const std::vector<double>& modes = priors_[component];
-    return mode.index() < modes.size() ? modes[mode.index()] : 0.0;
+    const std::size_t at = begin_[component] + mode.index();
+    return at < begin_[component + 1] ? priors_[at] : 0.0;
   }
   /// How many candidates were checked.
-  [[nodiscard]] std::size_t checked() const { return search_.checked(); }
+  [[nodiscard]] std::size_t checked() const { return started_ ? search_.checked() : 0; }
 
  private:
   Evidence* evidence_;
-  std::vector<std::vector<double>> priors_;  ///< per component, per mode; modes after the last possible one left out
-  OptimalSearch::Costs costs_;               ///< of the priors, kept for its memory
+  void start();
+
+  std::vector<double> priors_;        ///< per component, per mode; modes after the last possible one left out
+  std::vector<std::uint32_t> begin_;  ///< of each component in `priors_`, and the end
+  double best_ = 1;                   ///< the product of the greatest priors
+  bool started_ = false;              ///< most sources are too unlikely for a search ever to begin
+  OptimalSearch::Costs costs_;        ///< of the priors, kept for its memory
   OptimalSearch search_;
   std::vector<Extension> found_;
 };

@@ -6,13 +6,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <unordered_map>
 #include <utility>
 
 #include "runtime/estimate/belief.hpp"
-#include "runtime/estimate/estimator.hpp"
+#include "runtime/estimate/filter.hpp"
 #include "runtime/estimate/trajectories.hpp"
 
 namespace runtime {
@@ -26,8 +28,11 @@ using automata::Observation;
 using automata::SystemState;
 using automata::Ticks;
 
-/// Beyond so many remembered sources all are forgotten.
-constexpr std::size_t memory_limit = 4096;
+/// Beyond so many remembered modes, of all sources and observations together, all are forgotten.
+constexpr std::size_t memory_limit = 1u << 18;
+
+/// Beyond so many conflicts that need no observation all are forgotten: each candidate is compared with each.
+constexpr std::size_t conflict_limit = 512;
 
 /// The number of states kept is doubled so often at most while cycles are inconsistent.
 constexpr std::size_t most_doublings = 6;
@@ -64,7 +69,7 @@ struct Context {
   std::unordered_map<SourceKey, Extensions, SourceKeyHash> extensions;
 };
 
-class KBest final : public Estimator {
+class KBest final : public Filter {
  public:
   KBest(automata::PlantStep& step, const EstimatorOptions& options)
       : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only), search_(clocks_, options_) {
@@ -74,25 +79,43 @@ class KBest final : public Estimator {
     Extensions initial(context({}).evidence, step.initial_moves());
     const Source source{&start, 1.0, &initial};
     estimate_.modes = likeliest_initial_modes(step.plant());
-    estimate_.consistent = settle({&source, 1}, {}, Ticks{}, options.k);
+    estimate_.consistent = search({&source, 1}, {}, Ticks{}, options.k, {});
+    if (estimate_.consistent) settle();
   }
 
-  const Estimate& update(const ControlAction& action, const Observation& observation, Ticks now) override {
-    assert(now >= last_);
-    if (remembered_ > memory_limit) {
-      contexts_.clear();
-      remembered_ = 0;
-    }
+  bool condition(const StepInput& input) override {
+    assert(input.now >= last_);
+    bound_memory();
     estimate_.checked = 0;
-    Context& seen = context(observation);
-    estimate_.consistent = settle(sources(seen, action, now), {}, now, options_.k);
-    if (estimate_.consistent) {
-      inconsistent_cycles_ = 0;
-    } else {
-      predict(seen.evidence, action, now);
-    }
+    Context& seen = context(input.observation);
+    const auto all = sources(seen, input.action, input.now);
+    explained_ = search(all, {}, input.now, options_.k, input.deadline);
+    return explained_;
+  }
+
+  bool predict(const StepInput& input, bool doubtful) override {
+    if (doubtful) missing_ratio_ = std::numeric_limits<double>::infinity();
+    if (!explained_) return widen(context(input.observation).evidence, input);
+    return search(sources(context({}), input.action, input.now), {}, input.now, options_.k, input.deadline);
+  }
+
+  void adopt(const StepInput& input, bool consistent) override {
+    settle();
+    if (consistent) inconsistent_cycles_ = 0;
+    last_ = input.now;
+  }
+
+  void stay(const StepInput& input) override {
+    estimate_.missing_total = share_missing();
+    last_ = input.now;
+  }
+
+  void resume(Belief belief, double missing, Ticks now) override {
+    belief_ = std::move(belief);
+    normalise(belief_);
+    tell_most_likely(belief_, estimate_);
+    missing_ratio_ = missing / (1 - missing);
     last_ = now;
-    return estimate_;
   }
 
   [[nodiscard]] const Belief& belief() const override { return belief_; }
@@ -100,7 +123,17 @@ class KBest final : public Estimator {
 
  private:
   Context& context(const Observation& observation) {
-    return contexts_.try_emplace(observation, step_, observation, lasting_).first->second;
+    const auto [known, fresh] = contexts_.try_emplace(observation, step_, observation, lasting_);
+    if (fresh) ++remembered_;
+    return known->second;
+  }
+
+  void bound_memory() {
+    const std::size_t components = step_.plant().components.size() + 1;
+    if (remembered_ * components < memory_limit && lasting_.conflicts().size() < conflict_limit) return;
+    contexts_.clear();
+    remembered_ = 0;
+    if (lasting_.conflicts().size() >= conflict_limit) lasting_ = {};
   }
 
   /// The states of the belief with their extensions under one observation. Valid until the next call.
@@ -108,13 +141,27 @@ class KBest final : public Estimator {
     sources_.clear();
     std::size_t transient = 0;
     for (const BeliefEntry& entry : belief_) {
-      bool timed = false;
-      for (std::size_t c = 0; c < entry.state.modes.size(); ++c) timed = timed || clocks_.live(c, entry.state.modes[c]);
+      const bool timed = depends_on_clocks(entry.state, action);
       Extensions& extensions = timed ? worked_out(transient++, context, entry.state, action, now)
                                      : remembered(context, entry.state, action, now);
       sources_.push_back({&entry.state, entry.probability, &extensions});
     }
     return sources_;
+  }
+
+  /// Whether a clock of the state takes part in its moves: a mode with timed exits none of which is enabled does not
+  /// ask.
+  bool depends_on_clocks(const SystemState& state, const ControlAction& action) {
+    const auto& components = step_.plant().components;
+    const std::vector<automata::Enabled>& enabled = step_.enabled(state.modes, action);
+    for (std::size_t c = 0; c < enabled.size(); ++c) {
+      if (!clocks_.live(c, state.modes[c])) continue;
+      if (!enabled[c].timed.empty()) return true;
+      for (const automata::TransitionId fault : enabled[c].faults) {
+        if (components[c].transitions[fault.index()].timing) return true;
+      }
+    }
+    return false;
   }
 
   Extensions& worked_out(std::size_t position, Context& context, const SystemState& state, const ControlAction& action,
@@ -136,14 +183,27 @@ class KBest final : public Estimator {
     return context.extensions.try_emplace(key_, context.evidence, step_.moves(state, action, last_, now)).first->second;
   }
 
-  /// Takes the best targets as the belief; false, with the belief as it was, where there is none.
-  bool settle(std::span<const Source> sources, std::span<const Source> obligatory, Ticks now, std::size_t k) {
-    search_.run(sources, obligatory, now, k);
+  [[nodiscard]] double share_missing() const {
+    return std::isfinite(missing_ratio_) ? missing_ratio_ / (1 + missing_ratio_) : 1.0;
+  }
+
+  /// Looks for the best targets; false where there is none.
+  bool search(std::span<const Source> sources, std::span<const Source> obligatory, Ticks now, std::size_t k,
+              const Deadline& deadline) {
+    search_.run(sources, obligatory, now, k, deadline);
     estimate_.checked += search_.checked();
     estimate_.cut = search_.cut();
-    estimate_.missing_mass = search_.missing();
-    if (search_.kept().empty()) return false;
+    return !search_.kept().empty();
+  }
+
+  /// Takes the targets that were found last as the belief.
+  void settle() {
+    const double before = belief_.empty() ? 1.0 : total(belief_);
     std::swap(belief_, search_.kept());
+    const double kept = total(belief_);
+    estimate_.missing_mass = search_.lost() > 0 ? search_.lost() / (search_.lost() + kept) : 0.0;
+    missing_ratio_ = missing_ratio_ > 0 || search_.lost() > 0 ? (missing_ratio_ * before + search_.lost()) / kept : 0.0;
+    estimate_.missing_total = share_missing();
     if (options_.normalise) {
       normalise(belief_);
     } else if (belief_.front().probability < least_scale) {
@@ -151,23 +211,22 @@ class KBest final : public Estimator {
       for (BeliefEntry& entry : belief_) entry.probability /= scale;
     }
     tell_most_likely(belief_, estimate_);
-    return true;
   }
 
   /// What is left where no extension explains the observation: the last belief predicted forward, wider in each
   /// inconsistent cycle on end; from the second on, exact on the components that the conflicts name, each of the others
   /// taking its likeliest move. Where no successor is possible at all, the belief stays.
-  void predict(Evidence& evidence, const ControlAction& action, Ticks now) {
+  bool widen(Evidence& evidence, const StepInput& input) {
     ++inconsistent_cycles_;
     const std::vector<bool> blamed = components_in(evidence.conflicts()->conflicts());
     Context& unseen = context({});
-    const std::span<const Source> all = sources(unseen, action, now);
+    const std::span<const Source> all = sources(unseen, input.action, input.now);
     std::vector<std::unique_ptr<Extensions>> widened;
     std::vector<Source> obligatory;
     if (inconsistent_cycles_ > 1) {
       std::size_t count = 0;
       for (const BeliefEntry& entry : belief_) {
-        auto moves = step_.moves(entry.state, action, last_, now);
+        auto moves = step_.moves(entry.state, input.action, last_, input.now);
         count += restrict_to(blamed, moves);
         if (count > exact_limit) break;
         widened.push_back(std::make_unique<Extensions>(unseen.evidence, moves));
@@ -175,7 +234,8 @@ class KBest final : public Estimator {
       }
       if (count > exact_limit) obligatory.clear();
     }
-    settle(all, obligatory, now, options_.k << std::min(inconsistent_cycles_, most_doublings));
+    const std::size_t k = options_.k << std::min(inconsistent_cycles_, most_doublings);
+    return search(all, obligatory, input.now, k, input.deadline);
   }
 
   /// The components that observations bring into conflict; conflicts that need none are left out.
@@ -215,13 +275,15 @@ class KBest final : public Estimator {
   TrajectorySearch search_;
   Ticks last_;
   std::size_t inconsistent_cycles_ = 0;
+  bool explained_ = true;     ///< by what `condition` found last
+  double missing_ratio_ = 0;  ///< what was not kept since the start, at most, by what was
   Belief belief_;
   Estimate estimate_;
 };
 
 }  // namespace
 
-std::unique_ptr<Estimator> make_k_best_estimator(automata::PlantStep& step, const EstimatorOptions& options) {
+std::unique_ptr<Filter> make_k_best_filter(automata::PlantStep& step, const EstimatorOptions& options) {
   return std::make_unique<KBest>(step, options);
 }
 

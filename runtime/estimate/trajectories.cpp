@@ -19,7 +19,7 @@ constexpr std::size_t least_index = 256;
 }  // namespace
 
 void TrajectorySearch::run(std::span<const Source> sources, std::span<const Source> obligatory, automata::Ticks now,
-                           std::size_t k) {
+                           std::size_t k, const Deadline& deadline) {
   assert(k > 0);
   // About as large as the last run wanted it.
   std::size_t slots = least_index;
@@ -30,7 +30,7 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
   explored_ = dropped_ = unexplored_ = 0;
   checked_ = 0;
   cut_ = false;
-  enumerate(sources, now, k);
+  enumerate(sources, now, k, deadline);
   for (const Source& source : obligatory) {
     for (std::size_t i = 0; source.extensions->bound(i) > 0;) {
       if (i == source.extensions->found().size()) {
@@ -47,7 +47,8 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
   keep(k);
 }
 
-void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k) {
+void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k,
+                                 const Deadline& deadline) {
   const auto by_bound = [](const Front& a, const Front& b) {
     return a.bound != b.bound ? a.bound < b.bound : a.source > b.source;
   };
@@ -62,6 +63,10 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
   std::make_heap(fronts_.begin(), fronts_.end(), by_bound);
 
   while (!fronts_.empty()) {
+    if (deadline && count_ > 0 && std::chrono::steady_clock::now() >= *deadline) {
+      cut_ = true;
+      break;
+    }
     if (best_.size() == k) {
       const double enough = best_.front() * (1 - stop_margin);
       double unseen = fronts_.front().bound;
@@ -192,9 +197,7 @@ void TrajectorySearch::keep(std::size_t k) {
     kept_.insert(kept_.end(), std::make_move_iterator(obligatory.begin()), std::make_move_iterator(obligatory.end()));
     put_in_order(kept_);
   }
-  lost += unexplored_;
-  const double sum = total(kept_);
-  missing_ = lost > 0 ? lost / (lost + sum) : 0.0;
+  lost_ = lost + unexplored_;
 }
 
 void TrajectorySearch::grow_index() {

@@ -10,6 +10,7 @@
 
 #include "runtime/estimate/belief.hpp"
 #include "runtime/estimate/extensions.hpp"
+#include "runtime/estimate/filter.hpp"
 
 namespace runtime {
 
@@ -30,13 +31,15 @@ class TrajectorySearch {
 
   /// Finds the `k` best targets at `now`. A target of one of the `obligatory` sources, which are to be part of
   /// `sources` but for a smaller set of moves, is kept besides.
-  void run(std::span<const Source> sources, std::span<const Source> obligatory, automata::Ticks now, std::size_t k);
+  /// A deadline that passes, as the limit of candidates, ends the search once there is a target at all.
+  void run(std::span<const Source> sources, std::span<const Source> obligatory, automata::Ticks now, std::size_t k,
+           const Deadline& deadline);
 
   /// What was kept, in order, not normalised; the caller may take it away.
   [[nodiscard]] Belief& kept() { return kept_; }
-  /// An upper bound of the share of all consistent trajectories that is not in `kept`.
-  [[nodiscard]] double missing() const { return missing_; }
-  /// How many candidates were checked, and whether that reached the limit before the end.
+  /// An upper bound of the worth of all consistent trajectories that are not in `kept`.
+  [[nodiscard]] double lost() const { return lost_; }
+  /// How many candidates were checked, and whether a limit was reached before the end.
   [[nodiscard]] std::size_t checked() const { return checked_; }
   [[nodiscard]] bool cut() const { return cut_; }
 
@@ -55,7 +58,7 @@ class TrajectorySearch {
     std::uint32_t source;
   };
 
-  void enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k);
+  void enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k, const Deadline& deadline);
   std::pair<Target*, bool> reach(const Source& source, const Extension& extension, automata::Ticks now);
   void weigh(Target& target, double factor, std::span<const Source> sources, automata::Ticks now);
   [[nodiscard]] double trajectory(const Source& source, const Target& target, automata::Ticks now) const;
@@ -77,7 +80,7 @@ class TrajectorySearch {
   std::size_t checked_ = 0;
   bool cut_ = false;
   Belief kept_;
-  double missing_ = 0;
+  double lost_ = 0;
 };
 
 }  // namespace runtime

@@ -2,9 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/execute/executive.hpp"
 
+#include "runtime/execute/stopwatch.hpp"
 #include "runtime/sequence/goal_conflict.hpp"
 
 namespace runtime {
+namespace {
+
+template <class Work>
+double timed(const Work& work) {
+  const Stopwatch stopwatch;
+  work();
+  return stopwatch.seconds();
+}
+
+}  // namespace
 
 Executive::Executive(const automata::Program& program, const automata::Plant& model, Estimator& estimator,
                      Reconfigurer& reconfigurer, PlantInterface& plant, Clock& clock, automata::Ticks cycle)
@@ -30,13 +41,14 @@ const CycleRecord& Executive::run_cycle() {
   ++record_.cycle;
   record_.events.clear();
   record_.marking = sequencer_.marking();
-  assert_goals();               // 1 to 3
-  reconfiguration_.dispatch();  // 4 to 8: MR's command is issued, and ME is told
+  assert_goals();                                                                    // 1 to 3
+  record_.reconfiguration_seconds = timed([this] { reconfiguration_.dispatch(); });  // 4 to 8: MR's command is issued,
+                                                                                     // and ME is told
   note_reconfiguration();
   clock_.wait_until(automata::Ticks{cycle_.count * static_cast<std::int64_t>(record_.cycle)});
   const automata::Observation& observations = monitor_.sample(clock_.now());  // 9
   control_.request_estimate();                                                // 10
-  estimation_.dispatch();                                                     // 11 to 15
+  record_.estimation_seconds = timed([this] { estimation_.dispatch(); });     // 11 to 15
   read_back(observations);
   sequencer_.finish(knowledge_);
   plant_.overhear(record_.estimate, record_.time);
@@ -84,13 +96,18 @@ void Executive::read_back(const automata::Observation& observations) {
   record_.estimate = estimate.modes;
   record_.probability = estimate.probability;
   record_.consistent = estimate.consistent;
-  record_.belief = &estimator_.belief();
+  record_.checked = estimate.checked;
+  record_.estimator = &estimator_;
   record_.truth = plant_.truth();
   const auto& happenings = plant_.happenings();
   record_.events.insert(record_.events.end(), happenings.begin(), happenings.end());
   if (!estimate.consistent) {
     record_.events.push_back(
         {Event::Kind::inconsistent, "no state that is tracked explains the observations", std::nullopt, std::nullopt});
+  }
+  if (estimate.cut) {
+    record_.events.push_back(
+        {Event::Kind::cut, "the search ended early; the belief may lack states", std::nullopt, std::nullopt});
   }
   knowledge_.assignments.clear();
   for (std::size_t c = 0; c < estimate.modes.size(); ++c) {

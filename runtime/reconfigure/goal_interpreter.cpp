@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 
 namespace runtime {
 

@@ -173,7 +173,7 @@ SupportFinder::SupportFinder(const Plant& plant, const Islands& islands)
 }
 
 Theory SupportFinder::fresh_theory() const {
-  Theory theory = model_theory(plant_);
+  Theory theory = model_theory(plant_, Theory::Upkeep::searched);
   for (std::size_t c = 0; c < plant_.components.size(); ++c) {
     for (std::size_t m = 0; m < tolerates_[c].size(); ++m) {
       theory.tell_if({tolerates_[c][m], ValueId(yes)}, plant_.components[c].modes[m].constraint);

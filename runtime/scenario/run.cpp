@@ -75,9 +75,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
   const auto plant = make_plant(model, scenario, result.seed);
   const auto clock = make_clock(options);
   Expectations expectations(step, scenario);
-  MeteredEstimator metered_estimator(*estimator, result.measurements.estimation);
-  MeteredReconfigurer metered_reconfigurer(*reconfigurer, result.measurements.reconfiguration);
-  Executive executive(program, model, metered_estimator, metered_reconfigurer, *plant, *clock, scenario.cycle);
+  Executive executive(program, model, *estimator, *reconfigurer, *plant, *clock, scenario.cycle);
 
   const auto look = [&](const CycleRecord& record) {
     if (executive.ended() && !result.ended) result.ended = record.time;

@@ -11,7 +11,6 @@
 #include "automata/scenario.hpp"
 #include "runtime/estimate/estimator.hpp"
 #include "runtime/scenario/expectations.hpp"
-#include "runtime/scenario/meter.hpp"
 #include "runtime/trace/cycle_record.hpp"
 
 namespace runtime {
@@ -35,7 +34,6 @@ struct ScenarioResult {
   std::optional<automata::Ticks> ended;  ///< when the program ended
   bool interrupted = false;
   std::vector<Judgement> judgements;  ///< one per expectation
-  Measurements measurements;          ///< of this machine, at this moment: no part of the verdict
 
   /// `failed` where an expectation failed, else `undecided` where one is or the run was interrupted, else `met`.
   [[nodiscard]] Judgement::Verdict verdict() const;

@@ -89,6 +89,7 @@ void Story::tell_events(const CycleRecord& record) {
         line(record.start, "no plan", style_.bad(text));
         break;
       case Event::Kind::inconsistent:
+      case Event::Kind::cut:
         line(record.time, "surprise", style_.bad(text));
         break;
       case Event::Kind::irreversible:

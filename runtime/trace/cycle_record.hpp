@@ -24,9 +24,12 @@ struct CycleRecord {
   automata::Modes estimate;                ///< at `time`
   double probability = 0;                  ///< of the estimate
   bool consistent = true;                  ///< whether the estimate explains the observations
-  const Belief* belief = nullptr;          ///< at `time`; never null while an observer looks
+  const Estimator* estimator = nullptr;    ///< whose belief is that at `time`; never null while an observer looks
   const automata::Modes* truth = nullptr;  ///< at `time`; null where the plant is not simulated
   std::vector<Event> events;
+  std::size_t checked = 0;             ///< candidates that estimation checked
+  double estimation_seconds = 0;       ///< processor time
+  double reconfiguration_seconds = 0;  ///< likewise
 };
 
 /// Looks on while the executive runs.

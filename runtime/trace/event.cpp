@@ -16,6 +16,8 @@ std::string_view name_of(Event::Kind kind) {
       return "irreversible";
     case Event::Kind::inconsistent:
       return "inconsistent";
+    case Event::Kind::cut:
+      return "cut";
     case Event::Kind::forced:
       return "forced";
   }

@@ -18,6 +18,7 @@ struct Event {
     no_plan,        ///< no commands lead to the goal; the command is idle (semantics 5)
     irreversible,   ///< the command leads where no nominal sequence leads back from
     inconsistent,   ///< no extension explains the observations (semantics 4); the sequencer does not see them
+    cut,            ///< estimation ended early, by a deadline or its limit of candidates
     forced          ///< the scenario forced a mode in the simulated plant
   };
   Kind kind = Kind::inconsistent;
@@ -27,7 +28,7 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
-/// The name in traces: `goal-conflict`, `no-plan`, `irreversible`, `inconsistent`, `forced`.
+/// The name in traces: `goal-conflict`, `no-plan`, `irreversible`, `inconsistent`, `cut`, `forced`.
 std::string_view name_of(Event::Kind kind);
 
 }  // namespace runtime

@@ -87,6 +87,12 @@ JsonLine& JsonLine::digits(std::string_view number) {
   return *this;
 }
 
+JsonLine& JsonLine::boolean(bool value) {
+  separate();
+  text_ += value ? "true" : "false";
+  return *this;
+}
+
 JsonLine& JsonLine::null() {
   separate();
   text_ += "null";

@@ -38,6 +38,7 @@ class JsonLine {
   }
   JsonLine& seconds(automata::Ticks value);   ///< finite
   JsonLine& digits(std::string_view number);  ///< a number that is written already
+  JsonLine& boolean(bool value);
   JsonLine& null();
 
   /// `{"variable":"value",…}` in the order given.

@@ -98,9 +98,9 @@ class LogReader {
   }
 
   void interpret(const Json& json, LogLine& line) const {
-    static constexpr std::array<std::string_view, 11> keys{"cycle",   "time",         "marking",  "goal",
-                                                           "command", "observations", "estimate", "belief",
-                                                           "truth",   "events",       "clocks"};
+    static constexpr std::array<std::string_view, 14> keys{
+        "cycle",  "time",  "marking", "goal",   "command", "observations", "estimate",
+        "belief", "truth", "events",  "clocks", "cut",     "checked",      "missing_mass"};
     for (const auto& [key, value] : json.items()) {
       if (key == "cycle") {
         expect(value.is_number_unsigned(), key, "a whole number", value);
@@ -117,6 +117,10 @@ class LogReader {
         expect(value.is_object(), key, "an object", value);
       } else if (key == "marking" || key == "belief" || key == "events") {
         expect(value.is_array(), key, "an array", value);
+      } else if (key == "cut") {
+        expect(value.is_boolean(), key, "true or false", value);
+      } else if (key == "checked" || key == "missing_mass") {
+        expect(value.is_number(), key, "a number", value);
       } else {
         throw InputError(" unknown key '" + key + "'" + suggestion(key, {keys.begin(), keys.end()}));
       }

@@ -48,7 +48,7 @@ void TraceWriter::observe(const CycleRecord& record) {
   line_.close('}');
   line_.key("observations").assignments(record.observations, plant_.variables);
   line_.key("estimate").modes(record.estimate, plant_);
-  line_.key("belief").belief(*record.belief, plant_, record.time, &live_clocks_);
+  line_.key("belief").belief(record.estimator->belief(), plant_, record.time, &live_clocks_);
   if (record.truth != nullptr) line_.key("truth").modes(*record.truth, plant_);
   line_.key("events");
   write_events(line_, record.events, &plant_);

@@ -73,7 +73,7 @@ RC_GTEST_PROP(Estimate, KBestKeepsTheBest, ()) {
   const Log log = *logs(model.plant, 5);
   const std::size_t k = up_to(1, 6);
   automata::PlantStep step(model.plant);
-  const auto estimator = runtime::make_k_best_estimator(step, {.k = k, .normalise = false});
+  const auto estimator = runtime::make_k_best_estimator(step, {.k = k, .factored = false, .normalise = false});
   const reference::Step slow(model.plant);
   Ticks before;
   for (const LogLine& line : log.lines) {
@@ -97,6 +97,77 @@ RC_GTEST_PROP(Estimate, KBestKeepsTheBest, ()) {
     for (const auto& [state, probability] : posterior)
       if (!expected.belief.contains(state)) lost += probability;
     RC_ASSERT(estimate.missing_mass >= lost - 1e-9);
+  }
+}
+
+/// What a truncated belief leaves out of the exact posterior is never more than it says, however long it goes on.
+RC_GTEST_PROP(Estimate, MissingMassIsAnUpperBound, ()) {
+  const Model model = *models();
+  const Log log = *logs(model.plant, 6);
+  const runtime::EstimatorOptions options{.k = up_to(1, 4), .factored = chance(50)};
+  automata::PlantStep step(model.plant);
+  const auto estimator = runtime::make_k_best_estimator(step, options);
+  const reference::Step slow(model.plant);
+  reference::Belief exact = reference::initial_belief(slow);
+  double sum = 0;
+  for (const auto& [state, probability] : exact) sum += probability;
+  for (auto& [state, probability] : exact) probability /= sum;
+  Ticks before;
+  for (const LogLine& line : log.lines) {
+    exact = reference::belief_update(slow, exact, line.action, line.observation, before, line.time).belief;
+    estimator->update(line.action, line.observation, line.time);
+    before = line.time;
+    double listed = 0;
+    double claimed = 0;
+    for (const runtime::BeliefEntry& entry : estimator->belief()) {
+      const auto known = exact.find(entry.state);
+      listed += known == exact.end() ? 0.0 : known->second;
+      claimed += entry.probability;
+    }
+    const double bound = 1 - (1 - estimator->estimate().missing_total) * std::min(1.0, claimed);
+    RC_ASSERT(1 - listed <= bound + 1e-9);
+  }
+}
+
+/// The factored belief is the unfactored one.
+RC_GTEST_PROP(Estimate, FactoredIsUnfactored, ()) {
+  const Model model = *models({.max_components = 4});
+  const Log log = *logs(model.plant, 5);
+  automata::PlantStep one(model.plant);
+  automata::PlantStep other(model.plant);
+  const auto whole = runtime::make_exact_estimator(one, {.factored = false});
+  const auto parts = runtime::make_exact_estimator(other, {.factored = true});
+  RC_TAG(parts->groups());
+  for (const LogLine& line : log.lines) {
+    const runtime::Estimate& expected = whole->update(line.action, line.observation, line.time);
+    const runtime::Estimate& found = parts->update(line.action, line.observation, line.time);
+    RC_ASSERT(found.consistent == expected.consistent);
+    RC_ASSERT(std::abs(found.probability - expected.probability) < 1e-9);
+    reference::Belief belief;
+    for (const runtime::BeliefEntry& entry : whole->belief()) belief[entry.state] = entry.probability;
+    same_belief(parts->belief(), belief);
+    same_mode(found, belief);
+  }
+}
+
+/// What is listed of a product is its head.
+RC_GTEST_PROP(Estimate, FactoredListsTheBest, ()) {
+  const Model model = *models({.max_components = 4});
+  const Log log = *logs(model.plant, 3);
+  const std::size_t most = up_to(1, 9);
+  automata::PlantStep one(model.plant);
+  automata::PlantStep other(model.plant);
+  const auto all = runtime::make_exact_estimator(one, {});
+  const auto head = runtime::make_exact_estimator(other, {.listed = most});
+  if (all->groups() == 1) return;
+  for (const LogLine& line : log.lines) {
+    all->update(line.action, line.observation, line.time);
+    head->update(line.action, line.observation, line.time);
+    if (all->groups() == 1) return;  // a control action contradicted a store, and one filter took over
+    reference::Belief belief;
+    for (const runtime::BeliefEntry& entry : all->belief()) belief[entry.state] = entry.probability;
+    const reference::Best expected = reference::best(belief, most);
+    if (expected.clear) same_belief(head->belief(), expected.belief);
   }
 }
 

@@ -27,19 +27,28 @@ void tell(automata::Theory& theory, const automata::Plant& plant) {
       theory.tell_if({component.mode, automata::ValueId(mode)}, component.modes[mode].constraint);
 }
 
-RC_GTEST_PROP(Logic, TheoryIsEnumeration, ()) {
+/// Questions to one theory, each much like the one before or not at all.
+void compare_with_enumeration(automata::Theory::Upkeep upkeep, int questions) {
   const Model model = *models();
   const automata::Variables& variables = model.plant.variables;
-  automata::Theory theory(variables);
+  automata::Theory theory(variables, upkeep);
   tell(theory, model.plant);
   const reference::Models enumeration(model.plant);
-  for (int question = 0; question < 6; ++question) {
+  for (int question = 0; question < questions; ++question) {
     const auto formula = *formulas(variables, all_variables(model.plant));
     const auto assumptions = *partial_assignments(variables);
     const auto handle = theory.encode(formula);
     const bool consistent = theory.consistent(assumptions);
     RC_ASSERT(consistent == enumeration.consistent(assumptions));
-    if (!consistent) {
+    if (consistent) {
+      if (theory.known_to_follow(handle)) RC_ASSERT(enumeration.entails(assumptions, formula));
+      // The model found is one.
+      std::vector<Assignment> world;
+      for (const automata::VariableId v : all_variables(model.plant)) world.push_back({v, theory.value(v)});
+      for (const Assignment a : assumptions) RC_ASSERT(std::find(world.begin(), world.end(), a) != world.end());
+      RC_ASSERT(enumeration.allows(world, formula) == theory.holds(handle));
+      RC_ASSERT(enumeration.consistent(world));
+    } else {
       const std::vector<Assignment> conflict = theory.conflict();
       for (Assignment blamed : conflict)
         RC_ASSERT(std::find(assumptions.begin(), assumptions.end(), blamed) != assumptions.end());
@@ -48,6 +57,12 @@ RC_GTEST_PROP(Logic, TheoryIsEnumeration, ()) {
     RC_ASSERT(theory.allows(assumptions, handle) == enumeration.allows(assumptions, formula));
     RC_ASSERT(theory.entails(assumptions, handle) == enumeration.entails(assumptions, formula));
   }
+}
+
+RC_GTEST_PROP(Logic, TheoryIsEnumeration, ()) { compare_with_enumeration(automata::Theory::Upkeep::searched, 6); }
+
+RC_GTEST_PROP(Logic, MaintainedTheoryIsEnumeration, ()) {
+  compare_with_enumeration(automata::Theory::Upkeep::maintained, 24);
 }
 
 RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {

@@ -203,6 +203,7 @@ TEST(KBest, WidensWhileNothingExplainsTheObservations) {
   PlantStep step(w.plant);
   EstimatorOptions options;
   options.k = 1;
+  options.factored = false;
   const auto estimator = make_k_best_estimator(step, options);
   const Observation dark{w.assignment("left.light", "no")};
   estimator->update(w.command("cmd", "on"), {}, at(1));
@@ -228,6 +229,19 @@ TEST(KBest, SaysSoWhereItsLimitCutsTheSearch) {
   EXPECT_TRUE(estimate.cut);
   EXPECT_EQ(estimate.checked, 3u);
   EXPECT_GT(estimate.missing_mass, 0.0);
+}
+
+TEST(KBest, KeepsWhatItFoundByItsDeadline) {
+  const PlantWriter w = chain(4);
+  PlantStep step(w.plant);
+  EstimatorOptions options;
+  options.deadline = std::chrono::nanoseconds(1);
+  const auto estimator = make_k_best_estimator(step, options);
+  const Estimate& estimate = estimator->update(w.command("cmd", "close"), {}, at(1));
+  EXPECT_TRUE(estimate.cut);
+  EXPECT_TRUE(estimate.consistent);
+  EXPECT_EQ(estimator->belief().size(), 1u);
+  EXPECT_GT(estimate.missing_total, 0.0);
 }
 
 TEST(KBest, RepeatsToTheBit) {

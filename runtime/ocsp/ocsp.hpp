@@ -120,11 +120,12 @@ class OptimalSearch {
   struct Split {
     Node node;
     Slice alternatives;
+    std::uint32_t in_order;  ///< so many of them are; of most splits few are ever wanted
   };
 
   [[nodiscard]] bool later(const Node& a, const Node& b) const;
   [[nodiscard]] std::uint32_t value(const Deviation& deviation) const;
-  [[nodiscard]] const Alternative& alternative(std::uint32_t split, std::uint32_t position) const;
+  const Alternative& alternative(std::uint32_t split, std::uint32_t position);
   void take_candidate(const Node& node);
   void split(const Node& node, std::span<const Decision> conflict);
   void push(Node node);

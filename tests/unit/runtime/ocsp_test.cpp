@@ -1,6 +1,6 @@
 // Optimal constraint satisfaction against enumeration of all assignments.
 // SPDX-License-Identifier: MIT
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 
 #include <gtest/gtest.h>
 

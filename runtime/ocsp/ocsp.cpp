@@ -1,6 +1,6 @@
 // Conflict-directed best-first search over disjoint sets of assignments.
 // SPDX-License-Identifier: MIT
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -152,8 +152,26 @@ std::uint32_t OptimalSearch::value(const Deviation& deviation) const {
   return choices_[deviation.variable][deviation.rank].value;
 }
 
-const OptimalSearch::Alternative& OptimalSearch::alternative(std::uint32_t split, std::uint32_t position) const {
-  return alternatives_[splits_[split].alternatives.begin + position];
+/// Puts the ways out of a split in order only as far as they are asked for. Among equal costs the child with the
+/// lexicographically smaller candidate comes first: at the first of the two variables one child has the next value and
+/// the other still has the present one.
+const OptimalSearch::Alternative& OptimalSearch::alternative(std::uint32_t split, std::uint32_t position) {
+  Split& parent = splits_[split];
+  const auto begin = alternatives_.begin() + static_cast<std::ptrdiff_t>(parent.alternatives.begin);
+  if (position >= parent.in_order) {
+    const auto earlier = [this](const Alternative& a, const Alternative& b) {
+      if (a.delta != b.delta) return a.delta < b.delta;
+      if (a.variable == b.variable) return false;
+      const Alternative& first = a.variable < b.variable ? a : b;
+      const std::vector<Choice>& choices = choices_[first.variable];
+      const bool first_is_smaller = choices[first.rank].value < choices[first.rank - 1].value;
+      return first_is_smaller == (a.variable < b.variable);
+    };
+    const std::uint32_t wanted = std::min(parent.alternatives.size, std::max(4u, 4 * parent.in_order));
+    std::partial_sort(begin + parent.in_order, begin + wanted, begin + parent.alternatives.size, earlier);
+    parent.in_order = wanted;
+  }
+  return begin[static_cast<std::ptrdiff_t>(position)];
 }
 
 void OptimalSearch::take_candidate(const Node& node) {
@@ -180,19 +198,8 @@ void OptimalSearch::split(const Node& node, std::span<const Decision> conflict) 
     alternatives_.push_back({d.variable, rank + 1, choices[rank + 1].cost - choices[rank].cost});
   }
   if (alternatives_.size() == begin) return;
-  // Among equal costs the child with the lexicographically smaller candidate: at the first of the two variables one
-  // child has the next value and the other still has the present one.
-  const auto earlier = [this](const Alternative& a, const Alternative& b) {
-    if (a.delta != b.delta) return a.delta < b.delta;
-    if (a.variable == b.variable) return false;
-    const bool a_first = a.variable < b.variable;
-    const Alternative& first = a_first ? a : b;
-    const bool first_is_smaller = choices_[first.variable][first.rank].value < candidate_[first.variable];
-    return first_is_smaller == a_first;
-  };
-  std::sort(alternatives_.begin() + static_cast<std::ptrdiff_t>(begin), alternatives_.end(), earlier);
   splits_.push_back(
-      {node, {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(alternatives_.size() - begin)}});
+      {node, {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(alternatives_.size() - begin)}, 0});
   push_child(static_cast<std::uint32_t>(splits_.size() - 1), 0);
 }
 
@@ -203,9 +210,9 @@ void OptimalSearch::push(Node node) {
 
 /// Queues the child at `position` of a split; nothing where there is none.
 void OptimalSearch::push_child(std::uint32_t split, std::uint32_t position) {
-  const Split& parent = splits_[split];
-  if (position >= parent.alternatives.size) return;
+  if (position >= splits_[split].alternatives.size) return;
   const Alternative& way = alternative(split, position);
+  const Split& parent = splits_[split];
   const Slice inherited = parent.node.deviations;
   const auto begin = static_cast<std::uint32_t>(deviations_.size());
   bool placed = false;
