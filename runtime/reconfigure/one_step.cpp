@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "runtime/estimate/ocsp.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 #include "runtime/reconfigure/goal.hpp"
 #include "runtime/reconfigure/nominal_graph.hpp"
 

@@ -10,6 +10,7 @@
 
 #include "automata/scenario.hpp"
 #include "runtime/estimate/estimator.hpp"
+#include "runtime/reconfigure/reconfigurer.hpp"
 #include "runtime/scenario/expectations.hpp"
 #include "runtime/trace/cycle_record.hpp"
 
