@@ -133,29 +133,35 @@ void Theory::add(std::span<const Literal> clause) {
   if (maintenance_) maintenance_->add(clause);
 }
 
+/// Takes from a reasoner, which was asked of `assumed_`, what it blames.
+template <class Reasoner>
+void Theory::blame(std::span<const Assignment> assumptions, const Reasoner& reasoner) {
+  for (std::size_t i = 0; i < assumptions.size(); ++i) {
+    if (reasoner.failed(assumed_[i])) conflict_.push_back(assumptions[i]);
+  }
+}
+
 bool Theory::solve(std::span<const Assignment> assumptions, Literal extra) {
   ++questions_;
   assumed_.clear();
   for (const Assignment& a : assumptions) assumed_.push_back(literal(a));
   assumed_.push_back(extra);
   conflict_.clear();
-  const auto blame = [&](const auto& reasoner) {
-    for (std::size_t i = 0; i < assumptions.size(); ++i) {
-      if (reasoner.failed(assumed_[i])) conflict_.push_back(assumptions[i]);
-    }
-    return false;
-  };
   if (maintenance_) {
     switch (maintenance_->ask(assumed_)) {
       case TruthMaintenance::Answer::consistent:
         return true;
       case TruthMaintenance::Answer::inconsistent:
-        return blame(*maintenance_);
+        blame(assumptions, *maintenance_);
+        return false;
       case TruthMaintenance::Answer::open:
         break;
     }
   }
-  if (!sat_.solve(assumed_)) return blame(sat_);
+  if (!sat_.solve(assumed_)) {
+    blame(assumptions, sat_);
+    return false;
+  }
   if (maintenance_) maintenance_->adopt(assumed_, [this](Literal l) { return sat_.value(l); });
   return true;
 }
@@ -171,7 +177,11 @@ bool Theory::entails(std::span<const Assignment> assumptions, Literal conclusion
     // A model at hand refutes most that is not implied, and propagation derives most that is.
     if (!solve(assumptions, true_)) return true;
     if (!value(conclusion)) return false;
-    if (maintenance_->follows(conclusion)) return true;
+    if (maintenance_->follows(conclusion)) {
+      maintenance_->explain(conclusion);
+      blame(assumptions, *maintenance_);
+      return true;
+    }
   }
   return !solve(assumptions, -conclusion);
 }

@@ -46,7 +46,8 @@ class Theory {
   bool entails(std::span<const Assignment> assumptions, Assignment assignment);
 
   /// After `consistent` or `allows` returned false: assumptions that contradict the store by themselves (a conflict in
-  /// the sense of livingstone), in the order in which they were given. Not always minimal.
+  /// the sense of livingstone), in the order in which they were given; after `entails` returned true: assumptions that
+  /// are enough for that. Not always minimal.
   [[nodiscard]] const std::vector<Assignment>& conflict() const { return conflict_; }
   /// After `consistent` or `allows` returned true: the value of a variable in the model found.
   [[nodiscard]] ValueId value(VariableId variable) const;
@@ -68,6 +69,8 @@ class Theory {
   void add(std::span<const Literal> clause);
   void add(std::initializer_list<Literal> clause) { add(std::span<const Literal>(clause.begin(), clause.size())); }
   bool solve(std::span<const Assignment> assumptions, Literal extra);
+  template <class Reasoner>
+  void blame(std::span<const Assignment> assumptions, const Reasoner& reasoner);
   bool entails(std::span<const Assignment> assumptions, Literal conclusion);
   [[nodiscard]] bool value(Literal literal) const {
     return maintenance_ ? maintenance_->value(literal) : sat_.value(literal);

@@ -288,6 +288,13 @@ void TruthMaintenance::adopt(std::span<const Literal> assumptions, const std::fu
   assert(answer == Answer::consistent && "a model violates no clause");
 }
 
+void TruthMaintenance::explain(Literal literal) {
+  const Literal from[] = {literal};
+  [[maybe_unused]] const Variable guess = trace(from);
+  assert(guess == 0 && "what follows rests on no guess");
+  for (const Variable blamed : support_) blamed_[blamed] = wanted_[blamed];
+}
+
 bool TruthMaintenance::failed(Literal assumption) const {
   const std::uint64_t blamed = blamed_[variable(assumption)];
   return blamed >> 1 == question_ && !refuted_;

@@ -41,7 +41,9 @@ class TruthMaintenance {
   [[nodiscard]] bool value(Literal literal) const { return values_[variable(literal)] == sign(literal); }
   /// Then also: whether propagation derives it from the assumptions, so that they imply it. Sufficient only.
   [[nodiscard]] bool follows(Literal literal) const { return value(literal) && certain_[variable(literal)] != 0; }
-  /// After `ask` answered inconsistent: whether the assumption takes part in the refutation.
+  /// Of a literal that follows: makes `failed` name the assumptions that it follows from.
+  void explain(Literal literal);
+  /// After `ask` answered inconsistent, or `explain`: whether the assumption takes part in the refutation.
   [[nodiscard]] bool failed(Literal assumption) const;
 
  private:

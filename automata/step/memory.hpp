@@ -21,8 +21,32 @@ struct WordsHash {
   }
 };
 
-/// Answers by projected modes and controls. Bounded: past the limit it is emptied, so that long runs through ever new
-/// states stay flat. A reference lasts until the next `find` that asks.
+/// A hash map that forgets: past its limit it begins anew, so that long runs through ever new states stay flat, and
+/// lets go of the old entries two at a time, so that no single step pays for it.
+template <class Key, class Value, class Hash>
+class Forgetful {
+ public:
+  explicit Forgetful(std::size_t limit) : limit_(limit) {}
+
+  /// The value of a key, or null. Lasts until the next `add` at least.
+  [[nodiscard]] const Value* find(const Key& key) const {
+    const auto known = map_.find(key);
+    return known == map_.end() ? nullptr : &known->second;
+  }
+  /// The key is new. The reference lasts until the next `add`.
+  const Value& add(const Key& key, Value value) {
+    if (map_.size() >= limit_) std::swap(map_, retired_);
+    for (int i = 0; i < 2 && !retired_.empty(); ++i) retired_.erase(retired_.begin());
+    return map_.emplace(key, std::move(value)).first->second;
+  }
+
+ private:
+  std::size_t limit_;
+  std::unordered_map<Key, Value, Hash> map_;      ///< looked up, never iterated
+  std::unordered_map<Key, Value, Hash> retired_;  ///< empty before `map_` is full again
+};
+
+/// Answers by projected modes and controls. A reference lasts until the next `find` that asks.
 template <class Answer>
 class Memory {
  public:
@@ -45,15 +69,14 @@ class Memory {
  private:
   template <class Ask>
   const Answer& find(const Ask& ask) {
-    if (const auto known = answers_.find(key_); known != answers_.end()) return known->second;
-    if (answers_.size() >= limit) answers_.clear();
-    return answers_.emplace(key_, ask()).first->second;
+    if (const Answer* known = answers_.find(key_)) return *known;
+    return answers_.add(key_, ask());
   }
 
   static constexpr std::size_t limit = 1u << 16;
   Projection projection_;
   Projection::Key key_;
-  std::unordered_map<Projection::Key, Answer, WordsHash> answers_;  ///< looked up, never iterated
+  Forgetful<Projection::Key, Answer, WordsHash> answers_{limit};
 };
 
 }  // namespace automata

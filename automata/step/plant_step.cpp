@@ -11,12 +11,10 @@
 namespace automata {
 namespace {
 
-/// Beyond this many remembered modes, of all states together, a memory of whole states is emptied.
-constexpr std::size_t memory_limit = 1u << 18;
-
-template <class Remembered>
-void bound_memory(Remembered& memory, std::size_t components) {
-  if (memory.size() * (components + 1) >= memory_limit) memory.clear();
+/// How many whole states are remembered: so many that their modes, all together, are no more than this.
+std::size_t states_remembered(const Plant& plant) {
+  constexpr std::size_t modes_remembered = 1u << 18;
+  return modes_remembered / (plant.components.size() + 1) + 1;
 }
 
 std::size_t combine(std::size_t hash, std::size_t value) { return (hash ^ value) * 0x100000001b3u; }
@@ -65,7 +63,12 @@ std::size_t PlantStep::StateObservationHash::operator()(const StateObservation& 
   return hash;
 }
 
-PlantStep::PlantStep(const Plant& plant) : plant_(plant), locality_(plant), theory_(model_theory(plant)) {
+PlantStep::PlantStep(const Plant& plant)
+    : plant_(plant),
+      locality_(plant),
+      theory_(model_theory(plant)),
+      enabled_(states_remembered(plant)),
+      factors_(states_remembered(plant)) {
   for (const Component& component : plant.components) {
     auto& handles = guards_.emplace_back();
     auto& exits = exits_.emplace_back(component.modes.size());
@@ -186,9 +189,8 @@ PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& ac
 const PlantStep::Whole& PlantStep::whole(const Modes& modes, const ControlAction& action) {
   asked_.modes = modes;
   asked_.action = action;
-  if (const auto known = enabled_.find(asked_); known != enabled_.end()) return known->second;
-  bound_memory(enabled_, modes.size());
-  return enabled_.emplace(asked_, work_out(modes, action)).first->second;
+  if (const Whole* known = enabled_.find(asked_)) return *known;
+  return enabled_.add(asked_, work_out(modes, action));
 }
 
 const std::vector<Enabled>& PlantStep::enabled(const Modes& modes, const ControlAction& action) {
@@ -320,9 +322,8 @@ double PlantStep::work_out(const Modes& modes, const Observation& observation) {
 double PlantStep::observation_factor(const Modes& modes, const Observation& observation) {
   seen_.modes = modes;
   seen_.observation = observation;
-  if (const auto known = factors_.find(seen_); known != factors_.end()) return known->second;
-  bound_memory(factors_, modes.size());
-  return factors_.emplace(seen_, work_out(modes, observation)).first->second;
+  if (const double* known = factors_.find(seen_)) return *known;
+  return factors_.add(seen_, work_out(modes, observation));
 }
 
 bool PlantStep::explains(const Modes& modes, const Observation& observation) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "automata/logic/theory.hpp"
@@ -143,8 +142,8 @@ class PlantStep {
   struct StateObservationHash {
     std::size_t operator()(const StateObservation& key) const noexcept;
   };
-  std::unordered_map<StateAction, Whole, StateActionHash> enabled_;
-  std::unordered_map<StateObservation, double, StateObservationHash> factors_;
+  Forgetful<StateAction, Whole, StateActionHash> enabled_;
+  Forgetful<StateObservation, double, StateObservationHash> factors_;
   StateAction asked_;      ///< the last question, kept for its memory
   StateObservation seen_;  ///< likewise
 };

@@ -128,10 +128,19 @@ class KBest final : public Filter {
     return known->second;
   }
 
+  /// Past the limits everything is forgotten; what was remembered is let go of bit by bit.
   void bound_memory() {
+    for (std::size_t i = 0; i < 4 * options_.k && !retired_.empty(); ++i) {
+      auto& extensions = retired_.begin()->second.extensions;
+      if (extensions.empty()) {
+        retired_.erase(retired_.begin());
+      } else {
+        extensions.erase(extensions.begin());
+      }
+    }
     const std::size_t components = step_.plant().components.size() + 1;
     if (remembered_ * components < memory_limit && lasting_.conflicts().size() < conflict_limit) return;
-    contexts_.clear();
+    retired_ = std::exchange(contexts_, {});
     remembered_ = 0;
     if (lasting_.conflicts().size() >= conflict_limit) lasting_ = {};
   }
@@ -268,6 +277,7 @@ class KBest final : public Filter {
   const Clocks clocks_;
   ConflictSet lasting_;
   std::map<Observation, Context> contexts_;
+  std::map<Observation, Context> retired_;  ///< forgotten, and not yet let go of
   std::size_t remembered_ = 0;
   SourceKey key_;
   std::vector<std::unique_ptr<Extensions>> transient_;  ///< of sources with a running clock; reused

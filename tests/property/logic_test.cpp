@@ -55,7 +55,9 @@ void compare_with_enumeration(automata::Theory::Upkeep upkeep, int questions) {
       RC_ASSERT(!enumeration.consistent(conflict));
     }
     RC_ASSERT(theory.allows(assumptions, handle) == enumeration.allows(assumptions, formula));
-    RC_ASSERT(theory.entails(assumptions, handle) == enumeration.entails(assumptions, formula));
+    const bool entailed = theory.entails(assumptions, handle);
+    RC_ASSERT(entailed == enumeration.entails(assumptions, formula));
+    if (entailed) RC_ASSERT(enumeration.entails(theory.conflict(), formula));
   }
 }
 
