@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -129,7 +128,10 @@ Subcommand diagnose_command(CLI::App& app, const Common& common) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
   command->add_option("--ratio", options->search.ratio, "none more than R times less likely than the best")
       ->option_text("R")
-      ->check(CLI::Range(1.0, std::numeric_limits<double>::max()));
+      ->check([](const std::string& text) {
+        double ratio = 0;
+        return CLI::detail::lexical_cast(text, ratio) && ratio >= 1 ? "" : "expected a number that is at least 1";
+      });
   command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
   command->add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
   add_format(*command, options->format);

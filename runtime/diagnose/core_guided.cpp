@@ -44,42 +44,22 @@ void CoreGuided::relax(const std::vector<Literal>& core) {
     broken.push_back(-soft);
     active_.erase(std::find(active_.begin(), active_.end(), soft));
     // A bound that gives way lets one input more hold: the next output of its totalizer takes its place.
-    const auto bound = bounds_.find(soft);
-    if (bound == bounds_.end()) continue;
-    const auto [totalizer, limit] = bound->second;
-    bounds_.erase(bound);
-    if (limit < totalizers_[totalizer].size()) {
-      const Literal next = -totalizers_[totalizer][limit];
-      bounds_.emplace(next, Bound{totalizer, limit + 1});
-      waiting_.push_back(next);
-    }
+    const auto bound_at = bounds_.find(soft);
+    if (bound_at == bounds_.end()) continue;
+    const auto [totalizer, limit] = bound_at->second;
+    bounds_.erase(bound_at);
+    if (limit + 1 < totalizers_[totalizer].size()) bound(totalizer, limit + 1);
   }
   sat_.add(broken);
   if (broken.size() == 1) return;
-  totalizers_.push_back(totalize(broken));
-  const Literal second = -totalizers_.back()[1];
-  bounds_.emplace(second, Bound{totalizers_.size() - 1, 2});
-  waiting_.push_back(second);
+  totalizers_.emplace_back(broken);
+  bound(totalizers_.size() - 1, 1);
 }
 
-// Only "inputs imply outputs" is needed: an output may hold without cause, but then it breaks a soft literal for
-// nothing.
-std::vector<Literal> CoreGuided::totalize(std::span<const Literal> inputs) {
-  if (inputs.size() == 1) return {inputs[0]};
-  const std::vector<Literal> left = totalize(inputs.first(inputs.size() / 2));
-  const std::vector<Literal> right = totalize(inputs.subspan(inputs.size() / 2));
-  std::vector<Literal> outputs;
-  for (std::size_t i = 0; i < inputs.size(); ++i) outputs.push_back(sat_.fresh());
-  for (std::size_t l = 0; l <= left.size(); ++l) {
-    for (std::size_t r = 0; r <= right.size(); ++r) {
-      if (l + r == 0) continue;
-      std::vector<Literal> clause{outputs[l + r - 1]};
-      if (l > 0) clause.push_back(-left[l - 1]);
-      if (r > 0) clause.push_back(-right[r - 1]);
-      sat_.add(clause);
-    }
-  }
-  return outputs;
+void CoreGuided::bound(std::size_t totalizer, std::size_t limit) {
+  const Literal soft = -totalizers_[totalizer].more_than(limit, sat_);
+  bounds_.emplace(soft, Bound{totalizer, limit});
+  waiting_.push_back(soft);
 }
 
 void CoreGuided::commit() {

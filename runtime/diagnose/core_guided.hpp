@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "automata/logic/sat.hpp"
+#include "runtime/diagnose/totalizer.hpp"
 
 namespace runtime {
 
@@ -35,17 +36,17 @@ class CoreGuided {
  private:
   struct Bound {
     std::size_t totalizer;
-    std::size_t limit;  ///< this soft literal says: fewer than `limit` of the totalizer's inputs hold
+    std::size_t limit;  ///< this soft literal says: no more than `limit` of the totalizer's inputs hold
   };
   std::vector<automata::Literal> core_of(const std::vector<automata::Literal>& assumptions) const;
   void relax(const std::vector<automata::Literal>& core);
-  std::vector<automata::Literal> totalize(std::span<const automata::Literal> inputs);
+  void bound(std::size_t totalizer, std::size_t limit);
 
   automata::Sat& sat_;
-  std::vector<automata::Literal> active_;                   ///< soft literals that are assumed, in order of birth
-  std::vector<automata::Literal> waiting_;                  ///< those that are not assumed yet
-  std::vector<std::vector<automata::Literal>> totalizers_;  ///< outputs: k-th holds if k + 1 inputs do
-  std::map<automata::Literal, Bound> bounds_;               ///< of soft literals that are negated outputs
+  std::vector<automata::Literal> active_;   ///< soft literals that are assumed, in order of birth
+  std::vector<automata::Literal> waiting_;  ///< those that are not assumed yet
+  std::vector<Totalizer> totalizers_;
+  std::map<automata::Literal, Bound> bounds_;  ///< of soft literals that are negated outputs
   std::size_t cost_ = 0;
 };
 
