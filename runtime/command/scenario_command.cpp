@@ -1,5 +1,6 @@
 // rmpl-run scenario: flies scenarios, tells their stories and judges them.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <filesystem>
@@ -57,22 +58,34 @@ class Account : public CycleObserver {
  public:
   void observe(const CycleRecord& record) override {
     if (record.cycle == 0) return;
-    checked_ += record.checked;
-    estimation_.add(record.estimation_seconds);
-    reconfiguration_.add(record.reconfiguration_seconds);
+    estimation_.add(record.checked, record.estimation_seconds);
+    reconfiguration_.add(record.considered, record.reconfiguration_seconds);
     both_.add(record.estimation_seconds + record.reconfiguration_seconds);
   }
   void report(const std::string& scenario, double seconds) const {
-    std::cerr << scenario << ": " << both_.count() << " cycles in " << seconds << " s, " << checked_
-              << " candidates checked\n";
+    std::cerr << scenario << ": " << both_.count() << " cycles in " << seconds << " s\n";
     if (both_.count() == 0) return;
     std::cerr << "  estimation: " << estimation_.text() << "\n  reconfiguration: " << reconfiguration_.text()
               << "\n  both: " << both_.text() << '\n';
   }
 
  private:
-  std::size_t checked_ = 0;
-  Latency estimation_, reconfiguration_, both_;
+  struct Engine {
+    std::size_t checked = 0, most = 0;  ///< candidates: over all cycles, in one
+    Latency latency;
+
+    void add(std::size_t candidates, double seconds) {
+      checked += candidates;
+      most = std::max(most, candidates);
+      latency.add(seconds);
+    }
+    [[nodiscard]] std::string text() const {
+      return std::to_string(checked) + " candidates checked, " + std::to_string(most) + " at most in a cycle; " +
+             latency.text();
+    }
+  };
+  Engine estimation_, reconfiguration_;
+  Latency both_;
 };
 
 /// What is wrong with a seed, or nothing: the parser by itself would wrap a negative one around.

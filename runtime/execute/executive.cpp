@@ -73,6 +73,7 @@ void Executive::assert_goals() {
 void Executive::note_reconfiguration() {
   const Reconfiguration& answer = reconfiguration_.answer();
   record_.command = reconfiguration_.command();
+  record_.considered = reconfiguration_.checked();
   switch (answer.outcome) {
     case Reconfiguration::Outcome::no_plan:
       record_.events.push_back({Event::Kind::no_plan, answer.reason, answer.component, std::nullopt});

@@ -27,9 +27,11 @@ void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.pus
 void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
   assert(control_ != nullptr && "connected before the first request");
   // 5. The request invokes MR with the configuration goal, 6. which returns the next command of a sequence.
+  checked_ = 0;
   if (tracked_ != asked_states_ || goals_ != asked_goals_) {
     answer_ = reconfigurer_.next_of_all(tracked_, automata::conjunction_of(goals_));
     asked_states_ = tracked_;
+    checked_ = answer_.checked;
     asked_goals_ = goals_;
   }
   goals_.clear();

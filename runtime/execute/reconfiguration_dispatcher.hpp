@@ -24,6 +24,8 @@ class ReconfigurationDispatcher {
   void dispatch();
   /// What MR answered to the last request.
   [[nodiscard]] const Reconfiguration& answer() const { return answer_; }
+  /// Candidates that MR checked for it; 0 where nothing had changed and MR was not asked anew.
+  [[nodiscard]] std::size_t checked() const { return checked_; }
   /// The command that was issued then.
   [[nodiscard]] const automata::ControlAction& command() const;
 
@@ -44,6 +46,7 @@ class ReconfigurationDispatcher {
   std::vector<automata::Modes> asked_states_;
   std::vector<automata::Assignment> asked_goals_;
   Reconfiguration answer_;
+  std::size_t checked_ = 0;
 };
 
 }  // namespace runtime

@@ -134,18 +134,22 @@ std::optional<NominalGraph::Obstacle> NominalGraph::obstacle(ComponentId compone
                                                              const NamedModes& named) const {
   const std::vector<bool>& names = named[component.index()];
   const std::vector<bool>& own = reached[component.index()];
+  std::optional<Obstacle> first;
   for (const NominalTransition& t : transitions(component)) {
     if (!own[t.from.index()] || own[t.to.index()] || !permitted(t, names)) continue;
     const auto further = closure(transitions(component), names.size(), t.to,
                                  [&](const NominalTransition& next) { return permitted(next, names); });
     const bool leads = std::inner_product(further.begin(), further.end(), wanted.begin(), false, std::logical_or<>(),
                                           std::logical_and<>());
-    if (!leads) continue;
-    for (const Requirement& r : t.supports.front()) {
-      if (!meets(r, reached)) return Obstacle{&t, &r};
-    }
+    if (!leads || (first && !wanted[t.to.index()])) continue;
+    const Support& support = t.supports.front();
+    const auto unmet =
+        std::find_if(support.begin(), support.end(), [&](const Requirement& r) { return !meets(r, reached); });
+    if (unmet == support.end()) continue;
+    first = Obstacle{&t, &*unmet};
+    if (wanted[t.to.index()]) break;
   }
-  return std::nullopt;
+  return first;
 }
 
 }  // namespace runtime

@@ -56,7 +56,7 @@ class NominalGraph {
   /// Why a component does not get out of what it reaches towards any of the wanted modes, though its own permitted
   /// transitions lead there.
   struct Obstacle {
-    const NominalTransition* transition;  ///< would lead further
+    const NominalTransition* transition;  ///< would lead further; to a wanted mode, where there is such a one
     const Requirement* requirement;       ///< that nothing in reach meets, of its simplest support
   };
   [[nodiscard]] std::optional<Obstacle> obstacle(automata::ComponentId component, const std::vector<bool>& wanted,

@@ -28,6 +28,7 @@ struct CycleRecord {
   const automata::Modes* truth = nullptr;  ///< at `time`; null where the plant is not simulated
   std::vector<Event> events;
   std::size_t checked = 0;             ///< candidates that estimation checked
+  std::size_t considered = 0;          ///< candidates that reconfiguration checked; 0 where it was not asked anew
   double estimation_seconds = 0;       ///< processor time
   double reconfiguration_seconds = 0;  ///< likewise
 };
