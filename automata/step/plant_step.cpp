@@ -13,7 +13,7 @@ namespace {
 
 /// How many whole states are remembered: so many that their modes, all together, are no more than this.
 std::size_t states_remembered(const Plant& plant) {
-  constexpr std::size_t modes_remembered = 1u << 18;
+  constexpr std::size_t modes_remembered = 1u << 16;
   return modes_remembered / (plant.components.size() + 1) + 1;
 }
 
