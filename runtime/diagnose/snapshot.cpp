@@ -52,7 +52,8 @@ Statuses statuses_of(const Component& component) {
 }
 
 Snapshot::Snapshot(const Plant& plant, const automata::Observation& observation, std::size_t counted)
-    : theory_(extend(plant, counted)) {
+    : theory_(extend(plant, counted),
+              counted == 0 ? automata::Theory::Upkeep::maintained : automata::Theory::Upkeep::searched) {
   automata::tell_model(theory_, plant);
   for (const Assignment& reading : observation) theory_.tell(automata::is(reading.variable, reading.value));
   tell_statuses(plant);
@@ -127,16 +128,7 @@ std::optional<Conflict> Snapshot::refute(std::span<const std::uint32_t> candidat
   assumptions_.clear();
   for (std::size_t c = 0; c < candidate.size(); ++c) assumptions_.push_back(statuses_[c].is(candidate[c]));
   if (theory_.consistent(assumptions_)) return std::nullopt;
-  // Asked again for the core alone, last decision first, the solver most often blames fewer: such questions are cheap,
-  // while leaving out one status after the other would have it find a model for each that is needed.
-  std::vector<Assignment> core = theory_.conflict();
-  for (std::size_t before = core.size() + 1; core.size() < before;) {
-    before = core.size();
-    assumptions_.assign(core.rbegin(), core.rend());
-    [[maybe_unused]] const bool consistent = theory_.consistent(assumptions_);
-    assert(!consistent);
-    core = theory_.conflict();
-  }
+  const std::vector<Assignment>& core = theory_.conflict();
   Conflict conflict;
   for (const Assignment& a : core) conflict.push_back({component_of_[a.variable.index()], status_of(a)});
   return conflict;

@@ -40,8 +40,8 @@ class Snapshot {
   Snapshot(const automata::Plant& plant, const automata::Observation& observation, std::size_t counted = 0);
 
   [[nodiscard]] const std::vector<Statuses>& statuses() const { return statuses_; }
-  /// Nothing where statuses (one a component) explain the observation, else some of them that cannot hold with it,
-  /// about as few as the solver can tell without searching.
+  /// Nothing where statuses (one a component) explain the observation, else some of them that cannot hold with it.
+  /// What follows from a candidate is kept for the next, which differs in few statuses.
   std::optional<Conflict> refute(std::span<const std::uint32_t> candidate);
   /// Statuses that explain the observation with at most `faults` faults, below `counted`, and were not excluded;
   /// nothing where there are none.

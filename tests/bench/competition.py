@@ -89,7 +89,8 @@ class Circuit:
 
 
 def readings_of(text):
-    return {name: value == "true" for name, value in re.findall(r"(\w+) = (true|false)", text[text.rindex("sensors"):])}
+    line = text[text.rindex("sensors"):]
+    return {name: value == "true" for name, value in re.findall(r"(\w+) = (true|false)", line[:line.index("}")])}
 
 
 def published_set(text):
@@ -167,8 +168,9 @@ def main():
             listed = json.loads(subprocess.run(command + ["--all-minimal"], capture_output=True, check=True).stdout)
             ours = {frozenset(d["modes"]) for d in listed["diagnoses"]}
             assert len(ours) == counted["count"], "what was counted is what is listed"
+            readings = readings_of(text)
             for faulty in sorted(ours, key=sorted)[:SIMULATED]:
-                assert circuit.explanation(readings_of(text), faulty), f"{scenario.stem}: {faulty}"
+                assert circuit.explanation(readings, faulty), f"{scenario.stem}: {faulty}"
                 simulated += 1
             if theirs is None:
                 continue
@@ -177,7 +179,7 @@ def main():
                 equal += 1
             elif counted["cardinality"] < size:
                 smaller += 1
-                outputs = circuit.explanation(readings_of(text), min(ours, key=sorted))
+                outputs = circuit.explanation(readings, min(ours, key=sorted))
                 gates = ", ".join(f"{gate} gives {'1' if value else '0'}" for gate, value in sorted(outputs.items()))
                 proofs.append(f"{scenario.stem}: {counted['cardinality']} faults explain it (published: {size}): {gates}")
             elif theirs < ours:
