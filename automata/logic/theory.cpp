@@ -35,16 +35,67 @@ Literal Theory::literal(Assignment assignment) const {
   return literals_[assignment.variable.index()][assignment.value.index()];
 }
 
-void Theory::tell(const Formula& formula) {
-  if (formula.kind == Formula::Kind::conjunction) {
-    for (const Formula& operand : formula.operands) tell(operand);
-    return;
+namespace {
+
+/// Clauses of `unless or formula`, where the outermost operation needs no literal of its own: most constraints are told
+/// for good, and questions propagate through what is left out here again and again.
+template <class Add, class Encode>
+void require(Literal unless, const Formula& formula, const std::vector<std::vector<Literal>>& literals, const Add& add,
+             const Encode& encode) {
+  switch (formula.kind) {
+    case Formula::Kind::conjunction:
+      for (const Formula& operand : formula.operands) require(unless, operand, literals, add, encode);
+      return;
+    case Formula::Kind::disjunction: {
+      std::vector<Literal> clause{unless};
+      for (const Formula& operand : formula.operands) clause.push_back(encode(operand));
+      add(clause);
+      return;
+    }
+    case Formula::Kind::implication: {
+      const Literal premise = encode(formula.operands[0]);
+      add({unless, -premise, encode(formula.operands[1])});
+      return;
+    }
+    case Formula::Kind::equivalence: {
+      const Literal left = encode(formula.operands[0]);
+      const Literal right = encode(formula.operands[1]);
+      add({unless, -left, right});
+      add({unless, left, -right});
+      return;
+    }
+    case Formula::Kind::equality: {
+      const auto& left = literals[formula.variable.index()];
+      const auto& right = literals[formula.other.index()];
+      assert(left.size() == right.size() && "an equality compares variables of one domain");
+      for (std::size_t v = 0; v < left.size(); ++v) {
+        add({unless, -left[v], right[v]});
+        // Of two values the other one says this already.
+        if (left.size() > 2) add({unless, left[v], -right[v]});
+      }
+      return;
+    }
+    case Formula::Kind::constant:
+    case Formula::Kind::member:
+    case Formula::Kind::clock:
+    case Formula::Kind::negation:
+      add({unless, encode(formula)});
+      return;
   }
-  add({encode(formula).literal});
+}
+
+}  // namespace
+
+void Theory::tell(const Formula& formula) {
+  require(
+      -true_, formula, literals_, [this](const std::vector<Literal>& clause) { add(clause); },
+      [this](const Formula& part) { return encode(part).literal; });
 }
 
 void Theory::tell_if(Assignment condition, const Formula& formula) {
-  add({-literal(condition), encode(formula).literal});
+  require(
+      -literal(condition), formula, literals_, [this](const std::vector<Literal>& clause) { add(clause); },
+      [this](const Formula& part) { return encode(part).literal; });
 }
 
 Literal Theory::encode_gate(const Formula& formula, bool conjunctive) {
