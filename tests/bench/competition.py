@@ -113,12 +113,12 @@ class Tally:
         self.scenarios, self.seconds, self.counts = 0, [], []
 
     def row(self, limit):
-        times = sorted(self.seconds)
-        middle = times[len(times) // 2] * 1e3 if times else float("nan")
-        worst = times[-1] * 1e3 if times else float("nan")
-        counts = sorted(self.counts)
-        sizes = f"{counts[len(counts) // 2]} | {counts[-1]}" if counts else " | "
-        return f"{self.scenarios} | {sum(t <= 1 for t in times)} | {len(times)} | {sizes} | {middle:.0f} | {worst:.0f}"
+        if not self.scenarios:
+            return "0 | | | | | |"
+        times, counts = sorted(self.seconds), sorted(self.counts)
+        sizes = f"{counts[len(counts) // 2]} | {counts[-1]}" if counts else "|"
+        speed = f"{times[len(times) // 2] * 1e3:.0f} | {times[-1] * 1e3:.0f}" if times else "|"
+        return (f"{self.scenarios} | {sum(t <= 1 for t in times)} | {sum(t <= limit for t in times)} | {sizes} | {speed}")
 
 
 def main():
