@@ -10,8 +10,11 @@ target_link_libraries(rmpl_cadical INTERFACE ${CADICAL_LIBRARY})
 target_include_directories(rmpl_cadical SYSTEM INTERFACE ${CADICAL_INCLUDE_DIR})
 find_library(BLISS_LIBRARY bliss REQUIRED)
 find_path(BLISS_INCLUDE_DIR bliss/graph.hh REQUIRED)
+# Debian's bliss counts in GMP's integers: what includes its headers must, too.
+find_library(GMP_LIBRARY gmp REQUIRED)
 add_library(rmpl_bliss INTERFACE)
-target_link_libraries(rmpl_bliss INTERFACE ${BLISS_LIBRARY})
+target_link_libraries(rmpl_bliss INTERFACE ${BLISS_LIBRARY} ${GMP_LIBRARY})
+target_compile_definitions(rmpl_bliss INTERFACE BLISS_USE_GMP)
 target_include_directories(rmpl_bliss SYSTEM INTERFACE ${BLISS_INCLUDE_DIR})
 
 # rmpl_folder(<name> [links…]): every .cpp below this folder but *_main.cpp, as one static library.

@@ -42,6 +42,7 @@ class PlantGraph {
   std::vector<Permutation> automorphisms() {
     if (graph_.get_nof_vertices() > most_vertices) return {};
     bliss::Stats statistics;
+    graph_.set_component_recursion(false);  // bliss 0.73 loses memory with it
     graph_.find_automorphisms(
         statistics, [](void* self, unsigned, const unsigned* image) { static_cast<PlantGraph*>(self)->collect(image); },
         this);
