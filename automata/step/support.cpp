@@ -1,32 +1,14 @@
-// Supports, by union and find over the attributes.
+// Supports, by a partition of the attributes.
 // SPDX-License-Identifier: MIT
 #include "automata/step/support.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
+
+#include "automata/partition.hpp"
 
 namespace automata {
 namespace {
-
-class Partition {
- public:
-  explicit Partition(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t root(std::size_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  /// The smaller root stays, so that islands are in the order of their first attributes.
-  void join(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 template <class T>
 void merge(std::vector<T>& into, const std::vector<T>& from) {

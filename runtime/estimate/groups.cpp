@@ -1,11 +1,12 @@
-// Independent groups, by union and find over the variables.
+// Independent groups, by a partition of the variables.
 // SPDX-License-Identifier: MIT
 #include "runtime/estimate/groups.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
+
+#include "automata/partition.hpp"
 
 namespace runtime {
 
@@ -16,19 +17,6 @@ using automata::Plant;
 using automata::VariableId;
 
 namespace {
-
-class Partition {
- public:
-  explicit Partition(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(VariableId a, VariableId b) { parent_[root(a.index())] = root(b.index()); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// Per variable: whether an interconnection or a mode's constraint reads it.
 std::vector<bool> read_by_store(const Plant& plant) {
@@ -82,10 +70,10 @@ Groups::Groups(const Plant& plant) {
   }
   for (const VariableId observed : plant.observables) given[observed.index()] = false;
 
-  Partition partition(plant.variables.size());
+  automata::Partition partition(plant.variables.size());
   const auto join = [&](VariableId hub, const Formula& formula) {
     for (const VariableId v : variables_of(formula)) {
-      if (!given[v.index()]) partition.join(v, hub);
+      if (!given[v.index()]) partition.join(v.index(), hub.index());
     }
   };
   for (const Formula& q : plant.interconnections) {
@@ -100,7 +88,7 @@ Groups::Groups(const Plant& plant) {
   std::vector<bool> inhabited(plant.variables.size());
   for (const Component& component : plant.components) inhabited[partition.root(component.mode.index())] = true;
   for (std::size_t v = 0; v < plant.variables.size() && !plant.components.empty(); ++v) {
-    if (!given[v] && !inhabited[partition.root(v)]) partition.join(VariableId(v), plant.components.front().mode);
+    if (!given[v] && !inhabited[partition.root(v)]) partition.join(v, plant.components.front().mode.index());
   }
 
   std::unordered_map<std::size_t, std::size_t> group_of_root;

@@ -1,9 +1,8 @@
-// Islands, by union and find over the variables.
+// Islands, by a partition of the variables.
 // SPDX-License-Identifier: MIT
 #include "runtime/reconfigure/islands.hpp"
 
-#include <numeric>
-#include <utility>
+#include "automata/partition.hpp"
 
 namespace runtime {
 
@@ -12,42 +11,18 @@ using automata::ComponentId;
 using automata::Formula;
 using automata::VariableId;
 
-namespace {
-
-class Partition {
- public:
-  explicit Partition(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t root(std::size_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  /// The smaller root stays, so that the order of the parts is that of their first members.
-  void join(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    if (b < a) std::swap(a, b);
-    parent_[b] = a;
-  }
-  void join(VariableId hub, const Formula& formula) {
-    for (const VariableId v : variables_of(formula)) join(hub.index(), v.index());
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-}  // namespace
-
 Islands::Islands(const automata::Plant& plant, std::span<const ComponentId> joined) {
-  Partition partition(plant.variables.size());
+  automata::Partition partition(plant.variables.size());
+  const auto join = [&](VariableId hub, const Formula& formula) {
+    for (const VariableId v : variables_of(formula)) partition.join(hub.index(), v.index());
+  };
   for (const Formula& formula : plant.interconnections) {
     const auto read = variables_of(formula);
-    if (!read.empty()) partition.join(read.front(), formula);
+    if (!read.empty()) join(read.front(), formula);
   }
   for (const Component& component : plant.components) {
-    for (const auto& mode : component.modes) partition.join(component.mode, mode.constraint);
-    for (const auto& transition : component.transitions) partition.join(component.mode, transition.guard);
+    for (const auto& mode : component.modes) join(component.mode, mode.constraint);
+    for (const auto& transition : component.transitions) join(component.mode, transition.guard);
   }
   for (const ComponentId c : joined) partition.join(plant[joined.front()].mode.index(), plant[c].mode.index());
 

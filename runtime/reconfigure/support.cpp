@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <tuple>
 
+#include "automata/partition.hpp"
 #include "automata/step/model.hpp"
 
 namespace runtime {
@@ -182,7 +182,7 @@ Theory SupportFinder::fresh_theory() const {
   return theory;
 }
 
-/// Union and find over the attributes, then the decisions that the constraints of each region read.
+/// A partition of the attributes, then the decisions that the constraints of each region read.
 void SupportFinder::find_regions(std::size_t variables) {
   std::vector<bool> decided(variables);
   for (const Component& component : plant_.components) decided[component.mode.index()] = true;
@@ -200,25 +200,20 @@ void SupportFinder::find_regions(std::size_t variables) {
     for (const auto& mode : component.modes) constrain(mode.constraint, component.mode);
   }
 
-  std::vector<std::size_t> parent(variables);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  automata::Partition partition(variables);
   const auto first_attribute = [&](const std::vector<VariableId>& read) {
     return std::find_if(read.begin(), read.end(), [&](VariableId v) { return !decided[v.index()]; });
   };
   for (const auto& read : constraints) {
     const auto first = first_attribute(read);
     for (auto v = first; v != read.end(); ++v) {
-      if (!decided[v->index()]) parent[root(v->index())] = root(first->index());
+      if (!decided[v->index()]) partition.join(v->index(), first->index());
     }
   }
   region_of_.resize(variables);
   for (std::size_t v = 0; v < variables; ++v) {
     if (decided[v]) continue;
-    auto& region = region_of_[root(v)];
+    auto& region = region_of_[partition.root(v)];
     if (!region) {
       region = regions_.size();
       regions_.emplace_back();

@@ -29,13 +29,13 @@ void JointSteps::use(Steps steps, const std::vector<ComponentId>& visible) {
   for (const ComponentId c : visible) visible_[c.index()] = true;
 }
 
-void JointSteps::enumerate(const Modes& modes, const ControlAction& action, const Visit& visit) {
+void JointSteps::enumerate(const Modes& modes, const ControlAction& action, const std::vector<BehaviourId>& idling,
+                           const std::vector<BehaviourId>& here, const Visit& visit) {
   modes_ = modes;
   action_ = action;
-  behaviours_.read(modes_, action_, here_);
-  if (steps_ == Steps::all) return all(visit);
-  behaviours_.read(modes_, idle_, idling_);
-  irreducible(visit);
+  idling_ = idling;
+  here_ = here;
+  return steps_ == Steps::all ? all(visit) : irreducible(visit);
 }
 
 template <class Leaf>

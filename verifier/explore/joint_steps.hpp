@@ -46,8 +46,10 @@ class JointSteps {
   /// A possible step: the modes that it leads to, the faults it costs, and where the clocks must be.
   using Visit = std::function<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;
 
-  /// Every step from the possible `modes` under the action that changes a mode.
-  void enumerate(const automata::Modes& modes, const automata::ControlAction& action, const Visit& visit);
+  /// Every step from the possible `modes` under the action that changes a mode; the behaviours there are `idling` with
+  /// idle controls, `here` under the action.
+  void enumerate(const automata::Modes& modes, const automata::ControlAction& action,
+                 const std::vector<BehaviourId>& idling, const std::vector<BehaviourId>& here, const Visit& visit);
 
  private:
   struct Option {

@@ -127,8 +127,4 @@ std::vector<PathState> Passed::path(std::uint32_t node) const {
   return result;
 }
 
-std::size_t Passed::bytes() const {
-  return nodes_.capacity() * sizeof(Node) + slots_.capacity() * sizeof(std::uint32_t) + narrow_.bytes() + wide_.bytes();
-}
-
 }  // namespace verifier

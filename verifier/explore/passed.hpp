@@ -45,8 +45,6 @@ class Passed {
   std::uint32_t add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps);
   /// How the node came about, from an initial state on.
   [[nodiscard]] std::vector<PathState> path(std::uint32_t node) const;
-  /// Bytes in use for nodes and zones.
-  [[nodiscard]] std::size_t bytes() const;
 
  private:
   template <class Entry>
@@ -54,7 +52,6 @@ class Passed {
    public:
     std::uint64_t add(std::span<const Units> matrix);
     [[nodiscard]] const Entry* at(std::uint64_t position) const { return &chunks_[position / chunk][position % chunk]; }
-    [[nodiscard]] std::size_t bytes() const { return chunks_.size() * chunk * sizeof(Entry); }
 
    private:
     static constexpr std::uint64_t chunk = 1u << 18;

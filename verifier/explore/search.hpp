@@ -22,8 +22,4 @@ enum class SearchOrder {
 /// do all that its zone can. A state that a silent label leads to is explored with the state it comes from.
 std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, Meter& meter);
 
-inline std::optional<std::vector<PathState>> shortest_path(TransitionSystem& system, Meter& meter) {
-  return find_path(system, SearchOrder::fewest_steps, meter);
-}
-
 }  // namespace verifier

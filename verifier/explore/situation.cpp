@@ -140,7 +140,7 @@ std::vector<Move> Situations::work_out(const Modes& modes) {
         if (std::count(idle_waits.begin(), idle_waits.end(), box) == 0) add(modes, 0, true, box);
       }
     }
-    joint_steps_.enumerate(modes, action,
+    joint_steps_.enumerate(modes, action, idling, behaviours_here_,
                            [&](const Modes& next, unsigned faults, const Box& box) { add(next, faults, false, box); });
   });
   std::stable_partition(result.begin(), result.end(), [](const Move& m) { return m.hold; });
