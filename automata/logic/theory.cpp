@@ -223,6 +223,24 @@ bool Theory::allows(std::span<const Assignment> assumptions, Handle formula) {
   return solve(assumptions, formula.literal);
 }
 
+std::vector<Assignment> Theory::minimal_conflict(std::vector<Assignment> conflict, Handle formula) {
+  for (std::size_t i = 0; i < conflict.size();) {
+    std::vector<Assignment> less = conflict;
+    less.erase(less.begin() + static_cast<std::ptrdiff_t>(i));
+    if (allows(less, formula)) {
+      ++i;
+    } else {
+      // What was found to be needed is in every proof from the rest; the new proof often needs less of it yet.
+      conflict = conflict_;
+    }
+  }
+  return conflict;
+}
+
+std::vector<Assignment> Theory::minimal_conflict(std::vector<Assignment> conflict) {
+  return minimal_conflict(std::move(conflict), {true_});
+}
+
 bool Theory::entails(std::span<const Assignment> assumptions, Literal conclusion) {
   if (maintenance_) {
     // A model at hand refutes most that is not implied, and propagation derives most that is.

@@ -37,6 +37,9 @@ class Theory {
   /// Encodes a formula (equivalence with a fresh literal), once; keep the handle. No clock atoms.
   Handle encode(const Formula& formula);
 
+  /// Its negation.
+  [[nodiscard]] static Handle negated(Handle formula) { return {-formula.literal}; }
+
   /// Whether store and assumptions can hold together. On false, `conflict()` names the assumptions to blame.
   bool consistent(std::span<const Assignment> assumptions);
   /// Whether store, assumptions and the formula can hold together.
@@ -49,6 +52,10 @@ class Theory {
   /// the sense of livingstone), in the order in which they were given; after `entails` returned true: assumptions that
   /// are enough for that. Not always minimal.
   [[nodiscard]] const std::vector<Assignment>& conflict() const { return conflict_; }
+  /// Assumptions that contradict the store by themselves, none of which can be spared: from some that do, with the
+  /// formula or without. A question for each.
+  std::vector<Assignment> minimal_conflict(std::vector<Assignment> conflict, Handle formula);
+  std::vector<Assignment> minimal_conflict(std::vector<Assignment> conflict);
   /// After `consistent` or `allows` returned true: the value of a variable in the model found.
   [[nodiscard]] ValueId value(VariableId variable) const;
   /// Then also: the truth of an encoded formula in that model, and whether it is known already to be implied by the
@@ -57,6 +64,7 @@ class Theory {
   [[nodiscard]] bool known_to_follow(Handle formula) const {
     return maintenance_ && maintenance_->follows(formula.literal);
   }
+  [[nodiscard]] bool known_to_fail(Handle formula) const { return known_to_follow(negated(formula)); }
   [[nodiscard]] bool known_to_follow(Assignment assignment) const {
     return maintenance_ && maintenance_->follows(literal(assignment));
   }

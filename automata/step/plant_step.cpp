@@ -111,6 +111,15 @@ bool PlantStep::possible(const Modes& modes) {
   return true;
 }
 
+std::vector<Assignment> PlantStep::conflict(const Modes& modes) {
+  for (const std::size_t i : constrained_) {
+    const Support support{locality_.islands()[i].support.components, {}};
+    if (!theory_.consistent(assumptions(support, modes, {}))) return theory_.minimal_conflict(theory_.conflict());
+  }
+  assert(false && "possible modes are in no conflict");
+  return {};
+}
+
 bool PlantStep::consistent(const Modes& modes, const ControlAction& action) {
   for (const std::size_t i : constrained_) {
     const Support& support = locality_.islands()[i].support;

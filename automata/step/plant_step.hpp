@@ -50,6 +50,8 @@ class PlantStep {
 
   /// Whether the store of these modes (Q and the mode constraints) is consistent; else the state is impossible.
   bool possible(const Modes& modes);
+  /// Of impossible modes: some that cannot be together, none of which can be spared. Asks one question for each.
+  std::vector<Assignment> conflict(const Modes& modes);
   /// Whether the store is consistent with the control action; else it implies every guard.
   bool consistent(const Modes& modes, const ControlAction& action);
   /// What the store of `modes` and the control action enable for one component; they must be consistent. Modes and

@@ -3,6 +3,7 @@
 #include "verifier/explore/behaviour.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace verifier {
 
@@ -97,17 +98,27 @@ std::optional<Behaviours::Reason> Behaviours::reason(ComponentId component, cons
   }
   for (const std::size_t i : support.controls) store.push_back({plant.controls[i].variable, action[i]});
 
-  std::vector<Assignment> all;
+  std::vector<Theory::Handle> guards;
   for (std::size_t t = 0; t < plant[component].transitions.size(); ++t) {
-    if (plant[component].transitions[t].from != mode) continue;
-    const Theory::Handle guard = step_.guard(component, TransitionId(t));
-    const bool implied = step_.theory().entails(store, guard);
-    if (!implied && step_.theory().allows(store, guard)) return std::nullopt;
-    const std::vector<Assignment> core = minimal(step_.theory().conflict(), guard, implied);
-    all.insert(all.end(), core.begin(), core.end());
+    if (plant[component].transitions[t].from == mode) guards.push_back(step_.guard(component, TransitionId(t)));
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  Theory& theory = step_.theory();
+  std::vector<Assignment> all;
+  while (true) {
+    // What decides one guard mostly decides others as well.
+    [[maybe_unused]] const bool consistent = theory.consistent(all);
+    assert(consistent && "what contradicts itself enables everything");
+    std::erase_if(guards, [&](Theory::Handle g) { return theory.known_to_follow(g) || theory.known_to_fail(g); });
+    if (guards.empty()) break;
+    const bool implied = theory.entails(store, guards.front());
+    if (!implied && theory.allows(store, guards.front())) return std::nullopt;
+    const Theory::Handle decided = implied ? theory.negated(guards.front()) : guards.front();
+    const std::vector<Assignment> core = theory.minimal_conflict(theory.conflict(), decided);
+    guards.erase(guards.begin());
+    all.insert(all.end(), core.begin(), core.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  }
 
   Reason result{{}, {}, {}};
   for (const Assignment& a : all) {
@@ -121,20 +132,6 @@ std::optional<Behaviours::Reason> Behaviours::reason(ComponentId component, cons
     result.controls.push_back({static_cast<std::uint32_t>(control - plant.controls.begin()), a.value.value});
   }
   return result;
-}
-
-std::vector<Assignment> Behaviours::minimal(std::vector<Assignment> core, Theory::Handle guard, bool implied) {
-  for (std::size_t i = 0; i < core.size();) {
-    std::vector<Assignment> less = core;
-    less.erase(less.begin() + static_cast<std::ptrdiff_t>(i));
-    const bool enough = implied ? step_.theory().entails(less, guard) : !step_.theory().allows(less, guard);
-    if (enough) {
-      core = std::move(less);
-    } else {
-      ++i;
-    }
-  }
-  return core;
 }
 
 }  // namespace verifier

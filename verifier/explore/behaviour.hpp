@@ -70,8 +70,6 @@ class Behaviours {
                       const automata::ControlAction& action);
   [[nodiscard]] std::optional<Reason> reason(automata::ComponentId component, const automata::Modes& modes,
                                              const automata::ControlAction& action);
-  [[nodiscard]] std::vector<automata::Assignment> minimal(std::vector<automata::Assignment> core,
-                                                          automata::Theory::Handle guard, bool implied);
 
   automata::PlantStep& step_;
   Reading reading_;

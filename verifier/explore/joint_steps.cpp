@@ -18,6 +18,7 @@ using automata::Modes;
 
 JointSteps::JointSteps(Behaviours& behaviours, unsigned faults, Meter& meter)
     : behaviours_(behaviours),
+      nogoods_(behaviours.step()),
       faults_(faults),
       visible_(behaviours.step().plant().components.size(), false),
       meter_(meter),
@@ -35,20 +36,54 @@ void JointSteps::enumerate(const Modes& modes, const ControlAction& action, cons
   action_ = action;
   idling_ = idling;
   here_ = here;
+  ahead_ = {modes, std::vector<bool>(modes.size(), true)};
   return steps_ == Steps::all ? all(visit) : irreducible(visit);
 }
 
-template <class Leaf>
-void JointSteps::product(const Options& options, std::size_t position, unsigned faults, std::vector<Option>& taken,
-                         const Leaf& leaf) {
-  if (position == options.size()) return leaf();
-  meter_.poll();
-  for (const Option& option : options[position]) {
-    if (faults + option.choice->faults > faults_) continue;
-    taken.push_back(option);
-    product(options, position + 1, faults + option.choice->faults, taken, leaf);
-    taken.pop_back();
+/// Equal options in equal modes that have no clock: where an automorphism exchanges the two components
+/// and leaves all else as it is, it takes a step in which they have done the one thing and the other to that in which
+/// they have done it the other way round, and the present state to itself.
+std::vector<std::size_t> JointSteps::likes(const Options& options) const {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    result.push_back(i);
+    if (symmetry_ == nullptr) continue;
+    const auto component = [&](std::size_t k) { return options[k].front().component; };
+    const ComponentId own(component(i));
+    if (behaviours_.step().plant().has_timed_exit(own, modes_[own.index()])) continue;
+    const auto alike = [](const Option& a, const Option& b) { return *a.choice == *b.choice; };
+    for (std::size_t k = i; k-- > 0 && result[i] == i;) {
+      if (here_[component(k)] == here_[component(i)] && modes_[component(k)] == modes_[component(i)] &&
+          std::equal(options[k].begin(), options[k].end(), options[i].begin(), options[i].end(), alike) &&
+          symmetry_->exchanges(ComponentId(component(k)), own)) {
+        result[i] = k;
+      }
+    }
   }
+  return result;
+}
+
+template <class Leaf>
+void JointSteps::product(const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf) {
+  const std::vector<std::size_t> like = likes(options);
+  std::vector<std::size_t> chosen(options.size());
+  const auto choose = [&](const auto& self, std::size_t position, unsigned so_far) -> void {
+    if (position == options.size()) return leaf();
+    meter_.poll();
+    for (std::size_t i = like[position] == position ? 0 : chosen[like[position]]; i < options[position].size(); ++i) {
+      const Option& option = options[position][i];
+      if (so_far + option.choice->faults > faults_) continue;
+      ahead_.modes[option.component] = option.choice == &stays ? modes_[option.component] : option.choice->mode;
+      if (nogoods_.refutes(ahead_, ComponentId(option.component))) continue;
+      chosen[position] = i;
+      ahead_.decided[option.component] = true;
+      taken.push_back(option);
+      self(self, position + 1, so_far + option.choice->faults);
+      taken.pop_back();
+      ahead_.decided[option.component] = false;
+    }
+  };
+  choose(choose, 0, faults);
 }
 
 const Modes& JointSteps::after(const std::vector<Option>& taken) {
@@ -64,7 +99,7 @@ unsigned JointSteps::faults_of(const std::vector<Option>& taken) {
 }
 
 void JointSteps::emit(const std::vector<Option>& taken, const Visit& visit) {
-  if (after(taken) == modes_ || !behaviours_.step().possible(next_)) return;
+  if (after(taken) == modes_ || !nogoods_.possible(next_)) return;
   box_.clear();
   for (const Option& option : taken) {
     if (!option.choice->clock.is_trivial()) box_.push_back({ComponentId(option.component), option.choice->clock});
@@ -80,9 +115,10 @@ void JointSteps::all(const Visit& visit) {
     if (!behaviour.changes && behaviour.free_to_stay) continue;
     auto& own = options.emplace_back();
     for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
+    ahead_.decided[c] = false;
   }
   std::vector<Option> taken;
-  product(options, 0, 0, taken, [&] { emit(taken, visit); });
+  product(options, 0, taken, [&] { emit(taken, visit); });
 }
 
 bool JointSteps::calm(const Modes& modes) {
@@ -123,6 +159,7 @@ void JointSteps::irreducible(const Visit& visit) {
     if (concerned || !behaviour.free_to_stay) {
       auto& own = core.emplace_back();
       for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
+      ahead_.decided[c] = false;
       continue;
     }
     for (const Choice& choice : behaviour.choices) {
@@ -139,10 +176,12 @@ void JointSteps::irreducible(const Visit& visit) {
   }
   Options free;
   for (auto& own : changes) {
-    if (!own.empty()) free.push_back(std::move(own));
+    if (own.empty()) continue;
+    ahead_.decided[own.front().component] = false;
+    free.push_back(std::move(own));
   }
   std::vector<Option> taken;
-  product(core, 0, 0, taken, [&] {
+  product(core, 0, taken, [&] {
     // Where the core stays as it is, a step of the others is one under idle controls too.
     if (!calm_ || is_idle || after(taken) != modes_) rest(taken, free, visit);
   });
@@ -168,7 +207,7 @@ void JointSteps::rest(const std::vector<Option>& core, const Options& free, cons
   for (auto& own : now) own.insert(own.begin(), Option{own.front().component, &stays});
 
   std::vector<Option> others;
-  product(now, 0, faults_of(core), others, [&] {
+  product(now, faults_of(core), others, [&] {
     std::vector<Option> taken = core;
     for (const Option& option : others) {
       if (option.choice != &stays) taken.push_back(option);

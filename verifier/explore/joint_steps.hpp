@@ -13,6 +13,8 @@
 #include "verifier/explore/behaviour.hpp"
 #include "verifier/explore/commands.hpp"
 #include "verifier/explore/limits.hpp"
+#include "verifier/explore/nogoods.hpp"
+#include "verifier/explore/symmetry.hpp"
 
 namespace verifier {
 
@@ -43,6 +45,10 @@ class JointSteps {
   /// observer reads on the way: none of them is taken earlier or later.
   void use(Steps steps, const std::vector<automata::ComponentId>& visible);
 
+  /// From here on, of steps that differ only in which of several like components does what, one is enumerated: the
+  /// states that the others lead to are the same up to symmetry. Keeps a reference.
+  void up_to(const Symmetry& symmetry) { symmetry_ = &symmetry; }
+
   /// A possible step: the modes that it leads to, the faults it costs, and where the clocks must be.
   using Visit = std::function<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;
 
@@ -62,9 +68,11 @@ class JointSteps {
   void irreducible(const Visit& visit);
   void rest(const std::vector<Option>& core, const Options& free, const Visit& visit);
   [[nodiscard]] static unsigned faults_of(const std::vector<Option>& taken);
+  /// Calls `leaf` for every way of taking one of each list, within the faults that are left after `faults`.
   template <class Leaf>
-  void product(const Options& options, std::size_t position, unsigned faults, std::vector<Option>& taken,
-               const Leaf& leaf);
+  void product(const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf);
+  /// For each list the last one before it whose component can be exchanged with its own, or itself.
+  [[nodiscard]] std::vector<std::size_t> likes(const Options& options) const;
   void emit(const std::vector<Option>& taken, const Visit& visit);
   [[nodiscard]] const automata::Modes& after(const std::vector<Option>& taken);
   /// Whether the modes are possible and let every component stay where it is with idle controls; their behaviours with
@@ -73,7 +81,9 @@ class JointSteps {
   [[nodiscard]] bool goes_first(const Option& option);
 
   Behaviours& behaviours_;
+  Nogoods nogoods_;
   unsigned faults_;
+  const Symmetry* symmetry_ = nullptr;
   Steps steps_ = Steps::all;
   std::vector<bool> visible_;  ///< by component
   Meter& meter_;
@@ -85,6 +95,7 @@ class JointSteps {
   std::vector<BehaviourId> idling_;  ///< with idle controls
   std::vector<BehaviourId> here_;    ///< under the action
   bool calm_ = false;
+  PartialModes ahead_;  ///< what is decided of the modes that a step leads to
   automata::Modes next_;
   std::vector<BehaviourId> there_, there_commanded_;
   Box box_;

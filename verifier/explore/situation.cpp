@@ -62,6 +62,11 @@ void Situations::use(Steps steps, const std::vector<ComponentId>& visible) {
   moves_.clear();
 }
 
+void Situations::up_to(const Symmetry& symmetry) {
+  joint_steps_.up_to(symmetry);
+  moves_.clear();
+}
+
 void Situations::freeze_all_but(std::vector<bool> moving) {
   behaviours_.freeze_all_but(std::move(moving));
   moves_.clear();

@@ -48,6 +48,8 @@ class Situations {
   /// Which joint steps are moves, from here on (JointSteps); all of them to begin with.
   void use(Steps steps, const std::vector<automata::ComponentId>& visible);
 
+  /// From here on moves are told up to the symmetry (JointSteps::up_to). Keeps a reference.
+  void up_to(const Symmetry& symmetry);
   /// From here on all components but these, by component, are frozen (Behaviours); none: all move.
   void freeze_all_but(std::vector<bool> moving);
 

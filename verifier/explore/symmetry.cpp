@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace verifier {
 
@@ -64,41 +65,93 @@ Symmetry::Symmetry(std::vector<Permutation> generators) : generators_(std::move(
     if (!swaps(generators_[g])) generators_.push_back(inverse(generators_[g]));
   }
   close(generators_);
+  for (const Permutation& g : generators_) {
+    const bool names_kept = std::all_of(g.begin(), g.end(), [](const Renaming& r) {
+      for (std::size_t m = 0; m < r.modes.size(); ++m) {
+        if (r.modes[m] != m) return false;
+      }
+      return true;
+    });
+    if (g.size() == 2 && names_kept) exchanges_.emplace_back(g[0].component, g[1].component);
+  }
+  std::sort(exchanges_.begin(), exchanges_.end());
 }
+
+namespace {
+
+/// A state as it is sorted: which of the given clocks each component has, or 0.
+struct Arrangement {
+  Modes& modes;
+  std::vector<std::size_t> clocks;
+
+  /// Whether the permutation makes the modes less (-1), greater (1), or leaves them as they are (0).
+  [[nodiscard]] int compare(const Permutation& permutation) const {
+    std::uint32_t first = UINT32_MAX;
+    bool less = false;
+    for (const Renaming& r : permutation) {
+      const ModeId mode(r.modes[modes[r.component].index()]);
+      if (r.to >= first || mode == modes[r.to]) continue;
+      first = r.to;
+      less = mode < modes[r.to];
+    }
+    return first == UINT32_MAX ? 0 : less ? -1 : 1;
+  }
+
+  [[nodiscard]] bool moves_clocks(const Permutation& permutation) const {
+    return std::any_of(permutation.begin(), permutation.end(),
+                       [&](const Renaming& r) { return clocks[r.component] != clocks[r.to]; });
+  }
+
+  void apply(const Permutation& permutation) {
+    std::vector<std::pair<ModeId, std::size_t>> images;
+    for (const Renaming& r : permutation) {
+      images.emplace_back(r.modes[modes[r.component].index()], clocks[r.component]);
+    }
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      std::tie(modes[permutation[i].to], clocks[permutation[i].to]) = images[i];
+    }
+  }
+
+  /// The clocks in order of their components, after others that stay where they are.
+  void order(std::size_t others, std::vector<std::size_t>& result) const {
+    result.clear();
+    for (std::size_t i = 0; i < others; ++i) result.push_back(i + 1);
+    for (const std::size_t clock : clocks) {
+      if (clock != 0) result.push_back(clock);
+    }
+  }
+};
+
+}  // namespace
 
 Permutation Symmetry::sort(Modes& modes, std::vector<ComponentId>& live, std::size_t others, Zone& zone,
                            bool applied) const {
   Permutation all;
-  // Which of the given clocks each of the clocks now is.
-  std::vector<std::size_t> order(zone.clocks());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i + 1;
-  std::vector<std::size_t> other;
+  Arrangement state{modes, std::vector<std::size_t>(modes.size(), 0)};
+  for (std::size_t i = 0; i < live.size(); ++i) state.clocks[live[i].index()] = others + i + 1;
+  std::vector<std::size_t> order, other;
+  state.order(others, order);
   bool sorted = false;
   while (!sorted) {
     sorted = true;
     for (const Permutation& g : generators_) {
-      const Modes next = renamed(modes, g);
-      if (next > modes) continue;
-      // Where each live component goes, and with it its clock.
-      std::vector<std::pair<ComponentId, std::size_t>> moved;
-      bool moves = false;
-      for (std::size_t i = 0; i < live.size(); ++i) {
-        const auto r =
-            std::find_if(g.begin(), g.end(), [&](const Renaming& n) { return n.component == live[i].value; });
-        moved.emplace_back(r == g.end() ? live[i] : ComponentId(r->to), order[others + i]);
-        moves = moves || moved.back().first != live[i];
+      const int compared = state.compare(g);
+      if (compared > 0 || (compared == 0 && !state.moves_clocks(g))) continue;
+      state.apply(g);
+      state.order(others, other);
+      if (compared == 0 && !less(zone, other, order)) {
+        // Modes are as they were: the inverse takes the clocks back.
+        state.apply(inverse(g));
+        continue;
       }
-      if (next == modes && !moves) continue;
-      std::sort(moved.begin(), moved.end());
-      other.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(others));
-      for (const auto& [component, clock] : moved) other.push_back(clock);
-      if (next == modes && !less(zone, other, order)) continue;
-      modes = next;
       order = other;
-      for (std::size_t i = 0; i < live.size(); ++i) live[i] = moved[i].first;
       if (applied) all = composed(all, g);
       sorted = false;
     }
+  }
+  live.clear();
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (state.clocks[c] != 0) live.emplace_back(c);
   }
   if (!std::is_sorted(order.begin(), order.end())) zone = zone.select(order);
   return all;

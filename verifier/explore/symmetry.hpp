@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include "automata/state.hpp"
 #include "verifier/explore/automorphisms.hpp"
 #include "verifier/zone/zone.hpp"
@@ -19,14 +22,19 @@ class Symmetry {
   explicit Symmetry(std::vector<Permutation> generators);
 
   [[nodiscard]] bool trivial() const { return generators_.empty(); }
+  /// Whether the two, `a` before `b`, can be exchanged with nothing else changing and no mode renamed.
+  [[nodiscard]] bool exchanges(automata::ComponentId a, automata::ComponentId b) const {
+    return std::binary_search(exchanges_.begin(), exchanges_.end(), std::pair(a, b));
+  }
 
-  /// Sorts a state. `live` are the components of the zone's clocks, after the first `others` of them; it is not looked
-  /// at where no clock moves. Returns the permutation that was applied if `applied`, else an empty one.
+  /// Sorts a state. `live` are the components of the zone's clocks, after the first `others` of them. Returns the
+  /// permutation that was applied if `applied`, else an empty one.
   Permutation sort(automata::Modes& modes, std::vector<automata::ComponentId>& live, std::size_t others, Zone& zone,
                    bool applied) const;
 
  private:
   std::vector<Permutation> generators_;
+  std::vector<std::pair<automata::ComponentId, automata::ComponentId>> exchanges_;  ///< sorted
 };
 
 /// The modes under a permutation.

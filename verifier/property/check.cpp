@@ -88,8 +88,10 @@ class Check {
     try {
       start_ = situations_.initial(options_.from);
       cone_ = cone_of_influence(step_, formulas_of(quest_));
-      if (options_.symmetry && !options_.cut_sets)
+      if (options_.symmetry && !options_.cut_sets) {
         symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(quest_), options_.from));
+        situations_.up_to(symmetry_);
+      }
       result.startless = start_.empty();
       if (result.startless && !options_.from.empty()) {
         throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
