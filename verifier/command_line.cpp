@@ -3,9 +3,11 @@
 #include "verifier/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <sstream>
+#include <thread>
 
 namespace verifier {
 
@@ -227,6 +229,15 @@ void add_program(CLI::App& app, CommandLine& line) {
       ->needs("--scenario");
 }
 
+void add_threads(CLI::App* sub, CommandLine& line) {
+  constexpr unsigned most = 64;
+  sub->add_option(
+         "--threads", line.threads,
+         "how many threads explore; the result is the same for any number; as many as there are cores unless given")
+      ->check(CLI::Range(1u, most))
+      ->type_name("N");
+}
+
 /// What a search for a trace can be asked, besides how it is bounded.
 void add_search_options(CLI::App* sub, CommandLine& line) {
   CLI::Option* fewest =
@@ -236,6 +247,7 @@ void add_search_options(CLI::App* sub, CommandLine& line) {
       sub->add_option("--cut-sets", line.cut_sets, "every minimal set of up to so many faults that leads to a trace")
           ->type_name("N");
   CLI::Option* faults = sub->get_option("--faults");
+  add_threads(sub, line);
   sub->add_flag("--no-symmetry", line.no_symmetry, "explore also what differs only in the names of like components");
   cut_sets->excludes(fewest)->excludes(faults);
   sub->parse_complete_callback([&line, faults] { line.faults_given = faults->count() > 0; });
@@ -260,6 +272,7 @@ void add_check_file(CLI::App& app, CommandLine& line) {
       ->expected(1)
       ->take_all();
   add_limits(sub, line);
+  add_threads(sub, line);
   using Format = CommandLine::Format;
   add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}, {"junit", Format::junit}},
              "text unless given");
@@ -334,6 +347,7 @@ void add_properties(CLI::App& app, CommandLine& line) {
 
 ParsedCommandLine parse_command_line(int count, const char* const* arguments, const std::string& version) {
   CommandLine line;
+  line.threads = std::max(1u, std::thread::hardware_concurrency());
   CLI::App app(
       "Checks what a plant model (TCCA) can do in time, by itself or under a control program (RMPL).\n"
       "Exit status: 0 holds or reachable, 1 violated or unreachable, 2 wrong input, 3 undecided.",

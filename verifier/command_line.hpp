@@ -50,6 +50,7 @@ struct CommandLine {
   bool faults_given = false;
   bool fewest_faults = false;
   bool no_symmetry = false;
+  unsigned threads = 1;  ///< as many as the machine runs at once, unless given
   std::optional<unsigned> cut_sets;  ///< the most faults that such a set may hold
   Commands commands = Commands::one;
   bool entailed = false;

@@ -86,6 +86,7 @@ verifier::CheckOptions options(const Plant& plant, const CommandLine& line) {
                                 .fewest_faults = line.fewest_faults,
                                 .cut_sets = line.cut_sets.has_value(),
                                 .symmetry = !line.no_symmetry,
+                                .threads = line.threads,
                                 .from = starting_modes(plant, line)};
   if (line.fewest_faults && !line.faults_given) result.faults.reset();
   if (line.cut_sets) result.faults = line.cut_sets;

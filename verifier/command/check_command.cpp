@@ -92,6 +92,7 @@ int run_check(const CommandLine& line, const Limits& limits) {
                           .faults = p.faults,
                           .commands = commands_of(p.commands),
                           .entailed = p.entailed,
+                          .threads = line.threads,
                           .from = p.from}});
   }
   automata::PlantStep step(plant);

@@ -36,6 +36,7 @@ class Behaviours {
 
   /// From here on all components but these, by component, stay as they are, whatever time passes; none: all move.
   void freeze_all_but(std::vector<bool> moving) { moving_ = std::move(moving); }
+  void freeze_as(const Behaviours& other) { moving_ = other.moving_; }
   [[nodiscard]] bool moves(automata::ComponentId component) const {
     return moving_.empty() || moving_[component.index()];
   }

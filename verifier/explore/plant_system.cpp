@@ -16,9 +16,13 @@ constexpr std::size_t stopwatch = 1;
 
 }  // namespace
 
-PlantSystem::PlantSystem(Situations& situations, const Observer& observer, const Symmetry& symmetry,
+PlantSystem::PlantSystem(Situations& situations, const Observe& observe, const Symmetry& symmetry,
                          const std::vector<Modes>& start)
-    : situations_(situations), observer_(observer), symmetry_(symmetry), start_(start) {}
+    : situations_(situations),
+      observe_(observe),
+      observer_(observe(situations.step())),
+      symmetry_(symmetry),
+      start_(start) {}
 
 void PlantSystem::initial(const Visit& visit) {
   enumerate_initial([&](Entered&& entered) {
@@ -42,8 +46,7 @@ SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
     if (applied != nullptr) *applied = std::move(permutation);
   }
   const SituationId id = situations_.number(entered.situation.modes);
-  return {(std::uint64_t{id.value} << phase_bits) | static_cast<std::uint64_t>(entered.phase), entered.faults,
-          std::move(entered.zone)};
+  return {discrete_of(id, entered.phase), entered.faults, std::move(entered.zone)};
 }
 
 void PlantSystem::enumerate_initial(const VisitEntered& visit) {
@@ -154,6 +157,42 @@ void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& resul
     result.push_back({accepted.lower, accepted.upper == unbounded ? -1 : accepted.upper});
   }
   situations_.append_limits(situations_.modes(situation_of(discrete)), result);
+}
+
+namespace {
+
+/// A system with all that it refers to and that is not for other threads to touch.
+struct Parts {
+  Parts(const Situations& other, const Limits& limits)
+      : meter(limits), step(other.plant()), situations(other, step, meter) {}
+  Meter meter;
+  automata::PlantStep step;
+  Situations situations;
+};
+
+class Twin : private Parts, public PlantSystem {
+ public:
+  Twin(const Situations& other, const Limits& limits, const Observe& observe, const Symmetry& symmetry,
+       const std::vector<Modes>& start)
+      : Parts(other, limits), PlantSystem(Parts::situations, observe, symmetry, start) {}
+};
+
+}  // namespace
+
+std::unique_ptr<TransitionSystem> PlantSystem::twin(const Limits& limits) const {
+  return std::make_unique<Twin>(situations_, limits, observe_, symmetry_, start_);
+}
+
+TransitionSystem::Key PlantSystem::key(std::uint64_t discrete) const {
+  Key result = {static_cast<std::uint32_t>(phase_of(discrete))};
+  for (const automata::ModeId mode : situations_.modes(situation_of(discrete))) result.push_back(mode.value);
+  return result;
+}
+
+std::uint64_t PlantSystem::number(const Key& key) {
+  Modes modes;
+  for (std::size_t c = 1; c < key.size(); ++c) modes.emplace_back(key[c]);
+  return discrete_of(situations_.number(modes), static_cast<Phase>(key[0]));
 }
 
 std::size_t PlantSystem::Place::clock_of(ComponentId component) const {

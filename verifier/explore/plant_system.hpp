@@ -17,8 +17,11 @@ namespace verifier {
 /// Clocks, in this order: the observer's stopwatch where it runs, then those of the live components.
 class PlantSystem : public TransitionSystem {
  public:
+  /// An observer that asks a step function about modes. Called for twins from their threads.
+  using Observe = std::function<Observer(automata::PlantStep&)>;
+
   /// Keeps references. `start` are the modes to start in.
-  PlantSystem(Situations& situations, const Observer& observer, const Symmetry& symmetry,
+  PlantSystem(Situations& situations, const Observe& observe, const Symmetry& symmetry,
               const std::vector<automata::Modes>& start);
   /// From here on `SymbolicState::faults` is a number of these sets. There must be no symmetry.
   void tell_faults_apart(FaultSets& sets) { sets_ = &sets; }
@@ -29,6 +32,12 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override;
   [[nodiscard]] unsigned fault_count(unsigned faults) const override;
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override;
+  /// None where faults are told apart.
+  [[nodiscard]] bool has_twins() const override { return sets_ == nullptr; }
+  [[nodiscard]] std::unique_ptr<TransitionSystem> twin(const Limits& limits) const override;
+  /// The phase, then the modes.
+  [[nodiscard]] Key key(std::uint64_t discrete) const override;
+  [[nodiscard]] std::uint64_t number(const Key& key) override;
 
   /// A discrete part, taken apart.
   static SituationId situation_of(std::uint64_t discrete) { return SituationId(discrete >> phase_bits); }
@@ -57,6 +66,9 @@ class PlantSystem : public TransitionSystem {
 
  private:
   static constexpr unsigned phase_bits = 2;
+  static std::uint64_t discrete_of(SituationId situation, Phase phase) {
+    return (std::uint64_t{situation.value} << phase_bits) | static_cast<std::uint64_t>(phase);
+  }
 
   /// The situation of a state with what is needed to speak of its clocks.
   struct Place {
@@ -73,7 +85,8 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] bool in_time(Zone& zone, Phase phase) const;
 
   Situations& situations_;
-  const Observer& observer_;
+  const Observe& observe_;
+  Observer observer_;
   const Symmetry& symmetry_;
   FaultSets* sets_ = nullptr;  ///< none: faults are counted
   const std::vector<automata::Modes>& start_;

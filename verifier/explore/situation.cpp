@@ -51,6 +51,12 @@ Situations::Situations(automata::PlantStep& step, const Reading& reading, Comman
   position_of(automata::idle_action(plant()));
 }
 
+Situations::Situations(const Situations& other, automata::PlantStep& step, Meter& meter)
+    : Situations(step, other.reading(), other.commands_, other.faults_, meter) {
+  behaviours_.freeze_as(other.behaviours_);
+  joint_steps_.use_as(other.joint_steps_);
+}
+
 std::uint32_t Situations::position_of(const ControlAction& action) {
   const auto [at, fresh] = action_positions_.try_emplace(action, static_cast<std::uint32_t>(actions_.size()));
   if (fresh) actions_.push_back(action);

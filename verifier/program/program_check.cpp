@@ -159,7 +159,7 @@ class ProgramCheck {
 
   std::optional<LoopTrace> search(const Quest& quest) {
     ProgramSystem system(loop_, start_, quest);
-    const auto path = find_path(system, SearchOrder::fewest_steps, meter_);
+    const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
     if (!path) return std::nullopt;
     return replayed(earliest_loop_trace(*path, loop_, quest), quest.aim == Aim::endless_wait);
   }

@@ -71,6 +71,29 @@ std::vector<Ticks> times_of(const Quest& quest) {
   return times;
 }
 
+/// The components whose modes decide a formula.
+automata::Support support_of(const PlantStep& step, const Formula& formula) {
+  return {step.locality().support_of(formula).components, {}};
+}
+
+/// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it. Asked once for the modes
+/// that it can depend on.
+Observer::Test holds(PlantStep& step, const Formula& formula, bool certain) {
+  using Memory = automata::Memory<bool>;
+  const automata::Support support = support_of(step, formula);
+  const Theory::Handle handle = step.theory().encode(formula);
+  const auto memory = std::make_shared<Memory>(step.plant(), support);
+  return [&step, handle, certain, support, memory](const Modes& modes) {
+    return memory->find(modes, automata::ControlAction{}, [&] {
+      std::vector<Assignment> store;
+      for (const automata::ComponentId c : support.components) {
+        store.push_back({step.plant()[c].mode, automata::ValueId(modes[c.index()].index())});
+      }
+      return certain ? step.theory().entails(store, handle) : step.theory().allows(store, handle);
+    });
+  };
+}
+
 class Check {
  public:
   Check(PlantStep& step, const Property& property, const CheckOptions& options, unsigned faults, Meter& meter)
@@ -111,43 +134,24 @@ class Check {
   }
 
  private:
-  using Test = Observer::Test;
-
-  /// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it. Asked once for the modes
-  /// that it can depend on.
-  Test holds(const Formula& formula, bool certain) {
-    using Memory = automata::Memory<bool>;
-    const automata::Support support = support_of(formula);
-    const Theory::Handle handle = step_.theory().encode(formula);
-    const auto memory = std::make_shared<Memory>(step_.plant(), support);
-    return [this, handle, certain, support, memory](const Modes& modes) {
-      return memory->find(modes, automata::ControlAction{}, [&] {
-        std::vector<Assignment> store;
-        for (const automata::ComponentId c : support.components) {
-          store.push_back({step_.plant()[c].mode, automata::ValueId(modes[c.index()].index())});
-        }
-        return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
-      });
-    };
-  }
-
-  /// The components whose modes decide it.
-  [[nodiscard]] automata::Support support_of(const Formula& formula) const {
-    return {step_.locality().support_of(formula).components, {}};
-  }
+  using Observe = PlantSystem::Observe;
 
   void look_for(const Target& target) {
     const Reading& reading = situations_.reading();
-    const Test test = holds(target.formula, options_.entailed);
+    const auto reach = [&](std::optional<Interval> window) -> Observe {
+      return [this, &target, window](PlantStep& step) {
+        return Observer::reach(holds(step, target.formula, options_.entailed), window);
+      };
+    };
     Interval window;
     if (target.window.not_before) window.lower = reading.at_least(*target.window.not_before);
     if (target.window.by) window.upper = reading.at_most(*target.window.by);
     const bool windowed = target.window.not_before || target.window.by;
-    trace_ = search(Observer::reach(test, windowed ? std::optional(window) : std::nullopt));
+    trace_ = search(reach(windowed ? std::optional(window) : std::nullopt));
     // Each round asks for less time than the best so far takes, until there is none.
     while (target.fastest && trace_ && trace_->back().time > Ticks{0}) {
       window.upper = reading.at_most(trace_->back().time) - 1;
-      std::optional<Trace> faster = search(Observer::reach(test, window));
+      std::optional<Trace> faster = search(reach(window));
       if (!faster) return;
       trace_ = std::move(faster);
     }
@@ -155,23 +159,26 @@ class Check {
 
   void look_for(const Response& response) {
     if (response.within.is_infinite()) return;
-    automata::Support read = support_of(response.after);
-    read.join(support_of(response.then));
+    automata::Support read = support_of(step_, response.after);
+    read.join(support_of(step_, response.then));
     visible_ = read.components;
-    trace_ = search(Observer::miss(holds(response.after, options_.entailed), holds(response.then, !options_.entailed),
-                                   situations_.reading().more_than(response.within)));
+    const Units deadline = situations_.reading().more_than(response.within);
+    trace_ = search([this, &response, deadline](PlantStep& step) {
+      return Observer::miss(holds(step, response.after, options_.entailed),
+                            holds(step, response.then, !options_.entailed), deadline);
+    });
   }
 
   /// First the cone of influence alone: if it cannot reach the target, the plant cannot; and if the rest may stay as it
   /// is all the while, a path with fewest steps of the cone is one of the plant.
-  std::optional<Trace> search(const Observer& observer) {
+  std::optional<Trace> search(const Observe& observe) {
     if (std::count(cone_.begin(), cone_.end(), false) > 0) {
       situations_.freeze_all_but(cone_);
-      const std::optional<Trace> trace = search_as_it_is(observer);
+      const std::optional<Trace> trace = search_as_it_is(observe);
       situations_.freeze_all_but({});
       if (!trace || all_possible(*trace)) return trace;
     }
-    std::optional<Trace> trace = search_as_it_is(observer);
+    std::optional<Trace> trace = search_as_it_is(observe);
     assert((!trace || all_possible(*trace)) && "a witness cannot be replayed");
     return trace;
   }
@@ -196,19 +203,19 @@ class Check {
 
   /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
   /// the fewest steps are looked for among all.
-  std::optional<Trace> search_as_it_is(const Observer& observer) {
-    PlantSystem system(situations_, observer, symmetry_, start_);
+  std::optional<Trace> search_as_it_is(const Observe& observe) {
+    PlantSystem system(situations_, observe, symmetry_, start_);
     if (options_.cut_sets) return search_cut_sets(system);
     std::optional<Trace> any;
     if (situations_.reading().is_dense() || options_.fewest_faults) {
       if (situations_.reading().is_dense()) situations_.use(Steps::irreducible, visible_);
-      const auto path = find_path(system, SearchOrder::covering, meter_);
+      const auto path = find_path(system, SearchOrder::covering, options_.threads, meter_);
       if (path) any = earliest_trace(*path, system);
       situations_.use(Steps::all, {});
       if (!any) return std::nullopt;
     }
     try {
-      const auto path = find_path(system, SearchOrder::fewest_steps, meter_);
+      const auto path = find_path(system, SearchOrder::fewest_steps, options_.threads, meter_);
       assert((path.has_value() || !any) && "fewer steps lead where all do not");
       return path ? std::optional(earliest_trace(*path, system)) : std::nullopt;
     } catch (const LimitReached& reached) {
