@@ -9,13 +9,14 @@ median, the 99th percentile and the worst cycle, as `rmpl-run estimate --stats` 
 """
 
 import json
-import math
 import pathlib
 import random
 import re
 import subprocess
 import sys
 import tempfile
+
+import plot
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else SOURCE / "build/release/bin"
@@ -102,46 +103,16 @@ def measure(components: int, kappa: int, observed: int) -> tuple[float, float, f
     return tuple(float(x) for x in found.groups())  # type: ignore[return-value]
 
 
-def draw(path: pathlib.Path, label: str, xs: tuple[int, ...], rows: list[tuple[float, float, float]]) -> None:
-    """A plot of three lines on logarithmic axes (the x axis is linear where it starts at 0)."""
-    width, height, left, right, top, bottom = 640, 360, 70, 110, 20, 50
-    linear = min(xs) == 0
-    def x_of(x: float) -> float:
-        if linear:
-            share = x / max(xs)
-        else:
-            share = math.log(x / min(xs)) / math.log(max(xs) / min(xs))
-        return left + share * (width - left - right)
-    floor = math.floor(math.log10(min(min(r) for r in rows)))
-    ceiling = math.ceil(math.log10(max(max(r) for r in rows)))
-    def y_of(y: float) -> float:
-        return height - bottom - (math.log10(y) - floor) / (ceiling - floor) * (height - top - bottom)
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" '
-           f'font-size="12">', f'<rect width="{width}" height="{height}" fill="white"/>']
-    for power in range(floor, ceiling + 1):
-        y = y_of(10**power)
-        out.append(f'<path d="M{left} {y:.1f}H{width - right}" stroke="#ddd"/>')
-        out.append(f'<text x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g}</text>')
-    for x in xs:
-        out.append(f'<path d="M{x_of(x):.1f} {height - bottom}v4" stroke="#444"/>')
-        out.append(f'<text x="{x_of(x):.1f}" y="{height - bottom + 18}" text-anchor="middle">{x}</text>')
-    names = (("median", "#1b6ca8"), ("99 %", "#d98200"), ("worst", "#a83232"))
-    for column, (name, color) in enumerate(names):
-        points = " ".join(f"{x_of(x):.1f},{y_of(row[column]):.1f}" for x, row in zip(xs, rows))
-        out.append(f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="2"/>')
-        out.append(f'<text x="{width - right + 8}" y="{y_of(rows[-1][column]) + 4:.1f}" fill="{color}">{name}</text>')
-    out.append(f'<text x="{(left + width - right) / 2}" y="{height - 10}" text-anchor="middle">{label}</text>')
-    out.append(f'<text transform="translate(16 {height / 2}) rotate(-90)" text-anchor="middle">ms a cycle</text>')
-    path.write_text("\n".join(out + ["</svg>"]) + "\n")
-
-
 def table(name: str, label: str, xs: tuple[int, ...], rows: list[tuple[float, float, float]]) -> None:
     print(f"| {label} | median ms | 99 % ms | worst ms |\n|---|---|---|---|")
     for x, (median, most, worst) in zip(xs, rows):
         print(f"| {x} | {median:g} | {most:g} | {worst:g} |")
     print(flush=True)
     if DOCS:
-        draw(DOCS / f"growth-{name}.svg", label, xs, rows)
+        lines = {"median": 0, "99 %": 1, "worst": 2}
+        plot.draw(DOCS / f"growth-{name}.svg", label, "ms a cycle",
+                  {line: [(x, row[column]) for x, row in zip(xs, rows)] for line, column in lines.items()},
+                  linear_x=min(xs) == 0)
 
 
 def main() -> None:
