@@ -29,12 +29,12 @@ class Forgetful {
   explicit Forgetful(std::size_t limit) : limit_(limit) {}
 
   /// The value of a key, or null. Lasts until the next `add` at least.
-  [[nodiscard]] const Value* find(const Key& key) const {
+  [[nodiscard]] Value* find(const Key& key) {
     const auto known = map_.find(key);
     return known == map_.end() ? nullptr : &known->second;
   }
   /// The key is new. The reference lasts until the next `add`.
-  const Value& add(const Key& key, Value value) {
+  Value& add(const Key& key, Value value) {
     if (map_.size() >= limit_) std::swap(map_, retired_);
     for (int i = 0; i < 2 && !retired_.empty(); ++i) retired_.erase(retired_.begin());
     return map_.emplace(key, std::move(value)).first->second;
@@ -54,13 +54,13 @@ class Memory {
 
   /// The remembered answer, or `ask()`, which is then remembered.
   template <class Ask>
-  const Answer& find(const Modes& modes, const ControlAction& action, const Ask& ask) {
+  Answer& find(const Modes& modes, const ControlAction& action, const Ask& ask) {
     projection_.read(modes, action, key_);
     return find(ask);
   }
   /// The same for an answer that depends on more: one word for each further thing.
   template <class Ask>
-  const Answer& find(const Modes& modes, const std::vector<std::uint64_t>& more, const Ask& ask) {
+  Answer& find(const Modes& modes, const std::vector<std::uint64_t>& more, const Ask& ask) {
     projection_.read(modes, {}, key_);
     key_.insert(key_.end(), more.begin(), more.end());
     return find(ask);
@@ -68,8 +68,8 @@ class Memory {
 
  private:
   template <class Ask>
-  const Answer& find(const Ask& ask) {
-    if (const Answer* known = answers_.find(key_)) return *known;
+  Answer& find(const Ask& ask) {
+    if (Answer* known = answers_.find(key_)) return *known;
     return answers_.add(key_, ask());
   }
 

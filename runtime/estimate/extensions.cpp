@@ -28,31 +28,11 @@ Evidence::Evidence(automata::PlantStep& step, automata::Observation observation,
 double Evidence::factor(const automata::Modes& modes) { return step_.observation_factor(modes, observation_); }
 
 Conflict Evidence::blame(const automata::Modes& modes) {
-  std::vector<automata::Assignment> assumptions = automata::assignments_of(step_.plant(), modes);
-  if (!step_.theory().consistent(assumptions)) {
-    Conflict conflict = decisions_in(step_.theory().conflict(), modes);
-    lasting_.add(conflict);
-    return conflict;
-  }
-  assumptions.insert(assumptions.end(), observation_.begin(), observation_.end());
-  [[maybe_unused]] const bool consistent = step_.theory().consistent(assumptions);
-  assert(!consistent);
-  return decisions_in(step_.theory().conflict(), modes);
-}
-
-Conflict Evidence::decisions_in(std::span<const automata::Assignment> conflict, const automata::Modes& modes) const {
-  Conflict decisions;
-  // The modes were assumed in order of component, so the conflict names them in that order.
-  const auto& components = step_.plant().components;
-  std::uint32_t component = 0;
-  for (const automata::Assignment& a : conflict) {
-    std::uint32_t at = component;
-    while (at < components.size() && components[at].mode != a.variable) ++at;
-    if (at == components.size() || modes[at].value != a.value.value) continue;
-    decisions.push_back({at, a.value.value});
-    component = at + 1;
-  }
-  return decisions;
+  const automata::Refutation refutation = step_.refutation(modes, observation_);
+  Conflict conflict;
+  for (const automata::ComponentId c : refutation.components) conflict.push_back({c.value, modes[c.index()].value});
+  if (refutation.lasting) lasting_.add(conflict);
+  return conflict;
 }
 
 Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves)

@@ -30,9 +30,6 @@ class Evidence {
   [[nodiscard]] const std::shared_ptr<ConflictSet>& conflicts() const { return conflicts_; }
 
  private:
-  [[nodiscard]] Conflict decisions_in(std::span<const automata::Assignment> conflict,
-                                      const automata::Modes& modes) const;
-
   automata::PlantStep& step_;
   automata::Observation observation_;
   ConflictSet& lasting_;

@@ -162,7 +162,7 @@ class KBest final : public Filter {
   /// ask.
   bool depends_on_clocks(const SystemState& state, const ControlAction& action) {
     const auto& components = step_.plant().components;
-    const std::vector<automata::Enabled>& enabled = step_.enabled(state.modes, action);
+    const automata::AllEnabled& enabled = step_.enabled(state.modes, action);
     for (std::size_t c = 0; c < enabled.size(); ++c) {
       if (!clocks_.live(c, state.modes[c])) continue;
       if (!enabled[c].timed.empty()) return true;
