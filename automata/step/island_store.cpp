@@ -96,8 +96,7 @@ IslandStore::Verdicts& IslandStore::verdicts(const Modes& modes, const ControlAc
   });
 }
 
-bool IslandStore::implies(std::size_t watched, const Modes& modes, const ControlAction& action) {
-  Verdicts& known = verdicts(modes, action);
+bool IslandStore::implies(std::size_t watched, Verdicts& known, const Modes& modes, const ControlAction& action) {
   if (!known.consistent) return true;
   Truth& truth = known.truths[watched];
   if (truth == Truth::open) {

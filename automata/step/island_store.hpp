@@ -36,10 +36,19 @@ class IslandStore {
 
   /// Whether the constraints can hold under the modes.
   bool possible(const Modes& modes);
-  /// The same under the control action as well.
-  bool consistent(const Modes& modes, const ControlAction& action) { return verdicts(modes, action).consistent; }
-  /// Whether they imply a watched formula; an inconsistent island implies all.
-  bool implies(std::size_t watched, const Modes& modes, const ControlAction& action);
+
+  enum class Truth : std::uint8_t { refuted, implied, open };
+  /// What is known under modes and controls: of the watched formulas most follow, or fail, by one model and what
+  /// propagation derives; the others stay open until somebody asks.
+  struct Verdicts {
+    bool consistent;
+    std::vector<Truth> truths;
+  };
+  /// Lasts until the next call.
+  Verdicts& verdicts(const Modes& modes, const ControlAction& action);
+  /// Whether the store implies a watched formula; `known` are the verdicts of these modes and controls. An inconsistent
+  /// store implies all.
+  bool implies(std::size_t watched, Verdicts& known, const Modes& modes, const ControlAction& action);
 
   /// The readings that `factor` and `refutation` are about: of the island's attributes, sorted.
   void observe(std::span<const Assignment> readings);
@@ -52,15 +61,6 @@ class IslandStore {
   [[nodiscard]] std::size_t solver_calls() const { return theory_ ? theory_->solver_calls() : 0; }
 
  private:
-  enum class Truth : std::uint8_t { refuted, implied, open };
-  /// What is known under modes and controls: of the watched formulas most follow, or fail, by one model and what
-  /// propagation derives; the others stay open until somebody asks.
-  struct Verdicts {
-    bool consistent;
-    std::vector<Truth> truths;
-  };
-
-  Verdicts& verdicts(const Modes& modes, const ControlAction& action);
   [[nodiscard]] double weigh(const Modes& modes);
   /// The theory, made at the first question. Its variables are the modes of the support, then the attributes.
   Theory& theory();

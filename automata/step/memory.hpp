@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -50,13 +51,18 @@ class Forgetful {
 template <class Answer>
 class Memory {
  public:
-  Memory(const Plant& plant, const Support& support) : projection_(plant, support) {}
+  Memory(const Plant& plant, const Support& support) : projection_(plant, support) {
+    if (projection_.bits() <= dense_bits) dense_.resize(std::size_t{1} << projection_.bits());
+  }
 
   /// The remembered answer, or `ask()`, which is then remembered.
   template <class Ask>
   Answer& find(const Modes& modes, const ControlAction& action, const Ask& ask) {
     projection_.read(modes, action, key_);
-    return find(ask);
+    if (dense_.empty()) return find(ask);
+    std::optional<Answer>& known = dense_[key_.empty() ? 0 : key_.front()];
+    if (!known) known = ask();
+    return *known;
   }
   /// The same for an answer that depends on more: one word for each further thing.
   template <class Ask>
@@ -73,9 +79,11 @@ class Memory {
     return answers_.add(key_, ask());
   }
 
-  static constexpr std::size_t limit = 1u << 16;
+  static constexpr std::size_t limit = 1u << 13;
+  static constexpr std::size_t dense_bits = 6;
   Projection projection_;
   Projection::Key key_;
+  std::vector<std::optional<Answer>> dense_;  ///< by key, where keys are short
   Forgetful<Projection::Key, Answer, WordsHash> answers_{limit};
 };
 

@@ -81,6 +81,9 @@ PlantStep::PlantStep(const Plant& plant)
       }
     }
   }
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (islands_[i].watches()) watching_.push_back(i);
+  }
 }
 
 PlantStep::Part PlantStep::part(const Formula& conjunct) {
@@ -102,12 +105,10 @@ bool PlantStep::possible(const Modes& modes) {
 
 bool PlantStep::consistent(const Modes& modes, const ControlAction& action) {
   return std::all_of(constrained_.begin(), constrained_.end(),
-                     [&](std::size_t island) { return islands_[island].consistent(modes, action); });
+                     [&](std::size_t island) { return islands_[island].verdicts(modes, action).consistent; });
 }
 
-bool PlantStep::implied(const Part& part, const Modes& modes, const ControlAction& action) {
-  if (part.island != no_island) return islands_[part.island].implies(part.number, modes, action);
-  Wide& wide = wide_[part.number];
+bool PlantStep::implied(Wide& wide, const Modes& modes, const ControlAction& action) {
   return wide.implied.find(modes, action, [&] {
     std::vector<Assignment> store;
     for (const ComponentId c : wide.support.components) {
@@ -118,14 +119,14 @@ bool PlantStep::implied(const Part& part, const Modes& modes, const ControlActio
   });
 }
 
-const Enabled& PlantStep::work_out(ComponentId id, const Modes& modes, const ControlAction& action, bool consistent) {
-  Exits& exits = exits_[id.index()][modes[id.index()].index()];
+/// The set of those exits all of whose parts are implied.
+template <class Implied>
+const Enabled& PlantStep::sort_out(ComponentId id, ModeId mode, const Implied& implied) {
+  Exits& exits = exits_[id.index()][mode.index()];
   found_.assign((exits.all.size() + 63) / 64, 0);
   for (std::size_t i = 0; i < exits.all.size(); ++i) {
     const auto& parts = exits.all[i].parts;
-    const bool enabled = !consistent || std::all_of(parts.begin(), parts.end(),
-                                                    [&](const Part& p) { return implied(p, modes, action); });
-    if (enabled) found_[i / 64] |= std::uint64_t{1} << (i % 64);
+    if (std::all_of(parts.begin(), parts.end(), implied)) found_[i / 64] |= std::uint64_t{1} << (i % 64);
   }
   const auto [at, fresh] = exits.sets.try_emplace(found_);
   for (std::size_t i = 0; fresh && i < exits.all.size(); ++i) {
@@ -137,14 +138,24 @@ const Enabled& PlantStep::work_out(ComponentId id, const Modes& modes, const Con
 }
 
 const Enabled& PlantStep::enabled(ComponentId component, const Modes& modes, const ControlAction& action) {
-  return work_out(component, modes, action, true);
+  return sort_out(component, modes[component.index()], [&](const Part& part) {
+    if (part.island == no_island) return implied(wide_[part.number], modes, action);
+    IslandStore& island = islands_[part.island];
+    return island.implies(part.number, island.verdicts(modes, action), modes, action);
+  });
 }
 
 PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& action) {
   Whole result{consistent(modes, action), {}};
+  verdicts_.resize(islands_.size());
+  for (const std::size_t island : watching_) verdicts_[island] = &islands_[island].verdicts(modes, action);
   result.enabled.sets_.reserve(modes.size());
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    result.enabled.sets_.push_back(&work_out(ComponentId(c), modes, action, result.consistent));
+    result.enabled.sets_.push_back(&sort_out(ComponentId(c), modes[c], [&](const Part& part) {
+      if (!result.consistent) return true;
+      if (part.island == no_island) return implied(wide_[part.number], modes, action);
+      return islands_[part.island].implies(part.number, *verdicts_[part.island], modes, action);
+    }));
   }
   return result;
 }

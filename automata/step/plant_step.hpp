@@ -133,8 +133,9 @@ class PlantStep {
   };
 
   Part part(const Formula& conjunct);
-  bool implied(const Part& part, const Modes& modes, const ControlAction& action);
-  const Enabled& work_out(ComponentId component, const Modes& modes, const ControlAction& action, bool consistent);
+  bool implied(Wide& wide, const Modes& modes, const ControlAction& action);
+  template <class Implied>
+  const Enabled& sort_out(ComponentId component, ModeId mode, const Implied& implied);
   Whole work_out(const Modes& modes, const ControlAction& action);
   const Whole& whole(const Modes& modes, const ControlAction& action);
   void observe(const Observation& observation);
@@ -147,6 +148,7 @@ class PlantStep {
   std::vector<std::vector<Exits>> exits_;            ///< per component, per mode
   std::vector<IslandStore> islands_;                 ///< as the locality has them
   std::vector<Wide> wide_;
+  std::vector<std::size_t> watching_;     ///< positions of the islands that watch a guard
   std::vector<std::size_t> constrained_;  ///< positions of the islands that can be inconsistent
   std::vector<std::size_t> weighed_;      ///< of those, and of those that were observed last
 
@@ -160,9 +162,10 @@ class PlantStep {
     std::size_t operator()(const StateAction& key) const noexcept;
   };
   Forgetful<StateAction, Whole, StateActionHash> enabled_;
-  StateAction asked_;                 ///< the last question, kept for its memory
-  std::vector<std::uint64_t> found_;  ///< a set of exits, likewise
-  Observation observed_;              ///< what the islands were told last
+  StateAction asked_;                             ///< the last question, kept for its memory
+  std::vector<std::uint64_t> found_;              ///< a set of exits, likewise
+  std::vector<IslandStore::Verdicts*> verdicts_;  ///< by island, of the state that is worked out
+  Observation observed_;                          ///< what the islands were told last
 };
 
 }  // namespace automata

@@ -35,41 +35,28 @@ Conflict Evidence::blame(const automata::Modes& modes) {
   return conflict;
 }
 
-Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves)
-    : evidence_(&evidence), search_({}) {
-  restart(evidence, moves);
+Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
+  own_.reserve(moves.size());
+  std::vector<const ComponentMoves*> all;
+  for (const auto& component : moves) all.push_back(&own_.emplace_back(component));
+  restart(evidence, all);
 }
 
-void Extensions::restart(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
+void Extensions::restart(Evidence& evidence, const std::vector<const ComponentMoves*>& moves) {
   evidence_ = &evidence;
+  moves_ = moves;
   found_.clear();
-  priors_.clear();
-  begin_.assign(1, 0);
   best_ = 1;
   started_ = false;
-  for (const std::vector<automata::Move>& component : moves) {
-    double greatest = 0;
-    priors_.resize(begin_.back() + (component.empty() ? 0 : component.back().mode.index() + 1), 0.0);
-    for (const automata::Move& move : component) {
-      priors_[begin_.back() + move.mode.index()] = move.probability;
-      greatest = std::max(greatest, move.probability);
-    }
-    begin_.push_back(static_cast<std::uint32_t>(priors_.size()));
-    best_ *= greatest;
-  }
+  for (const ComponentMoves* const component : moves_) best_ *= component->greatest();
 }
 
 void Extensions::start() {
   started_ = true;
-  costs_.resize(begin_.size() - 1);
-  for (std::size_t c = 0; c < costs_.size(); ++c) {
-    costs_[c].clear();
-    // A rounded probability may exceed 1 in the last bit.
-    for (std::uint32_t i = begin_[c]; i < begin_[c + 1]; ++i) {
-      costs_[c].push_back(std::max(0.0, -std::log(priors_[i])));
-    }
-  }
-  search_.restart(costs_, evidence_->conflicts());
+  std::vector<const OptimalSearch::Domain*> domains;
+  domains.reserve(moves_.size());
+  for (const ComponentMoves* const component : moves_) domains.push_back(&component->domain());
+  search_.restart(domains, evidence_->conflicts());
 }
 
 void Extensions::check_one() {
