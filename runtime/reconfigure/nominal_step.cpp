@@ -94,7 +94,7 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
 std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const ControlAction& action, NominalMove move,
                                                 const NamedModes& named, const Modes* keep) {
   const std::size_t island = islands_.of(move.component);
-  if (!step_.permits(modes, action) || !permits(modes, action, island, named, &move, keep)) return std::nullopt;
+  if (!tolerates(modes, action) || !permits(modes, action, island, named, &move, keep)) return std::nullopt;
   const automata::AllEnabled& enabled = step_.enabled(modes, action);
   NominalOutcome outcome{modes, {}};
   for (const ComponentId c : islands_.components(island)) {
@@ -149,7 +149,7 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
 
 std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const ControlAction& action, std::size_t island) {
   std::vector<ComponentId> result;
-  if (!step_.permits(modes, action)) return result;
+  if (!tolerates(modes, action)) return result;
   const automata::AllEnabled& enabled = step_.enabled(modes, action);
   for (const ComponentId c : islands_.components(island)) {
     const auto& timed = enabled[c.index()].timed;
@@ -165,7 +165,7 @@ std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const Control
 std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t island,
                                                   const NamedModes& named) {
   std::vector<NominalOutcome> result;
-  if (!step_.permits(modes, action) || !permits(modes, action, island, named, nullptr, nullptr)) return result;
+  if (!tolerates(modes, action) || !permits(modes, action, island, named, nullptr, nullptr)) return result;
   const automata::AllEnabled enabled = step_.enabled(modes, action);
   std::vector<NominalOutcome> all = combinations(modes, enabled, island, {});
   const bool moves = std::any_of(all.begin(), all.end(), [](const NominalOutcome& o) { return !o.moves.empty(); });

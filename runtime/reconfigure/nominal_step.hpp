@@ -32,6 +32,10 @@ class NominalStep {
       : step_(step), graph_(graph), islands_(islands) {}
 
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
+  /// Whether the store of the modes tolerates the action.
+  bool tolerates(const automata::Modes& modes, const automata::ControlAction& action) {
+    return step_.permits(modes, action);
+  }
 
   /// The step in which a component takes the given transition under the action: of the others each takes its heaviest
   /// enabled untimed transition (the first of several), and no timed one fires. Nothing where the transition is not
