@@ -79,7 +79,7 @@ class Memory {
     return answers_.add(key_, ask());
   }
 
-  static constexpr std::size_t limit = 1u << 13;
+  static constexpr std::size_t limit = 1u << 12;
   static constexpr std::size_t dense_bits = 6;
   Projection projection_;
   Projection::Key key_;

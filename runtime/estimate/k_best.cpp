@@ -29,7 +29,7 @@ using automata::SystemState;
 using automata::Ticks;
 
 /// Beyond so many remembered modes, of all sources and observations together, all are forgotten.
-constexpr std::size_t memory_limit = 1u << 16;
+constexpr std::size_t memory_limit = 1u << 15;
 
 /// Beyond so many conflicts that need no observation all are forgotten: each candidate is compared with each.
 constexpr std::size_t conflict_limit = 512;

@@ -243,7 +243,7 @@ class Writer {
         if (c != id || m == mode.index()) modes.emplace_back(m);
       }
     }
-    automata::AllEnabled classes;
+    std::vector<Enabled> classes;
     Cases cases(support.components);
     for_each_combination(lists, [&](const std::vector<ModeId>& chosen) {
       meter_.poll();
