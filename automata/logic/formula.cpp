@@ -137,6 +137,25 @@ Formula equivalence(Formula left, Formula right) {
   return node(Formula::Kind::equivalence, {std::move(left), std::move(right)});
 }
 
+namespace {
+
+void collect_conjuncts(const Formula& formula, std::vector<Formula>& conjuncts) {
+  if (formula.kind != Formula::Kind::conjunction) {
+    conjuncts.push_back(formula);
+    return;
+  }
+  for (const Formula& operand : formula.operands) collect_conjuncts(operand, conjuncts);
+}
+
+}  // namespace
+
+std::vector<Formula> conjuncts_of(const Formula& formula) {
+  std::vector<Formula> conjuncts;
+  collect_conjuncts(formula, conjuncts);
+  if (conjuncts.empty()) conjuncts.push_back(constant(true));
+  return conjuncts;
+}
+
 Formula conjunction_of(std::span<const Assignment> assignments) {
   std::vector<Formula> operands;
   operands.reserve(assignments.size());

@@ -52,6 +52,10 @@ Formula disjunction(std::vector<Formula> operands);  ///< of none: false; of one
 Formula implication(Formula premise, Formula conclusion);
 Formula equivalence(Formula left, Formula right);
 
+/// The formula taken apart where it is a conjunction, of conjunctions too; at least one part: `true` is a conjunct of
+/// itself.
+std::vector<Formula> conjuncts_of(const Formula& formula);
+
 /// Conjunction of assignments.
 Formula conjunction_of(std::span<const Assignment> assignments);
 

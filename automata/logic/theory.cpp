@@ -174,14 +174,26 @@ Theory::Handle Theory::encode(const Formula& formula) {
 }
 
 Literal Theory::fresh() {
-  const Literal literal = sat_.fresh();
-  if (maintenance_) maintenance_->reserve(static_cast<std::uint32_t>(literal));
-  return literal;
+  ++last_;
+  if (maintenance_) maintenance_->reserve(static_cast<std::uint32_t>(last_));
+  return last_;
 }
 
 void Theory::add(std::span<const Literal> clause) {
-  sat_.add(clause);
+  untold_.insert(untold_.end(), clause.begin(), clause.end());
+  untold_.push_back(0);
   if (maintenance_) maintenance_->add(clause);
+}
+
+Sat& Theory::sat() {
+  if (!sat_) sat_.emplace();
+  for (auto begin = untold_.begin(); begin != untold_.end();) {
+    const auto end = std::find(begin, untold_.end(), 0);
+    sat_->add(std::span(begin, end));
+    begin = end + 1;
+  }
+  untold_.clear();
+  return *sat_;
 }
 
 /// Takes from a reasoner, which was asked of `assumed_`, what it blames.
@@ -209,11 +221,12 @@ bool Theory::solve(std::span<const Assignment> assumptions, Literal extra) {
         break;
     }
   }
-  if (!sat_.solve(assumed_)) {
-    blame(assumptions, sat_);
+  Sat& solver = sat();
+  if (!solver.solve(assumed_)) {
+    blame(assumptions, solver);
     return false;
   }
-  if (maintenance_) maintenance_->adopt(assumed_, [this](Literal l) { return sat_.value(l); });
+  if (maintenance_) maintenance_->adopt(assumed_, [&solver](Literal l) { return solver.value(l); });
   return true;
 }
 

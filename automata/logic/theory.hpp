@@ -69,7 +69,7 @@ class Theory {
     return maintenance_ && maintenance_->follows(literal(assignment));
   }
   /// How often the solver was asked, and how many questions there were.
-  [[nodiscard]] std::size_t solver_calls() const { return sat_.calls(); }
+  [[nodiscard]] std::size_t solver_calls() const { return sat_ ? sat_->calls() : 0; }
   [[nodiscard]] std::size_t questions() const { return questions_; }
 
  private:
@@ -81,12 +81,17 @@ class Theory {
   void blame(std::span<const Assignment> assumptions, const Reasoner& reasoner);
   bool entails(std::span<const Assignment> assumptions, Literal conclusion);
   [[nodiscard]] bool value(Literal literal) const {
-    return maintenance_ ? maintenance_->value(literal) : sat_.value(literal);
+    return maintenance_ ? maintenance_->value(literal) : sat_->value(literal);
   }
   Literal literal(Assignment assignment) const;
   Literal encode_gate(const Formula& formula, bool conjunctive);
 
-  Sat sat_;
+  /// The solver, told of all there is. A maintained theory may never need one, and makes it only then.
+  Sat& sat();
+
+  std::optional<Sat> sat_;
+  std::vector<Literal> untold_;  ///< clauses that the solver was not told yet, each ended by 0
+  Literal last_ = 0;             ///< the variable that was made last
   std::optional<TruthMaintenance> maintenance_;
   std::size_t questions_ = 0;
   std::vector<std::vector<Literal>> literals_;  ///< per variable, per value

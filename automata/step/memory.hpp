@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -29,12 +30,12 @@ class Forgetful {
   explicit Forgetful(std::size_t limit) : limit_(limit) {}
 
   /// The value of a key, or null. Lasts until the next `add` at least.
-  [[nodiscard]] const Value* find(const Key& key) const {
+  [[nodiscard]] Value* find(const Key& key) {
     const auto known = map_.find(key);
     return known == map_.end() ? nullptr : &known->second;
   }
   /// The key is new. The reference lasts until the next `add`.
-  const Value& add(const Key& key, Value value) {
+  Value& add(const Key& key, Value value) {
     if (map_.size() >= limit_) std::swap(map_, retired_);
     for (int i = 0; i < 2 && !retired_.empty(); ++i) retired_.erase(retired_.begin());
     return map_.emplace(key, std::move(value)).first->second;
@@ -50,17 +51,22 @@ class Forgetful {
 template <class Answer>
 class Memory {
  public:
-  Memory(const Plant& plant, const Support& support) : projection_(plant, support) {}
+  Memory(const Plant& plant, const Support& support) : projection_(plant, support) {
+    if (projection_.bits() <= dense_bits) dense_.resize(std::size_t{1} << projection_.bits());
+  }
 
   /// The remembered answer, or `ask()`, which is then remembered.
   template <class Ask>
-  const Answer& find(const Modes& modes, const ControlAction& action, const Ask& ask) {
+  Answer& find(const Modes& modes, const ControlAction& action, const Ask& ask) {
     projection_.read(modes, action, key_);
-    return find(ask);
+    if (dense_.empty()) return find(ask);
+    std::optional<Answer>& known = dense_[key_.empty() ? 0 : key_.front()];
+    if (!known) known = ask();
+    return *known;
   }
   /// The same for an answer that depends on more: one word for each further thing.
   template <class Ask>
-  const Answer& find(const Modes& modes, const std::vector<std::uint64_t>& more, const Ask& ask) {
+  Answer& find(const Modes& modes, const std::vector<std::uint64_t>& more, const Ask& ask) {
     projection_.read(modes, {}, key_);
     key_.insert(key_.end(), more.begin(), more.end());
     return find(ask);
@@ -68,14 +74,16 @@ class Memory {
 
  private:
   template <class Ask>
-  const Answer& find(const Ask& ask) {
-    if (const Answer* known = answers_.find(key_)) return *known;
+  Answer& find(const Ask& ask) {
+    if (Answer* known = answers_.find(key_)) return *known;
     return answers_.add(key_, ask());
   }
 
-  static constexpr std::size_t limit = 1u << 16;
+  static constexpr std::size_t limit = 1u << 12;
+  static constexpr std::size_t dense_bits = 6;
   Projection projection_;
   Projection::Key key_;
+  std::vector<std::optional<Answer>> dense_;  ///< by key, where keys are short
   Forgetful<Projection::Key, Answer, WordsHash> answers_{limit};
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "automata/step/model.hpp"
 
@@ -57,142 +58,113 @@ std::size_t PlantStep::StateActionHash::operator()(const StateAction& key) const
   return hash;
 }
 
-std::size_t PlantStep::StateObservationHash::operator()(const StateObservation& key) const noexcept {
-  std::size_t hash = ModesHash{}(key.modes);
-  for (const Assignment& a : key.observation) hash = combine(combine(hash, a.variable.value), a.value.value);
-  return hash;
-}
-
 PlantStep::PlantStep(const Plant& plant)
-    : plant_(plant),
-      locality_(plant),
-      theory_(model_theory(plant)),
-      enabled_(states_remembered(plant)),
-      factors_(states_remembered(plant)) {
+    : plant_(plant), locality_(plant), theory_(model_theory(plant)), enabled_(states_remembered(plant)) {
+  for (const Locality::Island& island : locality_.islands()) {
+    islands_.emplace_back(plant, island);
+    if (islands_.back().constrained()) constrained_.push_back(islands_.size() - 1);
+  }
+  weighed_ = constrained_;
   for (const Component& component : plant.components) {
     auto& handles = guards_.emplace_back();
     auto& exits = exits_.emplace_back(component.modes.size());
-    std::vector<Support> supports(component.modes.size());
+    auto& supports = supports_.emplace_back(component.modes.size());
     for (const Transition& t : component.transitions) {
       handles.push_back(theory_.encode(t.guard));
-      const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
-      if (!weightless) exits[t.from.index()].push_back({TransitionId(handles.size() - 1), handles.back()});
       supports[t.from.index()].join(locality_.support_of(t.guard));
-    }
-    auto& parts = parts_.emplace_back();
-    for (Support& support : supports) {
-      Memory<Enabled> memory(plant, support);
-      parts.push_back({std::move(support), std::move(memory)});
-    }
-  }
-  for (const Locality::Island& island : locality_.islands()) {
-    const Support modes{island.support.components, {}};
-    if (island.constrained) constrained_.push_back(islands_.size());
-    islands_.push_back({{plant, modes}, {plant, island.support}});
-  }
-}
-
-std::vector<Assignment> PlantStep::assumptions(const Support& support, const Modes& modes,
-                                               const ControlAction& action) const {
-  std::vector<Assignment> result;
-  for (const ComponentId c : support.components) {
-    result.push_back({plant_[c].mode, ValueId(modes[c.index()].index())});
-  }
-  for (const std::size_t i : support.controls) result.push_back({plant_.controls[i].variable, action[i]});
-  return result;
-}
-
-bool PlantStep::possible(const Modes& modes) {
-  for (const std::size_t i : constrained_) {
-    const Support support{locality_.islands()[i].support.components, {}};
-    const auto ask = [&] { return theory_.consistent(assumptions(support, modes, {})); };
-    if (!islands_[i].possible.find(modes, ControlAction{}, ask)) return false;
-  }
-  return true;
-}
-
-std::vector<Assignment> PlantStep::conflict(const Modes& modes) {
-  for (const std::size_t i : constrained_) {
-    const Support support{locality_.islands()[i].support.components, {}};
-    if (!theory_.consistent(assumptions(support, modes, {}))) return theory_.minimal_conflict(theory_.conflict());
-  }
-  assert(false && "possible modes are in no conflict");
-  return {};
-}
-
-bool PlantStep::consistent(const Modes& modes, const ControlAction& action) {
-  for (const std::size_t i : constrained_) {
-    const Support& support = locality_.islands()[i].support;
-    const auto ask = [&] { return theory_.consistent(assumptions(support, modes, action)); };
-    if (!islands_[i].consistent.find(modes, action, ask)) return false;
-  }
-  return true;
-}
-
-template <class Test>
-Enabled PlantStep::sort_out(ComponentId id, ModeId mode, const Test& test) const {
-  const Component& component = plant_[id];
-  Enabled result;
-  for (std::size_t i = 0; i < component.transitions.size(); ++i) {
-    const Transition& t = component.transitions[i];
-    const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
-    if (t.from != mode || weightless || !test(i)) continue;
-    kind_of(result, component, TransitionId(i)).emplace_back(i);
-  }
-  return result;
-}
-
-Enabled PlantStep::work_out(ComponentId id, const Modes& modes, const ControlAction& action) {
-  const Component& component = plant_[id];
-  const ModeId mode = modes[id.index()];
-  const std::vector<Assignment> store = assumptions(support(id, mode), modes, action);
-  // One model of the store refutes most guards that are not implied.
-  [[maybe_unused]] const bool consistent = theory_.consistent(store);
-  assert(consistent && "what contradicts itself enables everything");
-  std::vector<bool> possible;
-  for (const Transition& t : component.transitions) {
-    possible.push_back(t.from == mode && theory_.holds(guards_[id.index()][possible.size()]));
-  }
-  return sort_out(id, mode, [&](std::size_t t) {
-    return possible[t] && (component.transitions[t].guard.is_true() || theory_.entails(store, guards_[id.index()][t]));
-  });
-}
-
-const Enabled& PlantStep::enabled(ComponentId component, const Modes& modes, const ControlAction& action) {
-  return parts_[component.index()][modes[component.index()].index()].enabled.find(
-      modes, action, [&] { return work_out(component, modes, action); });
-}
-
-/// One model of the store refutes most guards that are not implied, and propagation proves most that are: few are asked
-/// one by one.
-PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& action) {
-  std::vector<Assignment> store = assignments_of(plant_, modes);
-  const std::vector<Assignment> controls = assignments_of(plant_, action);
-  store.insert(store.end(), controls.begin(), controls.end());
-  enum class Verdict : std::uint8_t { refuted, implied, open };
-  std::vector<Verdict> verdicts;
-  const bool consistent = theory_.consistent(store);
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    for (const Exit& exit : exits_[c][modes[c].index()]) {
-      if (!consistent) {
-        verdicts.push_back(Verdict::implied);
-      } else if (!theory_.holds(exit.guard)) {
-        verdicts.push_back(Verdict::refuted);
-      } else {
-        verdicts.push_back(theory_.known_to_follow(exit.guard) ? Verdict::implied : Verdict::open);
+      const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
+      if (weightless) continue;
+      Exit& exit = exits[t.from.index()].all.emplace_back();
+      exit.transition = TransitionId(handles.size() - 1);
+      for (const Formula& conjunct : conjuncts_of(t.guard)) {
+        if (!conjunct.is_true()) exit.parts.push_back(part(conjunct));
       }
     }
   }
-  std::vector<Enabled> answer(modes.size());
-  auto verdict = verdicts.begin();
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    for (const Exit& exit : exits_[c][modes[c].index()]) {
-      const Verdict given = *verdict++;
-      if (given == Verdict::refuted || (given == Verdict::open && !theory_.entails(store, exit.guard))) continue;
-      kind_of(answer[c], plant_.components[c], exit.transition).push_back(exit.transition);
-    }
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (islands_[i].watches()) watching_.push_back(i);
   }
-  return {consistent, std::move(answer)};
+}
+
+PlantStep::Part PlantStep::part(const Formula& conjunct) {
+  const std::vector<VariableId> variables = variables_of(conjunct);
+  const auto home = variables.empty() ? std::nullopt : locality_.island_of(variables.front());
+  const bool local = home && std::all_of(variables.begin(), variables.end(),
+                                         [&](VariableId v) { return locality_.island_of(v) == home; });
+  if (local) return {*home, islands_[*home].watch(conjunct)};
+  Support support = locality_.support_of(conjunct);
+  Memory<bool> memory(plant_, support);
+  wide_.push_back({theory_.encode(conjunct), std::move(support), std::move(memory)});
+  return {no_island, wide_.size() - 1};
+}
+
+bool PlantStep::possible(const Modes& modes) {
+  return std::all_of(constrained_.begin(), constrained_.end(),
+                     [&](std::size_t island) { return islands_[island].possible(modes); });
+}
+
+std::vector<ComponentId> PlantStep::conflict(const Modes& modes) {
+  const auto at = std::find_if(constrained_.begin(), constrained_.end(),
+                               [&](std::size_t island) { return !islands_[island].possible(modes); });
+  assert(at != constrained_.end() && "possible modes are in no conflict");
+  return islands_[*at].conflict(modes);
+}
+
+bool PlantStep::consistent(const Modes& modes, const ControlAction& action) {
+  return std::all_of(constrained_.begin(), constrained_.end(),
+                     [&](std::size_t island) { return islands_[island].verdicts(modes, action).consistent; });
+}
+
+bool PlantStep::implied(Wide& wide, const Modes& modes, const ControlAction& action) {
+  return wide.implied.find(modes, action, [&] {
+    std::vector<Assignment> store;
+    for (const ComponentId c : wide.support.components) {
+      store.push_back({plant_[c].mode, ValueId(modes[c.index()].index())});
+    }
+    for (const std::size_t i : wide.support.controls) store.push_back({plant_.controls[i].variable, action[i]});
+    return theory_.entails(store, wide.formula);
+  });
+}
+
+/// The set of those exits all of whose parts are implied.
+template <class Implied>
+const Enabled& PlantStep::sort_out(ComponentId id, ModeId mode, const Implied& implied) {
+  Exits& exits = exits_[id.index()][mode.index()];
+  found_.assign((exits.all.size() + 63) / 64, 0);
+  for (std::size_t i = 0; i < exits.all.size(); ++i) {
+    const auto& parts = exits.all[i].parts;
+    if (std::all_of(parts.begin(), parts.end(), implied)) found_[i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+  const auto [at, fresh] = exits.sets.try_emplace(found_);
+  for (std::size_t i = 0; fresh && i < exits.all.size(); ++i) {
+    if ((found_[i / 64] >> (i % 64) & 1) == 0) continue;
+    const TransitionId transition = exits.all[i].transition;
+    kind_of(at->second, plant_[id], transition).push_back(transition);
+  }
+  return at->second;
+}
+
+const Enabled& PlantStep::enabled(ComponentId component, const Modes& modes, const ControlAction& action) {
+  return sort_out(component, modes[component.index()], [&](const Part& part) {
+    if (part.island == no_island) return implied(wide_[part.number], modes, action);
+    IslandStore& island = islands_[part.island];
+    return island.implies(part.number, island.verdicts(modes, action), modes, action);
+  });
+}
+
+PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& action) {
+  Whole result{consistent(modes, action), {}};
+  verdicts_.resize(islands_.size());
+  for (const std::size_t island : watching_) verdicts_[island] = &islands_[island].verdicts(modes, action);
+  result.enabled.sets_.reserve(modes.size());
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    result.enabled.sets_.push_back(&sort_out(ComponentId(c), modes[c], [&](const Part& part) {
+      if (!result.consistent) return true;
+      if (part.island == no_island) return implied(wide_[part.number], modes, action);
+      return islands_[part.island].implies(part.number, *verdicts_[part.island], modes, action);
+    }));
+  }
+  return result;
 }
 
 const PlantStep::Whole& PlantStep::whole(const Modes& modes, const ControlAction& action) {
@@ -202,7 +174,7 @@ const PlantStep::Whole& PlantStep::whole(const Modes& modes, const ControlAction
   return enabled_.add(asked_, work_out(modes, action));
 }
 
-const std::vector<Enabled>& PlantStep::enabled(const Modes& modes, const ControlAction& action) {
+const AllEnabled& PlantStep::enabled(const Modes& modes, const ControlAction& action) {
   return whole(modes, action).enabled;
 }
 
@@ -308,31 +280,44 @@ SystemState PlantStep::advance(const SystemState& state, const Modes& next, Tick
   return result;
 }
 
-/// A reading that the store entails cannot contradict it; readings are assumed together only where some is open.
-double PlantStep::work_out(const Modes& modes, const Observation& observation) {
-  std::vector<Assignment> store = assignments_of(plant_, modes);
-  if (!theory_.consistent(store)) return 0;
-  std::vector<Assignment> open;
-  for (const Assignment& reading : observation) {
-    if (!theory_.known_to_follow(reading)) open.push_back(reading);
+void PlantStep::observe(const Observation& observation) {
+  if (observation == observed_) return;
+  observed_ = observation;
+  std::vector<std::vector<Assignment>> readings(islands_.size());
+  for (const Assignment& reading : observation) readings[*locality_.island_of(reading.variable)].push_back(reading);
+  weighed_.clear();
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    islands_[i].observe(readings[i]);
+    if (islands_[i].constrained() || !readings[i].empty()) weighed_.push_back(i);
   }
-  double factor = 1;
-  bool contingent = false;
-  for (const Assignment& reading : open) {
-    if (theory_.entails(store, reading)) continue;
-    contingent = true;
-    factor /= static_cast<double>(plant_.variables[reading.variable].values.size());
-  }
-  if (!contingent) return factor;
-  store.insert(store.end(), observation.begin(), observation.end());
-  return theory_.consistent(store) ? factor : 0.0;
 }
 
 double PlantStep::observation_factor(const Modes& modes, const Observation& observation) {
-  seen_.modes = modes;
-  seen_.observation = observation;
-  if (const double* known = factors_.find(seen_)) return *known;
-  return factors_.add(seen_, work_out(modes, observation));
+  observe(observation);
+  double factor = 1;
+  for (const std::size_t island : weighed_) {
+    factor *= islands_[island].factor(modes);
+    if (factor == 0) break;
+  }
+  return factor;
+}
+
+Refutation PlantStep::refutation(const Modes& modes, const Observation& observation) {
+  observe(observation);
+  const auto at = std::find_if(weighed_.begin(), weighed_.end(),
+                               [&](std::size_t island) { return islands_[island].factor(modes) == 0; });
+  assert(at != weighed_.end() && "some island refutes what is refuted");
+  return islands_[*at].refutation(modes);
+}
+
+std::size_t PlantStep::questions() const {
+  return std::accumulate(islands_.begin(), islands_.end(), theory_.questions(),
+                         [](std::size_t sum, const IslandStore& island) { return sum + island.questions(); });
+}
+
+std::size_t PlantStep::solver_calls() const {
+  return std::accumulate(islands_.begin(), islands_.end(), theory_.solver_calls(),
+                         [](std::size_t sum, const IslandStore& island) { return sum + island.solver_calls(); });
 }
 
 bool PlantStep::explains(const Modes& modes, const Observation& observation) {

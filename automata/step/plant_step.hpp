@@ -8,6 +8,7 @@
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
+#include "automata/step/island_store.hpp"
 #include "automata/step/memory.hpp"
 #include "automata/step/support.hpp"
 
@@ -26,21 +27,33 @@ struct Enabled {
   std::vector<TransitionId> timed;    ///< nominal, with time bounds
 };
 
-/// The step function of a plant. Holds one incremental solver and remembers what it has proved, part by part: a
-/// question costs a look-up wherever the modes and controls that its answer can depend on (support.hpp) have been met
-/// before, whatever the rest of the plant does; a question about a whole state, one look-up where it was met before,
-/// and else a pass over what propagation derives from it (truth_maintenance.hpp). Not for use from two threads at once.
-/// Keeps a reference to the plant.
+/// What is enabled in a state, by component. What it refers to lasts as long as the `PlantStep` that it is from.
+class AllEnabled {
+ public:
+  [[nodiscard]] std::size_t size() const { return sets_.size(); }
+  [[nodiscard]] const Enabled& operator[](std::size_t component) const { return *sets_[component]; }
+  [[nodiscard]] const Enabled& front() const { return *sets_.front(); }
+
+ private:
+  friend class PlantStep;
+  std::vector<const Enabled*> sets_;
+};
+
+/// The step function of a plant. It asks the store island by island (support.hpp), and each island remembers what it
+/// has proved: a question costs a few look-ups wherever the modes and controls that the islands read have been met
+/// before, whatever the rest of the plant does, and else a pass over what propagation derives on one island
+/// (truth_maintenance.hpp). Not for use from two threads at once. Keeps a reference to the plant.
 class PlantStep {
  public:
   explicit PlantStep(const Plant& plant);
 
   [[nodiscard]] const Plant& plant() const { return plant_; }
+  /// The store of the whole plant, for questions that this class does not answer.
   Theory& theory() { return theory_; }
   [[nodiscard]] const Locality& locality() const { return locality_; }
   /// What the enabled transitions of a component in a mode depend on.
   [[nodiscard]] const Support& support(ComponentId component, ModeId mode) const {
-    return parts_[component.index()][mode.index()].support;
+    return supports_[component.index()][mode.index()];
   }
 
   /// The guard of a transition, as the theory knows it.
@@ -50,15 +63,15 @@ class PlantStep {
 
   /// Whether the store of these modes (Q and the mode constraints) is consistent; else the state is impossible.
   bool possible(const Modes& modes);
-  /// Of impossible modes: some that cannot be together, none of which can be spared. Asks one question for each.
-  std::vector<Assignment> conflict(const Modes& modes);
+  /// Of impossible modes: components whose modes cannot be together, none of which can be spared. A few questions.
+  std::vector<ComponentId> conflict(const Modes& modes);
   /// Whether the store is consistent with the control action; else it implies every guard.
   bool consistent(const Modes& modes, const ControlAction& action);
   /// What the store of `modes` and the control action enable for one component; they must be consistent. Modes and
-  /// controls outside `support` are not looked at. The reference lasts until the next call.
+  /// controls outside `support` are not looked at.
   const Enabled& enabled(ComponentId component, const Modes& modes, const ControlAction& action);
   /// Per component, what the store of `modes` and the control action enable. The reference lasts until the next call.
-  const std::vector<Enabled>& enabled(const Modes& modes, const ControlAction& action);
+  const AllEnabled& enabled(const Modes& modes, const ControlAction& action);
   /// `consistent`, at no cost where `enabled` is asked the same.
   bool permits(const Modes& modes, const ControlAction& action);
 
@@ -81,51 +94,65 @@ class PlantStep {
   double observation_factor(const Modes& modes, const Observation& observation);
   /// Whether store and observations are jointly consistent: the factor without its 1/m.
   bool explains(const Modes& modes, const Observation& observation);
+  /// Where they are not: components to blame.
+  Refutation refutation(const Modes& modes, const Observation& observation);
+
+  /// How many questions the stores were asked, and how often that took a solver.
+  [[nodiscard]] std::size_t questions() const;
+  [[nodiscard]] std::size_t solver_calls() const;
 
   /// Per component, the initial moves: modes with positive initial probability.
   [[nodiscard]] std::vector<std::vector<Move>> initial_moves() const;
 
  private:
-  /// What is known of one component in one mode.
+  /// A conjunct of a guard: a formula that one island watches, or one that it takes several islands, or modes, to
+  /// judge.
   struct Part {
-    Support support;
-    Memory<Enabled> enabled;
+    std::size_t island;
+    std::size_t number;
   };
-  /// What is known of one island: whether it is consistent, in modes and under control actions.
-  struct IslandMemory {
-    Memory<bool> possible;
-    Memory<bool> consistent;
+  static constexpr std::size_t no_island = static_cast<std::size_t>(-1);
+  struct Wide {
+    Theory::Handle formula;
+    Support support;
+    Memory<bool> implied;
+  };
+  /// A transition that can be taken, with the parts of its guard.
+  struct Exit {
+    TransitionId transition;
+    std::vector<Part> parts;
+  };
+  /// The transitions out of a mode, and each set of them that was found enabled so far, by the bits of its members.
+  struct Exits {
+    std::vector<Exit> all;
+    std::unordered_map<std::vector<std::uint64_t>, Enabled, WordsHash> sets;
   };
 
   /// What is known of a whole state under a control action.
   struct Whole {
     bool consistent;
-    std::vector<Enabled> enabled;
+    AllEnabled enabled;
   };
 
-  [[nodiscard]] std::vector<Assignment> assumptions(const Support& support, const Modes& modes,
-                                                    const ControlAction& action) const;
-  [[nodiscard]] Enabled work_out(ComponentId component, const Modes& modes, const ControlAction& action);
-  /// All that start in the mode and can weigh something, each tested.
-  template <class Test>
-  [[nodiscard]] Enabled sort_out(ComponentId component, ModeId mode, const Test& test) const;
-  [[nodiscard]] Whole work_out(const Modes& modes, const ControlAction& action);
+  Part part(const Formula& conjunct);
+  bool implied(Wide& wide, const Modes& modes, const ControlAction& action);
+  template <class Implied>
+  const Enabled& sort_out(ComponentId component, ModeId mode, const Implied& implied);
+  Whole work_out(const Modes& modes, const ControlAction& action);
   const Whole& whole(const Modes& modes, const ControlAction& action);
-  [[nodiscard]] double work_out(const Modes& modes, const Observation& observation);
+  void observe(const Observation& observation);
 
   const Plant& plant_;
   Locality locality_;
   Theory theory_;
   std::vector<std::vector<Theory::Handle>> guards_;  ///< per component, per transition
-  /// A transition that can be taken, with its guard.
-  struct Exit {
-    TransitionId transition;
-    Theory::Handle guard;
-  };
-  std::vector<std::vector<std::vector<Exit>>> exits_;  ///< per component, per mode
-  std::vector<std::vector<Part>> parts_;               ///< per component, per mode
-  std::vector<IslandMemory> islands_;                  ///< by island
-  std::vector<std::size_t> constrained_;               ///< positions of the islands that can be inconsistent
+  std::vector<std::vector<Support>> supports_;       ///< per component, per mode
+  std::vector<std::vector<Exits>> exits_;            ///< per component, per mode
+  std::vector<IslandStore> islands_;                 ///< as the locality has them
+  std::vector<Wide> wide_;
+  std::vector<std::size_t> watching_;     ///< positions of the islands that watch a guard
+  std::vector<std::size_t> constrained_;  ///< positions of the islands that can be inconsistent
+  std::vector<std::size_t> weighed_;      ///< of those, and of those that were observed last
 
   /// Whole states are remembered too: a plant at rest asks the same again and again.
   struct StateAction {
@@ -136,18 +163,11 @@ class PlantStep {
   struct StateActionHash {
     std::size_t operator()(const StateAction& key) const noexcept;
   };
-  struct StateObservation {
-    Modes modes;
-    Observation observation;
-    bool operator==(const StateObservation&) const = default;
-  };
-  struct StateObservationHash {
-    std::size_t operator()(const StateObservation& key) const noexcept;
-  };
   Forgetful<StateAction, Whole, StateActionHash> enabled_;
-  Forgetful<StateObservation, double, StateObservationHash> factors_;
-  StateAction asked_;      ///< the last question, kept for its memory
-  StateObservation seen_;  ///< likewise
+  StateAction asked_;                             ///< the last question, kept for its memory
+  std::vector<std::uint64_t> found_;              ///< a set of exits, likewise
+  std::vector<IslandStore::Verdicts*> verdicts_;  ///< by island, of the state that is worked out
+  Observation observed_;                          ///< what the islands were told last
 };
 
 }  // namespace automata

@@ -1,11 +1,10 @@
 // Supports: which modes and controls an answer of the store can depend on.
 //
 // A question to the store assumes a mode for every component. Two attributes then have to do with each other only where
-// one constraint, of Q or of one mode, reads both: the attributes fall into islands, and the store is consistent if it
-// is on every island by itself. What it implies of one island's attributes depends on the modes of the few components
-// whose constraints touch it (the idea of decomposition in Williams & Nayak, A Reactive Planner for a Model-based
-// Executive, 1997; here for the store).
-// SPDX-License-Identifier: MIT
+// one conjunct of a constraint, of Q or of one mode, reads both: the attributes fall into islands, and the store is
+// consistent if it is on every island by itself. What it implies of one island's attributes depends on the modes of the
+// few components whose constraints touch it (the idea of decomposition in Williams & Nayak, A Reactive Planner for a
+// Model-based Executive, 1997; here for the store). SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -31,10 +30,15 @@ struct Support {
 /// The islands of a plant, each with its support and its observables.
 class Locality {
  public:
+  /// A conjunct of Q, or of a mode's constraint: then under that mode.
+  struct Constraint {
+    std::optional<Assignment> under;
+    Formula formula;
+  };
   struct Island {
     Support support;
-    std::vector<VariableId> attributes;  ///< ascending, controls among them
-    bool constrained = false;            ///< some constraint reads it; else it is consistent whatever is assumed
+    std::vector<VariableId> attributes;   ///< ascending, controls among them
+    std::vector<Constraint> constraints;  ///< those that read it: without any it is consistent whatever is assumed
   };
 
   explicit Locality(const Plant& plant);

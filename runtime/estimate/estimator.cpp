@@ -99,12 +99,12 @@ class FactoredEstimator final : public Estimator {
   [[nodiscard]] std::size_t groups() const override { return parts_.size(); }
   [[nodiscard]] std::size_t questions() const override {
     std::size_t sum = retired_questions_;
-    for (const Part& part : parts_) sum += part.step->theory().questions();
+    for (const Part& part : parts_) sum += part.step->questions();
     return sum;
   }
   [[nodiscard]] std::size_t solver_calls() const override {
     std::size_t sum = retired_calls_;
-    for (const Part& part : parts_) sum += part.step->theory().solver_calls();
+    for (const Part& part : parts_) sum += part.step->solver_calls();
     return sum;
   }
 
@@ -150,8 +150,8 @@ class FactoredEstimator final : public Estimator {
 
   void fuse() {
     Belief joint = product(factors(), step_.plant().components.size(), listed_);
-    retired_questions_ = questions() - step_.theory().questions();
-    retired_calls_ = solver_calls() - step_.theory().solver_calls();
+    retired_questions_ = questions() - step_.questions();
+    retired_calls_ = solver_calls() - step_.solver_calls();
     const double missing = 1 - (1 - estimate_.missing_total) * std::min(1.0, total(joint));
     parts_.clear();
     take_as_one();

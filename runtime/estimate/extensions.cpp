@@ -28,68 +28,35 @@ Evidence::Evidence(automata::PlantStep& step, automata::Observation observation,
 double Evidence::factor(const automata::Modes& modes) { return step_.observation_factor(modes, observation_); }
 
 Conflict Evidence::blame(const automata::Modes& modes) {
-  std::vector<automata::Assignment> assumptions = automata::assignments_of(step_.plant(), modes);
-  if (!step_.theory().consistent(assumptions)) {
-    Conflict conflict = decisions_in(step_.theory().conflict(), modes);
-    lasting_.add(conflict);
-    return conflict;
-  }
-  assumptions.insert(assumptions.end(), observation_.begin(), observation_.end());
-  [[maybe_unused]] const bool consistent = step_.theory().consistent(assumptions);
-  assert(!consistent);
-  return decisions_in(step_.theory().conflict(), modes);
+  const automata::Refutation refutation = step_.refutation(modes, observation_);
+  Conflict conflict;
+  for (const automata::ComponentId c : refutation.components) conflict.push_back({c.value, modes[c.index()].value});
+  if (refutation.lasting) lasting_.add(conflict);
+  return conflict;
 }
 
-Conflict Evidence::decisions_in(std::span<const automata::Assignment> conflict, const automata::Modes& modes) const {
-  Conflict decisions;
-  // The modes were assumed in order of component, so the conflict names them in that order.
-  const auto& components = step_.plant().components;
-  std::uint32_t component = 0;
-  for (const automata::Assignment& a : conflict) {
-    std::uint32_t at = component;
-    while (at < components.size() && components[at].mode != a.variable) ++at;
-    if (at == components.size() || modes[at].value != a.value.value) continue;
-    decisions.push_back({at, a.value.value});
-    component = at + 1;
-  }
-  return decisions;
+Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
+  own_.reserve(moves.size());
+  std::vector<const ComponentMoves*> all;
+  for (const auto& component : moves) all.push_back(&own_.emplace_back(component));
+  restart(evidence, all);
 }
 
-Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves)
-    : evidence_(&evidence), search_({}) {
-  restart(evidence, moves);
-}
-
-void Extensions::restart(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
+void Extensions::restart(Evidence& evidence, const std::vector<const ComponentMoves*>& moves) {
   evidence_ = &evidence;
+  moves_ = moves;
   found_.clear();
-  priors_.clear();
-  begin_.assign(1, 0);
   best_ = 1;
   started_ = false;
-  for (const std::vector<automata::Move>& component : moves) {
-    double greatest = 0;
-    priors_.resize(begin_.back() + (component.empty() ? 0 : component.back().mode.index() + 1), 0.0);
-    for (const automata::Move& move : component) {
-      priors_[begin_.back() + move.mode.index()] = move.probability;
-      greatest = std::max(greatest, move.probability);
-    }
-    begin_.push_back(static_cast<std::uint32_t>(priors_.size()));
-    best_ *= greatest;
-  }
+  for (const ComponentMoves* const component : moves_) best_ *= component->greatest();
 }
 
 void Extensions::start() {
   started_ = true;
-  costs_.resize(begin_.size() - 1);
-  for (std::size_t c = 0; c < costs_.size(); ++c) {
-    costs_[c].clear();
-    // A rounded probability may exceed 1 in the last bit.
-    for (std::uint32_t i = begin_[c]; i < begin_[c + 1]; ++i) {
-      costs_[c].push_back(std::max(0.0, -std::log(priors_[i])));
-    }
-  }
-  search_.restart(costs_, evidence_->conflicts());
+  std::vector<const OptimalSearch::Domain*> domains;
+  domains.reserve(moves_.size());
+  for (const ComponentMoves* const component : moves_) domains.push_back(&component->domain());
+  search_.restart(domains, evidence_->conflicts());
 }
 
 void Extensions::check_one() {

@@ -11,6 +11,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "runtime/estimate/component_moves.hpp"
 #include "runtime/ocsp/ocsp.hpp"
 
 namespace runtime {
@@ -30,9 +31,6 @@ class Evidence {
   [[nodiscard]] const std::shared_ptr<ConflictSet>& conflicts() const { return conflicts_; }
 
  private:
-  [[nodiscard]] Conflict decisions_in(std::span<const automata::Assignment> conflict,
-                                      const automata::Modes& modes) const;
-
   automata::PlantStep& step_;
   automata::Observation observation_;
   ConflictSet& lasting_;
@@ -51,10 +49,12 @@ struct Extension {
 /// and the observation alone.
 class Extensions {
  public:
-  /// `moves`: per component, as PlantStep::moves gives them. `evidence` must outlive this.
+  /// `moves`: per component. Evidence and moves must outlive this.
+  Extensions(Evidence& evidence, const std::vector<const ComponentMoves*>& moves) { restart(evidence, moves); }
+  /// The same with moves of its own, as PlantStep gives them.
   Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves);
   /// Begins anew with other moves, in the memory of the last.
-  void restart(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves);
+  void restart(Evidence& evidence, const std::vector<const ComponentMoves*>& moves);
 
   /// Those found so far.
   [[nodiscard]] const std::vector<Extension>& found() const { return found_; }
@@ -69,22 +69,20 @@ class Extensions {
     return product;
   }
   [[nodiscard]] double prior(std::size_t component, automata::ModeId mode) const {
-    const std::size_t at = begin_[component] + mode.index();
-    return at < begin_[component + 1] ? priors_[at] : 0.0;
+    return moves_[component]->prior(mode);
   }
   /// How many candidates were checked.
   [[nodiscard]] std::size_t checked() const { return started_ ? search_.checked() : 0; }
 
  private:
-  Evidence* evidence_;
   void start();
 
-  std::vector<double> priors_;        ///< per component, per mode; modes after the last possible one left out
-  std::vector<std::uint32_t> begin_;  ///< of each component in `priors_`, and the end
-  double best_ = 1;                   ///< the product of the greatest priors
-  bool started_ = false;              ///< most sources are too unlikely for a search ever to begin
-  OptimalSearch::Costs costs_;        ///< of the priors, kept for its memory
-  OptimalSearch search_;
+  Evidence* evidence_ = nullptr;
+  std::vector<const ComponentMoves*> moves_;  ///< by component
+  std::vector<ComponentMoves> own_;           ///< where nobody else has them
+  double best_ = 1;                           ///< the product of the greatest priors
+  bool started_ = false;                      ///< most sources are too unlikely for a search ever to begin
+  OptimalSearch search_{{}};
   std::vector<Extension> found_;
 };
 

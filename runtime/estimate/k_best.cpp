@@ -29,7 +29,7 @@ using automata::SystemState;
 using automata::Ticks;
 
 /// Beyond so many remembered modes, of all sources and observations together, all are forgotten.
-constexpr std::size_t memory_limit = 1u << 16;
+constexpr std::size_t memory_limit = 1u << 15;
 
 /// Beyond so many conflicts that need no observation all are forgotten: each candidate is compared with each.
 constexpr std::size_t conflict_limit = 512;
@@ -72,7 +72,11 @@ struct Context {
 class KBest final : public Filter {
  public:
   KBest(automata::PlantStep& step, const EstimatorOptions& options)
-      : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only), search_(clocks_, options_) {
+      : step_(step),
+        options_(options),
+        clocks_(step.plant(), options.live_clocks_only),
+        table_(step.plant()),
+        search_(clocks_, options_) {
     assert(options.k > 0);
     const std::size_t components = step.plant().components.size();
     const SystemState start{Modes(components), std::vector<Ticks>(components)};
@@ -86,6 +90,7 @@ class KBest final : public Filter {
   bool condition(const StepInput& input) override {
     assert(input.now >= last_);
     bound_memory();
+    table_.forget_timed();
     estimate_.checked = 0;
     Context& seen = context(input.observation);
     const auto all = sources(seen, input.action, input.now);
@@ -139,9 +144,12 @@ class KBest final : public Filter {
       }
     }
     const std::size_t components = step_.plant().components.size() + 1;
-    if (remembered_ * components < memory_limit && lasting_.conflicts().size() < conflict_limit) return;
+    if (remembered_ * components < memory_limit && table_.size() < memory_limit &&
+        lasting_.conflicts().size() < conflict_limit)
+      return;
     retired_ = std::exchange(contexts_, {});
     remembered_ = 0;
+    table_.forget();
     if (lasting_.conflicts().size() >= conflict_limit) lasting_ = {};
   }
 
@@ -150,46 +158,31 @@ class KBest final : public Filter {
     sources_.clear();
     std::size_t transient = 0;
     for (const BeliefEntry& entry : belief_) {
-      const bool timed = depends_on_clocks(entry.state, action);
-      Extensions& extensions = timed ? worked_out(transient++, context, entry.state, action, now)
-                                     : remembered(context, entry.state, action, now);
-      sources_.push_back({&entry.state, entry.probability, &extensions});
+      Extensions* extensions = remembered(context, entry.state, action, now);
+      if (extensions == nullptr) extensions = worked_out(transient++, context);
+      sources_.push_back({&entry.state, entry.probability, extensions});
     }
     return sources_;
   }
 
-  /// Whether a clock of the state takes part in its moves: a mode with timed exits none of which is enabled does not
-  /// ask.
-  bool depends_on_clocks(const SystemState& state, const ControlAction& action) {
-    const auto& components = step_.plant().components;
-    const std::vector<automata::Enabled>& enabled = step_.enabled(state.modes, action);
-    for (std::size_t c = 0; c < enabled.size(); ++c) {
-      if (!clocks_.live(c, state.modes[c])) continue;
-      if (!enabled[c].timed.empty()) return true;
-      for (const automata::TransitionId fault : enabled[c].faults) {
-        if (components[c].transitions[fault.index()].timing) return true;
-      }
-    }
-    return false;
-  }
-
-  Extensions& worked_out(std::size_t position, Context& context, const SystemState& state, const ControlAction& action,
-                         Ticks now) {
-    const auto moves = step_.moves(state, action, last_, now);
-    if (position == transient_.size()) {
-      transient_.push_back(std::make_unique<Extensions>(context.evidence, moves));
-    } else {
-      transient_[position]->restart(context.evidence, moves);
-    }
-    return *transient_[position];
-  }
-
-  Extensions& remembered(Context& context, const SystemState& state, const ControlAction& action, Ticks now) {
+  /// The extensions of a state in which no clock matters; else null, and `moves_` are those of the state.
+  Extensions* remembered(Context& context, const SystemState& state, const ControlAction& action, Ticks now) {
     key_ = {state.modes, action, now - last_};
     const auto known = context.extensions.find(key_);
-    if (known != context.extensions.end()) return known->second;
+    if (known != context.extensions.end()) return &known->second;
+    table_.look_up(step_, state, action, last_, now, moves_);
+    if (table_.timed()) return nullptr;
     ++remembered_;
-    return context.extensions.try_emplace(key_, context.evidence, step_.moves(state, action, last_, now)).first->second;
+    return &context.extensions.try_emplace(key_, context.evidence, moves_).first->second;
+  }
+
+  Extensions* worked_out(std::size_t position, Context& context) {
+    if (position == transient_.size()) {
+      transient_.push_back(std::make_unique<Extensions>(context.evidence, moves_));
+    } else {
+      transient_[position]->restart(context.evidence, moves_);
+    }
+    return transient_[position].get();
   }
 
   [[nodiscard]] double share_missing() const {
@@ -275,6 +268,8 @@ class KBest final : public Filter {
   automata::PlantStep& step_;
   const EstimatorOptions options_;
   const Clocks clocks_;
+  MoveTable table_;
+  MoveTable::Moves moves_;
   ConflictSet lasting_;
   std::map<Observation, Context> contexts_;
   std::map<Observation, Context> retired_;  ///< forgotten, and not yet let go of

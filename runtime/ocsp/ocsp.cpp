@@ -28,18 +28,42 @@ const Conflict* ConflictSet::contained_in(std::span<const std::uint32_t> candida
   return nullptr;
 }
 
-OptimalSearch::OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> conflicts) {
-  restart(costs, std::move(conflicts));
+namespace {
+
+/// Of the finest units in which such a sum stays below 2^62 of them.
+int exponent_of(double sum) { return sum > 0 ? std::ilogb(sum) + 1 - 62 : std::numeric_limits<int>::min(); }
+
+}  // namespace
+
+OptimalSearch::Domain::Domain(std::span<const double> costs, int exponent) {
+  for (const double cost : costs) {
+    assert(cost >= 0);
+    if (std::isfinite(cost)) greatest_ = std::max(greatest_, cost);
+  }
+  exponent_ = std::max(exponent, exponent_of(greatest_));
+  for (std::size_t v = 0; v < costs.size(); ++v) {
+    if (!std::isfinite(costs[v])) continue;
+    choices_.push_back({static_cast<std::uint32_t>(v), std::llround(std::ldexp(costs[v], -exponent_)), costs[v]});
+  }
+  std::sort(choices_.begin(), choices_.end(), [](const Choice& a, const Choice& b) {
+    return a.units != b.units ? a.units < b.units : a.value < b.value;
+  });
 }
 
-void OptimalSearch::restart(const Costs& costs, std::shared_ptr<ConflictSet> conflicts) {
-  costs_ = costs;
+OptimalSearch::OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> conflicts) {
+  std::vector<Domain> domains;
+  std::vector<const Domain*> shared;
+  domains.reserve(costs.size());
+  for (const auto& values : costs) shared.push_back(&domains.emplace_back(values));
+  restart(shared, std::move(conflicts));
+  if (own_.empty()) own_ = std::move(domains);
+}
+
+void OptimalSearch::restart(std::span<const Domain* const> domains, std::shared_ptr<ConflictSet> conflicts) {
   conflicts_ = conflicts ? std::move(conflicts) : std::make_shared<ConflictSet>();
-  choices_.resize(costs.size());
-  for (auto& choices : choices_) choices.clear();
-  candidate_.assign(costs.size(), 0);
-  rank_.assign(costs.size(), 0);
-  fixed_.assign(costs.size(), 0);
+  candidate_.assign(domains.size(), 0);
+  rank_.assign(domains.size(), 0);
+  fixed_.assign(domains.size(), 0);
   queue_.clear();
   splits_.clear();
   alternatives_.clear();
@@ -48,35 +72,31 @@ void OptimalSearch::restart(const Costs& costs, std::shared_ptr<ConflictSet> con
   checked_ = 0;
 
   double greatest = 1;
-  for (const auto& values : costs) {
-    double most = 0;
-    for (const double cost : values) {
-      assert(cost >= 0);
-      if (std::isfinite(cost)) most = std::max(most, cost);
+  for (const Domain* const domain : domains) greatest += domain->greatest();
+  const int exponent = std::max(Domain::finest, exponent_of(greatest));
+  unit_ = std::ldexp(1.0, exponent);
+  own_.clear();
+  choices_.clear();
+  if (exponent == Domain::finest) {
+    for (const Domain* const domain : domains) choices_.push_back(domain->choices());
+  } else {
+    own_.reserve(domains.size());
+    for (const Domain* const domain : domains) {
+      std::vector<double> costs;
+      for (const Choice& choice : domain->choices()) {
+        costs.resize(std::max<std::size_t>(costs.size(), choice.value + 1), std::numeric_limits<double>::infinity());
+        costs[choice.value] = choice.cost;
+      }
+      choices_.push_back(own_.emplace_back(costs, exponent).choices());
     }
-    greatest += most;
   }
-  // The sum of all greatest costs must stay below 2^62 units.
-  const int unit_exponent = std::max(-40, std::ilogb(greatest) + 1 - 62);
-  unit_ = std::ldexp(1.0, unit_exponent);
 
   Node root{.cost = 0, .split = none, .position = 0, .deviations = {}};
-  bool possible = true;
-  for (std::size_t x = 0; x < costs.size(); ++x) {
-    std::vector<Choice>& choices = choices_[x];
-    for (std::size_t v = 0; v < costs[x].size(); ++v) {
-      if (!std::isfinite(costs[x][v])) continue;
-      choices.push_back({static_cast<std::uint32_t>(v), std::llround(std::ldexp(costs[x][v], -unit_exponent))});
-    }
-    std::sort(choices.begin(), choices.end(),
-              [](const Choice& a, const Choice& b) { return a.cost != b.cost ? a.cost < b.cost : a.value < b.value; });
-    if (choices.empty()) {
-      possible = false;
-    } else {
-      root.cost += choices.front().cost;
-    }
+  for (const auto& choices : choices_) {
+    if (choices.empty()) return;
+    root.cost += choices.front().units;
   }
-  if (possible) push(root);
+  push(root);
 }
 
 OptimalSearch::Outcome OptimalSearch::next(const Check& check) {
@@ -117,7 +137,7 @@ OptimalSearch::Outcome OptimalSearch::next(const Check& check) {
 
 double OptimalSearch::cost() const {
   double sum = 0;
-  for (std::size_t x = 0; x < candidate_.size(); ++x) sum += costs_[x][candidate_[x]];
+  for (std::size_t x = 0; x < choices_.size(); ++x) sum += choices_[x][rank_[x]].cost;
   return sum;
 }
 
@@ -163,7 +183,7 @@ const OptimalSearch::Alternative& OptimalSearch::alternative(std::uint32_t split
       if (a.delta != b.delta) return a.delta < b.delta;
       if (a.variable == b.variable) return false;
       const Alternative& first = a.variable < b.variable ? a : b;
-      const std::vector<Choice>& choices = choices_[first.variable];
+      const std::span<const Choice> choices = choices_[first.variable];
       const bool first_is_smaller = choices[first.rank].value < choices[first.rank - 1].value;
       return first_is_smaller == (a.variable < b.variable);
     };
@@ -192,10 +212,10 @@ void OptimalSearch::split(const Node& node, std::span<const Decision> conflict) 
   }
   const auto begin = alternatives_.size();
   for (const Decision& d : conflict) {
-    const std::vector<Choice>& choices = choices_[d.variable];
+    const std::span<const Choice> choices = choices_[d.variable];
     const std::uint32_t rank = rank_[d.variable];
     if (fixed_[d.variable] != 0 || rank + 1 == choices.size()) continue;
-    alternatives_.push_back({d.variable, rank + 1, choices[rank + 1].cost - choices[rank].cost});
+    alternatives_.push_back({d.variable, rank + 1, choices[rank + 1].units - choices[rank].units});
   }
   if (alternatives_.size() == begin) return;
   splits_.push_back(

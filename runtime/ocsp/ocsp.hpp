@@ -54,6 +54,28 @@ class OptimalSearch {
  public:
   /// `costs[x][v]`: what value v of variable x costs, at least 0; +infinity where x cannot take it.
   using Costs = std::vector<std::vector<double>>;
+  using Units = std::int64_t;
+  /// A value that a variable can take.
+  struct Choice {
+    std::uint32_t value;
+    Units units;
+    double cost;
+  };
+  /// What a variable can take: in order of cost in units of 2^exponent, then of declaration. Searches may share one.
+  class Domain {
+   public:
+    static constexpr int finest = -40;
+    explicit Domain(std::span<const double> costs, int exponent = finest);
+
+    [[nodiscard]] std::span<const Choice> choices() const { return choices_; }
+    [[nodiscard]] double greatest() const { return greatest_; }
+    [[nodiscard]] int exponent() const { return exponent_; }
+
+   private:
+    std::vector<Choice> choices_;
+    double greatest_ = 0;
+    int exponent_;
+  };
   /// Nothing when the candidate (a value per variable) is consistent; else a conflict, which must be a part of it.
   using Check = std::function<std::optional<Conflict>(std::span<const std::uint32_t> candidate)>;
   enum class Outcome {
@@ -66,8 +88,10 @@ class OptimalSearch {
   /// are kept as integers, in units of 2^-40 (coarser where the total would not fit), so that equal sums are equal in
   /// whatever order they came about.
   explicit OptimalSearch(const Costs& costs, std::shared_ptr<ConflictSet> conflicts = nullptr);
-  /// Begins anew with another problem, in the memory of the last.
-  void restart(const Costs& costs, std::shared_ptr<ConflictSet> conflicts);
+  OptimalSearch(OptimalSearch&&) = default;
+  OptimalSearch& operator=(OptimalSearch&&) = default;
+  /// Begins anew with another problem, in the memory of the last. The domains must outlive the search.
+  void restart(std::span<const Domain* const> domains, std::shared_ptr<ConflictSet> conflicts);
 
   /// The next solution in order of cost; among equal costs the one first in lexicographic order of variable, then
   /// value, as they are declared.
@@ -85,13 +109,6 @@ class OptimalSearch {
   [[nodiscard]] std::size_t checked() const { return checked_; }
 
  private:
-  using Units = std::int64_t;
-
-  /// A value that a variable can take, in order of cost, then declaration.
-  struct Choice {
-    std::uint32_t value;
-    Units cost;
-  };
   /// One way out of a conflict: `variable` goes on to the choice at `rank`, at an additional cost.
   struct Alternative {
     std::uint32_t variable;
@@ -131,11 +148,11 @@ class OptimalSearch {
   void push(Node node);
   void push_child(std::uint32_t split, std::uint32_t position);
 
-  Costs costs_;
+  std::vector<Domain> own_;  ///< where nobody else has them
   std::shared_ptr<ConflictSet> conflicts_;
   double unit_ = 0;
-  std::vector<std::vector<Choice>> choices_;  ///< per variable
-  std::vector<Node> queue_;                   ///< a heap
+  std::vector<std::span<const Choice>> choices_;  ///< per variable
+  std::vector<Node> queue_;                       ///< a heap
   std::vector<Split> splits_;
   std::vector<Alternative> alternatives_;  ///< pool
   std::vector<Deviation> deviations_;      ///< pool; of one node in order of variable

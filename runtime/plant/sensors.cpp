@@ -9,7 +9,7 @@ namespace runtime {
 namespace {
 
 /// Beyond this many prefixes the tree is grown anew: many free sensors make it as wide as the run is long.
-constexpr std::size_t memory_limit = 1U << 18U;
+constexpr std::size_t memory_limit = 1U << 15U;
 
 }  // namespace
 

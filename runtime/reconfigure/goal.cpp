@@ -8,25 +8,12 @@ namespace runtime {
 
 using automata::Formula;
 
-namespace {
-
-void collect_conjuncts(const Formula& formula, std::vector<Formula>& conjuncts) {
-  if (formula.kind != Formula::Kind::conjunction) {
-    if (!formula.is_true()) conjuncts.push_back(formula);
-    return;
-  }
-  for (const Formula& operand : formula.operands) collect_conjuncts(operand, conjuncts);
-}
-
-}  // namespace
-
 Goal::Goal(const Formula& formula, const automata::Plant& plant, automata::Theory& theory)
     : formula_(formula), named_(named_modes(plant, formula)) {
   for (const auto& component : plant.components) permitted_.emplace_back(component.modes.size(), true);
-  std::vector<Formula> conjuncts;
-  collect_conjuncts(formula, conjuncts);
   std::vector<Formula> rest;
-  for (Formula& conjunct : conjuncts) {
+  for (Formula& conjunct : conjuncts_of(formula)) {
+    if (conjunct.is_true()) continue;
     const auto component =
         conjunct.kind == Formula::Kind::member ? plant.component_of(conjunct.variable) : std::nullopt;
     if (!component) {

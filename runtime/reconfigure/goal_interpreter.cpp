@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "runtime/ocsp/ocsp.hpp"
-
 namespace runtime {
 
 using automata::Assignment;
@@ -75,18 +73,25 @@ bool reads_modes(const Plant& plant, const automata::Formula& goal) {
 
 }  // namespace
 
-std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, const Goal& goal) {
+std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, const Goal& goal,
+                                                        std::optional<Choice>& last) {
   const Plant& plant = step_.plant();
   Theory& theory = step_.theory();
   const Reachable reachable = graph_.reachable(modes, goal.named());
-  Reachable possible;
+  Reachable possible = reachable;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (std::size_t m = 0; m < possible[c].size(); ++m) {
+      possible[c][m] = possible[c][m] && goal.permits(ComponentId(c), ModeId(m));
+    }
+  }
+  checked_ = 0;
+  if (last && last->possible == possible) return last->state;
   OptimalSearch::Costs costs;
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const Component& component = plant.components[c];
-    auto& may = possible.emplace_back(reachable[c]);
+    const auto& may = possible[c];
     double best = -std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < may.size(); ++m) {
-      may[m] = may[m] && goal.permits(ComponentId(c), ModeId(m));
       if (may[m]) best = std::max(best, component.modes[m].reward);
     }
     auto& cost = costs.emplace_back();
@@ -99,12 +104,11 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
   const auto& rest = goal.rest();
   const bool local = rest && !reads_modes(plant, rest->formula);
   const auto check = [&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
+    if (!rest) return refuted(values);
     const Candidate candidate(plant, values);
     const auto& assignments = candidate.assignments();
-    if (rest ? !theory.allows(assignments, rest->holds) : !theory.consistent(assignments)) {
-      return candidate.conflict(theory.conflict());
-    }
-    if (!rest || !theory.allows(assignments, rest->fails)) return std::nullopt;
+    if (!theory.allows(assignments, rest->holds)) return candidate.conflict(theory.conflict());
+    if (!theory.allows(assignments, rest->fails)) return std::nullopt;
     return local ? candidate.refuted_by_world(plant, theory, possible) : candidate.conflict(assignments);
   };
   OptimalSearch search(costs);
@@ -114,6 +118,7 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
     case OptimalSearch::Outcome::solution: {
       Modes goal_state;
       for (const std::uint32_t m : search.values()) goal_state.emplace_back(m);
+      last = Choice{std::move(possible), goal_state};
       return goal_state;
     }
     case OptimalSearch::Outcome::exhausted:
@@ -121,6 +126,16 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
       break;
   }
   return impasse(modes, goal, reachable);
+}
+
+/// Why no state has these modes, as a conflict.
+std::optional<Conflict> GoalInterpreter::refuted(std::span<const std::uint32_t> values) {
+  Modes modes;
+  for (const std::uint32_t m : values) modes.emplace_back(m);
+  if (step_.possible(modes)) return std::nullopt;
+  Conflict conflict;
+  for (const ComponentId c : step_.refutation(modes, {}).components) conflict.push_back({c.value, values[c.index()]});
+  return conflict;
 }
 
 /// Goes upstream as long as it is another component that bars the way: the last one is to blame.

@@ -9,6 +9,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "runtime/ocsp/ocsp.hpp"
 #include "runtime/reconfigure/goal.hpp"
 #include "runtime/reconfigure/nominal_graph.hpp"
 
@@ -27,12 +28,22 @@ class GoalInterpreter {
  public:
   GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph) : step_(step), graph_(graph) {}
 
-  std::variant<automata::Modes, Impasse> interpret(const automata::Modes& modes, const Goal& goal);
-  /// How many candidates the last interpretation checked.
+  using Reachable = std::vector<std::vector<bool>>;  ///< per component, per mode
+  /// What the last interpretation of a goal chose, and among which modes: the choice depends on nothing else, and along
+  /// a plan the reachable modes stay as they are.
+  struct Choice {
+    Reachable possible;
+    automata::Modes state;
+  };
+
+  /// `last`: of the same goal, if there was one; takes the new choice.
+  std::variant<automata::Modes, Impasse> interpret(const automata::Modes& modes, const Goal& goal,
+                                                   std::optional<Choice>& last);
+  /// How many candidates the last interpretation checked; none where the choice was known.
   [[nodiscard]] std::size_t checked() const { return checked_; }
 
  private:
-  using Reachable = std::vector<std::vector<bool>>;
+  std::optional<Conflict> refuted(std::span<const std::uint32_t> values);
   Impasse out_of_reach(const automata::Modes& modes, const Goal& goal, const Reachable& reachable,
                        automata::ComponentId component, std::vector<bool> asked);
   Impasse impasse(const automata::Modes& modes, const Goal& goal, const Reachable& reachable);

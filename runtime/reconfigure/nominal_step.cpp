@@ -7,7 +7,6 @@
 
 namespace runtime {
 
-using automata::Assignment;
 using automata::ComponentId;
 using automata::ControlAction;
 using automata::Enabled;
@@ -41,14 +40,7 @@ const NominalTransition* NominalStep::heaviest(ComponentId component, const Enab
       }));
 }
 
-bool NominalStep::tolerates(const Modes& modes, const ControlAction& action) {
-  std::vector<Assignment> store = assignments_of(plant(), modes);
-  const std::vector<Assignment> controls = assignments_of(plant(), action);
-  store.insert(store.end(), controls.begin(), controls.end());
-  return step_.theory().consistent(store);
-}
-
-std::vector<NominalOutcome> NominalStep::combinations(const Modes& modes, const std::vector<Enabled>& enabled,
+std::vector<NominalOutcome> NominalStep::combinations(const Modes& modes, const automata::AllEnabled& enabled,
                                                       std::size_t island, std::optional<NominalMove> fixed) const {
   std::vector<NominalOutcome> all{{modes, {}}};
   for (const ComponentId c : islands_.components(island)) {
@@ -74,8 +66,8 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
                           const NominalMove* intended, const Modes* keep) {
   const ControlAction idle = idle_action(plant());
   if (action == idle) return true;
-  const std::vector<Enabled> without = step_.enabled(modes, idle);
-  const std::vector<Enabled> with = step_.enabled(modes, action);
+  const automata::AllEnabled without = step_.enabled(modes, idle);
+  const automata::AllEnabled with = step_.enabled(modes, action);
   for (const ComponentId c : islands_.components(island)) {
     const auto& names = named[c.index()];
     const bool own = intended != nullptr && intended->component == c;
@@ -103,7 +95,7 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
                                                 const NamedModes& named, const Modes* keep) {
   const std::size_t island = islands_.of(move.component);
   if (!tolerates(modes, action) || !permits(modes, action, island, named, &move, keep)) return std::nullopt;
-  const std::vector<Enabled>& enabled = step_.enabled(modes, action);
+  const automata::AllEnabled& enabled = step_.enabled(modes, action);
   NominalOutcome outcome{modes, {}};
   for (const ComponentId c : islands_.components(island)) {
     const auto& untimed = enabled[c.index()].untimed;
@@ -133,7 +125,7 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
       outcome.moves.push_back(move);
     }
   };
-  const std::vector<Enabled> enabled = step_.enabled(modes, action);
+  const automata::AllEnabled enabled = step_.enabled(modes, action);
   for (std::size_t other = 0; other < islands_.count(); ++other) {
     if (other == island) continue;
     NominalOutcome drift{modes, {}};
@@ -158,7 +150,7 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
 std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const ControlAction& action, std::size_t island) {
   std::vector<ComponentId> result;
   if (!tolerates(modes, action)) return result;
-  const std::vector<Enabled>& enabled = step_.enabled(modes, action);
+  const automata::AllEnabled& enabled = step_.enabled(modes, action);
   for (const ComponentId c : islands_.components(island)) {
     const auto& timed = enabled[c.index()].timed;
     const auto leaves = [&](TransitionId id) {
@@ -174,7 +166,7 @@ std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const Cont
                                                   const NamedModes& named) {
   std::vector<NominalOutcome> result;
   if (!tolerates(modes, action) || !permits(modes, action, island, named, nullptr, nullptr)) return result;
-  const std::vector<Enabled> enabled = step_.enabled(modes, action);
+  const automata::AllEnabled enabled = step_.enabled(modes, action);
   std::vector<NominalOutcome> all = combinations(modes, enabled, island, {});
   const bool moves = std::any_of(all.begin(), all.end(), [](const NominalOutcome& o) { return !o.moves.empty(); });
   if (!moves) {

@@ -32,6 +32,10 @@ class NominalStep {
       : step_(step), graph_(graph), islands_(islands) {}
 
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
+  /// Whether the store of the modes tolerates the action.
+  bool tolerates(const automata::Modes& modes, const automata::ControlAction& action) {
+    return step_.permits(modes, action);
+  }
 
   /// The step in which a component takes the given transition under the action: of the others each takes its heaviest
   /// enabled untimed transition (the first of several), and no timed one fires. Nothing where the transition is not
@@ -57,14 +61,12 @@ class NominalStep {
                                        std::size_t island, const NamedModes& named);
 
  private:
-  /// Whether the store of the modes tolerates the action.
-  bool tolerates(const automata::Modes& modes, const automata::ControlAction& action);
   const NominalTransition& nominal(automata::ComponentId component, automata::TransitionId id) const;
   /// The heaviest of the enabled untimed transitions, the first of several; null where there is none.
   const NominalTransition* heaviest(automata::ComponentId component, const automata::Enabled& enabled) const;
   /// Each combination of enabled untimed transitions of the island, in order of components, then transitions,
   /// impossible ones too; with `fixed`, those that it is part of.
-  std::vector<NominalOutcome> combinations(const automata::Modes& modes, const std::vector<automata::Enabled>& enabled,
+  std::vector<NominalOutcome> combinations(const automata::Modes& modes, const automata::AllEnabled& enabled,
                                            std::size_t island, std::optional<NominalMove> fixed) const;
   /// Whether all that the action enables, idling does not, and the model does not exclude, may be taken. A step that
   /// cannot be undone is left to chance neither as a side effect nor as the other branch of an intended one.

@@ -173,8 +173,8 @@ class OneStepReconfigurer final : public Reconfigurer {
       std::sort(conflict.begin(), conflict.end(), [](const auto& a, const auto& b) { return a.variable < b.variable; });
       return conflict;
     }
-    const std::vector<Enabled> idle = step_.enabled(modes, idle_);
-    const std::vector<Enabled> enabled = step_.enabled(modes, action);
+    const automata::AllEnabled idle = step_.enabled(modes, idle_);
+    const automata::AllEnabled enabled = step_.enabled(modes, action);
     std::vector<std::vector<ModeId>> choices;
     for (std::size_t c = 0; c < modes.size(); ++c) {
       const ComponentId id(c);

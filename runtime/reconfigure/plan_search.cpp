@@ -14,15 +14,15 @@ using automata::Modes;
 
 namespace {
 
-/// A way to a state: how long it is, and the step that it begins with.
-struct Way {
+/// A path to a state: how long it is, and the step that it begins with.
+struct Path {
   Distance distance;
   std::size_t first;  ///< position among the first steps; `none` for the start
   bool settled = false;
 };
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-/// Best ways first; of equal ones that which was found first, so that ties go by the order of actions.
+/// Best paths first; of equal ones that which was found first, so that ties go by the order of actions.
 struct Entry {
   Distance distance;
   std::size_t found;
@@ -78,31 +78,31 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, c
 }
 
 /// Uniform-cost search over the nominal successors of the whole island: fewest irreversible steps, then fewest steps.
-/// The same rules on irreversible steps hold; what is achieved may be undone on the way.
+/// The same rules on irreversible steps hold; what is achieved may be undone on the path.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
                                std::span<const automata::ControlAction> actions) {
   bool excluded = false;
   std::size_t tried = 0;
-  std::unordered_map<Modes, Way, automata::ModesHash> ways;
+  std::unordered_map<Modes, Path, automata::ModesHash> paths;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<PlannedStep> first_steps;
   std::size_t found = 0;
   std::size_t settled = 0;
   const auto offer = [&](const Modes& state, Distance distance, std::size_t first) {
-    const auto [at, fresh] = ways.try_emplace(state, Way{distance, first});
+    const auto [at, fresh] = paths.try_emplace(state, Path{distance, first});
     if (!fresh && (at->second.settled || at->second.distance <= distance)) return;
-    at->second = Way{distance, first};
+    at->second = Path{distance, first};
     open.push({distance, found++, &at->first});
   };
   offer(modes, {}, none);
   while (!open.empty()) {
     const Entry entry = open.top();
     open.pop();
-    Way& way = ways.at(*entry.modes);
-    if (way.settled) continue;
-    way.settled = true;
+    Path& path = paths.at(*entry.modes);
+    if (path.settled) continue;
+    path.settled = true;
     const Modes current = *entry.modes;
-    const Way reached = way;
+    const Path reached = path;
     if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded};
     if (++settled > search_limit || tried > trial_limit) {
       otherwise.reason += "; the search for another way was given up after " + std::to_string(settled - 1) + " states";

@@ -61,6 +61,7 @@ Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Isl
       islands_(islands),
       order_(step.plant(), graph),
       policies_(step.plant(), graph),
+      ways_(step.plant(), graph, order_),
       nominal_(step, graph, islands),
       idle_(idle_action(step.plant())),
       component_of_(step.plant().variables.size()),
@@ -93,7 +94,33 @@ Planner::Choice Planner::next(const Modes& modes, const Objective& objective) {
   return Impasse{std::nullopt, "what happens next of itself contradicts the model"};
 }
 
+std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective& objective) const {
+  std::vector<std::uint64_t> key{objective.island};
+  for (const ComponentId c : islands_.components(objective.island)) {
+    key.push_back(std::uint64_t{modes[c.index()].value} << 32 | objective.target[c.index()].value);
+  }
+  // Few modes are named, most often none but targets.
+  for (const ComponentId c : islands_.components(objective.island)) {
+    const std::vector<bool>& named = objective.named[c.index()];
+    for (auto at = std::find(named.begin(), named.end(), true); at != named.end();
+         at = std::find(at + 1, named.end(), true)) {
+      key.push_back(std::uint64_t{c.value} << 32 | static_cast<std::uint32_t>(at - named.begin()));
+    }
+  }
+  return key;
+}
+
+std::optional<PlannedStep> Planner::recall(const Modes& modes, const Objective& objective) {
+  const RememberedStep* const known = remembered_.find(question(modes, objective));
+  // What the other islands are in tolerates the action, or no action of this one.
+  if (known == nullptr || !nominal_.tolerates(modes, known->action)) return std::nullopt;
+  PlannedStep step{known->action, known->component, {modes, known->moves}, known->idle};
+  for (const NominalMove& move : known->moves) step.outcome.modes[move.component.index()] = move.transition->to;
+  return step;
+}
+
 Planner::Choice Planner::first_step(const Modes& modes, const Objective& objective) {
+  if (auto known = recall(modes, objective)) return std::move(*known);
   Trace trace = follow(modes, objective, Order::downstream_first);
   if (trace.safe) return std::move(trace.first);
   auto* const stuck = std::get_if<Impasse>(&trace.first);
@@ -109,26 +136,35 @@ Planner::Choice Planner::first_step(const Modes& modes, const Objective& objecti
 }
 
 Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, Order order) {
-  Choice first = walk(modes, objective, order);
-  if (std::holds_alternative<Impasse>(first)) return {std::move(first), false};
-  const PlannedStep& step = std::get<PlannedStep>(first);
-  bool safe = is_safe(modes, objective, step.action, step.outcome);
-  std::unordered_set<Modes, automata::ModesHash> seen{modes};
-  Modes current = step.outcome.modes;
+  std::vector<std::pair<Modes, PlannedStep>> taken;
+  std::unordered_set<Modes, automata::ModesHash> seen;
+  bool safe = true;
+  Modes current = modes;
   while (!arrived(current, objective)) {
     if (!seen.insert(current).second) {
-      return {Impasse{step.component, "the commands that achieve " +
-                                          name(step.component, objective.target[step.component.index()]) + " for '" +
-                                          nominal_.plant()[step.component].name + "' lead in a circle"},
+      const ComponentId astray = taken.front().second.component;
+      return {Impasse{astray, "the commands that achieve " + name(astray, objective.target[astray.index()]) + " for '" +
+                                  nominal_.plant()[astray].name + "' lead in a circle"},
               false};
     }
+    // Where a safe walk begins that is known already, the rest is known.
+    if (safe && order == Order::downstream_first && !taken.empty() && recall(current, objective)) break;
     Choice choice = walk(current, objective, order);
     if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false};
-    auto& next = std::get<PlannedStep>(choice);
-    safe = safe && is_safe(current, objective, next.action, next.outcome);
-    current = std::move(next.outcome.modes);
+    auto& step = std::get<PlannedStep>(choice);
+    safe = safe && is_safe(current, objective, step.action, step.outcome);
+    Modes next = step.outcome.modes;
+    taken.emplace_back(std::move(current), std::move(step));
+    current = std::move(next);
   }
-  return {std::move(first), safe};
+  if (safe && order == Order::downstream_first) {
+    for (const auto& [before, step] : taken) {
+      auto key = question(before, objective);
+      if (remembered_.find(key) != nullptr) continue;
+      remembered_.add(key, {step.action, step.component, step.outcome.moves, step.idle});
+    }
+  }
+  return {std::move(taken.front().second), safe};
 }
 
 Planner::Choice Planner::advance(const Modes& modes, const Objective& objective, Order order) {
@@ -184,30 +220,43 @@ Planner::Choice Planner::achieve(const Modes& modes, const Objective& objective,
   return bring_about(modes, objective, component, *policy.next(current, *nearest));
 }
 
-Planner::Subgoals Planner::subgoals(const Modes& modes, const Objective& objective, const Support& support) {
-  Subgoals result{{}, Distance{}};
-  for (const Requirement& r : support) {
-    const auto component = component_of_[r.variable.index()];
-    if (!component) continue;
-    const ModeId current = modes[component->index()];
-    if (std::binary_search(r.values.begin(), r.values.end(), ValueId(current.index()))) continue;
-    const Policy& policy = policies_.of(*component, objective.named);
+namespace {
+
+bool is_met(const ModeRequirement& r, const Modes& modes) {
+  const auto& values = r.requirement->values;
+  return std::binary_search(values.begin(), values.end(), ValueId(modes[r.component.index()].index()));
+}
+
+}  // namespace
+
+std::optional<Distance> Planner::distance(const Modes& modes, const Objective& objective, const Way& way) {
+  Distance sum;
+  for (const ModeRequirement& r : way.modes) {
+    if (is_met(r, modes)) continue;
+    const Policy& policy = policies_.of(r.component, objective.named);
     // What is not part of the goal state has to be undone again.
-    const ModeId target = objective.target[component->index()];
+    const ModeId target = objective.target[r.component.index()];
     std::optional<Distance> nearest;
-    for (const ValueId v : r.values) {
-      const auto& there = policy.distance(current, ModeId(v.index()));
+    for (const ValueId v : r.requirement->values) {
+      const auto& there = policy.distance(modes[r.component.index()], ModeId(v.index()));
       const auto& back = policy.distance(ModeId(v.index()), target);
       if (!there) continue;
       const Distance distance = *there + back.value_or(Distance{1, 0});
       if (!nearest || distance < *nearest) nearest = distance;
     }
-    result.pending.emplace_back(*component, &r);
-    result.distance = result.distance && nearest ? std::optional(*result.distance + *nearest) : std::nullopt;
+    if (!nearest) return std::nullopt;
+    sum = sum + *nearest;
   }
-  std::sort(result.pending.begin(), result.pending.end(),
-            [&](const auto& a, const auto& b) { return order_.rank(a.first) < order_.rank(b.first); });
-  return result;
+  return sum;
+}
+
+const ModeRequirement* Planner::first_pending(const Modes& modes, const Way& way) const {
+  const ModeRequirement* first = nullptr;
+  for (const ModeRequirement& r : way.modes) {
+    if (is_met(r, modes)) continue;
+    if (first == nullptr || order_.rank(r.component) < order_.rank(first->component)) first = &r;
+  }
+  return first;
 }
 
 ControlAction Planner::action_for(const Support& support) const {
@@ -224,39 +273,39 @@ ControlAction Planner::action_for(const Support& support) const {
 
 Planner::Choice Planner::bring_about(const Modes& modes, const Objective& objective, ComponentId component,
                                      const NominalTransition& transition) {
-  const Plant& plant = nominal_.plant();
-  const std::string what = "'" + plant[component].name + "' to go from " + name(component, transition.from) + " to " +
-                           name(component, transition.to);
-  std::vector<std::pair<Subgoals, const Support*>> ways;
-  for (const Support& support : transition.supports) {
-    if (order_.goes_upstream(component, support)) ways.emplace_back(subgoals(modes, objective, support), &support);
-  }
+  const auto purpose = [&] {
+    return "'" + nominal_.plant()[component].name + "' to go from " + name(component, transition.from) + " to " +
+           name(component, transition.to);
+  };
+  std::vector<std::pair<std::optional<Distance>, const Way*>> ways;
+  for (const Way& way : ways_.of(component, transition)) ways.emplace_back(distance(modes, objective, way), &way);
   std::stable_sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
-    if (!a.first.distance || !b.first.distance) return a.first.distance.has_value() && !b.first.distance;
-    return *a.first.distance < *b.first.distance;
+    if (!a.first || !b.first) return a.first.has_value() && !b.first;
+    return *a.first < *b.first;
   });
 
   std::optional<Impasse> obstacle;
-  for (const auto& [subgoal, support] : ways) {
-    Choice choice =
-        Impasse{component, "every command that would cause " + what +
-                               " undoes what is achieved, or takes an irreversible step that the goal does not name"};
-    if (!subgoal.pending.empty()) {
-      const auto& [upstream, requirement] = subgoal.pending.front();
+  for (const auto& [distance, way] : ways) {
+    std::optional<Choice> choice;
+    if (const ModeRequirement* const pending = first_pending(modes, *way)) {
       std::vector<ModeId> wanted;
-      for (const ValueId v : requirement->values) wanted.emplace_back(v.index());
-      choice = achieve(modes, objective, upstream, wanted);
-      if (auto* stuck = std::get_if<Impasse>(&choice)) stuck->reason += ", as it takes for " + what;
+      for (const ValueId v : pending->requirement->values) wanted.emplace_back(v.index());
+      choice = achieve(modes, objective, pending->component, wanted);
+      if (auto* stuck = std::get_if<Impasse>(&*choice)) stuck->reason += ", as it takes for " + purpose();
     } else {
-      ControlAction action = action_for(*support);
+      ControlAction action = action_for(*way->support);
       auto outcome = nominal_.take(modes, action, {component, &transition}, objective.named, &objective.target);
       if (outcome) {
         const bool idle = action == idle_;
         choice = PlannedStep{std::move(action), component, std::move(*outcome), idle};
+      } else {
+        choice = Impasse{component, "every command that would cause " + purpose() +
+                                        " undoes what is achieved, or takes an irreversible step that the goal does "
+                                        "not name"};
       }
     }
-    if (std::holds_alternative<PlannedStep>(choice)) return choice;
-    if (!obstacle) obstacle = std::get<Impasse>(std::move(choice));
+    if (std::holds_alternative<PlannedStep>(*choice)) return std::move(*choice);
+    if (!obstacle) obstacle = std::get<Impasse>(std::move(*choice));
   }
   assert(obstacle && "a transition in the graph has a support");
   return *obstacle;

@@ -15,6 +15,7 @@
 #include "runtime/reconfigure/nominal_graph.hpp"
 #include "runtime/reconfigure/nominal_step.hpp"
 #include "runtime/reconfigure/policy.hpp"
+#include "runtime/reconfigure/ways.hpp"
 
 namespace runtime {
 
@@ -102,25 +103,43 @@ class Planner {
   /// Per component, whether its mode is its goal, or what a policy that leads another there requires or commands from.
   std::vector<bool> relied_on(const automata::Modes& modes, const Objective& objective);
 
-  /// The requirements of a support that modes do not meet yet, those downstream first; and how far away they are.
-  struct Subgoals {
-    std::vector<std::pair<automata::ComponentId, const Requirement*>> pending;
-    std::optional<Distance> distance;  ///< nothing where one of them cannot be met
-  };
-  Subgoals subgoals(const automata::Modes& modes, const Objective& objective, const Support& support);
+  /// How far away the requirements of a way are; nothing where one of them cannot be met.
+  std::optional<Distance> distance(const automata::Modes& modes, const Objective& objective, const Way& way);
+  /// Of the requirements that the modes do not meet yet, the one furthest downstream, and of several of its component
+  /// the first; or null.
+  [[nodiscard]] const ModeRequirement* first_pending(const automata::Modes& modes, const Way& way) const;
   [[nodiscard]] automata::ControlAction action_for(const Support& support) const;
   [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
   [[nodiscard]] std::string name(automata::ComponentId component, automata::ModeId mode) const;
+
+  /// What the island and the objective have to do with where a walk leads, as a key.
+  std::vector<std::uint64_t> question(const automata::Modes& modes, const Objective& objective) const;
+  /// The first step of a safe walk that was followed before, or part of one.
+  std::optional<PlannedStep> recall(const automata::Modes& modes, const Objective& objective);
+
+  /// What is remembered of a step: all but the modes of other islands.
+  struct RememberedStep {
+    automata::ControlAction action;
+    automata::ComponentId component;
+    std::vector<NominalMove> moves;
+    bool idle;
+  };
+  /// Beyond about so many remembered steps they are forgotten.
+  static constexpr std::size_t memory_limit = 1u << 11;
 
   const NominalGraph& graph_;
   const Islands& islands_;
   CausalOrder order_;
   Policies policies_;
+  Ways ways_;
   NominalStep nominal_;
   automata::ControlAction idle_;
   std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
   std::vector<std::vector<automata::ComponentId>> ordered_;         ///< per island, downstream first
   std::vector<std::vector<automata::ControlAction>> actions_;       ///< per island: idle, then all that are tried
+  /// The steps of safe walks downstream first, by `question`: what follows on the first step is a safe walk, too, and
+  /// its answer was found on the way.
+  automata::Forgetful<std::vector<std::uint64_t>, RememberedStep, automata::WordsHash> remembered_{memory_limit};
 };
 
 }  // namespace runtime

@@ -51,7 +51,7 @@ class PolicyReconfigurer : public Reconfigurer {
     Memory& memory = remember(goal);
     if (const auto known = memory.answers.find(modes); known != memory.answers.end()) return known->second;
     if (memory.answers.size() >= answer_limit) memory.answers.clear();
-    Reconfiguration fresh = memory.answers.emplace(modes, answer(modes, memory.goal)).first->second;
+    Reconfiguration fresh = memory.answers.emplace(modes, answer(modes, memory)).first->second;
     fresh.checked = interpreter_.checked();
     return fresh;
   }
@@ -59,6 +59,7 @@ class PolicyReconfigurer : public Reconfigurer {
  private:
   struct Memory {
     Goal goal;
+    std::optional<GoalInterpreter::Choice> chosen;
     std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
   };
 
@@ -76,14 +77,14 @@ class PolicyReconfigurer : public Reconfigurer {
     if (known != memories_.end()) {
       memories_.splice(memories_.begin(), memories_, known);
     } else {
-      memories_.push_front({Goal(goal, step_.plant(), step_.theory()), {}});
+      memories_.push_front({Goal(goal, step_.plant(), step_.theory()), {}, {}});
       if (memories_.size() > goal_limit) memories_.pop_back();
     }
     return memories_.front();
   }
 
-  Reconfiguration answer(const Modes& modes, const Goal& goal) {
-    Reconfiguration result = chosen(modes, goal);
+  Reconfiguration answer(const Modes& modes, Memory& memory) {
+    Reconfiguration result = chosen(modes, memory);
     if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = idle_;
     return result;
   }
@@ -109,9 +110,9 @@ class PolicyReconfigurer : public Reconfigurer {
 
   /// Islands do not touch each other, so each is planned by itself; the first that has a command has its turn, in the
   /// order of goals, and the plant is waited for only where none has.
-  Reconfiguration chosen(const Modes& modes, const Goal& goal) {
+  Reconfiguration chosen(const Modes& modes, Memory& memory) {
     if (!step_.possible(modes)) return refusal({std::nullopt, "the estimated modes contradict each other"}, {});
-    auto interpreted = interpreter_.interpret(modes, goal);
+    auto interpreted = interpreter_.interpret(modes, memory.goal, memory.chosen);
     if (auto* impasse = std::get_if<Impasse>(&interpreted)) return refusal(std::move(*impasse), {});
     Modes target = std::get<Modes>(std::move(interpreted));
 
@@ -121,7 +122,7 @@ class PolicyReconfigurer : public Reconfigurer {
       const std::size_t island = islands_.of(c);
       if (modes[c.index()] == target[c.index()] || planned[island]) continue;
       planned[island] = true;
-      const Objective objective{target, goal.named(), island};
+      const Objective objective{target, memory.goal.named(), island};
       auto choice = planner_.next(modes, objective);
       if (auto* impasse = std::get_if<Impasse>(&choice)) return refusal(std::move(*impasse), std::move(target));
       auto& step = std::get<PlannedStep>(choice);

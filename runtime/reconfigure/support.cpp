@@ -30,22 +30,6 @@ constexpr std::size_t yes = 1;
 /// Exclusions after which the theory is built anew before the next question.
 constexpr std::size_t exclusion_limit = 16;
 
-void collect_conjuncts(const Formula& formula, std::vector<Formula>& conjuncts) {
-  if (formula.kind != Formula::Kind::conjunction) {
-    conjuncts.push_back(formula);
-    return;
-  }
-  for (const Formula& operand : formula.operands) collect_conjuncts(operand, conjuncts);
-}
-
-/// At least one: `true` is a conjunct of itself.
-std::vector<Formula> conjuncts_of(const Formula& formula) {
-  std::vector<Formula> conjuncts;
-  collect_conjuncts(formula, conjuncts);
-  if (conjuncts.empty()) conjuncts.push_back(automata::constant(true));
-  return conjuncts;
-}
-
 /// The plant with a variable for each question, and for each mode one that tells its constraint to hold, whatever the
 /// mode is; `?` keeps the names apart from those of models.
 Plant with_questions(const Plant& plant, std::vector<std::vector<std::vector<VariableId>>>& questions,

@@ -52,7 +52,7 @@ BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled
 
 void Behaviours::read(const Modes& modes, const ControlAction& action, std::vector<BehaviourId>& result) {
   result.resize(modes.size());
-  const std::vector<Enabled>* all = step_.consistent(modes, action) ? nullptr : &step_.enabled(modes, action);
+  const automata::AllEnabled* all = step_.consistent(modes, action) ? nullptr : &step_.enabled(modes, action);
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const ComponentId id(c);
     if (!moves(id)) {

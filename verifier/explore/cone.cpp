@@ -62,14 +62,15 @@ std::vector<bool> cone_of_influence(PlantStep& step, std::span<const automata::F
   };
   for (const automata::Formula& formula : formulas) add(step.locality().support_of(formula));
   for (const Locality::Island& island : step.locality().islands()) {
-    if (island.constrained && !island.support.controls.empty() && !indifferent(step, island)) add(island.support);
+    if (!island.constraints.empty() && !island.support.controls.empty() && !indifferent(step, island))
+      add(island.support);
   }
   while (!waiting.empty()) {
     const ComponentId c = waiting.back();
     waiting.pop_back();
     for (std::size_t m = 0; m < plant[c].modes.size(); ++m) add(step.support(c, ModeId(m)));
     for (const Locality::Island& island : step.locality().islands()) {
-      if (island.constrained && island.support.reads(c)) add(island.support);
+      if (!island.constraints.empty() && island.support.reads(c)) add(island.support);
     }
   }
   return inside;

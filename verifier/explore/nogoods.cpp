@@ -6,9 +6,7 @@
 
 namespace verifier {
 
-using automata::Assignment;
 using automata::ComponentId;
-using automata::ModeId;
 using automata::Modes;
 
 namespace {
@@ -26,11 +24,8 @@ bool Nogoods::possible(const Modes& modes) {
   if (step_.possible(modes)) return true;
   if (learnt_ == most_nogoods) return false;
   ++learnt_;
-  const std::vector<Assignment> conflict = step_.conflict(modes);
   Nogood nogood;
-  for (const Assignment& a : conflict) {
-    nogood.emplace_back(*step_.plant().component_of(a.variable), ModeId(a.value.index()));
-  }
+  for (const ComponentId c : step_.conflict(modes)) nogood.emplace_back(c, modes[c.index()]);
   for (const auto& [component, mode] : nogood) {
     auto& known = known_[component.index()][mode.index()];
     Nogood rest = nogood;

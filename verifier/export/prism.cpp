@@ -169,7 +169,7 @@ class Writer {
           throw InputError("prism cannot say what follows where the command " + describe(action) +
                            " contradicts the modes: " + verifier::describe(plant_, modes));
         }
-        const std::vector<Enabled> enabled = step_.enabled(modes, action);
+        const automata::AllEnabled enabled = step_.enabled(modes, action);
         for (std::size_t c = 0; c < modes.size(); ++c) lists[c] = targets(ComponentId(c), modes[c], enabled[c]);
         for_each_combination(lists, add);
       }

@@ -112,7 +112,7 @@ class Unfolding {
     if (!fresh || !step_.possible(modes)) return known->second;
     known->second = states_.size();
     State& state = states_.emplace_back(State{modes, false, {}, {}, {}});
-    const std::vector<automata::Enabled>& enabled = step_.enabled(modes, automata::idle_action(plant_));
+    const automata::AllEnabled& enabled = step_.enabled(modes, automata::idle_action(plant_));
     for (std::size_t c = 0; c < modes.size(); ++c) {
       const auto waits = verifier::waits(plant_.components[c], modes[c], enabled[c], result_.reading);
       // In dense time there is one wait, from any reading on, or none.
@@ -148,7 +148,7 @@ class Unfolding {
     std::set<Joint> seen;
     for_each_action(plant_, question_.commands, [&](const ControlAction& action) {
       meter_.poll();
-      const std::vector<automata::Enabled>& enabled = step_.enabled(modes, action);
+      const automata::AllEnabled& enabled = step_.enabled(modes, action);
       std::vector<std::vector<Choice>> all;
       for (std::size_t c = 0; c < modes.size(); ++c) {
         all.push_back(choices(plant_.components[c], modes[c], enabled[c], result_.reading));

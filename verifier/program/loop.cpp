@@ -240,7 +240,7 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
     for (const LoopStateId at : states) {
       const Turn& turn = cycle(at);
       std::vector<Interval> both;
-      const std::vector<automata::Enabled> enabled = step_.enabled(state.modes, turn.action);
+      const automata::AllEnabled enabled = step_.enabled(state.modes, turn.action);
       for (const Interval& wait : verifier::waits(plant().components[c], state.modes[c], enabled[c], reading_)) {
         for (const Interval& stay : stays(choices_of(state, turn, ComponentId(c)), state.modes[c])) {
           for (const Interval& known : intervals) {
