@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cassert>
 
+#include "automata/step/totality.hpp"
+
 namespace automata {
 
 IslandStore::IslandStore(const Plant& plant, const Locality::Island& island)
     : plant_(&plant),
       island_(&island),
+      excludes_(!is_total(plant, island)),
       possible_(plant, {island.support.components, {}}),
       verdicts_(plant, island.support),
       factors_(plant, {island.support.components, {}}) {

@@ -29,7 +29,8 @@ class IslandStore {
  public:
   IslandStore(const Plant& plant, const Locality::Island& island);
 
-  [[nodiscard]] bool constrained() const { return !island_->constraints.empty(); }
+  /// Whether there are modes and controls that the constraints exclude, as far as can be seen.
+  [[nodiscard]] bool excludes() const { return excludes_; }
   /// Has `implies` answer for a formula over the island's attributes; returns its number. Before the first question.
   std::size_t watch(const Formula& formula);
   [[nodiscard]] bool watches() const { return !watched_.empty(); }
@@ -72,6 +73,7 @@ class IslandStore {
 
   const Plant* plant_;
   const Locality::Island* island_;
+  bool excludes_;
   std::vector<Formula> watched_;
   std::vector<Theory::Handle> handles_;  ///< of what is watched
   std::optional<Theory> theory_;

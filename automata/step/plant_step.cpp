@@ -62,7 +62,7 @@ PlantStep::PlantStep(const Plant& plant)
     : plant_(plant), locality_(plant), theory_(model_theory(plant)), enabled_(states_remembered(plant)) {
   for (const Locality::Island& island : locality_.islands()) {
     islands_.emplace_back(plant, island);
-    if (islands_.back().constrained()) constrained_.push_back(islands_.size() - 1);
+    if (islands_.back().excludes()) constrained_.push_back(islands_.size() - 1);
   }
   weighed_ = constrained_;
   for (const Component& component : plant.components) {
@@ -288,7 +288,7 @@ void PlantStep::observe(const Observation& observation) {
   weighed_.clear();
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     islands_[i].observe(readings[i]);
-    if (islands_[i].constrained() || !readings[i].empty()) weighed_.push_back(i);
+    if (islands_[i].excludes() || !readings[i].empty()) weighed_.push_back(i);
   }
 }
 

@@ -67,17 +67,23 @@ void Behaviours::read(const Modes& modes, const ControlAction& action, std::vect
 
 BehaviourId Behaviours::look_up(ComponentId component, const Modes& modes, const ControlAction& action) {
   Known& known = known_[component.index()][modes[component.index()].index()];
-  for (const Reason& r : known.reasons) {
-    const bool fits = std::all_of(r.controls.begin(), r.controls.end(),
-                                  [&](const Premise& p) { return action[p.position].value == p.value; }) &&
-                      std::all_of(r.modes.begin(), r.modes.end(),
-                                  [&](const Premise& p) { return modes[p.position].value == p.value; });
-    if (fits) return r.behaviour;
+  const auto fits = [&](const Reason& r) {
+    return std::all_of(r.controls.begin(), r.controls.end(),
+                       [&](const Premise& p) { return action[p.position].value == p.value; }) &&
+           std::all_of(r.modes.begin(), r.modes.end(),
+                       [&](const Premise& p) { return modes[p.position].value == p.value; });
+  };
+  const auto reason = std::find_if(known.reasons.begin(), known.reasons.end(), fits);
+  if (reason != known.reasons.end()) {
+    const BehaviourId behaviour = reason->behaviour;
+    // What is asked for often comes to be found soon.
+    if (reason != known.reasons.begin()) std::iter_swap(reason, reason - 1);
+    return behaviour;
   }
   return known.rest.find(modes, action, [&] {
     const BehaviourId behaviour = number(component, modes[component.index()], step_.enabled(component, modes, action));
     if (known.reasons.size() < most_reasons) {
-      if (auto why = reason(component, modes, action)) {
+      if (auto why = this->reason(component, modes, action)) {
         why->behaviour = behaviour;
         known.reasons.push_back(std::move(*why));
       }
@@ -110,10 +116,8 @@ std::optional<Behaviours::Reason> Behaviours::reason(ComponentId component, cons
     assert(consistent && "what contradicts itself enables everything");
     std::erase_if(guards, [&](Theory::Handle g) { return theory.known_to_follow(g) || theory.known_to_fail(g); });
     if (guards.empty()) break;
-    const bool implied = theory.entails(store, guards.front());
-    if (!implied && theory.allows(store, guards.front())) return std::nullopt;
-    const Theory::Handle decided = implied ? theory.negated(guards.front()) : guards.front();
-    const std::vector<Assignment> core = theory.minimal_conflict(theory.conflict(), decided);
+    if (!theory.entails(store, guards.front()) && theory.allows(store, guards.front())) return std::nullopt;
+    const std::vector<Assignment>& core = theory.conflict();
     guards.erase(guards.begin());
     all.insert(all.end(), core.begin(), core.end());
     std::sort(all.begin(), all.end());

@@ -28,8 +28,9 @@ using BehaviourId = automata::Id<struct BehaviourTag>;
 /// The behaviours of a plant in one reading of time. Keeps references to all but the reading.
 ///
 /// What decides a guard is mostly far less than what could: a command that is not given refutes it whatever the rest of
-/// the plant does. Each answer is therefore remembered under its reason, the failed assumptions of its proof, made
-/// minimal; only where a guard is neither implied nor refuted is it remembered under all that could matter.
+/// the plant does. Each answer is therefore remembered under its reason, the failed assumptions of its proof (which
+/// propagation finds, and mostly none could be spared); only where a guard is neither implied nor refuted is it
+/// remembered under all that could matter.
 class Behaviours {
  public:
   Behaviours(automata::PlantStep& step, const Reading& reading);
