@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "automata/error.hpp"
+#include "automata/suggestion.hpp"
 #include "runtime/command/command.hpp"
 #include "runtime/command/input.hpp"
 #include "runtime/command/interruption.hpp"
@@ -19,7 +20,6 @@
 #include "runtime/scenario/report.hpp"
 #include "runtime/scenario/run.hpp"
 #include "runtime/scenario/story.hpp"
-#include "runtime/trace/suggestion.hpp"
 #include "runtime/trace/trace_writer.hpp"
 
 namespace runtime {
@@ -106,7 +106,8 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
     if (options.only.empty() || scenario.name == options.only) result.push_back(&scenario);
   }
   if (result.empty()) {
-    throw InputError(options.file + ": no scenario is called '" + options.only + "'" + suggestion(options.only, names));
+    throw InputError(options.file + ": no scenario is called '" + options.only + "'" +
+                     automata::suggestion(options.only, names));
   }
   std::error_code missing;
   if (!options.trace.empty() && std::filesystem::equivalent(options.trace, options.file, missing)) {

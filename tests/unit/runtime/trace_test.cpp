@@ -8,7 +8,6 @@
 #include "automata/error.hpp"
 #include "runtime/trace/json_line.hpp"
 #include "runtime/trace/log.hpp"
-#include "runtime/trace/suggestion.hpp"
 
 namespace runtime {
 namespace {
@@ -111,12 +110,6 @@ TEST(JsonLine, WritesWhatReadsBack) {
   line.key("empty").open('{').close('}').key("time").seconds({43'200'000'000}).close('}');
   EXPECT_EQ(line.text(), "{\"a \\\"b\\\"\\u000a\":0.1,\"list\":[1,\"x\\\\y\",null],\"empty\":{},\"time\":43.2}");
   EXPECT_TRUE(nlohmann::json::accept(line.text()));
-}
-
-TEST(Suggestion, NamesTheNearestOrNothing) {
-  EXPECT_EQ(suggestion("standbi", {"off", "standby", "stand"}), "; did you mean 'standby'?");
-  EXPECT_EQ(suggestion("x", {"y", "z"}), "; did you mean 'y'?");
-  EXPECT_EQ(suggestion("engine", {"nav", "att"}), "");
 }
 
 }  // namespace
