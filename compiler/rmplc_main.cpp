@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "automata/command_line.hpp"
 #include "automata/error.hpp"
 #include "automata/json/document.hpp"
 #include "automata/size.hpp"
@@ -169,7 +170,9 @@ int main(int argc, char** argv) {
     if (importing->parsed()) return import(settings);
     return compiling->parsed() ? compile(settings) : explain(settings);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : wrong_input;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help or version
+    std::cerr << automata::complaint(app, error);
+    return wrong_input;
   } catch (const automata::InputError& error) {
     std::cerr << "rmplc: " << error.what() << "\n";
     return wrong_input;
