@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -34,7 +35,13 @@ struct Settings {
   bool quiet = false;
   bool verbose = false;
 
-  [[nodiscard]] bool colored() const { return color == "always" || (color == "auto" && isatty(STDERR_FILENO) != 0); }
+  [[nodiscard]] compiler::DiagnosticFormat style() const {
+    return format == "json" ? compiler::DiagnosticFormat::json : compiler::DiagnosticFormat::text;
+  }
+  [[nodiscard]] bool colored() const {
+    if (color == "auto") return isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+    return color == "always";
+  }
 };
 
 void write(const Settings& settings, const std::string& text) {
@@ -52,17 +59,18 @@ void write(const Settings& settings, const std::string& text) {
 }
 
 int import(const Settings& settings) {
-  const bool strong = settings.faults == "strong";
-  write(settings,
-        compiler::import_circuit(settings.circuit, strong ? compiler::FaultModel::strong : compiler::FaultModel::weak));
+  const auto faults = settings.faults == "strong" ? compiler::FaultModel::strong : compiler::FaultModel::weak;
+  const auto imported = compiler::import_circuit(settings.circuit, faults, settings.colored());
+  std::cerr << imported.diagnostics;
+  if (!imported.plant) return wrong_input;
+  write(settings, *imported.plant);
   return done;
 }
 
 int compile(const Settings& settings) {
   const compiler::Compilation result = compiler::compile(settings.files, {settings.main});
   if (!result.ok() || !settings.quiet) {
-    const auto format = settings.format == "json" ? compiler::DiagnosticFormat::json : compiler::DiagnosticFormat::text;
-    std::cerr << result.diagnostics(format, settings.colored());
+    std::cerr << result.diagnostics(settings.style(), settings.colored());
   }
   if (!result.ok()) return wrong_input;
   const automata::Document& document = result.document();
@@ -158,7 +166,9 @@ int main(int argc, char** argv) {
 
   CLI::App* importing = app.add_subcommand("import", "Turn a circuit into a plant model");
   importing->footer(import_notes);
-  importing->add_option("FILE", settings.circuit, "A netlist: .bench, or .xml of the diagnostic competition")
+  importing
+      ->add_option("FILE", settings.circuit,
+                   "A netlist: .bench, or .xml of the diagnostic competition; - is standard input")
       ->required();
   importing->add_option("-o,--output", settings.output, "Write the plant to this file")->type_name("OUT.tcca");
   importing->add_option("--faults", settings.faults, "How gates fail: weak or strong")

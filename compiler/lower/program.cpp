@@ -95,6 +95,7 @@ class ProgramLowering {
     result_.program.name = definition.name.text;
     const LocationId program = composite(definition.name.text + "()", definition.name.span, {});
     expand(entry, "", program);
+    if (purpose_ == Purpose::run) resolver_.check_values();
     if (result_.complete) connect();
     return std::move(result_);
   }

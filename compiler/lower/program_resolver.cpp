@@ -133,7 +133,26 @@ std::optional<VariableId> ProgramResolver::variable(const Name& name) {
     error.suggestion = "compare a clock with <, <=, > or >=";
     return std::nullopt;
   }
-  return program_.variables.add({meant->text, {}});
+  const VariableId id = program_.variables.add({meant->text, {}});
+  mentions_.emplace(id, name.span);
+  return id;
+}
+
+void ProgramResolver::taken_for_value(const Name& name) {
+  taken_for_values_.try_emplace({name.span.file, name.span.begin}, name);
+}
+
+void ProgramResolver::check_values() {
+  for (const auto& [place, name] : taken_for_values_) {
+    const auto variable = program_.variables.find(name.text);
+    if (!variable && clocks_.count(name.text) == 0) continue;
+    auto& error =
+        diagnostics().error(variable ? Code::ambiguous_name : Code::wrong_kind_of_name, name.span,
+                            backquoted(name.text) + (variable ? " is a variable of the program" : " is a clock") +
+                                ", and may be a value here: without the plant it cannot be told");
+    if (variable) error.notes.push_back({mentions_.at(*variable), "it is a variable here"});
+    error.suggestion = variable ? "compile the program together with its plant" : "compare a clock with <, <=, > or >=";
+  }
 }
 
 std::optional<ValueId> ProgramResolver::find_value(VariableId id, const std::string& value) {

@@ -75,6 +75,16 @@ TEST(ProgramParse, ADoTakesTheMaintainingThatItNeeds) {
             "[(do-maintaining d=x (always (watching c=x a=x)))]");
 }
 
+TEST(ProgramParse, AnInnerDoGivesAwayWhatTheOuterOneNeeds) {
+  EXPECT_EQ(body_of("do do {a = x} maintaining b = x watching c = x"), "[(watching c=x (do-maintaining b=x [a=x]))]");
+  EXPECT_EQ(body_of("do when d = x donext do a = x maintaining b = x watching c = x"),
+            "[(watching c=x (when d=x (do-maintaining b=x a=x)))]");
+  EXPECT_EQ(body_of("do do do a = x maintaining b = x watching c = x watching d = x"),
+            "[(watching d=x (watching c=x (do-maintaining b=x a=x)))]");
+  EXPECT_EQ(body_of("do do a = x watching b = x maintaining c = x"), "[(do-maintaining c=x (watching b=x a=x))]");
+  EXPECT_EQ(body_of("do do a = x watching b = x"), "1:35 expected `watching` or `maintaining`, found `}`\n");
+}
+
 TEST(ProgramParse, PlacesFollowADetachedCondition) {
   const Parsed<ProgramFile> result(parse_program, "M() :: { do when b = x donext a = x maintaining c = x }");
   ASSERT_TRUE(result.tree);
