@@ -180,6 +180,13 @@ void ProgramResolver::add_goals(const grammar::Constraint& constraint, Goals& go
   } else if (const auto* reference = std::get_if<grammar::Reference>(&constraint.node)) {
     const Passed* argument = passed(reference->name.text);
     const auto* passed_on = argument == nullptr ? nullptr : std::get_if<PassedConstraint>(argument);
+    if (argument == nullptr) {
+      const std::string& name = reference->name.text;
+      auto& error = diagnostics().error(Code::wrong_kind_of_name, reference->name.span,
+                                        "expected a step, found the lone name " + backquoted(name));
+      error.suggestion = "a call is written `" + name + "()`, a goal `" + name + " = …`";
+      return annotate(error);
+    }
     if (passed_on == nullptr) {
       this->reference(*reference);
       return;

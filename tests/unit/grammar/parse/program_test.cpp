@@ -108,7 +108,7 @@ TEST(ProgramParse, ItemsOfAFile) {
 }
 
 TEST(ProgramParse, AClockStartsAtZeroOnly) {
-  EXPECT_EQ(body_of(" t = 5"), "1:14 expected `0`, where a clock starts, found `5`\n");
+  EXPECT_EQ(body_of(" t = 5"), "1:14 expected a value, or `0` where a clock starts, found `5`\n");
   const Parsed<ProgramFile> result(parse_program, "M() :: { (t = 0) }");
   EXPECT_EQ(result.errors(), "1:15 expected a value, found `0`\n");
   EXPECT_EQ(result.diagnostics.all()[0].suggestion, "a clock is started by a step of its own: `t = 0`");
