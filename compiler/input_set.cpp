@@ -36,6 +36,8 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
   if (!roots[Kind::program].empty()) {
     program(roots[Kind::program], {options.main, std::nullopt}, plant.part,
             {roots[Kind::program].front()->index, 0, 0});
+  } else if (!options.main.empty()) {
+    throw automata::InputError("--main " + options.main + ": expected a control program (.rmpl) among the inputs");
   }
   for (const File* file : roots[Kind::scenario]) scenarios(*file);
   return std::move(document_);
@@ -185,6 +187,10 @@ std::optional<automata::Program> InputSet::lower_program(const Roots& roots, con
 
 void InputSet::scenarios(const File& file) {
   if (!file.scenarios) return;
+  if (file.scenarios->scenarios.empty()) {
+    auto& error = diagnostics_.error(Code::scenario_missing_part, {file.index, 0, 0}, "the file has no scenario");
+    error.suggestion = "add `scenario \"name\" { … }`";
+  }
   std::map<std::string, Span> names;
   for (const grammar::ScenarioDefinition& definition : file.scenarios->scenarios) {
     const auto [first, fresh] = names.emplace(definition.name.text, definition.name.span);

@@ -44,18 +44,19 @@ struct Settings {
   }
 };
 
+[[noreturn]] void refuse_to_overwrite(const std::string& input) {
+  throw automata::InputError("the output would overwrite its input, " + input);
+}
+
+void finish_output() {
+  if (!std::cout.flush()) throw automata::InputError("standard output: cannot be written");
+}
+
+/// Without an output, or to `-`: to standard output.
 void write(const Settings& settings, const std::string& text) {
-  std::vector<std::string> inputs = settings.files;
-  inputs.push_back(settings.circuit);
-  for (const std::string& input : inputs) {
-    std::error_code missing;
-    if (std::filesystem::equivalent(settings.output, input, missing)) {
-      throw automata::InputError("the output would overwrite its input, " + input);
-    }
-  }
-  if (!settings.output.empty()) return compiler::write_file(settings.output, text);
-  std::cout << text << std::flush;
-  if (!std::cout) throw automata::InputError("standard output: cannot be written");
+  if (!settings.output.empty() && settings.output != "-") return compiler::write_file(settings.output, text);
+  std::cout << text;
+  finish_output();
 }
 
 int import(const Settings& settings) {
@@ -63,6 +64,8 @@ int import(const Settings& settings) {
   const auto imported = compiler::import_circuit(settings.circuit, faults, settings.colored());
   std::cerr << imported.diagnostics;
   if (!imported.plant) return wrong_input;
+  std::error_code missing;
+  if (std::filesystem::equivalent(settings.output, settings.circuit, missing)) refuse_to_overwrite(settings.circuit);
   write(settings, *imported.plant);
   return done;
 }
@@ -74,6 +77,7 @@ int compile(const Settings& settings) {
   }
   if (!result.ok()) return wrong_input;
   const automata::Document& document = result.document();
+  if (const auto input = result.input_at(settings.output)) refuse_to_overwrite(*input);
   write(settings, automata::to_text(document));
   if (settings.verbose) {
     std::cerr << "plants: " << document.plants.size() << ", programs: " << document.programs.size()
@@ -100,6 +104,7 @@ int explain(const Settings& settings) {
             << info.explanation << "\n\nwrong:\n"
             << indented(info.wrong) << "\n\nright:\n"
             << indented(info.right) << "\n";
+  finish_output();
   return done;
 }
 
@@ -180,7 +185,10 @@ int main(int argc, char** argv) {
     if (importing->parsed()) return import(settings);
     return compiling->parsed() ? compile(settings) : explain(settings);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // help or version
+    if (error.get_exit_code() == 0) {  // help or version
+      app.exit(error);
+      return std::cout.flush() ? done : wrong_input;
+    }
     std::cerr << automata::complaint(app, error);
     return wrong_input;
   } catch (const automata::InputError& error) {

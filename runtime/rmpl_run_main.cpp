@@ -50,7 +50,10 @@ int main(int argc, char** argv) {
       if (command.app->parsed()) return static_cast<int>(command.run());
     }
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // help or version
+    if (error.get_exit_code() == 0) {  // help or version
+      app.exit(error);
+      return static_cast<int>(std::cout.flush() ? Status::done : Status::wrong);
+    }
     std::cerr << automata::complaint(app, error);
     return static_cast<int>(Status::wrong);
   } catch (const automata::InputError& error) {

@@ -10,6 +10,9 @@
 namespace automata {
 namespace {
 
+/// A compiled document has objects of a dozen keys, a log one for each component or variable.
+constexpr std::size_t key_limit = 10'000;
+
 /// An object or array that is open while a text is parsed.
 struct Open {
   bool object = false;
@@ -27,7 +30,10 @@ std::string path_of(const std::vector<Open>& open) {
 /// Walks a text that is known to be JSON.
 class Walk {
  public:
-  explicit Walk(std::string_view text) : text_(text) { skip_blank(); }
+  explicit Walk(std::string_view text) : text_(text) {
+    if (text.starts_with("\xEF\xBB\xBF")) at_ = 3;  // a byte order mark
+    skip_blank();
+  }
 
   [[nodiscard]] char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   [[nodiscard]] std::size_t at() const { return at_; }
@@ -131,7 +137,7 @@ std::string member_path(const std::string& path, std::string_view key) {
 Json parse_json(std::string_view text) {
   using Event = Json::parse_event_t;
   std::vector<Open> open;
-  std::optional<JsonError> twice;
+  std::optional<JsonError> error;
   const auto callback = [&](int, Event event, Json& parsed) {
     const bool begins = event == Event::object_start || event == Event::array_start;
     if ((begins || event == Event::value) && !open.empty()) ++open.back().items;
@@ -139,15 +145,23 @@ Json parse_json(std::string_view text) {
     if (event == Event::object_end || event == Event::array_end) open.pop_back();
     if (event == Event::key) {
       open.back().key = parsed.get<std::string>();
-      if (!open.back().keys.insert(open.back().key).second && !twice) {
-        twice = JsonError(path_of(open), "the key '" + open.back().key + "' stands twice in one object",
-                          JsonError::Blame::key);
+      // What is not kept costs no look-up: an object is searched from its start for each key that it gets.
+      if (!open.back().keys.insert(open.back().key).second) {
+        const std::string reason = "the key '" + open.back().key + "' stands twice in one object";
+        if (!error) error = JsonError(path_of(open), reason, JsonError::Blame::key);
+        return false;
+      }
+      if (open.back().keys.size() > key_limit) {
+        open.back().keys.erase(open.back().key);
+        const std::string reason = "expected an object of at most " + std::to_string(key_limit) + " keys";
+        if (!error) error = JsonError(path_of({open.begin(), open.end() - 1}), reason);
+        return false;
       }
     }
     return true;
   };
   Json json = Json::parse(text, callback);
-  if (twice) throw JsonError(*twice);
+  if (error) throw JsonError(*error);
   return json;
 }
 

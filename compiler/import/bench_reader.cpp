@@ -5,6 +5,7 @@
 #include <cctype>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "compiler/check/vocabulary.hpp"
@@ -50,7 +51,9 @@ class BenchReader {
       : text_(file.text()), index_(index), errors_(diagnostics) {}
 
   std::optional<Netlist> run() {
-    for (std::string_view rest = text_; !rest.empty() && !errors_.too_many();) {
+    std::string_view rest = text_;
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // a byte order mark
+    while (!rest.empty() && !errors_.too_many()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size());
       std::string_view statement = rest.substr(0, end);
       rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -132,7 +135,13 @@ class BenchReader {
       drive(*target, port->inside);
       netlist_.inputs.push_back({names_[*target], *target});
     } else if (port->name == "OUTPUT") {
-      if (const auto source = reading(port->inside)) netlist_.outputs.push_back({names_[*source], *source});
+      const auto source = reading(port->inside);
+      if (!source) return;
+      if (!outputs_.insert(*source).second) {
+        errors_.report(Code::netlist_driver, span(trimmed(port->inside)),
+                       "the output " + backquoted(names_[*source]) + " is declared twice");
+      }
+      netlist_.outputs.push_back({names_[*source], *source});
     } else {
       errors_.report(Code::netlist_syntax, span(port->name),
                      "expected INPUT or OUTPUT, found " + backquoted(port->name));
@@ -186,6 +195,7 @@ class BenchReader {
   Netlist netlist_;
   std::vector<std::string> names_;  ///< of the nets
   std::unordered_map<std::string, Net> by_name_;
+  std::unordered_set<Net> outputs_;
   std::vector<std::optional<Span>> driver_;  ///< of each net, where it is driven first
   std::vector<std::optional<Span>> reader_;  ///< and read first
 };

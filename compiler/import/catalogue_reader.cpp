@@ -10,6 +10,7 @@
 #include <optional>
 #include <pugixml.hpp>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "compiler/check/vocabulary.hpp"
@@ -97,11 +98,14 @@ class CatalogueReader {
       const std::string name = component.child_value("name");
       const std::string_view type = component.child_value("componentType");
       const auto function = function_of(type);
-      if ((type == "port" || function) && name.empty()) {
+      if (type != "port" && !function) continue;
+      if (name.empty()) {
         errors_.report(Code::netlist_syntax, span(component), "a " + std::string(type) + " without a name");
+      } else if (!names_.insert(name).second) {
+        errors_.report(Code::netlist_driver, span(component), backquoted(name) + " is declared twice");
       } else if (type == "port") {
         ports_.push_back({name, span(component)});
-      } else if (function) {
+      } else {
         gate(name, *function, span(component));
       }
     }
@@ -166,6 +170,7 @@ class CatalogueReader {
   std::uint32_t index_;
   NetlistErrors errors_;
   Netlist netlist_;
+  std::unordered_set<std::string> names_;  ///< of gates and ports
   std::vector<Span> gate_places_;
   std::vector<PlacedPort> ports_;
   std::unordered_map<std::string, std::size_t> pins_;

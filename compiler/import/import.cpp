@@ -28,7 +28,7 @@ ImportedCircuit import_circuit(const std::string& path, FaultModel faults, bool 
   if (path != "-") is_catalogue(path, {});  // a wrong name is told before the file is read
   grammar::Sources sources;
   grammar::Diagnostics diagnostics;
-  const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, read_text(path));
+  const std::uint32_t file = sources.add(path == "-" ? "<stdin>" : path, read_text(path));
   auto netlist = is_catalogue(path, sources[file].text()) ? read_catalogue(sources, file, diagnostics)
                                                           : read_bench(sources, file, diagnostics);
   if (!netlist) return {std::nullopt, grammar::render_text(diagnostics.sorted(), sources, color)};

@@ -159,7 +159,14 @@ std::optional<ValueId> ProgramResolver::find_value(VariableId id, const std::str
   if (closed()) return Resolver::find_value(id, value);
   auto& values = seen_[id];
   if (const auto known = values.find(value); known != values.end()) return known->second;
-  if (values.size() == open_domain_limit) return std::nullopt;
+  if (values.size() == open_domain_limit) {
+    if (overflowed_.insert(id).second) {
+      diagnostics().error(Code::too_large, mentions_.at(id),
+                          backquoted(program_.variables.name(id)) + " takes more than " +
+                              std::to_string(open_domain_limit) + " values, and no plant says which it has");
+    }
+    return ValueId(0);
+  }
   return values.emplace(value, program_.variables.add_value(id, value)).first->second;
 }
 

@@ -66,6 +66,7 @@ class ProgramResolver final : public Resolver {
   std::unordered_map<std::string, automata::ClockId> clocks_;
   /// Without a plant: the values seen so far, so that a mention costs no walk through the domain.
   std::unordered_map<automata::VariableId, std::unordered_map<std::string, automata::ValueId>> seen_;
+  std::unordered_set<automata::VariableId> overflowed_;  ///< with more values than fit
   /// Without a plant: where each variable is mentioned first, and names taken for values, by their place.
   std::unordered_map<automata::VariableId, grammar::Span> mentions_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, grammar::Name> taken_for_values_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -109,10 +108,6 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
     throw InputError(options.file + ": no scenario is called '" + options.only + "'" +
                      automata::suggestion(options.only, names));
   }
-  std::error_code missing;
-  if (!options.trace.empty() && std::filesystem::equivalent(options.trace, options.file, missing)) {
-    throw InputError("--trace would overwrite its scenario, " + options.file);
-  }
   if (result.size() > 1 && !options.trace.empty()) {
     throw InputError("--trace holds one scenario, and " + options.file + " has " + std::to_string(result.size()) +
                      "; choose one with --only");
@@ -192,6 +187,9 @@ Status run(const Options& options, const Common& common) {
   const auto compilation = load({options.file}, common);
   if (!compilation) return Status::wrong;
   const automata::Document& document = compilation->document();
+  if (const auto input = compilation->input_at(options.trace)) {
+    throw InputError("--trace would overwrite an input, " + *input);
+  }
   watch_for_interruption();
   Status status = Status::done;
   std::string text;

@@ -30,6 +30,19 @@ TEST(JsonParse, ASyntaxErrorComesFirst) { EXPECT_THROW(parse_json(R"({"a": 1, "a
 
 TEST(JsonParse, EscapedSpellingsOfOneKeyAreTheSame) { EXPECT_THROW(parse_json(R"({"a": 1, "\u0061": 2})"), JsonError); }
 
+TEST(JsonParse, AnObjectOfVeryManyKeysIsRefusedSoon) {
+  std::string text = "{\"a\": {\"k\": 0";
+  for (int i = 0; i < 300'000; ++i) text += ", \"k" + std::to_string(i) + "\": 0";
+  try {
+    parse_json(text + "}}");
+    FAIL();
+  } catch (const JsonError& error) {
+    EXPECT_EQ(error.path(), "/a");
+  }
+}
+
+TEST(JsonPlace, AByteOrderMarkIsSkipped) { EXPECT_EQ(found("\xEF\xBB\xBF{\"a\": 1}", "/a"), "1"); }
+
 TEST(JsonPlace, FindsValuesAndKeys) {
   const std::string text = " {\"a\" : [ 1,\n[] , {\"~/\": \"x\\\"}\" , \"e\":{}} ,-2.5e3] , \"b\":true} ";
   EXPECT_EQ(found(text, ""), "{");

@@ -77,6 +77,11 @@ TEST(Import, TellsAllErrorsButNotWithoutEnd) {
   EXPECT_THAT(bounded, testing::Not(testing::HasSubstr("b101 ")));
 }
 
+TEST(Import, AByteOrderMarkIsSkippedAndAnOutputIsDeclaredOnce) {
+  EXPECT_EQ(bench("\xEF\xBB\xBFINPUT(a)\nb = NOT(a)\n").gates.size(), 1u);
+  EXPECT_THAT(error_of("INPUT(a)\nOUTPUT(b)\nOUTPUT(b)\nb = NOT(a)\n"), testing::HasSubstr("`b` is declared twice"));
+}
+
 TEST(Import, ReadsACatalogue) {
   const auto connection = [](const std::string& a, const std::string& b) {
     return "<connection><c1>" + a + "</c1><c2>" + b + "</c2></connection>";
@@ -106,6 +111,12 @@ TEST(Import, NamesBecomeIdentifiers) {
   const std::string text = to_tcca(bench("INPUT(1)\nOUTPUT(and)\nand = nand(1, 1)\n"), FaultModel::weak);
   EXPECT_THAT(text, testing::HasSubstr("input    N1 : Bit;"));
   EXPECT_THAT(text, testing::HasSubstr("and_.i1 = N1;"));
+  Netlist odd = bench(adder);
+  odd.gates[0].name = "a sum";
+  EXPECT_THROW(to_tcca(odd, FaultModel::weak), automata::InputError);
+  odd = bench(adder);
+  odd.name = "half\nadder";
+  EXPECT_THAT(to_tcca(odd, FaultModel::weak), testing::StartsWith("// half adder: 2 gates"));
   EXPECT_THROW(to_tcca(bench("INPUT(1)\nINPUT(N1)\ng = AND(1, N1)\n"), FaultModel::weak), automata::InputError);
 }
 
