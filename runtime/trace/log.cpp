@@ -24,13 +24,17 @@ enum class Role { estimate, command, observations };
 /// Turns a name and a value into an assignment; the text thrown by it is prefixed with file and line by the reader.
 using Resolve = std::function<Assignment(Role role, const std::string& name, const std::string& value)>;
 
-std::string_view type_name(const Json& json) { return json.is_null() ? "null" : json.type_name(); }
+/// What a value is, for messages: of a number, the number itself.
+std::string name_of(const Json& json) {
+  if (json.is_number()) return json.dump();
+  return json.is_null() ? "null" : json.type_name();
+}
 
 /// Parses one line.
 Json parse_object(const std::string& text) {
   try {
     Json json = automata::parse_json(text);
-    if (!json.is_object()) throw InputError(" expected a JSON object, not " + std::string(type_name(json)));
+    if (!json.is_object()) throw InputError(" expected a JSON object, not " + name_of(json));
     return json;
   } catch (const automata::JsonError& error) {
     throw InputError(" " + std::string(error.what()));
@@ -77,7 +81,7 @@ class LogReader {
   }
 
   static void expect(bool right, const std::string& key, const std::string& expected, const Json& json) {
-    if (!right) throw InputError(" '" + key + "': expected " + expected + ", not " + std::string(type_name(json)));
+    if (!right) throw InputError(" '" + key + "': expected " + expected + ", not " + name_of(json));
   }
 
   static Ticks time_of(const Json& json) {

@@ -68,9 +68,9 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(error_of("{\"time\": NaN}"), "in.jsonl:1:10: not JSON; expected one object a line");
   EXPECT_EQ(error_of("{\"time\": 1e999}"), "in.jsonl:1: a number is out of range");
   EXPECT_EQ(error_of("{\"time\": -1}"), "in.jsonl:1: 'time': expected seconds, at least 0, or a duration with a unit");
-  EXPECT_EQ(error_of("{\"time\": 1, \"time\": 2}"), "in.jsonl:1: the key 'time' stands twice in one object");
+  EXPECT_EQ(error_of("{\"time\": 1, \"time\": 2}"), "in.jsonl:1: /time: the key 'time' stands twice in one object");
   EXPECT_EQ(error_of("{\"command\": {\"lamp.cmd\": \"on\", \"lamp.cmd\": \"none\"}}"),
-            "in.jsonl:1: the key 'lamp.cmd' stands twice in one object");
+            "in.jsonl:1: /command/lamp.cmd: the key 'lamp.cmd' stands twice in one object");
   EXPECT_EQ(error_of("{\"time\": 2}\n{\"time\": 1}\n"),
             "in.jsonl:2: the time 1 s lies before that of an earlier line, 2 s");
   EXPECT_EQ(error_of("{\"observation\": {}}"), "in.jsonl:1: unknown key 'observation'; did you mean 'observations'?");
@@ -82,7 +82,7 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
             "in.jsonl:1: 'brigth' is no value of 'lamp.light'; did you mean 'bright'?");
   EXPECT_EQ(error_of("{\"estimate\": {\"lamp\": true}}"),
             "in.jsonl:1: 'estimate.lamp': expected a value as a string, not boolean");
-  EXPECT_EQ(error_of("{\"cycle\": -1}"), "in.jsonl:1: 'cycle': expected a whole number, not number");
+  EXPECT_EQ(error_of("{\"cycle\": -1}"), "in.jsonl:1: 'cycle': expected a whole number, not -1");
   EXPECT_EQ(error_of("{\"marking\": {}}"), "in.jsonl:1: 'marking': expected an array, not object");
   EXPECT_EQ(error_of("{\"estimate\": null}"),
             "in.jsonl:1: 'estimate': expected an object of names and values, not null");

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
@@ -83,6 +86,34 @@ TEST(ProgramParse, AnInnerDoGivesAwayWhatTheOuterOneNeeds) {
             "[(watching d=x (watching c=x (do-maintaining b=x a=x)))]");
   EXPECT_EQ(body_of("do do a = x watching b = x maintaining c = x"), "[(do-maintaining c=x (watching b=x a=x))]");
   EXPECT_EQ(body_of("do do a = x watching b = x"), "1:35 expected `watching` or `maintaining`, found `}`\n");
+}
+
+/// Whether the grammar has this step: `d` is do, `a` a goal, `m` and `w` are maintaining and watching. The slow,
+/// obvious twin of how the parser hands endings from one `do` to the next.
+bool derives(std::string_view step) {
+  if (step == "a") return true;
+  if (step.size() < 2) return false;
+  const char last = step.back();
+  if (last == 'm' && derives(step.substr(0, step.size() - 1))) return true;
+  return step.front() == 'd' && (last == 'm' || last == 'w') && derives(step.substr(1, step.size() - 2));
+}
+
+TEST(ProgramParse, ReadsEveryNestingOfDoThatTheGrammarHasAndNoOther) {
+  std::size_t read = 0;
+  for (std::size_t dos = 0; dos <= 6; ++dos) {
+    for (unsigned endings = 1; endings < 1u << 8; ++endings) {  // a leading 1, then one bit an ending
+      std::string letters = std::string(dos, 'd') + "a";
+      for (int bit = std::bit_width(endings) - 2; bit >= 0; --bit) letters += (endings >> bit & 1) != 0 ? 'm' : 'w';
+      std::string text;
+      for (const char c : letters) {
+        text += c == 'd' ? "do " : c == 'a' ? "x = a " : c == 'm' ? "maintaining c = d " : "watching e = f ";
+      }
+      const Parsed<ProgramFile> result(parse_program, "M() :: { " + text + "}");
+      EXPECT_EQ(result.tree.has_value(), derives(letters)) << letters << '\n' << result.errors();
+      read += result.tree.has_value() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(read, 300u);
 }
 
 TEST(ProgramParse, PlacesFollowADetachedCondition) {
