@@ -23,6 +23,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
             stdin=log.open("rb"),
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
+            bufsize=0,  # what is read ahead would be lost to communicate
         ) as run:
             first = run.stdout.readline()
             run.send_signal(signal.SIGINT)
