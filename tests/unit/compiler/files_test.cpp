@@ -84,6 +84,9 @@ TEST_F(InputFiles, KindsAreToldByContent) {
   EXPECT_EQ(kind_by_content(" // comment\n { \"format\": 1 }"), Kind::document);
   EXPECT_EQ(kind_by_content("/* a */ scenario \"s\" { }"), Kind::scenario);
   EXPECT_EQ(kind_by_content("component C { }"), Kind::plant);
+  EXPECT_EQ(kind_by_content("\xEF\xBB\xBF"
+                            "component C { }"),
+            Kind::plant);
   EXPECT_EQ(kind_by_content("plant P { }"), Kind::plant);
   EXPECT_EQ(kind_by_content("plant() :: { x = on }"), Kind::program);
   EXPECT_EQ(kind_by_content("import \"a.tcca\"; "), Kind::plant);
