@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "automata/suggestion.hpp"
@@ -55,9 +57,37 @@ std::string unknown_option(std::string word, const CLI::App& app) {
   return "unknown option '" + word + "'" + (letter ? "" : nearest_of(word, names));
 }
 
-/// The parser's own sentence; it begins with a capital, but for names of arguments, which are capitals throughout.
+/// The part of a text between two others that it has, one behind the other; nothing where it has not.
+std::optional<std::string> between(const std::string& text, std::string_view before, std::string_view behind) {
+  const std::size_t begin = text.find(before);
+  if (begin == std::string::npos) return std::nullopt;
+  const std::size_t end = text.find(behind, begin + before.size());
+  if (end == std::string::npos) return std::nullopt;
+  return text.substr(begin + before.size(), end - begin - before.size());
+}
+
+/// `a|b` of the parser's `…{a,b}`; any other description of a value as it is.
+std::string choices(const std::string& description) {
+  std::string words = between(description, "{", "}").value_or(description);
+  std::replace(words.begin(), words.end(), ',', '|');
+  return words;
+}
+
+/// The parser's own sentence, but for what it says clumsily. It begins with a capital, unless with the name of an
+/// argument, which is capitals throughout.
 std::string sentence(const CLI::ParseError& error) {
   std::string text = error.what();
+  const std::string name = text.substr(0, text.find(':'));
+  if (const auto value = between(text, ": ", " not in {")) {
+    return name + ": expected " + choices(text.substr(text.rfind(" not in {"))) + ", not '" + *value + "'";
+  }
+  constexpr std::string_view range = " not in range ";
+  if (const auto value = between(text, ": Value ", range)) {
+    return name + ": expected a number from " + text.substr(text.rfind(range) + range.size()) + ", not '" + *value +
+           "'";
+  }
+  if (const auto value = between(text, ": 1 required ", " missing")) return name + ": expected " + choices(*value);
+  if (between(text, ": At Most 1 ", "received")) return name + ": given more than once";
   const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
   if (text.size() > 1 && is_upper(text[0]) && !is_upper(text[1])) text[0] = static_cast<char>(text[0] - 'A' + 'a');
   return text;
