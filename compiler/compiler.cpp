@@ -3,6 +3,8 @@
 #include "compiler/compiler.hpp"
 
 #include <cassert>
+#include <cstdint>
+#include <filesystem>
 #include <utility>
 
 #include "compiler/check/resolve.hpp"
@@ -30,6 +32,15 @@ bool Compilation::ok() const { return !result_->diagnostics.has_errors(); }
 const automata::Document& Compilation::document() const {
   assert(ok() && "a compilation with errors has no document");
   return result_->document;
+}
+
+std::optional<std::string> Compilation::input_at(const std::string& output) const {
+  for (std::uint32_t file = 0; file < result_->sources.size(); ++file) {
+    const std::string& name = result_->sources[file].name();
+    std::error_code missing;
+    if (std::filesystem::equivalent(output, name, missing)) return name;
+  }
+  return std::nullopt;
 }
 
 std::string Compilation::diagnostics(DiagnosticFormat format, bool color) const {

@@ -33,6 +33,9 @@ class Compilation {
   [[nodiscard]] bool ok() const;
   /// The document. Only where `ok()`.
   [[nodiscard]] const automata::Document& document() const;
+  /// The file that was read, as an argument, an import or what a scenario names, and that `output` leads to: writing
+  /// there would destroy it.
+  [[nodiscard]] std::optional<std::string> input_at(const std::string& output) const;
   /// Every diagnostic, in order of file, then place; empty text where there is none.
   [[nodiscard]] std::string diagnostics(DiagnosticFormat format, bool color) const;
 

@@ -21,10 +21,9 @@ using grammar::Span;
 
 automata::Document InputSet::compile(std::span<const std::string> paths, const Options& options) {
   std::map<Kind, Roots> roots;
-  for (const std::string& path : paths) {
-    const File& file = files_.open(path);
-    Roots& same = roots[file.kind];
-    if (std::find(same.begin(), same.end(), &file) == same.end()) same.push_back(&file);
+  for (const File* file : opened(paths)) {
+    Roots& same = roots[file->kind];
+    if (std::find(same.begin(), same.end(), file) == same.end()) same.push_back(file);
   }
   for (const File* file : roots[Kind::document]) adopt(*file);
   Plant plant;
@@ -37,9 +36,30 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
   if (!roots[Kind::program].empty()) {
     program(roots[Kind::program], {options.main, std::nullopt}, plant.part,
             {roots[Kind::program].front()->index, 0, 0});
+  } else if (!options.main.empty()) {
+    throw automata::InputError("--main " + options.main + ": expected a control program (.rmpl) among the inputs");
   }
   for (const File* file : roots[Kind::scenario]) scenarios(*file);
   return std::move(document_);
+}
+
+InputSet::Roots InputSet::opened(std::span<const std::string> paths) {
+  Roots roots;
+  std::vector<std::string> failures;
+  for (const std::string& path : paths) {
+    try {
+      roots.push_back(&files_.open(path));
+    } catch (const automata::InputError& error) {
+      failures.emplace_back(error.what());
+    }
+  }
+  if (failures.size() == 1) throw automata::InputError(failures.front());
+  if (!failures.empty()) {
+    std::string all = std::to_string(failures.size()) + " inputs cannot be used:";
+    for (const std::string& failure : failures) all += "\n  " + failure;
+    throw automata::InputError(all);
+  }
+  return roots;
 }
 
 void InputSet::adopt(const File& file) {
@@ -167,6 +187,10 @@ std::optional<automata::Program> InputSet::lower_program(const Roots& roots, con
 
 void InputSet::scenarios(const File& file) {
   if (!file.scenarios) return;
+  if (file.scenarios->scenarios.empty()) {
+    auto& error = diagnostics_.error(Code::scenario_missing_part, {file.index, 0, 0}, "the file has no scenario");
+    error.suggestion = "add `scenario \"name\" { … }`";
+  }
   std::map<std::string, Span> names;
   for (const grammar::ScenarioDefinition& definition : file.scenarios->scenarios) {
     const auto [first, fresh] = names.emplace(definition.name.text, definition.name.span);

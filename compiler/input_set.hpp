@@ -49,6 +49,8 @@ class InputSet {
   void bind_adopted(const Part& plant);
   automata::Program bound(const automata::Program& program, const Part* plant, grammar::Span blame);
 
+  /// The files that the user named. Throws automata::InputError that tells of all that cannot be read.
+  Roots opened(std::span<const std::string> paths);
   Plant plant(const Roots& roots, grammar::Span blame);
   std::optional<Part> lower_plant(const Roots& roots, grammar::Span blame);
   /// The position of the program, or nothing where it has errors.

@@ -1,98 +1,15 @@
 // rmplc: compiles control programs, plant models and scenarios; explains diagnostics.
 // SPDX-License-Identifier: MIT
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <iostream>
-#include <string>
-#include <vector>
 
+#include "automata/command_line.hpp"
 #include "automata/error.hpp"
-#include "automata/json/document.hpp"
-#include "automata/size.hpp"
-#include "compiler/compiler.hpp"
-#include "compiler/import/import.hpp"
-#include "compiler/write_file.hpp"
-#include "grammar/source/codes.hpp"
+#include "compiler/command/command.hpp"
 
 namespace {
 
-constexpr int done = 0;
-constexpr int wrong_input = 2;
-
-struct Settings {
-  std::vector<std::string> files;
-  std::string output;
-  std::string main;
-  std::string format = "text";
-  std::string color = "auto";
-  std::string code;
-  std::string circuit;
-  std::string faults = "weak";
-  bool quiet = false;
-  bool verbose = false;
-
-  [[nodiscard]] bool colored() const { return color == "always" || (color == "auto" && isatty(STDERR_FILENO) != 0); }
-};
-
-void write(const Settings& settings, const std::string& text) {
-  std::vector<std::string> inputs = settings.files;
-  inputs.push_back(settings.circuit);
-  for (const std::string& input : inputs) {
-    std::error_code missing;
-    if (std::filesystem::equivalent(settings.output, input, missing)) {
-      throw automata::InputError("the output would overwrite its input, " + input);
-    }
-  }
-  if (!settings.output.empty()) return compiler::write_file(settings.output, text);
-  std::cout << text << std::flush;
-  if (!std::cout) throw automata::InputError("standard output: cannot be written");
-}
-
-int import(const Settings& settings) {
-  const bool strong = settings.faults == "strong";
-  write(settings,
-        compiler::import_circuit(settings.circuit, strong ? compiler::FaultModel::strong : compiler::FaultModel::weak));
-  return done;
-}
-
-int compile(const Settings& settings) {
-  const compiler::Compilation result = compiler::compile(settings.files, {settings.main});
-  if (!result.ok() || !settings.quiet) {
-    const auto format = settings.format == "json" ? compiler::DiagnosticFormat::json : compiler::DiagnosticFormat::text;
-    std::cerr << result.diagnostics(format, settings.colored());
-  }
-  if (!result.ok()) return wrong_input;
-  const automata::Document& document = result.document();
-  write(settings, automata::to_text(document));
-  if (settings.verbose) {
-    std::cerr << "plants: " << document.plants.size() << ", programs: " << document.programs.size()
-              << ", scenarios: " << document.scenarios.size() << "\n";
-    for (const automata::Plant& plant : document.plants) {
-      const automata::PlantSize size = automata::size_of(plant);
-      std::cerr << "plant " << plant.name << ": " << size.components << " components, " << size.modes << " modes, "
-                << size.propositions << " propositions, " << size.clauses << " clauses\n";
-    }
-  }
-  return done;
-}
-
-int explain(const Settings& settings) {
-  const auto code = grammar::find_code(settings.code);
-  if (!code) throw automata::InputError("'" + settings.code + "' is no code of a diagnostic, expected one as RMPL0100");
-  const grammar::CodeInfo& info = grammar::info(*code);
-  const auto indented = [](std::string_view text) {
-    std::string result = "  ";
-    for (const char c : text) result += c == '\n' ? std::string("\n  ") : std::string(1, c);
-    return result;
-  };
-  std::cout << grammar::to_string(*code) << ": " << info.title << "\n\n"
-            << info.explanation << "\n\nwrong:\n"
-            << indented(info.wrong) << "\n\nright:\n"
-            << indented(info.right) << "\n";
-  return done;
-}
+using compiler::Settings;
 
 constexpr const char* compile_notes =
     R"(Writes one self-contained JSON document to standard output, or to OUT.json with -o:
@@ -157,7 +74,9 @@ int main(int argc, char** argv) {
 
   CLI::App* importing = app.add_subcommand("import", "Turn a circuit into a plant model");
   importing->footer(import_notes);
-  importing->add_option("FILE", settings.circuit, "A netlist: .bench, or .xml of the diagnostic competition")
+  importing
+      ->add_option("FILE", settings.circuit,
+                   "A netlist: .bench, or .xml of the diagnostic competition; - is standard input")
       ->required();
   importing->add_option("-o,--output", settings.output, "Write the plant to this file")->type_name("OUT.tcca");
   importing->add_option("--faults", settings.faults, "How gates fail: weak or strong")
@@ -166,12 +85,17 @@ int main(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
-    if (importing->parsed()) return import(settings);
-    return compiling->parsed() ? compile(settings) : explain(settings);
+    if (importing->parsed()) return compiler::run_import(settings);
+    return compiling->parsed() ? compiler::run_compile(settings) : compiler::run_explain(settings);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? done : wrong_input;
+    if (error.get_exit_code() == 0) {  // help or version
+      app.exit(error);
+      return std::cout.flush() ? compiler::done : compiler::wrong_input;
+    }
+    std::cerr << automata::complaint(app, error);
+    return compiler::wrong_input;
   } catch (const automata::InputError& error) {
     std::cerr << "rmplc: " << error.what() << "\n";
-    return wrong_input;
+    return compiler::wrong_input;
   }
 }

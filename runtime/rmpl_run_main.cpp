@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "automata/command_line.hpp"
 #include "automata/error.hpp"
 #include "runtime/command/command.hpp"
 
@@ -30,20 +31,6 @@ void add_common(CLI::App& app, Common& common) {
   app.add_flag("-v", common.verbose, "say more: statistics on standard error");
 }
 
-/// Help and version are successes; all else that the parser throws is a wrong command line.
-int answer(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
-  std::string of;
-  for (const CLI::App* command : app.get_subcommands()) of = " " + command->get_name();
-  std::string message = error.what();
-  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
-  // The parser's sentences begin with a capital; names of arguments are capitals throughout and stay.
-  if (message.size() > 1 && is_upper(message[0]) && !is_upper(message[1]))
-    message[0] = static_cast<char>(message[0] - 'A' + 'a');
-  std::cerr << "rmpl-run: " << message << "\nsee rmpl-run" << of << " --help\n";
-  return static_cast<int>(Status::wrong);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,7 +50,12 @@ int main(int argc, char** argv) {
       if (command.app->parsed()) return static_cast<int>(command.run());
     }
   } catch (const CLI::ParseError& error) {
-    return answer(app, error);
+    if (error.get_exit_code() == 0) {  // help or version
+      app.exit(error);
+      return static_cast<int>(std::cout.flush() ? Status::done : Status::wrong);
+    }
+    std::cerr << automata::complaint(app, error);
+    return static_cast<int>(Status::wrong);
   } catch (const automata::InputError& error) {
     std::cerr << "rmpl-run: " << error.what() << '\n';
     return static_cast<int>(Status::wrong);

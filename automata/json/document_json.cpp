@@ -26,6 +26,7 @@ std::string to_text(const Document& document) { return to_json(document).dump(2)
 
 Document document_from_json(const Json& json) {
   const Node root(json, "");
+  root.only({"format", "version", "plants", "programs", "scenarios"});
   if (root.at("format").text() != format_name) root.at("format").fail(std::string("\"") + format_name + "\"");
   if (root.at("version").natural() != format_version) root.at("version").fail(std::to_string(format_version));
   Document document;
@@ -34,9 +35,10 @@ Document document_from_json(const Json& json) {
   for (const Node& item : root.at("scenarios").items()) {
     document.scenarios.push_back(scenario_from_json(item, document));
   }
-  for (const Scenario& scenario : document.scenarios) {
+  for (std::size_t s = 0; s < document.scenarios.size(); ++s) {
+    const Scenario& scenario = document.scenarios[s];
     if (!(document.programs[scenario.program].variables == document.plants[scenario.plant].variables)) {
-      throw InputError("/scenarios: expected each program to be bound to its scenario's plant");
+      root.at("scenarios").items()[s].fail("a program that is bound to the scenario's plant");
     }
   }
   return document;
@@ -44,7 +46,7 @@ Document document_from_json(const Json& json) {
 
 Document read_document(std::string_view text, const std::string& name) {
   try {
-    return document_from_json(Json::parse(text));
+    return document_from_json(parse_json(text));
   } catch (const Json::exception& error) {
     throw InputError(name + ": " + error.what());
   } catch (const InputError& error) {

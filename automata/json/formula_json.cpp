@@ -30,24 +30,28 @@ Formula read(const Node& node, const Variables& variables, std::span<const std::
   if (depth > depth_limit) node.fail("a formula of at most " + std::to_string(depth_limit) + " levels");
   if (node.json().is_boolean()) return constant(node.truth());
   const auto operands = [&](const char* key, std::size_t count) {
+    node.only({key});
     std::vector<Formula> all;
     for (const Node& item : node.at(key).items()) all.push_back(read(item, variables, clocks, depth + 1));
     if (count != 0 && all.size() != count) node.at(key).fail("two operands");
     return all;
   };
   if (node.has("in")) {
+    node.only({"variable", "in"});
     const VariableId id = variable_from_json(node.at("variable"), variables);
     std::vector<ValueId> values;
     for (const Node& value : node.at("in").items()) values.push_back(value_from_json(value, id, variables));
     return member(id, std::move(values));
   }
   if (node.has("equals")) {
+    node.only({"variable", "equals"});
     const VariableId left = variable_from_json(node.at("variable"), variables);
     const VariableId right = variable_from_json(node.at("equals"), variables);
     if (variables[left].values != variables[right].values) node.fail("two variables of one domain");
     return equality(left, right);
   }
   if (node.has("clock")) {
+    node.only({"clock", "is", "bound"});
     const std::string clock = node.at("clock").text();
     const std::string comparison = node.at("is").text();
     for (std::size_t c = 0; c < clocks.size(); ++c) {
@@ -59,7 +63,10 @@ Formula read(const Node& node, const Variables& variables, std::span<const std::
     }
     node.at("clock").fail("the name of a clock, not '" + clock + "'");
   }
-  if (node.has("not")) return negation(read(node.at("not"), variables, clocks, depth + 1));
+  if (node.has("not")) {
+    node.only({"not"});
+    return negation(read(node.at("not"), variables, clocks, depth + 1));
+  }
   for (const auto& [key, kind] : {std::pair{"and", Formula::Kind::conjunction}, {"or", Formula::Kind::disjunction}}) {
     if (!node.has(key)) continue;
     Formula formula;
@@ -131,6 +138,7 @@ Json to_json(const Variables& variables) {
 Variables variables_from_json(const Node& node) {
   Variables variables;
   for (const Node& item : node.items()) {
+    item.only({"name", "values"});
     Variable variable{item.at("name").text(), {}};
     if (variables.find(variable.name)) item.at("name").fail("a name that is new");
     for (const Node& value : item.at("values").items()) {
@@ -159,6 +167,7 @@ Json to_json(const Origin& origin) { return {{"file", origin.file}, {"line", ori
 
 Origin origin_from_json(const Node& node) {
   constexpr std::size_t limit = 1u << 31;
+  node.only({"file", "line", "column"});
   return {node.at("file").text(), static_cast<std::uint32_t>(node.at("line").index(limit)),
           static_cast<std::uint32_t>(node.at("column").index(limit))};
 }

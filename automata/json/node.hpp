@@ -2,26 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "automata/error.hpp"
+#include "automata/json/parse.hpp"
+#include "automata/suggestion.hpp"
 #include "automata/time.hpp"
 
 namespace automata {
-
-using Json = nlohmann::ordered_json;
 
 /// A JSON value and the path that leads to it. Cheap to copy; refers to the value.
 class Node {
  public:
   Node(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
 
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw InputError((path_.empty() ? "/" : path_) + ": expected " + expected);
+  [[noreturn]] void fail(const std::string& expected) const { throw JsonError(path_, "expected " + expected); }
+  /// Fails where this is an object with a key that is none of these.
+  void only(const std::vector<std::string_view>& keys) const {
+    if (!json_->is_object()) fail("an object");
+    for (const auto& [key, value] : json_->items()) {
+      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+      throw JsonError(member_path(path_, key), "unknown key '" + key + "'" + suggestion(key, keys),
+                      JsonError::Blame::key);
+    }
   }
   [[nodiscard]] const Json& json() const { return *json_; }
   [[nodiscard]] bool has(std::string_view key) const { return json_->is_object() && json_->contains(key); }

@@ -34,6 +34,17 @@ Timing timing_from_json(const Node& node) {
     known = true;
   }
   if (!known) node.at("density").fail("uniform, exponential or normal");
+  switch (timing.density.kind) {
+    case Density::Kind::uniform:
+      node.only({"lower", "upper", "density"});
+      break;
+    case Density::Kind::exponential:
+      node.only({"lower", "upper", "density", "mean"});
+      break;
+    case Density::Kind::normal:
+      node.only({"lower", "upper", "density", "mean", "standard_deviation"});
+      break;
+  }
   const auto positive = [&](const char* key) {
     const double value = node.at(key).number();
     if (!(value > 0)) node.at(key).fail("a number above 0");
@@ -64,6 +75,7 @@ Json transition_to_json(const Transition& t, const Component& component, const V
 }
 
 Transition transition_from_json(const Node& node, const Component& component, const Variables& variables) {
+  node.only({"from", "to", "guard", "timing", "probability", "rate", "branch", "origin"});
   const auto mode = [&](const char* key) {
     const std::string name = node.at(key).text();
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
@@ -77,6 +89,7 @@ Transition transition_from_json(const Node& node, const Component& component, co
   t.guard = formula_from_json(node.at("guard"), variables);
   if (has_clock(t.guard)) node.at("guard").fail("a guard without clocks");
   if (node.has("timing")) t.timing = timing_from_json(node.at("timing"));
+  if (node.has("probability") && node.has("rate")) node.fail("a probability or a rate, not both");
   if (node.has("probability")) t.weight = {Weight::Kind::probability, node.at("probability").probability()};
   if (node.has("rate")) t.weight = {Weight::Kind::rate, node.at("rate").number()};
   if (t.weight.value < 0) node.at("rate").fail("a rate of at least 0");
@@ -109,6 +122,7 @@ Json component_to_json(const Component& component, const Variables& variables) {
 }
 
 Component component_from_json(const Node& node, const Variables& variables) {
+  node.only({"name", "type", "modes", "initial", "transitions", "origin"});
   Component component;
   component.name = node.at("name").text();
   component.type = node.at("type").text();
@@ -117,6 +131,7 @@ Component component_from_json(const Node& node, const Variables& variables) {
   component.mode = *mode_variable;
   const auto& names = variables[component.mode].values;
   for (const Node& item : node.at("modes").items()) {
+    item.only({"name", "fault", "constraint", "reward", "origin"});
     Mode mode;
     mode.name = item.at("name").text();
     mode.fault = item.at("fault").truth();
@@ -170,6 +185,7 @@ Json to_json(const Plant& plant) {
 }
 
 Plant plant_from_json(const Node& node) {
+  node.only({"name", "variables", "components", "interconnections", "controls", "observables"});
   Plant plant;
   plant.name = node.at("name").text();
   plant.variables = variables_from_json(node.at("variables"));
@@ -193,6 +209,7 @@ Plant plant_from_json(const Node& node) {
     return *id;
   };
   for (const Node& item : node.at("controls").items()) {
+    item.only({"variable", "idle"});
     const VariableId variable = attribute(item.at("variable"));
     const auto idle = plant.variables[variable].find(item.at("idle").text());
     if (!idle) item.at("idle").fail("a value of '" + plant.variables.name(variable) + "'");

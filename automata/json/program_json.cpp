@@ -1,6 +1,7 @@
 // Control programs as JSON, and back.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <unordered_set>
 
 #include "automata/json/document.hpp"
 
@@ -14,6 +15,7 @@ Json condition_to_json(const Condition& condition, const Program& program) {
 
 Condition condition_from_json(const Node& node, const Program& program) {
   const bool entailed = node.has("entailed");
+  node.only({entailed ? "entailed" : "not_entailed"});
   return {entailed,
           formula_from_json(node.at(entailed ? "entailed" : "not_entailed"), program.variables, program.clocks)};
 }
@@ -41,6 +43,7 @@ Json location_to_json(const Location& location, std::size_t number, const Progra
 }
 
 Location location_from_json(const Node& node, std::size_t position, std::size_t count, const Program& program) {
+  node.only({"number", "kind", "parent", "start", "goal", "clock_start", "maintain", "arcs", "label", "origin"});
   Location location;
   if (node.at("number").natural() != position + 1) node.at("number").fail(std::to_string(position + 1));
   const std::string kind = node.at("kind").text();
@@ -67,6 +70,7 @@ Location location_from_json(const Node& node, std::size_t position, std::size_t 
   }
   if (node.has("maintain")) location.maintenance = condition_from_json(node.at("maintain"), program);
   for (const Node& item : node.at("arcs").items()) {
+    item.only({"guard", "target"});
     Arc arc;
     if (item.has("guard")) arc.guard = condition_from_json(item.at("guard"), program);
     const std::size_t target = item.at("target").index(count + 1);
@@ -93,10 +97,15 @@ Json to_json(const Program& program) {
 }
 
 Program program_from_json(const Node& node) {
+  node.only({"name", "variables", "clocks", "locations"});
   Program program;
   program.name = node.at("name").text();
   program.variables = variables_from_json(node.at("variables"));
-  for (const Node& item : node.at("clocks").items()) program.clocks.push_back(item.text());
+  std::unordered_set<std::string> clocks;
+  for (const Node& item : node.at("clocks").items()) {
+    if (!clocks.insert(item.text()).second) item.fail("a clock that is new");
+    program.clocks.push_back(item.text());
+  }
   const auto locations = node.at("locations").items();
   if (locations.empty()) node.at("locations").fail("at least one location");
   for (std::size_t l = 0; l < locations.size(); ++l) {

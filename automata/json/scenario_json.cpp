@@ -27,6 +27,7 @@ Json rule_to_json(const Rule& rule, const Plant& plant) {
 }
 
 Rule rule_from_json(const Node& node, const Plant& plant) {
+  node.only({"stream", "trigger", node.has("delay") ? "delay" : "delay_cycles", "reading", "duration", "origin"});
   Rule rule;
   const std::string stream = node.at("stream").text();
   if (stream != "command" && stream != "estimate") node.at("stream").fail("command or estimate");
@@ -58,6 +59,7 @@ Json expectation_to_json(const Expectation& expectation, const Plant& plant) {
 }
 
 Expectation expectation_from_json(const Node& node, const Plant& plant) {
+  node.only({"kind", "truth", "condition", "after", "within", "text", "origin"});
   Expectation expectation;
   const std::string name = node.at("kind").text();
   bool known = false;
@@ -114,6 +116,8 @@ Json to_json(const Scenario& scenario, const Document& document) {
 }
 
 Scenario scenario_from_json(const Node& node, const Document& document) {
+  node.only({"name", "program", "plant", "rules_only", "cycle", "duration", "seed", "truth", "forced", "overrides",
+             "rules", "expectations", "origin"});
   Scenario scenario;
   scenario.name = node.at("name").text();
   scenario.program = node.at("program").index(document.programs.size());
@@ -131,11 +135,13 @@ Scenario scenario_from_json(const Node& node, const Document& document) {
   };
   for (const Node& item : node.at("truth").items()) scenario.truth.push_back(mode_of(item));
   for (const Node& item : node.at("forced").items()) {
+    item.only({"at", "mode", "origin"});
     const Assignment mode = mode_of(item.at("mode"));
     scenario.forced.push_back({item.at("at").ticks(), *plant.component_of(mode.variable), ModeId(mode.value.index()),
                                origin_from_json(item.at("origin"))});
   }
   for (const Node& item : node.at("overrides").items()) {
+    item.only({"at", "duration", "reading", "origin"});
     scenario.overrides.push_back({item.at("at").ticks(), item.at("duration").ticks(),
                                   assignment_from_json(item.at("reading"), plant.variables),
                                   origin_from_json(item.at("origin"))});

@@ -49,6 +49,8 @@ std::vector<Formula> Resolver::resolve_all(const std::vector<grammar::Constraint
   return formulas;
 }
 
+void Resolver::taken_for_value(const Name&) {}
+
 void Resolver::annotate(grammar::Diagnostic&) {}
 
 std::optional<Name> Resolver::meaning(const Name& name) { return name; }
@@ -104,6 +106,7 @@ Formula Resolver::comparison(const grammar::Comparison& comparison) {
   const auto right = meaning(comparison.right);
   if (!left || !right) return automata::constant(true);
   const auto value = find_value(*left, right->text);
+  if (!closed()) taken_for_value(*right);
   const auto other = closed() ? vocabulary_.variables.find(right->text) : std::nullopt;
   const auto same_domain = [&](VariableId a, VariableId b) {
     return vocabulary_.variables[a].values == vocabulary_.variables[b].values;

@@ -40,6 +40,9 @@ class Resolver {
   /// Whether the domains are known, so that `x != v` is membership in the rest of the domain.
   [[nodiscard]] virtual bool closed() const { return true; }
 
+  /// Called with the right side of a comparison that was taken for a value because the domains are not known.
+  virtual void taken_for_value(const grammar::Name& name);
+
   /// Called with each error, for notes on how it came to be.
   virtual void annotate(grammar::Diagnostic& diagnostic);
   /// The error of a name that no variable has.

@@ -1,4 +1,4 @@
-// The `.bench` format: INPUT(n), OUTPUT(n), n = FUNCTION(a, b, …), # comments.
+// The `.bench` format: INPUT(n), OUTPUT(n), n = FUNCTION(a, b, …), # comments; a statement a line.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -8,11 +8,14 @@
 #include <unordered_set>
 #include <utility>
 
-#include "automata/error.hpp"
+#include "compiler/check/vocabulary.hpp"
 #include "compiler/import/netlist.hpp"
 
 namespace compiler {
 namespace {
+
+using grammar::Code;
+using grammar::Span;
 
 constexpr std::array<std::pair<std::string_view, GateFunction>, 8> functions{
     {{"AND", GateFunction::conjunction},
@@ -30,111 +33,178 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string upper_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// `NAME(inside)`.
+struct Form {
+  std::string_view name;
+  std::string_view inside;
+};
+
 class BenchReader {
  public:
-  BenchReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  BenchReader(const grammar::SourceFile& file, std::uint32_t index, grammar::Diagnostics& diagnostics)
+      : text_(file.text()), index_(index), errors_(diagnostics) {}
 
-  Netlist run() {
-    for (; !text_.empty(); ++line_) {
-      const std::size_t end = std::min(text_.find('\n'), text_.size());
-      std::string_view statement = text_.substr(0, end);
-      text_.remove_prefix(std::min(end + 1, text_.size()));
+  std::optional<Netlist> run() {
+    std::string_view rest = text_;
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // a byte order mark
+    while (!rest.empty() && !errors_.too_many()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      std::string_view statement = rest.substr(0, end);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
       statement = trimmed(statement.substr(0, statement.find('#')));
       if (!statement.empty()) read(statement);
     }
-    for (const auto& [net, line] : used_) {
-      if (!driven_.contains(net)) fail(line, "nothing drives the net '" + names_[net] + "'");
+    for (Net n = 0; n < names_.size(); ++n) {
+      if (driver_[n] || !reader_[n]) continue;
+      errors_.report(Code::netlist_driver, *reader_[n], "nothing drives the net " + backquoted(names_[n]));
     }
-    if (netlist_.gates.empty()) fail(line_, "a circuit without gates");
+    if (!errors_.any() && netlist_.gates.empty()) {
+      errors_.report(Code::netlist_syntax, {index_, 0, 0}, "a circuit without gates");
+    }
+    if (errors_.any()) return std::nullopt;
     netlist_.nets = names_.size();
     return std::move(netlist_);
   }
 
  private:
-  [[noreturn]] void fail(std::size_t line, const std::string& message) const {
-    throw automata::InputError(file_ + ":" + std::to_string(line) + ":1: error: " + message);
+  [[nodiscard]] Span span(std::string_view part) const {
+    const auto begin = static_cast<std::uint32_t>(part.data() - text_.data());
+    return {index_, begin, begin + static_cast<std::uint32_t>(part.size())};
   }
 
-  Net net(std::string_view name) {
+  std::optional<Net> net(std::string_view name) {
     name = trimmed(name);
-    if (name.empty()) fail(line_, "expected the name of a net");
     const bool plain =
         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-    if (!plain) fail(line_, "'" + std::string(name) + "' is no name of a net: letters, digits and '_' are");
+    if (name.empty() || !plain) {
+      errors_.report(Code::netlist_syntax, span(name),
+                     name.empty() ? "expected the name of a net"
+                                  : backquoted(name) + " is no name of a net: letters, digits and `_` are");
+      return std::nullopt;
+    }
     const auto [at, fresh] = by_name_.try_emplace(std::string(name), names_.size());
-    if (fresh) names_.push_back(at->first);
+    if (fresh) {
+      names_.push_back(at->first);
+      driver_.emplace_back();
+      reader_.emplace_back();
+    }
     return at->second;
   }
 
-  void drive(Net target) {
-    if (!driven_.insert(target).second) fail(line_, "the net '" + names_[target] + "' is driven twice");
+  void drive(Net target, std::string_view place) {
+    if (!driver_[target]) {
+      driver_[target] = span(trimmed(place));
+    } else if (auto* error = errors_.report(Code::netlist_driver, span(trimmed(place)),
+                                            "the net " + backquoted(names_[target]) + " is driven twice")) {
+      error->notes.push_back({*driver_[target], "it is first driven here"});
+    }
   }
 
-  /// What stands between the parentheses of `NAME(…)`, which must close the statement.
-  std::string_view arguments(std::string_view call) const {
-    const std::size_t open = call.find('(');
-    if (open == std::string_view::npos || call.back() != ')')
-      fail(line_, "expected INPUT(…), OUTPUT(…) or net = GATE(…)");
-    return call.substr(open + 1, call.size() - open - 2);
+  std::optional<Net> reading(std::string_view name) {
+    const auto found = net(name);
+    if (found && !reader_[*found]) reader_[*found] = span(trimmed(name));
+    return found;
+  }
+
+  /// A whole statement, or what follows its `=`.
+  std::optional<Form> form(std::string_view text) {
+    const std::size_t open = text.find('(');
+    if (open != std::string_view::npos && text.back() == ')') {
+      return Form{trimmed(text.substr(0, open)), text.substr(open + 1, text.size() - open - 2)};
+    }
+    errors_.report(Code::netlist_syntax, span(text), "expected INPUT(…), OUTPUT(…) or net = GATE(…)");
+    return std::nullopt;
   }
 
   void read(std::string_view statement) {
     const std::size_t equals = statement.find('=');
-    if (equals != std::string_view::npos)
-      return read_gate(statement.substr(0, equals), trimmed(statement.substr(equals + 1)));
-    const std::string_view inside = arguments(statement);
-    const std::string_view keyword = trimmed(statement.substr(0, statement.find('(')));
-    const Net port = net(inside);
-    if (keyword == "INPUT") {
-      drive(port);
-      netlist_.inputs.push_back({names_[port], port});
-    } else if (keyword == "OUTPUT") {
-      used_.emplace_back(port, line_);
-      netlist_.outputs.push_back({names_[port], port});
+    if (equals != std::string_view::npos) {
+      return read_gate(statement.substr(0, equals), statement.substr(equals + 1));
+    }
+    const auto port = form(statement);
+    if (!port) return;
+    if (port->name == "INPUT") {
+      const auto target = net(port->inside);
+      if (!target) return;
+      drive(*target, port->inside);
+      netlist_.inputs.push_back({names_[*target], *target});
+    } else if (port->name == "OUTPUT") {
+      const auto source = reading(port->inside);
+      if (!source) return;
+      if (!outputs_.insert(*source).second) {
+        errors_.report(Code::netlist_driver, span(trimmed(port->inside)),
+                       "the output " + backquoted(names_[*source]) + " is declared twice");
+      }
+      netlist_.outputs.push_back({names_[*source], *source});
     } else {
-      fail(line_, "expected INPUT or OUTPUT, found '" + std::string(keyword) + "'");
+      errors_.report(Code::netlist_syntax, span(port->name),
+                     "expected INPUT or OUTPUT, found " + backquoted(port->name));
     }
   }
 
   void read_gate(std::string_view target, std::string_view call) {
-    if (call.empty()) fail(line_, "expected a gate after '='");
-    std::string_view inside = arguments(call);
-    std::string name(trimmed(call.substr(0, call.find('('))));
-    for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    const auto* known =
-        std::find_if(functions.begin(), functions.end(), [&](const auto& f) { return f.first == name; });
-    if (known == functions.end()) fail(line_, "unknown gate '" + name + "'");
     Gate gate;
-    gate.function = known->second;
-    gate.output = net(target);
-    gate.name = names_[gate.output];
-    drive(gate.output);
-    for (;;) {
+    const auto output = net(target);
+    if (output) {
+      gate.output = *output;
+      gate.name = names_[*output];
+      drive(*output, target);
+    }
+    if (trimmed(call).empty()) {
+      errors_.report(Code::netlist_syntax, span(call), "expected a gate after `=`");
+      return;
+    }
+    const auto parts = form(trimmed(call));
+    if (!parts) return;
+    bool complete = output.has_value();
+    for (std::string_view inside = parts->inside;;) {
       const std::size_t comma = inside.find(',');
-      gate.inputs.push_back(net(inside.substr(0, comma)));
-      used_.emplace_back(gate.inputs.back(), line_);
+      const auto input = reading(inside.substr(0, comma));
+      if (input) gate.inputs.push_back(*input);
+      complete = complete && input;
       if (comma == std::string_view::npos) break;
       inside.remove_prefix(comma + 1);
     }
+    const auto* known = std::find_if(functions.begin(), functions.end(),
+                                     [name = upper_case(parts->name)](const auto& f) { return f.first == name; });
+    if (known == functions.end()) {
+      errors_.report(Code::netlist_gate, span(parts->name),
+                     "unknown gate " + backquoted(parts->name) + ", expected AND, NAND, OR, NOR, XOR, NOT or BUFF");
+      return;
+    }
+    gate.function = known->second;
+    if (!complete) return;
     const bool unary = gate.function == GateFunction::negation || gate.function == GateFunction::buffer;
     if (unary ? gate.inputs.size() != 1 : gate.inputs.size() < 2) {
-      fail(line_, "the gate '" + gate.name + "' has the wrong number of inputs");
+      errors_.report(Code::netlist_gate, span(trimmed(call)),
+                     "the gate " + backquoted(gate.name) + " has " + std::to_string(gate.inputs.size()) +
+                         (unary ? " inputs, expected one" : " input, expected two or more"));
     }
     netlist_.gates.push_back(std::move(gate));
   }
 
   std::string_view text_;
-  const std::string& file_;
-  std::size_t line_ = 1;
+  std::uint32_t index_;
+  NetlistErrors errors_;
   Netlist netlist_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_;  ///< of the nets
   std::unordered_map<std::string, Net> by_name_;
-  std::unordered_set<Net> driven_;
-  std::vector<std::pair<Net, std::size_t>> used_;
+  std::unordered_set<Net> outputs_;
+  std::vector<std::optional<Span>> driver_;  ///< of each net, where it is driven first
+  std::vector<std::optional<Span>> reader_;  ///< and read first
 };
 
 }  // namespace
 
-Netlist read_bench(std::string_view text, const std::string& file) { return BenchReader(text, file).run(); }
+std::optional<Netlist> read_bench(const grammar::Sources& sources, std::uint32_t file,
+                                  grammar::Diagnostics& diagnostics) {
+  return BenchReader(sources[file], file, diagnostics).run();
+}
 
 }  // namespace compiler

@@ -7,15 +7,20 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <pugixml.hpp>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
-#include "automata/error.hpp"
+#include "compiler/check/vocabulary.hpp"
 #include "compiler/import/netlist.hpp"
 
 namespace compiler {
 namespace {
+
+using grammar::Code;
+using grammar::Span;
 
 constexpr std::array<std::pair<std::string_view, GateFunction>, 7> functions{
     {{"and", GateFunction::conjunction},
@@ -26,45 +31,89 @@ constexpr std::array<std::pair<std::string_view, GateFunction>, 7> functions{
      {"inverter", GateFunction::negation},
      {"buffer", GateFunction::buffer}}};
 
+/// The function of `nand2` and the like; nothing for what is no gate.
+std::optional<GateFunction> function_of(std::string_view type) {
+  for (const auto& [name, function] : functions) {
+    if (!type.starts_with(name)) continue;
+    const std::string_view arity = type.substr(name.size());
+    if (std::all_of(arity.begin(), arity.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) return function;
+  }
+  return std::nullopt;
+}
+
+/// What drives a net, and where it is declared.
+struct Driver {
+  std::string name;
+  Span place;
+};
+
+struct PlacedPort {
+  std::string name;
+  Span place;
+};
+
 class CatalogueReader {
  public:
-  explicit CatalogueReader(const std::string& file) : file_(file) {}
+  CatalogueReader(const grammar::SourceFile& file, std::uint32_t index, grammar::Diagnostics& diagnostics)
+      : text_(file.text()), index_(index), errors_(diagnostics) {}
 
-  Netlist run(std::string_view text) {
+  std::optional<Netlist> run() {
     pugi::xml_document document;
-    const auto parsed = document.load_buffer(text.data(), text.size());
-    if (!parsed) fail(std::string("no XML: ") + parsed.description() + " at byte " + std::to_string(parsed.offset));
+    const auto parsed = document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (!parsed) {
+      const auto at = static_cast<std::uint32_t>(std::min<std::size_t>(text_.size(), parsed.offset));
+      errors_.report(Code::netlist_syntax, {index_, at, at}, std::string("no XML: ") + parsed.description());
+      return std::nullopt;
+    }
     const auto system = document.child("systemCatalog").child("systems").child("system");
-    if (!system) fail("expected systemCatalog/systems/system");
-    Netlist netlist;
-    netlist.name = system.child_value("systemName");
-    for (const auto& connection : system.child("connections").children("connection")) {
-      join(pin(connection.child_value("c1")), pin(connection.child_value("c2")));
+    if (!system) {
+      errors_.report(Code::netlist_syntax, {index_, 0, 0}, "expected systemCatalog/systems/system");
+      return std::nullopt;
     }
-    std::vector<std::string> ports;
-    for (const auto& component : system.child("components").children("component")) {
-      const std::string name = component.child_value("name");
-      const std::string type = component.child_value("componentType");
-      if (type == "port") ports.push_back(name);
-      const auto* known = std::find_if(functions.begin(), functions.end(), [&](const auto& f) {
-        return type.compare(0, f.first.size(), f.first) == 0 &&
-               std::all_of(type.begin() + static_cast<std::ptrdiff_t>(f.first.size()), type.end(),
-                           [](unsigned char c) { return std::isdigit(c) != 0; });
-      });
-      if (known != functions.end()) netlist.gates.push_back(gate(name, known->second));
-    }
-    if (netlist.gates.empty()) fail("a system without gates");
-    finish(netlist, ports);
-    return netlist;
+    read(system);
+    if (errors_.any()) return std::nullopt;
+    return std::move(netlist_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const {
-    throw automata::InputError(file_ + ":1:1: error: " + message);
+  /// The name of an element: pugixml says where it begins.
+  [[nodiscard]] Span span(pugi::xml_node element) const {
+    const auto begin = static_cast<std::uint32_t>(element.offset_debug());
+    return {index_, begin, begin + static_cast<std::uint32_t>(std::string_view(element.name()).size())};
+  }
+
+  void read(pugi::xml_node system) {
+    netlist_.name = system.child_value("systemName");
+    for (const auto& connection : system.child("connections").children("connection")) {
+      const std::string from = connection.child_value("c1");
+      const std::string to = connection.child_value("c2");
+      if (from.empty() || to.empty()) {
+        errors_.report(Code::netlist_syntax, span(connection),
+                       std::string("a connection without ") + (from.empty() ? "c1" : "c2"));
+      } else {
+        join(pin(from), pin(to));
+      }
+    }
+    for (const auto& component : system.child("components").children("component")) {
+      const std::string name = component.child_value("name");
+      const std::string_view type = component.child_value("componentType");
+      const auto function = function_of(type);
+      if (type != "port" && !function) continue;
+      if (name.empty()) {
+        errors_.report(Code::netlist_syntax, span(component), "a " + std::string(type) + " without a name");
+      } else if (!names_.insert(name).second) {
+        errors_.report(Code::netlist_driver, span(component), backquoted(name) + " is declared twice");
+      } else if (type == "port") {
+        ports_.push_back({name, span(component)});
+      } else {
+        gate(name, *function, span(component));
+      }
+    }
+    if (netlist_.gates.empty()) errors_.report(Code::netlist_syntax, span(system), "a system without gates");
+    finish();
   }
 
   std::size_t pin(const std::string& name) {
-    if (name.empty()) fail("a connection without c1 or c2");
     const auto [at, fresh] = pins_.try_emplace(name, parent_.size());
     if (fresh) parent_.push_back(at->second);
     return at->second;
@@ -75,46 +124,64 @@ class CatalogueReader {
   }
   void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
 
-  Gate gate(const std::string& name, GateFunction function) {
+  void gate(const std::string& name, GateFunction function, Span place) {
     Gate result{name, function, {}, pin(name + ".o")};
     for (std::size_t i = 1; pins_.contains(name + ".i" + std::to_string(i)); ++i) {
       result.inputs.push_back(pins_.at(name + ".i" + std::to_string(i)));
     }
-    if (result.inputs.empty()) fail("the gate '" + name + "' has no connected input");
-    return result;
+    if (result.inputs.empty()) {
+      errors_.report(Code::netlist_gate, place, "the gate " + backquoted(name) + " has no connected input");
+    }
+    netlist_.gates.push_back(std::move(result));
+    gate_places_.push_back(place);
   }
 
   /// Pins become nets; a port is an output where a gate drives it, else an input.
-  void finish(Netlist& netlist, const std::vector<std::string>& ports) {
+  void finish() {
     std::map<std::size_t, Net> nets;
     const auto net = [&](std::size_t p) { return nets.try_emplace(root(p), nets.size()).first->second; };
-    std::map<Net, std::string> driver;
-    for (Gate& g : netlist.gates) {
-      for (Net& input : g.inputs) input = net(input);
-      g.output = net(g.output);
-      const auto [at, fresh] = driver.try_emplace(g.output, g.name);
-      if (!fresh) fail("'" + at->second + "' and '" + g.name + "' drive one net");
-    }
-    for (const std::string& port : ports) {
-      const Net on = net(pin(port));  // a port that nothing is connected to has a net of its own
-      (driver.contains(on) ? netlist.outputs : netlist.inputs).push_back({port, on});
-      driver.try_emplace(on, port);
-    }
-    netlist.nets = nets.size();
-    for (const Gate& g : netlist.gates) {
-      for (const Net input : g.inputs) {
-        if (!driver.contains(input)) fail("nothing drives an input of '" + g.name + "'");
+    std::map<Net, Driver> driver;
+    for (std::size_t g = 0; g < netlist_.gates.size(); ++g) {
+      Gate& gate = netlist_.gates[g];
+      for (Net& input : gate.inputs) input = net(input);
+      gate.output = net(gate.output);
+      const auto [first, fresh] = driver.try_emplace(gate.output, Driver{gate.name, gate_places_[g]});
+      if (fresh) continue;
+      const std::string both = backquoted(first->second.name) + " and " + backquoted(gate.name);
+      if (auto* error = errors_.report(Code::netlist_driver, gate_places_[g], both + " drive one net")) {
+        error->notes.push_back({first->second.place, "the other one is here"});
       }
+    }
+    for (const PlacedPort& port : ports_) {
+      const Net on = net(pin(port.name));  // a port that nothing is connected to has a net of its own
+      (driver.contains(on) ? netlist_.outputs : netlist_.inputs).push_back({port.name, on});
+      driver.try_emplace(on, Driver{port.name, port.place});
+    }
+    netlist_.nets = nets.size();
+    for (std::size_t g = 0; g < netlist_.gates.size(); ++g) {
+      const auto& inputs = netlist_.gates[g].inputs;
+      if (std::all_of(inputs.begin(), inputs.end(), [&](Net input) { return driver.contains(input); })) continue;
+      errors_.report(Code::netlist_driver, gate_places_[g],
+                     "nothing drives an input of " + backquoted(netlist_.gates[g].name));
     }
   }
 
-  const std::string& file_;
+  std::string_view text_;
+  std::uint32_t index_;
+  NetlistErrors errors_;
+  Netlist netlist_;
+  std::unordered_set<std::string> names_;  ///< of gates and ports
+  std::vector<Span> gate_places_;
+  std::vector<PlacedPort> ports_;
   std::unordered_map<std::string, std::size_t> pins_;
   std::vector<std::size_t> parent_;
 };
 
 }  // namespace
 
-Netlist read_catalogue(std::string_view text, const std::string& file) { return CatalogueReader(file).run(text); }
+std::optional<Netlist> read_catalogue(const grammar::Sources& sources, std::uint32_t file,
+                                      grammar::Diagnostics& diagnostics) {
+  return CatalogueReader(sources[file], file, diagnostics).run();
+}
 
 }  // namespace compiler

@@ -1,27 +1,39 @@
-// Importing a netlist by its ending.
+// Importing a netlist by its ending, or by how it begins.
 // SPDX-License-Identifier: MIT
 #include "compiler/import/import.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "automata/error.hpp"
+#include "compiler/load/files.hpp"
+#include "grammar/source/render.hpp"
 
 namespace compiler {
+namespace {
 
-std::string import_circuit(const std::string& path, FaultModel faults) {
-  const std::filesystem::path file(path);
-  const std::string ending = file.extension().string();
-  if (ending != ".bench" && ending != ".xml") {
-    throw automata::InputError("'" + path + "' is no netlist: expected a file that ends in .bench or .xml");
+/// Whether the text is XML: by the name of its file, or of standard input by its first character.
+bool is_catalogue(const std::string& path, std::string_view text) {
+  if (path == "-") {
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    return first != std::string_view::npos && text[first] == '<';
   }
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream.is_open() || stream.bad()) throw automata::InputError(path + ": cannot be read");
-  Netlist netlist = ending == ".bench" ? read_bench(text, path) : read_catalogue(text, path);
-  if (netlist.name.empty()) netlist.name = file.stem().string();
-  return to_tcca(netlist, faults);
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".bench" || ending == ".xml") return ending == ".xml";
+  throw automata::InputError("'" + path + "' is no netlist: expected a file that ends in .bench or .xml");
+}
+
+}  // namespace
+
+ImportedCircuit import_circuit(const std::string& path, FaultModel faults, bool color) {
+  if (path != "-") is_catalogue(path, {});  // a wrong name is told before the file is read
+  grammar::Sources sources;
+  grammar::Diagnostics diagnostics;
+  const std::uint32_t file = sources.add(path == "-" ? "<stdin>" : path, read_text(path));
+  auto netlist = is_catalogue(path, sources[file].text()) ? read_catalogue(sources, file, diagnostics)
+                                                          : read_bench(sources, file, diagnostics);
+  if (!netlist) return {std::nullopt, grammar::render_text(diagnostics.sorted(), sources, color)};
+  if (netlist->name.empty()) netlist->name = path == "-" ? "circuit" : std::filesystem::path(path).stem().string();
+  return {to_tcca(*netlist, faults), {}};
 }
 
 }  // namespace compiler

@@ -2,14 +2,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "compiler/import/netlist.hpp"
 
 namespace compiler {
 
-/// The `.tcca` text of a netlist: `.bench` (ISCAS) or `.xml` (a system catalogue of the diagnostic competition), told
-/// by the file's ending. Throws InputError where the file cannot be read, or is no such netlist, with the line.
-std::string import_circuit(const std::string& path, FaultModel faults);
+/// The `.tcca` text of a netlist; where it has errors, `plant` is empty and `diagnostics` tells them all.
+struct ImportedCircuit {
+  std::optional<std::string> plant;
+  std::string diagnostics;
+};
+
+/// Imports a netlist: `.bench` (ISCAS) or `.xml` (a system catalogue of the diagnostic competition), told by the file's
+/// ending; `-` is standard input, told by its content. Throws InputError where the file cannot be read or has another
+/// ending.
+ImportedCircuit import_circuit(const std::string& path, FaultModel faults, bool color = false);
 
 }  // namespace compiler

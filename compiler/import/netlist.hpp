@@ -3,9 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
 
 namespace compiler {
 
@@ -42,13 +46,31 @@ struct Netlist {
   std::vector<Gate> gates;
 };
 
+/// Collects what is wrong with a netlist, a hundred errors at most.
+class NetlistErrors {
+ public:
+  explicit NetlistErrors(grammar::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// The diagnostic, for notes, until the next one is added; null beyond the limit.
+  grammar::Diagnostic* report(grammar::Code code, grammar::Span span, std::string message);
+  [[nodiscard]] bool any() const { return count_ > 0; }
+  [[nodiscard]] bool too_many() const { return count_ > limit; }
+
+ private:
+  static constexpr std::size_t limit = 100;
+  grammar::Diagnostics& diagnostics_;
+  std::size_t count_ = 0;
+};
+
 /// Reads a netlist in the `.bench` format of the ISCAS benchmarks. A gate is named by the net that it drives; so is an
-/// output. Throws InputError with file and line.
-Netlist read_bench(std::string_view text, const std::string& file);
+/// output. Nothing where it has errors; then they have been reported, all of them.
+std::optional<Netlist> read_bench(const grammar::Sources& sources, std::uint32_t file,
+                                  grammar::Diagnostics& diagnostics);
 
 /// Reads a system catalogue of the diagnostic competition (DXC, `systemCatalog`): gates with pins `o`, `i1`, `i2` …,
-/// ports, and connections. Throws InputError with the file and what is missing.
-Netlist read_catalogue(std::string_view text, const std::string& file);
+/// ports, and connections. As above.
+std::optional<Netlist> read_catalogue(const grammar::Sources& sources, std::uint32_t file,
+                                      grammar::Diagnostics& diagnostics);
 
 enum class FaultModel {
   weak,   ///< ok or faulty, a faulty gate being unconstrained

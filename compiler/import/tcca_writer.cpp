@@ -7,6 +7,7 @@
 
 #include "automata/error.hpp"
 #include "compiler/import/netlist.hpp"
+#include "grammar/parse/scan.hpp"
 
 namespace compiler {
 namespace {
@@ -80,15 +81,23 @@ std::string component(GateFunction function, std::size_t inputs, FaultModel faul
 /// A name of the file as an identifier: one that begins with a digit gets an N before it, a word that the language
 /// reserves an underscore behind it.
 std::string identifier(const std::string& name) {
-  static const std::set<std::string, std::less<>> reserved{
-      "do",     "watching", "maintaining", "if",   "thennext", "elsenext", "unless", "when",
-      "donext", "whenever", "always",      "next", "choose",   "with",     "in",     "import",
-      "any",    "true",     "false",       "and",  "or",       "not"};
-  if (!name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) != 0) return "N" + name;
-  return reserved.contains(name) ? name + "_" : name;
+  std::string made = grammar::is_reserved(name) ? name + "_" : name;
+  if (!name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) != 0) made = "N" + name;
+  if (made.empty() || grammar::identifier_at(made.data(), made.data() + made.size()) != made) {
+    throw automata::InputError("'" + name + "' cannot be made a name: letters, digits, '_', '-' and '.' can");
+  }
+  return made;
 }
 
-/// The netlist with identifiers for names. Throws InputError where two names become one.
+/// A text that stands in a comment: of one line.
+std::string in_one_line(std::string text) {
+  for (char& c : text) {
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
+  }
+  return text;
+}
+
+/// The netlist with identifiers for names. Throws InputError where one cannot, or where two become one.
 Netlist with_identifiers(Netlist netlist) {
   std::map<std::string, std::string> origin;
   const auto rename = [&](std::string& name) {
@@ -124,7 +133,7 @@ std::string to_tcca(const Netlist& given, FaultModel faults) {
     if (!gate_names.contains(port.name)) outputs.push_back(port);
   }
 
-  std::string text = "// " + netlist.name + ": " + std::to_string(netlist.gates.size()) + " gates, " +
+  std::string text = "// " + in_one_line(netlist.name) + ": " + std::to_string(netlist.gates.size()) + " gates, " +
                      std::to_string(netlist.inputs.size()) + " inputs, " + std::to_string(netlist.outputs.size()) +
                      " outputs.\n\ndomain Bit = { false, true };\n\n";
   for (const auto& [function, inputs] : kinds) text += component(function, inputs, faults);

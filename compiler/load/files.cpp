@@ -64,6 +64,7 @@ struct Files::Importing {
 };
 
 std::string read_text(const std::string& path) {
+  if (path.empty()) throw InputError("'' is no name of a file");
   if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw InputError(path + ": is a directory, expected a file");
@@ -128,14 +129,17 @@ const File& Files::read(const std::string& path, const std::string& id, std::str
 std::optional<automata::Document> Files::read_document(std::uint32_t index) {
   const std::string_view text = sources_[index].text();
   try {
-    return automata::document_from_json(automata::Json::parse(text));
+    return automata::document_from_json(automata::parse_json(text));
   } catch (const automata::Json::parse_error& error) {
     const auto at = static_cast<std::uint32_t>(std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0));
     diagnostics_.error(Code::document_schema, {index, at, at}, "the text is no JSON: syntax error here");
-  } catch (const automata::Json::exception& error) {
-    diagnostics_.error(Code::document_schema, {index, 0, 0}, error.what());
-  } catch (const InputError& error) {
-    diagnostics_.error(Code::document_schema, {index, 0, 0}, error.what());
+  } catch (const automata::Json::exception&) {
+    diagnostics_.error(Code::document_schema, {index, 0, 0}, "a number in the text is out of range");
+  } catch (const automata::JsonError& error) {
+    const automata::JsonPlace place = automata::place_of(text, error.path(), error.blame());
+    diagnostics_.error(Code::document_schema,
+                       {index, static_cast<std::uint32_t>(place.begin), static_cast<std::uint32_t>(place.end)},
+                       error.what());
   }
   return std::nullopt;
 }

@@ -48,6 +48,7 @@ std::optional<Kind> kind_by_name(const std::string& path) {
 }
 
 Kind kind_by_content(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
   text = trimmed(text);
   if (!text.empty() && text.front() == '{') return Kind::document;
   std::string_view word = take_word(text);

@@ -1,9 +1,5 @@
-// RMPL becomes THCA: one function a construct, as in thesis Fig. 5-2 and the table of semantics 1.
-//
-// A construct becomes a fragment: the locations where it starts, and its ends, each a location with the guard under
-// which the construct ends there. Sequence joins ends to starts. Locations are numbered as they are made, so each is
-// made before what is inside it or follows from it: pre-order of the source.
-// SPDX-License-Identifier: MIT
+// RMPL becomes THCA: one function a construct, as in thesis Fig. 5-2 and the table of semantics 1. Each makes a
+// fragment of the draft; sequence joins the ends of one to the starts of the next. SPDX-License-Identifier: MIT
 #include "compiler/lower/program.hpp"
 
 #include <algorithm>
@@ -11,14 +7,13 @@
 #include <deque>
 #include <utility>
 
-#include "compiler/check/vocabulary.hpp"
+#include "compiler/lower/draft.hpp"
 #include "compiler/lower/program_resolver.hpp"
 
 namespace compiler {
 
 using automata::Condition;
 using automata::Formula;
-using automata::Location;
 using automata::LocationId;
 using grammar::Code;
 
@@ -26,9 +21,6 @@ namespace {
 
 /// Steps within steps, through calls: recursion stays this far from the end of the stack.
 constexpr std::size_t depth_limit = 500;
-
-/// Locations, arcs and conditions of one program; calls multiply, and this is where it ends.
-constexpr std::size_t size_limit = 1'000'000;
 
 /// An argument that calls double on and on is caught while it is still small.
 constexpr std::size_t argument_limit = 1 << 16;
@@ -43,129 +35,55 @@ std::size_t size_of(const Formula& formula) {
 /// One error in a definition comes back with each call of it.
 constexpr std::size_t error_limit = 1000;
 
-/// Where an arc leads, or a fragment starts: a location, or the starts of an expansion that is still open (a tail
-/// call), known when it is closed.
-struct Target {
-  bool expansion = false;
-  std::size_t index = 0;
-};
-
-struct End {
-  LocationId location;
-  Condition guard;
-};
-
-struct Fragment {
-  std::vector<Target> starts;
-  std::vector<End> ends;
-};
-
-/// An arc whose target may still be an expansion.
-struct DraftArc {
-  Condition guard;
-  Target target;
-};
-
 /// One expansion of a definition: the entry, or a call with its arguments.
 struct Expansion {
   std::size_t definition;
   std::string arguments;  ///< their text: equal texts are equal arguments
-  std::vector<Target> starts;
 };
 
 class ProgramLowering {
  public:
   ProgramLowering(const grammar::Sources& sources, const Definitions& definitions, const Recursion& recursion,
-                  Purpose purpose, const Part* plant, std::vector<bool>& reached, grammar::Diagnostics& diagnostics)
-      : sources_(sources),
-        definitions_(definitions),
+                  std::size_t entry, Purpose purpose, const Part* plant, std::vector<bool>& reached,
+                  grammar::Diagnostics& diagnostics)
+      : definitions_(definitions),
         recursion_(recursion),
+        entry_(entry),
         purpose_(purpose),
         reached_(reached),
         diagnostics_(diagnostics),
         errors_before_(diagnostics.error_count()),
-        resolver_(result_.program, plant, diagnostics) {}
+        resolver_(program_, plant, diagnostics),
+        draft_(sources, definitions.all[entry].definition->name, program_, diagnostics) {}
 
-  LoweredProgram run(std::size_t entry) {
-    const grammar::Definition& definition = *definitions_.all[entry].definition;
+  LoweredProgram run() {
+    const grammar::Definition& definition = *definitions_.all[entry_].definition;
     Environment environment;
     for (const grammar::Name& parameter : definition.parameters)
       environment.parameters.emplace(parameter.text, Anything{});
     resolver_.enter(&environment);
-    result_.program.name = definition.name.text;
-    const LocationId program = composite(definition.name.text + "()", definition.name.span, {});
-    expand(entry, "", program);
-    if (result_.complete) connect();
-    return std::move(result_);
+    program_.name = definition.name.text;
+    const LocationId whole = draft_.composite(definition.name.text + "()", definition.name.span, {});
+    expand(entry_, "", whole);
+    if (purpose_ == Purpose::run) resolver_.check_values();
+    if (draft_.complete()) draft_.connect();
+    return {std::move(program_), draft_.complete()};
   }
 
  private:
-  // Locations.
-
-  LocationId location(std::string label, grammar::Span span) {
-    Location made;
-    if (!parents_.empty()) made.parent = parents_.back();
-    made.label = std::move(label);
-    made.origin = origin_of(sources_, span);
-    const LocationId id(locations().size());
-    locations().push_back(std::move(made));
-    arcs_.emplace_back();
-    grow(1, span);
-    return id;
-  }
-
-  LocationId composite(std::string label, grammar::Span span, Condition maintenance) {
-    const LocationId id = location(std::move(label), span);
-    locations()[id.index()].composite = true;
-    locations()[id.index()].maintenance = std::move(maintenance);
-    return id;
-  }
-
-  /// Makes what `make` makes the inside of a composite. What is inside ends with the composite.
-  template <class Make>
-  Fragment inside(LocationId composite, const Make& make) {
-    parents_.push_back(composite);
-    const Fragment inner = make();
-    parents_.pop_back();
-    for (const Target& start : inner.starts) {
-      if (!start.expansion) locations()[start.index].start = true;
-    }
-    return {{{false, composite.index()}}, {{composite, {}}}};
-  }
-
-  void arc(LocationId from, Condition guard, Target target) {
-    arcs_[from.index()].push_back({std::move(guard), target});
-    grow(1, {});
-  }
-
-  void arcs(LocationId from, const Condition& guard, const std::vector<Target>& targets) {
-    for (const Target& target : targets) arc(from, guard, target);
-  }
-
-  /// Counts what is made; beyond the limit it is reported once, and nothing more is made.
-  void grow(std::size_t more, grammar::Span blame) {
-    size_ += more;
-    if (size_ <= size_limit || !result_.complete) return;
-    result_.complete = false;
-    const grammar::Definition& entry = *definitions_.all[expansions_.front().definition].definition;
-    diagnostics_.error(Code::too_large, blame == grammar::Span{} ? entry.name.span : blame,
-                       "program " + backquoted(entry.name.text) + " grows beyond " + std::to_string(size_limit) +
-                           " locations, arcs and conditions");
-  }
-
   // Conditions.
 
   Condition condition(const grammar::Constraint& constraint, bool entailed) {
     Condition made{entailed, resolver_.resolve(constraint)};
     constexpr std::size_t atoms_a_unit = 4;
-    grow(size_of(made.constraint) / atoms_a_unit, constraint.span);
+    draft_.grow(size_of(made.constraint) / atoms_a_unit, constraint.span);
     return made;
   }
 
   static Condition opposite(const Condition& condition) { return {!condition.entailed, condition.constraint}; }
 
   [[nodiscard]] std::string text(const Condition& condition) const {
-    return automata::to_text(condition.constraint, result_.program.variables, result_.program.clocks);
+    return automata::to_text(condition.constraint, program_.variables, program_.clocks);
   }
 
   // Constructs.
@@ -174,8 +92,8 @@ class ProgramLowering {
   Fragment body(const grammar::Body& body, bool whole) {
     if (body.threads.size() == 1) return sequence(body.threads.front(), whole);
     if (whole) return threads(body);
-    const LocationId block = composite("{ … , … }", body.span, {});
-    return inside(block, [&] { return threads(body); });
+    const LocationId block = draft_.composite("{ … , … }", body.span, {});
+    return draft_.inside(block, [&] { return threads(body); });
   }
 
   Fragment threads(const grammar::Body& body) {
@@ -192,7 +110,7 @@ class ProgramLowering {
     Fragment all;
     for (std::size_t s = 0; s < sequence.steps.size(); ++s) {
       Fragment next = step(sequence.steps[s], whole && sequence.steps.size() == 1);
-      for (const End& end : all.ends) arcs(end.location, end.guard, next.starts);
+      for (const End& end : all.ends) draft_.arcs(end.location, end.guard, next.starts);
       if (s == 0) all.starts = std::move(next.starts);
       all.ends = std::move(next.ends);
     }
@@ -200,7 +118,7 @@ class ProgramLowering {
   }
 
   Fragment step(const grammar::Step& s, bool whole) {
-    if (!result_.complete) return {};
+    if (!draft_.complete()) return {};
     if (++depth_ > depth_limit) {
       return abandon(Code::nesting_too_deep, s.span, "steps and calls nest deeper than " + std::to_string(depth_limit));
     }
@@ -213,65 +131,64 @@ class ProgramLowering {
   }
 
   Fragment abandon(Code code, grammar::Span span, std::string reason) {
-    diagnostics_.error(code, span, std::move(reason));
-    result_.complete = false;
+    draft_.abandon(code, span, std::move(reason));
     return {};
   }
 
   Fragment lower(const grammar::Goal& goal, grammar::Span span, bool) {
     constexpr std::size_t bytes_a_unit = 32;
-    grow((span.end - span.begin) / bytes_a_unit, span);
+    draft_.grow((span.end - span.begin) / bytes_a_unit, span);
     const auto assignments = resolver_.goal(goal.constraint);
     const Formula formula = automata::conjunction_of(assignments);
-    const LocationId id = location(automata::to_text(formula, result_.program.variables), span);
-    locations()[id.index()].goal = assignments;
+    const LocationId id = draft_.location(automata::to_text(formula, program_.variables), span);
+    draft_[id].goal = assignments;
     return primitive(id);
   }
 
   Fragment lower(const grammar::ClockStart& start, grammar::Span span, bool) {
     const auto clock = resolver_.start(start.clock);
-    const LocationId id = location((clock ? result_.program.clocks[clock->index()] : start.clock.text) + " = 0", span);
-    locations()[id.index()].clock_start = clock;
+    const LocationId id = draft_.location((clock ? program_.clocks[clock->index()] : start.clock.text) + " = 0", span);
+    draft_[id].clock_start = clock;
     return primitive(id);
   }
 
-  static Fragment primitive(LocationId id) { return {{{false, id.index()}}, {{id, {}}}}; }
+  static Fragment primitive(LocationId id) { return {{target(id)}, {{id, {}}}}; }
 
   Fragment lower(const grammar::Block& block, grammar::Span, bool whole) { return body(block.body, whole); }
 
   Fragment lower(const grammar::Watching& watching, grammar::Span span, bool) {
     Condition maintained = condition(watching.condition, false);
     const std::string label = "do … watching " + text(maintained);
-    const LocationId id = composite(label, span, std::move(maintained));
-    return inside(id, [&] { return step(*watching.step, true); });
+    const LocationId id = draft_.composite(label, span, std::move(maintained));
+    return draft_.inside(id, [&] { return step(*watching.step, true); });
   }
 
   Fragment lower(const grammar::Maintaining& maintaining, grammar::Span span, bool) {
     Condition maintained = condition(maintaining.condition, true);
     const std::string label = "do … maintaining " + text(maintained);
-    const LocationId id = composite(label, span, std::move(maintained));
-    return inside(id, [&] { return step(*maintaining.step, true); });
+    const LocationId id = draft_.composite(label, span, std::move(maintained));
+    return draft_.inside(id, [&] { return step(*maintaining.step, true); });
   }
 
   /// An empty location with a guarded transition to the starts of A; where the guard fails, the construct ends there.
   Fragment branch(const char* keyword, Condition guard, const grammar::Step& then, grammar::Span span) {
-    const LocationId id = location(keyword + text(guard), span);
+    const LocationId id = draft_.location(keyword + text(guard), span);
     Fragment inner = step(then, false);
-    arcs(id, guard, inner.starts);
+    draft_.arcs(id, guard, inner.starts);
     inner.ends.push_back({id, opposite(guard)});
-    return {{{false, id.index()}}, std::move(inner.ends)};
+    return {{target(id)}, std::move(inner.ends)};
   }
 
   Fragment lower(const grammar::If& conditional, grammar::Span span, bool) {
     Condition guard = condition(conditional.condition, true);
     if (!conditional.otherwise) return branch("if ", std::move(guard), *conditional.step, span);
-    const LocationId id = location("if " + text(guard), span);
+    const LocationId id = draft_.location("if " + text(guard), span);
     Fragment then = step(*conditional.step, false);
-    arcs(id, guard, then.starts);
+    draft_.arcs(id, guard, then.starts);
     Fragment otherwise = step(**conditional.otherwise, false);
-    arcs(id, opposite(guard), otherwise.starts);
+    draft_.arcs(id, opposite(guard), otherwise.starts);
     std::move(otherwise.ends.begin(), otherwise.ends.end(), std::back_inserter(then.ends));
-    return {{{false, id.index()}}, std::move(then.ends)};
+    return {{target(id)}, std::move(then.ends)};
   }
 
   Fragment lower(const grammar::Unless& unless, grammar::Span span, bool) {
@@ -280,35 +197,35 @@ class ProgramLowering {
 
   Fragment lower(const grammar::When& when, grammar::Span span, bool) {
     const Condition guard = condition(when.condition, true);
-    const LocationId id = location("when " + text(guard), span);
-    arc(id, opposite(guard), {false, id.index()});
+    const LocationId id = draft_.location("when " + text(guard), span);
+    draft_.arc(id, opposite(guard), target(id));
     Fragment inner = step(*when.step, false);
-    arcs(id, guard, inner.starts);
-    return {{{false, id.index()}}, std::move(inner.ends)};
+    draft_.arcs(id, guard, inner.starts);
+    return {{target(id)}, std::move(inner.ends)};
   }
 
   Fragment lower(const grammar::Whenever& whenever, grammar::Span span, bool) {
     const Condition guard = condition(whenever.condition, true);
-    const LocationId id = location("whenever " + text(guard), span);
-    arc(id, {}, {false, id.index()});
-    arcs(id, guard, step(*whenever.step, false).starts);
-    return {{{false, id.index()}}, {}};
+    const LocationId id = draft_.location("whenever " + text(guard), span);
+    draft_.arc(id, {}, target(id));
+    draft_.arcs(id, guard, step(*whenever.step, false).starts);
+    return {{target(id)}, {}};
   }
 
   Fragment lower(const grammar::Always& always, grammar::Span span, bool) {
-    const LocationId id = location("always", span);
-    arc(id, {}, {false, id.index()});
+    const LocationId id = draft_.location("always", span);
+    draft_.arc(id, {}, target(id));
     Fragment inner = step(*always.step, false);
-    arcs(id, {}, inner.starts);
-    inner.starts.insert(inner.starts.begin(), Target{false, id.index()});
+    draft_.arcs(id, {}, inner.starts);
+    inner.starts.insert(inner.starts.begin(), target(id));
     return {std::move(inner.starts), {}};
   }
 
   Fragment lower(const grammar::Next& next, grammar::Span span, bool) {
-    const LocationId id = location("next", span);
+    const LocationId id = draft_.location("next", span);
     Fragment inner = step(*next.step, false);
-    arcs(id, {}, inner.starts);
-    return {{{false, id.index()}}, std::move(inner.ends)};
+    draft_.arcs(id, {}, inner.starts);
+    return {{target(id)}, std::move(inner.ends)};
   }
 
   /// Reported as belonging in model programs; its steps are looked at for their own errors.
@@ -329,10 +246,8 @@ class ProgramLowering {
     std::string arguments = pass(call, *definitions_.all[callee].definition, environment);
     if (arguments.size() > argument_limit) {
       environments_.pop_back();
-      result_.complete = false;
-      diagnostics_.error(Code::too_large, span,
-                         "the arguments of this call grow beyond " + std::to_string(argument_limit) + " characters");
-      return {};
+      return abandon(Code::too_large, span,
+                     "the arguments of this call grow beyond " + std::to_string(argument_limit) + " characters");
     }
     if (const auto open = open_expansion(callee, arguments)) {
       environments_.pop_back();
@@ -343,7 +258,7 @@ class ProgramLowering {
     if (const auto onward = forwarded(callee)) {
       made = {{{true, *onward}}, {}};
     } else {
-      const LocationId id = composite(call.definition.text + "(" + arguments + ")", span, {});
+      const LocationId id = draft_.composite(call.definition.text + "(" + arguments + ")", span, {});
       made = expand(callee, std::move(arguments), id);
     }
     resolver_.enter(caller);
@@ -402,54 +317,33 @@ class ProgramLowering {
   }
 
   Fragment expand(std::size_t definition, std::string arguments, LocationId composite) {
-    const std::size_t expansion = expansions_.size();
-    expansions_.push_back({definition, std::move(arguments), {}});
+    const std::size_t expansion = draft_.open_expansion();
+    expansions_.push_back({definition, std::move(arguments)});
     open_.push_back(expansion);
     reached_[definition] = true;
-    const Fragment made = inside(composite, [&] {
+    Fragment made = draft_.inside(composite, [&] {
       Fragment inner = body(definitions_.all[definition].definition->body, true);
-      expansions_[expansion].starts = inner.starts;
+      draft_.close_expansion(expansion, inner.starts);
       return inner;
     });
     open_.pop_back();
     return made;
   }
 
-  /// The drafts become arcs, now that every expansion knows its starts.
-  void connect() {
-    for (std::size_t l = 0; l < locations().size() && result_.complete; ++l) {
-      for (DraftArc& draft : arcs_[l]) {
-        if (!draft.target.expansion) {
-          locations()[l].arcs.push_back({std::move(draft.guard), LocationId(draft.target.index)});
-          continue;
-        }
-        for (const Target& start : expansions_[draft.target.index].starts) {
-          if (start.expansion) continue;  // only where recursion was reported
-          locations()[l].arcs.push_back({draft.guard, LocationId(start.index)});
-          grow(1, {});
-        }
-      }
-    }
-  }
-
-  std::vector<Location>& locations() { return result_.program.locations; }
-
-  const grammar::Sources& sources_;
   const Definitions& definitions_;
   const Recursion& recursion_;
+  const std::size_t entry_;
   const Purpose purpose_;
   std::vector<bool>& reached_;
   grammar::Diagnostics& diagnostics_;
   const std::size_t errors_before_;
-  LoweredProgram result_;
+  automata::Program program_;
   ProgramResolver resolver_;
-  std::vector<std::vector<DraftArc>> arcs_;  ///< per location
-  std::vector<LocationId> parents_;          ///< the composites that are open, outermost first
-  std::vector<Expansion> expansions_;
+  Draft draft_;
+  std::vector<Expansion> expansions_;     ///< as the draft numbers them
   std::vector<std::size_t> open_;         ///< expansions, outermost first
   std::deque<Environment> environments_;  ///< of the open expansions; a deque, for they are referred to
   std::size_t depth_ = 0;
-  std::size_t size_ = 0;
 };
 
 }  // namespace
@@ -457,7 +351,7 @@ class ProgramLowering {
 LoweredProgram lower_program(const grammar::Sources& sources, const Definitions& definitions,
                              const Recursion& recursion, std::size_t entry, Purpose purpose, const Part* plant,
                              std::vector<bool>& reached, grammar::Diagnostics& diagnostics) {
-  return ProgramLowering(sources, definitions, recursion, purpose, plant, reached, diagnostics).run(entry);
+  return ProgramLowering(sources, definitions, recursion, entry, purpose, plant, reached, diagnostics).run();
 }
 
 }  // namespace compiler

@@ -133,14 +133,40 @@ std::optional<VariableId> ProgramResolver::variable(const Name& name) {
     error.suggestion = "compare a clock with <, <=, > or >=";
     return std::nullopt;
   }
-  return program_.variables.add({meant->text, {}});
+  const VariableId id = program_.variables.add({meant->text, {}});
+  mentions_.emplace(id, name.span);
+  return id;
+}
+
+void ProgramResolver::taken_for_value(const Name& name) {
+  taken_for_values_.try_emplace({name.span.file, name.span.begin}, name);
+}
+
+void ProgramResolver::check_values() {
+  for (const auto& [place, name] : taken_for_values_) {
+    const auto variable = program_.variables.find(name.text);
+    if (!variable && clocks_.count(name.text) == 0) continue;
+    auto& error =
+        diagnostics().error(variable ? Code::ambiguous_name : Code::wrong_kind_of_name, name.span,
+                            backquoted(name.text) + (variable ? " is a variable of the program" : " is a clock") +
+                                ", and may be a value here: without the plant it cannot be told");
+    if (variable) error.notes.push_back({mentions_.at(*variable), "it is a variable here"});
+    error.suggestion = variable ? "compile the program together with its plant" : "compare a clock with <, <=, > or >=";
+  }
 }
 
 std::optional<ValueId> ProgramResolver::find_value(VariableId id, const std::string& value) {
   if (closed()) return Resolver::find_value(id, value);
   auto& values = seen_[id];
   if (const auto known = values.find(value); known != values.end()) return known->second;
-  if (values.size() == open_domain_limit) return std::nullopt;
+  if (values.size() == open_domain_limit) {
+    if (overflowed_.insert(id).second) {
+      diagnostics().error(Code::too_large, mentions_.at(id),
+                          backquoted(program_.variables.name(id)) + " takes more than " +
+                              std::to_string(open_domain_limit) + " values, and no plant says which it has");
+    }
+    return ValueId(0);
+  }
   return values.emplace(value, program_.variables.add_value(id, value)).first->second;
 }
 
@@ -161,6 +187,13 @@ void ProgramResolver::add_goals(const grammar::Constraint& constraint, Goals& go
   } else if (const auto* reference = std::get_if<grammar::Reference>(&constraint.node)) {
     const Passed* argument = passed(reference->name.text);
     const auto* passed_on = argument == nullptr ? nullptr : std::get_if<PassedConstraint>(argument);
+    if (argument == nullptr) {
+      const std::string& name = reference->name.text;
+      auto& error = diagnostics().error(Code::wrong_kind_of_name, reference->name.span,
+                                        "expected a step, found the lone name " + backquoted(name));
+      error.suggestion = "a call is written `" + name + "()`, a goal `" + name + " = …`";
+      return annotate(error);
+    }
     if (passed_on == nullptr) {
       this->reference(*reference);
       return;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "automata/program.hpp"
@@ -16,7 +18,8 @@
 namespace compiler {
 
 /// Fills in the variables and clocks of a program. With a plant, the table is the plant's and every name is checked;
-/// without, the table collects what is mentioned, and `x = y` takes y for a value.
+/// without, the table collects what is mentioned, and `x = y` takes y for a value: where y turns out to be a variable
+/// of the program, `check_values` says that it cannot be told.
 class ProgramResolver final : public Resolver {
  public:
   ProgramResolver(automata::Program& program, const Part* plant, grammar::Diagnostics& diagnostics);
@@ -29,6 +32,8 @@ class ProgramResolver final : public Resolver {
   std::vector<automata::Assignment> goal(const grammar::Constraint& constraint);
   /// The clock that a step starts; nothing where the name is a variable of the plant, and then it has been reported.
   std::optional<automata::ClockId> start(const grammar::Name& name);
+  /// Without a plant, once all is resolved: reports each `x = y` of a condition whose y is a variable or a clock, too.
+  void check_values();
   /// What a call passes on from here.
   Passed pass(const grammar::Argument& argument);
 
@@ -40,6 +45,7 @@ class ProgramResolver final : public Resolver {
   automata::Formula clock(const grammar::ClockBound& bound) override;
   std::optional<automata::ValueId> find_value(automata::VariableId variable, const std::string& value) override;
   [[nodiscard]] bool closed() const override { return plant_ != nullptr; }
+  void taken_for_value(const grammar::Name& name) override;
   void annotate(grammar::Diagnostic& diagnostic) override;
 
  private:
@@ -60,6 +66,10 @@ class ProgramResolver final : public Resolver {
   std::unordered_map<std::string, automata::ClockId> clocks_;
   /// Without a plant: the values seen so far, so that a mention costs no walk through the domain.
   std::unordered_map<automata::VariableId, std::unordered_map<std::string, automata::ValueId>> seen_;
+  std::unordered_set<automata::VariableId> overflowed_;  ///< with more values than fit
+  /// Without a plant: where each variable is mentioned first, and names taken for values, by their place.
+  std::unordered_map<automata::VariableId, grammar::Span> mentions_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, grammar::Name> taken_for_values_;
 };
 
 }  // namespace compiler

@@ -10,23 +10,24 @@ const Rule<struct ModeId, ModeDeclaration> mode{"a mode"};
 
 constexpr auto direction = &AttributeDeclaration::direction;
 const auto attribute_def =
-    record[(set<direction, Direction::input>[Keyword("input")] | set<direction, Direction::output>[Keyword("output")] |
-            set<direction, Direction::internal>[Keyword("internal")]) >>
+    record[(set<direction, Direction::input>[statement("input")] |
+            set<direction, Direction::output>[statement("output")] |
+            set<direction, Direction::internal>[statement("internal")]) >
            comma_list(append<&AttributeDeclaration::names>[name]) > named("`,` or `:` and a domain", colon) >
            domain_reference<&AttributeDeclaration::domain>() > semicolon];
 
 const auto initial_mode_def =
     record[field<&InitialMode::mode>[name] >> -field<&InitialMode::probability>[signed_number]];
 
-const auto initial_def = record[Keyword("initial") >> comma_list(append<&Initial::modes>[initial_mode]) >
+const auto initial_def = record[statement("initial") > comma_list(append<&Initial::modes>[initial_mode]) >
                                 named("a probability, `,` or `;`", semicolon)];
 
-const auto mode_def = record[(set<&ModeDeclaration::fault, false>[Keyword("mode")] |
-                              set<&ModeDeclaration::fault, true>[Keyword("fault")]) >>
-                             field<&ModeDeclaration::name>[name] >>
-                             -(open_brace > field<&ModeDeclaration::constraint>[constraint] > close_brace) >>
-                             -(Keyword("reward") > field<&ModeDeclaration::reward>[signed_number]) >
-                             named("`{`, `reward` or `;`", semicolon)];
+const auto mode_def =
+    record[(set<&ModeDeclaration::fault, false>[statement("mode")] |
+            set<&ModeDeclaration::fault, true>[statement("fault")]) > field<&ModeDeclaration::name>[name] >>
+           -(open_brace > field<&ModeDeclaration::constraint>[constraint] > close_brace) >>
+           -(Keyword("reward") > field<&ModeDeclaration::reward>[signed_number]) >
+           named("`{`, `reward` or `;`", semicolon)];
 
 constexpr auto items = &ComponentDefinition::items;
 const auto component_def =

@@ -13,6 +13,7 @@ struct Chain : x3::parser<Chain<Node, Operand, Sign>> {
   Operand operand;
   Sign sign;
   constexpr Chain(Operand o, Sign s) : operand(o), sign(s) {}
+  [[nodiscard]] std::string describe() const { return "a constraint"; }
 
   template <class C, class R>
   bool parse(Iterator& first, const Iterator& last, const C& context, R& unused, Constraint& all) const {
@@ -38,6 +39,7 @@ struct EquivalenceChain : x3::parser<EquivalenceChain<Operand>> {
   static constexpr bool has_attribute = true;
   Operand operand;
   constexpr explicit EquivalenceChain(Operand o) : operand(o) {}
+  [[nodiscard]] std::string describe() const { return "a constraint"; }
 
   template <class C, class R>
   bool parse(Iterator& first, const Iterator& last, const C& context, R& unused, Constraint& all) const {
@@ -123,6 +125,7 @@ constexpr Chain<Disjunction, decltype(conjunction), Symbol> disjunction(conjunct
 struct ImplicationChain : x3::parser<ImplicationChain> {
   using attribute_type = Constraint;
   static constexpr bool has_attribute = true;
+  [[nodiscard]] std::string describe() const { return "a constraint"; }
 
   template <class C, class R>
   bool parse(Iterator& first, const Iterator& last, const C& context, R& unused, Constraint& all) const {

@@ -10,15 +10,14 @@ const auto import_def = record[Keyword("import") > field<&Import::path>[string] 
 const auto values_def =
     record[open_brace > comma_list(append<&Values::names>[value]) > named("`,` or `}`", close_brace)];
 
-// A keyword before a name; before anything else it is a name itself, and the statement is another one.
 const auto domain_def =
     record[Keyword("domain") >> field<&Domain::name>[name] > equals > field<&Domain::values>[values] > semicolon];
 
 const auto observe_def =
-    record[Keyword("observe") >> comma_list(append<&Observe::names>[name]) > named("`,` or `;`", semicolon)];
+    record[statement("observe") > comma_list(append<&Observe::names>[name]) > named("`,` or `;`", semicolon)];
 
 const auto control_def =
-    record[Keyword("control") >> comma_list(append<&Control::names>[name]) >>
+    record[statement("control") > comma_list(append<&Control::names>[name]) >>
            -(Keyword("default") > field<&Control::idle>[value]) > named("`,`, `default` or `;`", semicolon)];
 
 }  // namespace

@@ -73,7 +73,7 @@ struct Symbol : Mark<Symbol> {
 /// The `0` of a clock start.
 struct Zero : Mark<Zero> {
   bool scan(Iterator& first, ParseState& state) const { return scan_zero(first, state); }
-  [[nodiscard]] std::string describe() const { return "`0`, where a clock starts"; }
+  [[nodiscard]] std::string describe() const { return "a value, or `0` where a clock starts"; }
 };
 
 /// The end of the text.
@@ -130,6 +130,16 @@ inline constexpr Symbol arrow{"->", "⇒"}, iff_sign{"<->", "⇔"}, and_sign{"&"
 /// What makes a name before it part of a constraint: then it is no keyword.
 inline constexpr auto relation = equals | differs | less | at_most | greater | at_least | Keyword("in");
 
+/// A word that begins a statement, and no name that happens to be spelled so: then an operator would follow.
+constexpr auto statement(std::string_view word) {
+  return Keyword(word) >> !(arrow | comma | colon | open_paren | relation);
+}
+
+/// What can only stand at the top level, as braces before it show: then one before it is not closed.
+inline constexpr auto at_top_level = (Keyword("component") | Keyword("module") | Keyword("plant") |
+                                      Keyword("scenario") | Keyword("property")) >>
+                                     (name | string) >> open_brace;
+
 /// A statement among others between braces, or at the top level: on an error, the next one is tried.
 template <class Alternatives>
 constexpr auto statements_of_file(const char* text, const Alternatives& alternatives) {
@@ -137,7 +147,7 @@ constexpr auto statements_of_file(const char* text, const Alternatives& alternat
 }
 template <class Alternatives>
 constexpr auto statements_in_braces(const char* text, const Alternatives& alternatives) {
-  return open_brace > *(!(close_brace | end_of_text) >>
+  return open_brace > *(!(close_brace | end_of_text | at_top_level) >>
                         recovering<Resume::after_semicolon>[named(text, alternatives)]) > close_brace;
 }
 
@@ -154,4 +164,11 @@ requires requires(const Parser& parser) { parser.describe(); }
 struct boost::spirit::x3::get_info<Parser> {
   using result_type = std::string;
   std::string operator()(const Parser& parser) const { return parser.describe(); }
+};
+
+/// A sequence is called what it begins with.
+template <class Left, class Right>
+struct boost::spirit::x3::get_info<boost::spirit::x3::sequence<Left, Right>> {
+  using result_type = std::string;
+  std::string operator()(const sequence<Left, Right>& parser) const { return what(parser.left); }
 };

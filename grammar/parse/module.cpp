@@ -13,8 +13,10 @@ const auto instance_def =
            -(open_brace > field<&InstanceDeclaration::initial>[initial] > close_brace) >
            named("`{` or `;`", semicolon)];
 
+// Two names side by side are neither an instance nor a constraint.
 const auto interconnection_def =
-    record[field<&Interconnection::constraint>[constraint] > named("an operator or `;`", semicolon)];
+    record[(name >> &name > Missing("`:` and a type, or an operator")) |
+           (field<&Interconnection::constraint>[constraint] > named("an operator or `;`", semicolon))];
 
 constexpr auto items = &ModuleDefinition::items;
 const auto module__def =

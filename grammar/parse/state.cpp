@@ -3,44 +3,35 @@
 #include "grammar/parse/state.hpp"
 
 #include <algorithm>
-#include <vector>
 
+#include "grammar/parse/hint.hpp"
 #include "grammar/parse/parse.hpp"
 #include "grammar/parse/scan.hpp"
-#include "grammar/source/nearest.hpp"
 
 namespace grammar {
 namespace {
 
 constexpr std::size_t error_limit = 100;
 
-/// The words between backquotes: the keywords that would have been right.
-std::vector<std::string> keywords_in(const std::string& expected) {
-  std::vector<std::string> keywords;
-  std::size_t open = expected.find('`');
-  while (open != std::string::npos) {
-    const std::size_t close = expected.find('`', open + 1);
-    if (close == std::string::npos) break;
-    std::string word = expected.substr(open + 1, close - open - 1);
-    if (identifier_at(word.data(), word.data() + word.size()) == word) keywords.push_back(std::move(word));
-    open = expected.find('`', close + 1);
-  }
-  return keywords;
+/// The bracket that a closing one closes; 0 for what closes nothing.
+char opening(std::string_view closing) {
+  if (closing == ")") return '(';
+  if (closing == "]") return '[';
+  return closing == "}" ? '{' : '\0';
 }
 
-/// What was meant, where the habits of other languages or of the papers show.
-std::optional<std::string> habit(std::string_view before, std::string_view found, std::string_view expected) {
-  if (expected == "a value" && found == "0") return "a clock is started by a step of its own: `t = 0`";
-  if (before.ends_with('=') && found == "=") return "equality is written with one `=`";
-  if (before.ends_with('&') && found == "&") return "`and` is written with one `&`";
-  if (before.ends_with('|') && found == "|") return "`or` is written with one `|`";
-  return std::nullopt;
+/// The closing bracket that is expected last, as in "`,` or `}`"; 0 where it is none, or where a statement may end:
+/// then it is not the bracket that is missing.
+char expected_bracket(std::string_view expected) {
+  if (expected.size() < 3 || !expected.ends_with('`') || expected.find("`;`") != expected.npos) return '\0';
+  expected.remove_suffix(1);
+  return expected[expected.size() - 2] == '`' ? opening(expected.substr(expected.size() - 1)) : '\0';
 }
 
 }  // namespace
 
 ParseState::ParseState(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics)
-    : text_(sources[file].text()), file_(file), diagnostics_(diagnostics) {}
+    : text_(sources[file].text()), file_(file), diagnostics_(diagnostics), brackets_(text_) {}
 
 Span ParseState::span(const char* from, const char* to) const {
   return {file_, static_cast<std::uint32_t>(from - begin()), static_cast<std::uint32_t>(to - begin())};
@@ -55,24 +46,15 @@ void ParseState::report_unexpected(const char* where, const std::string& expecte
     while (at != begin() && skip_blank(at - 1, end()) == end()) --at;
     Diagnostic& error =
         diagnostics_.error(Code::syntax, span(at, at), "expected " + expected + ", found the end of the text");
-    if (const char* brace = unclosed_brace()) error.notes.push_back({span(brace, brace + 1), "this `{` is not closed"});
+    note_unclosed(error, '{', end());
   } else if (std::string_view(at, static_cast<std::size_t>(end() - at)).starts_with("/*")) {
     diagnostics_.error(Code::syntax, span(at, at + 2), "this comment is not closed: expected `*/`");
   } else {
     const std::string_view found = token_at(at, end());
-    const bool word = !identifier_at(at, end()).empty();
     if (found.front() == '"' && (found.size() == 1 || found.back() != '"')) {
       diagnostics_.error(Code::syntax, span(at, at + found.size()), "this string is not closed: expected `\"`");
     } else {
-      // A parser without a name of its own has one that only the C++ compiler reads.
-      const bool named = expected.find("spirit") == std::string::npos;
-      Diagnostic& error =
-          diagnostics_.error(Code::syntax, span(at, at + found.size()),
-                             (named ? "expected " + expected + ", found " : "did not expect ") +
-                                 (word && is_reserved(found) ? "the reserved word `" : "`") + std::string(found) + "`");
-      error.suggestion = habit(text_.substr(0, static_cast<std::size_t>(at - begin())), found, expected);
-      if (const auto near = word ? nearest(found, keywords_in(expected)) : std::nullopt)
-        error.suggestion = "did you mean `" + *near + "`?";
+      report_token(where, found, expected);
     }
   }
   if (++errors_ < error_limit) return;
@@ -80,9 +62,40 @@ void ParseState::report_unexpected(const char* where, const std::string& expecte
   throw Abandoned{};
 }
 
+void ParseState::report_token(const char* where, std::string_view found, const std::string& expected) {
+  const char* at = found.data();
+  const bool word = !identifier_at(at, end()).empty();
+  Diagnostic& error =
+      diagnostics_.error(Code::syntax, span(at, at + found.size()),
+                         "expected " + expected + ", found " +
+                             (word && is_reserved(found) ? "the reserved word `" : "`") + std::string(found) + "`");
+  const char* behind = at + found.size();
+  error.suggestion = hint({std::string_view(begin(), static_cast<std::size_t>(at - begin())), found,
+                           std::string_view(behind, static_cast<std::size_t>(end() - behind)), expected});
+  const char closed = opening(found);
+  if (closed != '\0' && brackets_.open(closed, at) == nullptr) {
+    error.suggestion = std::string("no `") + closed + "` is open here";
+  } else if (const char kind = expected_bracket(expected); kind != '\0') {
+    note_unclosed(error, kind, at);
+  }
+  // A statement that ends with its line most likely lacks its `;` there.
+  const bool next_line = std::find(where, at, '\n') != at;
+  if (next_line && !error.suggestion && expected.find("`;`") != std::string::npos) {
+    error.notes.push_back({span(where, where), "is a `;` missing here?"});
+    if (word) next_statement_ = at;
+  }
+}
+
+void ParseState::note_unclosed(Diagnostic& error, char kind, const char* place) {
+  const char* bracket = brackets_.open(kind, place);
+  if (bracket == nullptr) return;
+  error.notes.push_back({span(bracket, bracket + 1), std::string("this `") + kind + "` is not closed"});
+}
+
 const char* ParseState::resume(const char* start, const char* where, Resume how) const {
-  // A `;` that was not expected ends the statement, whatever braces it has left open.
   const char* fault = skip_blank(where, end());
+  if (fault == next_statement_ && how != Resume::at_semicolon && fault > start) return fault;
+  // A `;` that was not expected ends the statement, whatever braces it has left open.
   if (fault != end() && *fault == ';') return how == Resume::at_semicolon ? fault : fault + 1;
   std::size_t open = 0;
   for (const char* at = skip_blank(start, end()); at != end(); at = skip_blank(at, end())) {
@@ -114,17 +127,6 @@ void ParseState::check_depth(const char* where, std::size_t further) {
   diagnostics_.error(Code::nesting_too_deep, span(at, at),
                      "nested too deep: at most " + std::to_string(nesting_limit) + " levels were expected");
   throw Abandoned{};
-}
-
-const char* ParseState::unclosed_brace() const {
-  std::vector<const char*> open;
-  for (const char* at = skip_blank(begin(), end()); at != end(); at = skip_blank(at, end())) {
-    const std::string_view token = token_at(at, end());
-    if (token == "{") open.push_back(at);
-    if (token == "}" && !open.empty()) open.pop_back();
-    at += token.size();
-  }
-  return open.empty() ? nullptr : open.back();
 }
 
 }  // namespace grammar

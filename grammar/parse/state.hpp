@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "grammar/parse/brackets.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
@@ -60,15 +61,18 @@ class ParseState {
   };
 
  private:
-  /// The brace that is still open at the end of the text, if there is one.
-  [[nodiscard]] const char* unclosed_brace() const;
+  void report_token(const char* where, std::string_view found, const std::string& expected);
+  /// Notes the bracket of this kind that is open at a place, if there is one.
+  void note_unclosed(Diagnostic& error, char kind, const char* place);
 
   std::string_view text_;
   std::uint32_t file_;
   Diagnostics& diagnostics_;
+  Brackets brackets_;
   std::size_t depth_ = 0;
   std::size_t errors_ = 0;
   const char* last_error_ = nullptr;
+  const char* next_statement_ = nullptr;  ///< where the statement in error most likely lacks its `;`
 };
 
 }  // namespace grammar

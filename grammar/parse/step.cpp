@@ -5,53 +5,74 @@
 namespace grammar {
 namespace {
 
-/// Takes the `maintaining c` that ends a step away from it. The text `do when d donext A maintaining c` binds c to A at
-/// first; the `do` needs it.
-bool detach_maintaining(Step& from, Constraint& condition);
+/// What ends a `do`: `watching c` or `maintaining c`.
+struct Ending {
+  bool watching = false;
+  Constraint condition;
+};
 
-bool detach_from(Step& from, Box<Step>& inner, Constraint& condition) {
-  if (!detach_maintaining(*inner, condition)) return false;
+Step ended(Step inner, Ending ending) {
+  Step step;
+  if (ending.watching) {
+    step.node = Watching{std::move(inner), std::move(ending.condition)};
+  } else {
+    step.node = Maintaining{std::move(inner), std::move(ending.condition), true};
+  }
+  return step;
+}
+
+/// Takes the ending at the end of a step away from it, for a `do` around it that has none. What binds to the nearest
+/// step at first may have to go further out: in `do when d donext A maintaining c` the `do` needs it, and in
+/// `do do A maintaining c watching d` the outer `do` needs the last, and the first does for the inner one.
+bool detach_ending(Step& from, Ending& ending);
+
+bool detach_from(Step& from, Box<Step>& inner, Ending& ending) {
+  if (!detach_ending(*inner, ending)) return false;
   from.span.end = inner->span.end;
   return true;
 }
 
 struct Detach {
   Step& from;
-  Constraint& condition;
+  Ending& ending;
 
   bool operator()(Maintaining& node) const {
-    if (node.with_do) return take_over(node);
-    condition = std::move(node.condition);
+    if (node.with_do) return take_over(node, false);
+    ending = {false, std::move(node.condition)};
     Step inner = std::move(*node.step);
     from = std::move(inner);
     return true;
   }
-  bool operator()(If& node) const { return detach_from(from, node.otherwise ? *node.otherwise : node.step, condition); }
-  bool operator()(Unless& node) const { return detach_from(from, node.step, condition); }
-  bool operator()(When& node) const { return detach_from(from, node.step, condition); }
-  bool operator()(Whenever& node) const { return detach_from(from, node.step, condition); }
-  bool operator()(Always& node) const { return detach_from(from, node.step, condition); }
-  bool operator()(Next& node) const { return detach_from(from, node.step, condition); }
+  bool operator()(Watching& node) const { return take_over(node, true); }
+  bool operator()(If& node) const { return detach_from(from, node.otherwise ? *node.otherwise : node.step, ending); }
+  bool operator()(Unless& node) const { return detach_from(from, node.step, ending); }
+  bool operator()(When& node) const { return detach_from(from, node.step, ending); }
+  bool operator()(Whenever& node) const { return detach_from(from, node.step, ending); }
+  bool operator()(Always& node) const { return detach_from(from, node.step, ending); }
+  bool operator()(Next& node) const { return detach_from(from, node.step, ending); }
   // These end with something of their own.
   bool operator()(Goal&) const { return false; }
   bool operator()(ClockStart&) const { return false; }
   bool operator()(Call&) const { return false; }
   bool operator()(Block&) const { return false; }
-  bool operator()(Watching&) const { return false; }
   bool operator()(Choose&) const { return false; }
 
  private:
-  /// `do do A maintaining c maintaining d`: the inner `do` took d, but c does for it.
-  [[nodiscard]] bool take_over(Maintaining& node) const {
-    Constraint before;
-    if (!detach_maintaining(*node.step, before)) return false;
-    condition = std::exchange(node.condition, std::move(before));
-    from.span.end = node.condition.span.end;
+  /// An inner `do` gives its ending away where what is inside it has another that does for it.
+  template <class Do>
+  [[nodiscard]] bool take_over(Do& node, bool watching) const {
+    Ending before;
+    if (!detach_ending(*node.step, before)) return false;
+    ending = {watching, std::move(node.condition)};
+    const Span span{from.span.file, from.span.begin, before.condition.span.end};
+    Step inner = std::move(*node.step);
+    from = ended(std::move(inner), std::move(before));
+    from.span = span;
     return true;
   }
 };
 
-bool detach_maintaining(Step& from, Constraint& condition) { return std::visit(Detach{from, condition}, from.node); }
+bool detach_ending(Step& from, Ending& ending) { return std::visit(Detach{from, ending}, from.node); }
 
 /// `do A watching c`, `do A maintaining c`.
 struct DoStep : x3::parser<DoStep> {
@@ -64,15 +85,14 @@ struct DoStep : x3::parser<DoStep> {
     if (!scan_word(first, state, "do")) return false;
     Step inner;
     x3::expect[step].parse(first, last, context, x3::unused, inner);
-    Constraint condition;
+    Ending ending;
     if (scan_word(first, state, "watching")) {
-      x3::expect[constraint].parse(first, last, context, x3::unused, condition);
-      target.node = Watching{std::move(inner), std::move(condition)};
-    } else if (detach_maintaining(inner, condition)) {
-      target.node = Maintaining{std::move(inner), std::move(condition), true};
-    } else {
+      ending.watching = true;
+      x3::expect[constraint].parse(first, last, context, x3::unused, ending.condition);
+    } else if (!detach_ending(inner, ending)) {
       throw x3::expectation_failure<Iterator>(first, "`watching` or `maintaining`");
     }
+    target.node = ended(std::move(inner), std::move(ending)).node;
     return true;
   }
 };

@@ -1,6 +1,7 @@
 // The transitions of a component (language.md "Plant models").
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
+#include "grammar/source/nearest.hpp"
 
 namespace grammar {
 namespace {
@@ -14,6 +15,21 @@ const Rule<struct DensityId, DensityText> density{"a density"};
 const Rule<struct TimingId, TimingText> timing{"a time bound"};
 const Rule<struct TargetId, Branch> target{"a mode"};
 const Rule<struct BranchId, Branch> branch{"a mode"};
+
+/// The arrow behind the sources. What has none is no transition, if its first word is nearly a keyword.
+struct ArrowBehindSources : x3::parser<ArrowBehindSources> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+
+  template <class C, class Unused>
+  bool parse(Iterator& first, const Iterator&, const C& context, TransitionText& text, Unused&) const {
+    static const std::vector<std::string> keywords = {"input", "output", "internal", "initial", "mode", "fault"};
+    if (arrow.scan(first, state_of(context))) return true;
+    const auto* named = std::get_if<NamedSources>(&text.sources.node);
+    if (named != nullptr && nearest(named->modes.front().text, keywords)) return false;
+    throw x3::expectation_failure<Iterator>(first, "`->`");
+  }
+};
 
 const auto any_source_def = record[Keyword("any") >> -set<&AnySource::nominal, true>[Keyword("nominal")]];
 const auto named_sources_def = record[comma_list(append<&NamedSources::modes>[name])];
@@ -59,9 +75,8 @@ const auto branched = (&(Keyword("when") | Keyword("in") | Keyword("after") >> n
 const auto plain =
     append<&TransitionText::branches>[target] >> -guard >> -timed >> -last_of<&TransitionText::branches>[weight];
 
-const auto transition_def =
-    record[field<&TransitionText::sources>[sources] >> arrow > named("a mode or branches in braces", branched | plain) >
-           named("`when`, `in`, `after`, `with` or `;`", semicolon)];
+const auto transition_def = record[field<&TransitionText::sources>[sources] >> ArrowBehindSources {
+} > named("a mode or branches in braces", branched | plain) > named("`when`, `in`, `after`, `with` or `;`", semicolon)];
 
 BOOST_SPIRIT_DEFINE(any_source, named_sources, sources, probability, rate, density, timing, target, branch)
 

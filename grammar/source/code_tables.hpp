@@ -15,5 +15,6 @@ std::span<const CodeInfo> program_codes();
 std::span<const CodeInfo> scenario_codes();
 std::span<const CodeInfo> document_codes();
 std::span<const CodeInfo> property_codes();
+std::span<const CodeInfo> netlist_codes();
 
 }  // namespace grammar

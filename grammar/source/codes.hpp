@@ -12,7 +12,8 @@
 namespace grammar {
 
 /// The number of a code: `RMPL0001` is 1. A number is never given to another meaning. Hundreds group by subject:
-/// 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled documents, 7 properties.
+/// 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled documents, 7 properties,
+/// 8 netlists.
 enum class Code : std::uint16_t {
   // Text.
   syntax = 1,
@@ -82,6 +83,10 @@ enum class Code : std::uint16_t {
   property_repeated_part = 701,
   property_not_a_mode = 702,
   property_period = 703,
+  // Netlists.
+  netlist_syntax = 800,
+  netlist_gate = 801,
+  netlist_driver = 802,
 };
 
 /// What a code means.

@@ -8,10 +8,11 @@ namespace grammar {
 namespace {
 
 constexpr std::array table = {
-    CodeInfo{Code::document_schema, "not a compiled document",
-             "The JSON is not what `rmplc compile` writes: a key is missing, of the wrong type, or names what is not "
-             "there. The message gives the path in the document.",
-             R"({"plants": 3})", R"({"plants": [], "programs": [], "scenarios": []})"},
+    CodeInfo{
+        Code::document_schema, "not a compiled document",
+        "The JSON is not what `rmplc compile` writes: a key is missing, unknown or there twice, or its value has the "
+        "wrong type or names what is not there. The message gives the path in the document.",
+        R"({"plants": 3})", R"({"plants": [], "programs": [], "scenarios": []})"},
 };
 
 }  // namespace

@@ -37,6 +37,24 @@ const char* colour_of(Severity severity) {
   return bold;
 }
 
+/// A message whose words are all of a length that people read: a name of a megabyte says no more than its beginning.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t longest = 200;
+  std::string text;
+  for (std::size_t at = 0; at < message.size();) {
+    const std::size_t end = std::min(message.find(' ', at), message.size() - 1) + 1;
+    if (end - at <= longest) {
+      text += message.substr(at, end - at);
+    } else {
+      std::size_t cut = at + longest / 2;
+      while ((static_cast<unsigned char>(message[cut]) & 0xC0) == 0x80) ++cut;  // not within a code point
+      text += message.substr(at, cut - at) + "… ";
+    }
+    at = end;
+  }
+  return text;
+}
+
 /// A source line as it is shown, with the columns that are marked.
 struct Excerpt {
   std::string text;
@@ -110,13 +128,14 @@ class Text {
   void add(const Diagnostic& diagnostic) {
     margin_ = std::string(digits(diagnostic), ' ');
     const std::string kind = std::string(to_string(diagnostic.severity)) + "[" + to_string(diagnostic.code) + "]";
-    out_ += style_(colour_of(diagnostic.severity), kind) + style_(bold, ": " + diagnostic.message) + "\n";
+    out_ += style_(colour_of(diagnostic.severity), kind) + style_(bold, ": " + shortened(diagnostic.message)) + "\n";
     add_place(diagnostic.span, '^', colour_of(diagnostic.severity));
     for (const Note& note : diagnostic.notes) {
-      out_ += style_(colour_of(Severity::note), "note") + style_(bold, ": " + note.message) + "\n";
+      out_ += style_(colour_of(Severity::note), "note") + style_(bold, ": " + shortened(note.message)) + "\n";
       add_place(note.span, '-', blue);
     }
-    if (diagnostic.suggestion) out_ += style_("1;32", "help") + style_(bold, ": " + *diagnostic.suggestion) + "\n";
+    if (diagnostic.suggestion)
+      out_ += style_("1;32", "help") + style_(bold, ": " + shortened(*diagnostic.suggestion)) + "\n";
     out_ += "\n";
   }
 

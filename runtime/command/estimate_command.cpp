@@ -148,6 +148,7 @@ Status run(const Options& options, const Common& common) {
   JsonLine json;
   Account account;
   bool cut = false;
+  std::size_t answered = 0;
   for (const LogLine& line : lines) {
     if (interrupted()) break;
     const bool start = line.cycle == 0 && line.time == automata::Ticks{};  // a trace begins with where it starts
@@ -166,12 +167,16 @@ Status run(const Options& options, const Common& common) {
       account.missing = std::max(account.missing, cost.missing);
     }
     write(json, line, estimate, belief, options.stats && !start ? &cost : nullptr, plant);
-    std::cout << json.text() << '\n';
+    std::cout << json.text() << std::endl;  // whole lines, whatever ends the run
+    ++answered;
   }
   finish_output();
+  if (interrupted() && answered < lines.size()) {
+    std::cerr << "rmpl-run: interrupted after " << answered << " of " << lines.size() << " lines\n";
+  }
   if (cut) std::cerr << "rmpl-run: a search was cut short; a belief may lack states\n";
   if (options.stats || common.verbose) report(account, *estimator, seconds_since(begin));
-  return interrupted() ? Status::undecided : Status::done;
+  return answered < lines.size() ? Status::undecided : Status::done;
 }
 
 }  // namespace

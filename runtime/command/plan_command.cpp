@@ -7,13 +7,13 @@
 
 #include "automata/error.hpp"
 #include "automata/step/plant_step.hpp"
+#include "automata/suggestion.hpp"
 #include "runtime/command/command.hpp"
 #include "runtime/command/input.hpp"
 #include "runtime/command/policy_report.hpp"
 #include "runtime/reconfigure/one_step.hpp"
 #include "runtime/reconfigure/plan.hpp"
 #include "runtime/trace/json_line.hpp"
-#include "runtime/trace/suggestion.hpp"
 
 namespace runtime {
 namespace {
@@ -127,7 +127,7 @@ std::vector<automata::ComponentId> components_named(const automata::Plant& plant
   }
   if (result.empty()) {
     throw automata::InputError("--component: plant '" + plant.name + "' has no component '" + name + "'" +
-                               suggestion(name, names));
+                               automata::suggestion(name, names));
   }
   return result;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "automata/error.hpp"
+#include "automata/suggestion.hpp"
 #include "runtime/command/command.hpp"
 #include "runtime/command/input.hpp"
 #include "runtime/command/interruption.hpp"
@@ -19,7 +19,6 @@
 #include "runtime/scenario/report.hpp"
 #include "runtime/scenario/run.hpp"
 #include "runtime/scenario/story.hpp"
-#include "runtime/trace/suggestion.hpp"
 #include "runtime/trace/trace_writer.hpp"
 
 namespace runtime {
@@ -106,11 +105,8 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
     if (options.only.empty() || scenario.name == options.only) result.push_back(&scenario);
   }
   if (result.empty()) {
-    throw InputError(options.file + ": no scenario is called '" + options.only + "'" + suggestion(options.only, names));
-  }
-  std::error_code missing;
-  if (!options.trace.empty() && std::filesystem::equivalent(options.trace, options.file, missing)) {
-    throw InputError("--trace would overwrite its scenario, " + options.file);
+    throw InputError(options.file + ": no scenario is called '" + options.only + "'" +
+                     automata::suggestion(options.only, names));
   }
   if (result.size() > 1 && !options.trace.empty()) {
     throw InputError("--trace holds one scenario, and " + options.file + " has " + std::to_string(result.size()) +
@@ -191,6 +187,9 @@ Status run(const Options& options, const Common& common) {
   const auto compilation = load({options.file}, common);
   if (!compilation) return Status::wrong;
   const automata::Document& document = compilation->document();
+  if (const auto input = compilation->input_at(options.trace)) {
+    throw InputError("--trace would overwrite an input, " + *input);
+  }
   watch_for_interruption();
   Status status = Status::done;
   std::string text;

@@ -5,43 +5,39 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string_view>
-#include <unordered_set>
 
 #include "automata/error.hpp"
-#include "runtime/trace/suggestion.hpp"
+#include "automata/json/parse.hpp"
+#include "automata/suggestion.hpp"
 
 namespace runtime {
 namespace {
 
 using automata::Assignment;
 using automata::InputError;
+using automata::Json;
 using automata::Ticks;
-using Json = nlohmann::ordered_json;
 
 enum class Role { estimate, command, observations };
 
 /// Turns a name and a value into an assignment; the text thrown by it is prefixed with file and line by the reader.
 using Resolve = std::function<Assignment(Role role, const std::string& name, const std::string& value)>;
 
-std::string_view type_name(const Json& json) { return json.is_null() ? "null" : json.type_name(); }
+/// What a value is, for messages: of a number, the number itself.
+std::string name_of(const Json& json) {
+  if (json.is_number()) return json.dump();
+  return json.is_null() ? "null" : json.type_name();
+}
 
-/// Parses one line; a key that an object has twice is an error, which the parser by itself would pass over.
+/// Parses one line.
 Json parse_object(const std::string& text) {
-  std::vector<std::unordered_set<std::string>> keys;
-  const auto callback = [&keys](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
-      throw InputError(" the key '" + parsed.get<std::string>() + "' stands twice in one object");
-    }
-    return true;
-  };
   try {
-    Json json = Json::parse(text, callback);
-    if (!json.is_object()) throw InputError(" expected a JSON object, not " + std::string(type_name(json)));
+    Json json = automata::parse_json(text);
+    if (!json.is_object()) throw InputError(" expected a JSON object, not " + name_of(json));
     return json;
+  } catch (const automata::JsonError& error) {
+    throw InputError(" " + std::string(error.what()));
   } catch (const Json::parse_error& error) {
     throw InputError(std::to_string(error.byte) + ": not JSON; expected one object a line");
   } catch (const Json::exception&) {
@@ -85,7 +81,7 @@ class LogReader {
   }
 
   static void expect(bool right, const std::string& key, const std::string& expected, const Json& json) {
-    if (!right) throw InputError(" '" + key + "': expected " + expected + ", not " + std::string(type_name(json)));
+    if (!right) throw InputError(" '" + key + "': expected " + expected + ", not " + name_of(json));
   }
 
   static Ticks time_of(const Json& json) {
@@ -122,7 +118,7 @@ class LogReader {
       } else if (key == "checked" || key == "missing_mass") {
         expect(value.is_number(), key, "a number", value);
       } else {
-        throw InputError(" unknown key '" + key + "'" + suggestion(key, {keys.begin(), keys.end()}));
+        throw InputError(" unknown key '" + key + "'" + automata::suggestion(key, {keys.begin(), keys.end()}));
       }
     }
   }
@@ -178,13 +174,13 @@ Assignment resolve(const automata::Plant& plant, Role role, const std::string& n
   const auto names = candidates(plant, role);
   if (!variable || std::find(names.begin(), names.end(), name) == names.end()) {
     throw InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant.name + "'" +
-                     suggestion(name, names));
+                     automata::suggestion(name, names));
   }
   const automata::Variable& declared = plant.variables[*variable];
   const auto known = declared.find(value);
   if (!known) {
     throw InputError(" '" + value + "' is no value of '" + name + "'" +
-                     suggestion(value, {declared.values.begin(), declared.values.end()}));
+                     automata::suggestion(value, {declared.values.begin(), declared.values.end()}));
   }
   return {*variable, *known};
 }

@@ -18,7 +18,12 @@ namespace bench {
 /// Imports and compiles a netlist, as `rmplc import` and the reader of every program do.
 inline automata::Document imported(const std::filesystem::path& netlist, compiler::FaultModel faults) {
   const auto model = std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_circuit.tcca");
-  std::ofstream(model) << compiler::import_circuit(netlist, faults);
+  const compiler::ImportedCircuit circuit = compiler::import_circuit(netlist, faults);
+  if (!circuit.plant) {
+    std::fputs(circuit.diagnostics.c_str(), stderr);
+    std::exit(EXIT_FAILURE);
+  }
+  std::ofstream(model) << *circuit.plant;
   const std::string path = model;
   const compiler::Compilation compilation = compiler::compile(std::span(&path, 1));
   std::filesystem::remove(model);

@@ -8,12 +8,20 @@
 
 #include "automata/error.hpp"
 #include "compiler/import/netlist.hpp"
+#include "grammar/source/render.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  grammar::Sources sources;
+  grammar::Diagnostics diagnostics;
+  const auto file = sources.add("circuit", std::string(reinterpret_cast<const char*>(data), size));
+  const auto netlist = compiler::read_bench(sources, file, diagnostics);
+  if (netlist.has_value() == diagnostics.has_errors()) std::abort();
+  if (!netlist) {
+    if (grammar::render_text(diagnostics.sorted(), sources, false).empty()) std::abort();
+    return 0;
+  }
   try {
-    const std::string_view input(reinterpret_cast<const char*>(data), size);
-    const compiler::Netlist netlist = compiler::read_bench(input, "circuit");
-    if (compiler::to_tcca(netlist, compiler::FaultModel::strong).empty()) std::abort();
+    if (compiler::to_tcca(*netlist, compiler::FaultModel::strong).empty()) std::abort();
   } catch (const automata::InputError& error) {
     if (std::string_view(error.what()).empty()) std::abort();
   }

@@ -90,6 +90,38 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
   refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
   refuses("/scenarios/0/plant", 1, "below 1");
   refuses("/scenarios/0/cycle", 0, "above 0");
+  refuses("/programs/0/clocks", {"t", "t"}, "/programs/0/clocks/1: expected a clock that is new");
+}
+
+TEST(Document, KeysThatItDoesNotHaveAreRefusedAnywhere) {
+  const Json good = to_json(sample());
+  std::size_t objects = 0;
+  const auto refuse_within = [&](const Json& part, const std::string& path, const auto& self) -> void {
+    if (part.is_object()) {
+      ++objects;
+      Json bad = good;
+      bad[Json::json_pointer(path)]["rewrad"] = 1;
+      try {
+        document_from_json(bad);
+        ADD_FAILURE() << "accepted at " << path;
+      } catch (const JsonError& error) {
+        EXPECT_EQ(error.path(), path + "/rewrad");
+        EXPECT_EQ(error.blame(), JsonError::Blame::key);
+        EXPECT_THAT(error.what(), testing::HasSubstr("unknown key 'rewrad'"));
+      }
+      for (const auto& [key, value] : part.items()) self(value, member_path(path, key), self);
+    } else if (part.is_array()) {
+      for (std::size_t i = 0; i < part.size(); ++i) self(part[i], path + "/" + std::to_string(i), self);
+    }
+  };
+  refuse_within(good, "", refuse_within);
+  EXPECT_GT(objects, 40U);
+}
+
+TEST(Document, TwoWeightsOfOneTransitionAreRefused) {
+  Json bad = to_json(sample());
+  bad["plants"][0]["components"][0]["transitions"][1]["probability"] = 0.5;
+  EXPECT_THROW(document_from_json(bad), JsonError);
 }
 
 TEST(Document, TextThatIsNoJsonIsRefusedWithTheFileName) {

@@ -37,6 +37,27 @@ TEST_F(InputFiles, ImportsAreRelativeToTheImportingFile) {
   EXPECT_THAT(result.document().plants, SizeIs(1));
 }
 
+TEST_F(InputFiles, WhatWasReadIsFoundUnderAnyName) {
+  const std::string level = write("level.tcca", "domain Level = { low, high };\n");
+  const Compilation result = compile_text(
+      "p.tcca", "import \"level.tcca\"; component V { input a : Level; mode m; initial m; } plant P { v : V; }\n");
+  const std::string folder = std::filesystem::path(level).parent_path().string();
+  EXPECT_EQ(result.input_at(folder + "/./level.tcca"), level);
+  EXPECT_EQ(result.input_at(folder + "/new.json"), std::nullopt);
+  EXPECT_EQ(result.input_at(""), std::nullopt);
+}
+
+TEST_F(InputFiles, AllThatCannotBeReadIsTold) {
+  const std::vector<std::string> paths{"/no/a.tcca", write("p.tcca", plant_text), "/no/b.rmpl"};
+  try {
+    compile(paths);
+    FAIL();
+  } catch (const automata::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/no/a.tcca"));
+    EXPECT_THAT(error.what(), HasSubstr("/no/b.rmpl"));
+  }
+}
+
 TEST_F(InputFiles, ImportsThatFail) {
   EXPECT_THAT(errors("p.rmpl", "import \"no.rmpl\";\nP() :: { x = on }\n"), ElementsAre("RMPL0006 p.rmpl:1:8"));
   write("plant.tcca", plant_text);
@@ -63,6 +84,9 @@ TEST_F(InputFiles, KindsAreToldByContent) {
   EXPECT_EQ(kind_by_content(" // comment\n { \"format\": 1 }"), Kind::document);
   EXPECT_EQ(kind_by_content("/* a */ scenario \"s\" { }"), Kind::scenario);
   EXPECT_EQ(kind_by_content("component C { }"), Kind::plant);
+  EXPECT_EQ(kind_by_content("\xEF\xBB\xBF"
+                            "component C { }"),
+            Kind::plant);
   EXPECT_EQ(kind_by_content("plant P { }"), Kind::plant);
   EXPECT_EQ(kind_by_content("plant() :: { x = on }"), Kind::program);
   EXPECT_EQ(kind_by_content("import \"a.tcca\"; "), Kind::plant);

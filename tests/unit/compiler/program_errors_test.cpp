@@ -57,6 +57,14 @@ TEST_F(ProgramErrors, Goals) {
   EXPECT_THAT(in_body("(engine = on & (nav = on & acs = on))"), IsEmpty());
 }
 
+TEST_F(ProgramErrors, WithoutAPlantAVariableIsNotTakenForAValue) {
+  EXPECT_THAT(in_body("y = on; if x = y thennext z = on"), ElementsAre("RMPL0104 p.rmpl:2:16"));
+  EXPECT_THAT(in_body("if x != y thennext z = on; y = on"), ElementsAre("RMPL0104 p.rmpl:2:9"));
+  EXPECT_THAT(in_body("t = 0; if x = t thennext z = on"), ElementsAre("RMPL0106 p.rmpl:2:15"));
+  EXPECT_THAT(in_body("y = on; if x in { y } thennext z = on"), IsEmpty());
+  EXPECT_THAT(over_plant("P() :: { if engine.temp = low thennext engine = on }"), IsEmpty());
+}
+
 TEST_F(ProgramErrors, NamesOfThePlant) {
   EXPECT_THAT(over_plant("P() :: { engine = on }"), IsEmpty());
   EXPECT_THAT(over_plant("P() :: { motor = on }"), ElementsAre("RMPL0308 p.rmpl:1:10"));

@@ -8,7 +8,6 @@
 #include "automata/error.hpp"
 #include "runtime/trace/json_line.hpp"
 #include "runtime/trace/log.hpp"
-#include "runtime/trace/suggestion.hpp"
 
 namespace runtime {
 namespace {
@@ -69,9 +68,9 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(error_of("{\"time\": NaN}"), "in.jsonl:1:10: not JSON; expected one object a line");
   EXPECT_EQ(error_of("{\"time\": 1e999}"), "in.jsonl:1: a number is out of range");
   EXPECT_EQ(error_of("{\"time\": -1}"), "in.jsonl:1: 'time': expected seconds, at least 0, or a duration with a unit");
-  EXPECT_EQ(error_of("{\"time\": 1, \"time\": 2}"), "in.jsonl:1: the key 'time' stands twice in one object");
+  EXPECT_EQ(error_of("{\"time\": 1, \"time\": 2}"), "in.jsonl:1: /time: the key 'time' stands twice in one object");
   EXPECT_EQ(error_of("{\"command\": {\"lamp.cmd\": \"on\", \"lamp.cmd\": \"none\"}}"),
-            "in.jsonl:1: the key 'lamp.cmd' stands twice in one object");
+            "in.jsonl:1: /command/lamp.cmd: the key 'lamp.cmd' stands twice in one object");
   EXPECT_EQ(error_of("{\"time\": 2}\n{\"time\": 1}\n"),
             "in.jsonl:2: the time 1 s lies before that of an earlier line, 2 s");
   EXPECT_EQ(error_of("{\"observation\": {}}"), "in.jsonl:1: unknown key 'observation'; did you mean 'observations'?");
@@ -83,7 +82,7 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
             "in.jsonl:1: 'brigth' is no value of 'lamp.light'; did you mean 'bright'?");
   EXPECT_EQ(error_of("{\"estimate\": {\"lamp\": true}}"),
             "in.jsonl:1: 'estimate.lamp': expected a value as a string, not boolean");
-  EXPECT_EQ(error_of("{\"cycle\": -1}"), "in.jsonl:1: 'cycle': expected a whole number, not number");
+  EXPECT_EQ(error_of("{\"cycle\": -1}"), "in.jsonl:1: 'cycle': expected a whole number, not -1");
   EXPECT_EQ(error_of("{\"marking\": {}}"), "in.jsonl:1: 'marking': expected an array, not object");
   EXPECT_EQ(error_of("{\"estimate\": null}"),
             "in.jsonl:1: 'estimate': expected an object of names and values, not null");
@@ -111,12 +110,6 @@ TEST(JsonLine, WritesWhatReadsBack) {
   line.key("empty").open('{').close('}').key("time").seconds({43'200'000'000}).close('}');
   EXPECT_EQ(line.text(), "{\"a \\\"b\\\"\\u000a\":0.1,\"list\":[1,\"x\\\\y\",null],\"empty\":{},\"time\":43.2}");
   EXPECT_TRUE(nlohmann::json::accept(line.text()));
-}
-
-TEST(Suggestion, NamesTheNearestOrNothing) {
-  EXPECT_EQ(suggestion("standbi", {"off", "standby", "stand"}), "; did you mean 'standby'?");
-  EXPECT_EQ(suggestion("x", {"y", "z"}), "; did you mean 'y'?");
-  EXPECT_EQ(suggestion("engine", {"nav", "att"}), "");
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
@@ -75,6 +78,44 @@ TEST(ProgramParse, ADoTakesTheMaintainingThatItNeeds) {
             "[(do-maintaining d=x (always (watching c=x a=x)))]");
 }
 
+TEST(ProgramParse, AnInnerDoGivesAwayWhatTheOuterOneNeeds) {
+  EXPECT_EQ(body_of("do do {a = x} maintaining b = x watching c = x"), "[(watching c=x (do-maintaining b=x [a=x]))]");
+  EXPECT_EQ(body_of("do when d = x donext do a = x maintaining b = x watching c = x"),
+            "[(watching c=x (when d=x (do-maintaining b=x a=x)))]");
+  EXPECT_EQ(body_of("do do do a = x maintaining b = x watching c = x watching d = x"),
+            "[(watching d=x (watching c=x (do-maintaining b=x a=x)))]");
+  EXPECT_EQ(body_of("do do a = x watching b = x maintaining c = x"), "[(do-maintaining c=x (watching b=x a=x))]");
+  EXPECT_EQ(body_of("do do a = x watching b = x"), "1:35 expected `watching` or `maintaining`, found `}`\n");
+}
+
+/// Whether the grammar has this step: `d` is do, `a` a goal, `m` and `w` are maintaining and watching. The slow,
+/// obvious twin of how the parser hands endings from one `do` to the next.
+bool derives(std::string_view step) {
+  if (step == "a") return true;
+  if (step.size() < 2) return false;
+  const char last = step.back();
+  if (last == 'm' && derives(step.substr(0, step.size() - 1))) return true;
+  return step.front() == 'd' && (last == 'm' || last == 'w') && derives(step.substr(1, step.size() - 2));
+}
+
+TEST(ProgramParse, ReadsEveryNestingOfDoThatTheGrammarHasAndNoOther) {
+  std::size_t read = 0;
+  for (std::size_t dos = 0; dos <= 6; ++dos) {
+    for (unsigned endings = 1; endings < 1u << 8; ++endings) {  // a leading 1, then one bit an ending
+      std::string letters = std::string(dos, 'd') + "a";
+      for (int bit = std::bit_width(endings) - 2; bit >= 0; --bit) letters += (endings >> bit & 1) != 0 ? 'm' : 'w';
+      std::string text;
+      for (const char c : letters) {
+        text += c == 'd' ? "do " : c == 'a' ? "x = a " : c == 'm' ? "maintaining c = d " : "watching e = f ";
+      }
+      const Parsed<ProgramFile> result(parse_program, "M() :: { " + text + "}");
+      EXPECT_EQ(result.tree.has_value(), derives(letters)) << letters << '\n' << result.errors();
+      read += result.tree.has_value() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(read, 300u);
+}
+
 TEST(ProgramParse, PlacesFollowADetachedCondition) {
   const Parsed<ProgramFile> result(parse_program, "M() :: { do when b = x donext a = x maintaining c = x }");
   ASSERT_TRUE(result.tree);
@@ -98,7 +139,7 @@ TEST(ProgramParse, ItemsOfAFile) {
 }
 
 TEST(ProgramParse, AClockStartsAtZeroOnly) {
-  EXPECT_EQ(body_of(" t = 5"), "1:14 expected `0`, where a clock starts, found `5`\n");
+  EXPECT_EQ(body_of(" t = 5"), "1:14 expected a value, or `0` where a clock starts, found `5`\n");
   const Parsed<ProgramFile> result(parse_program, "M() :: { (t = 0) }");
   EXPECT_EQ(result.errors(), "1:15 expected a value, found `0`\n");
   EXPECT_EQ(result.diagnostics.all()[0].suggestion, "a clock is started by a step of its own: `t = 0`");

@@ -62,6 +62,33 @@ TEST(Recovery, SuggestsTheKeyword) {
   EXPECT_EQ(result.diagnostics.all()[0].suggestion, "did you mean `component`?");
 }
 
+TEST(Recovery, NamesTheBracketThatIsNotClosedOrClosesNothing) {
+  const Parsed<ProgramFile> open(parse_program, "M() :: { when (a = b donext c = d }");
+  ASSERT_EQ(open.diagnostics.all().size(), 1u);
+  EXPECT_EQ(open.errors(), "1:22 expected `)`, found the reserved word `donext`\n");
+  ASSERT_EQ(open.diagnostics.all()[0].notes.size(), 1u);
+  EXPECT_EQ(open.sources.text(open.diagnostics.all()[0].notes[0].span), "(");
+  const Parsed<ProgramFile> stray(parse_program, "M() :: { a = b); c = d }");
+  EXPECT_EQ(stray.diagnostics.all().at(0).suggestion, "no `(` is open here");
+}
+
+TEST(Recovery, AsksForTheSemicolonWhereALineLacksIt) {
+  const Parsed<PlantFile> result(parse_plant, "component E {\n  mode a // first\n  mode b;\n}");
+  EXPECT_EQ(result.errors(), "3:3 expected `{`, `reward` or `;`, found `mode`\n");
+  ASSERT_EQ(result.diagnostics.all()[0].notes.size(), 1u);
+  EXPECT_EQ(result.diagnostics.all()[0].notes[0].span.begin, 22u);
+}
+
+TEST(Recovery, AComponentThatIsNotClosedEndsBeforeTheNext) {
+  const Parsed<PlantFile> result(parse_plant, "component E {\n  mode a;\nplant P { e : E; }\n");
+  EXPECT_EQ(result.errors(), "3:1 expected `}`, found `plant`\n");
+  EXPECT_TRUE(Parsed<PlantFile>(parse_plant,
+                                "component E { mode plant; mode mode; initial plant;"
+                                "plant -> mode; mode, plant -> plant; mode -> plant; }"
+                                "plant P { input, output : E; control : E; input.c = output.c; }")
+                  .tree);
+}
+
 TEST(Recovery, NamesTheBraceThatIsNotClosed) {
   const Parsed<PlantFile> result(parse_plant, "plant P {\n  a : B;\n");
   ASSERT_EQ(result.diagnostics.all().size(), 1u);

@@ -83,6 +83,18 @@ TEST(RenderText, TheEmptyTextHasNoLineToShow) {
   EXPECT_EQ(text_of(sources, diagnostics), "error[RMPL0207]: m\n --> f:1:1\n\n");
 }
 
+TEST(RenderText, CutsWordsThatNobodyReads) {
+  Sources sources;
+  sources.add("f", "");
+  Diagnostics diagnostics;
+  std::string name(99, 'x');
+  for (int i = 0; i < 1000; ++i) name += "≥";
+  diagnostics.error(Code::no_plant, {0, 0, 0}, "no `" + name + "` here, " + std::string(200, 'y'));
+  const std::string text = text_of(sources, diagnostics);
+  EXPECT_EQ(text,
+            "error[RMPL0207]: no `" + std::string(99, 'x') + "… here, " + std::string(200, 'y') + "\n --> f:1:1\n\n");
+}
+
 TEST(RenderJson, HasEveryKey) {
   Sources sources;
   sources.add("f", "a\nbc ≥\xFF");

@@ -1,0 +1,22 @@
+// What was probably meant where a text does not follow the grammar: habits of other languages, slips of the pen.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace grammar {
+
+/// A place where something else was expected.
+struct Unexpected {
+  std::string_view before;    ///< the text up to the token
+  std::string_view found;     ///< the token, as `token_at` cuts it
+  std::string_view behind;    ///< the text from its end on
+  std::string_view expected;  ///< what could have stood there; keywords and signs between backquotes
+};
+
+/// What to do about it, as a sentence; nothing where nothing is near.
+std::optional<std::string> hint(const Unexpected& place);
+
+}  // namespace grammar

@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+# Ctrl-C in the middle of a run: it ends soon, says so, and every line that it wrote is whole.
+# SPDX-License-Identifier: MIT
+"""Usage: interrupt.py ROOT PROGRAMS."""
+
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+
+LINES = 200_000  # more than anyone estimates between the first line and the signal
+
+
+def main(root: pathlib.Path, programs: pathlib.Path) -> int:
+    plant = root / "examples/mars-entry/mars_lander.tcca"
+    with tempfile.TemporaryDirectory() as folder:
+        log = pathlib.Path(folder, "flight.jsonl")
+        log.write_text("".join(f'{{"time": {i}}}\n' for i in range(1, LINES + 1)), encoding="utf-8")
+        with subprocess.Popen(
+            [programs / "rmpl-run", "estimate", plant, "--log", "-"],
+            stdin=log.open("rb"),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            bufsize=0,  # what is read ahead would be lost to communicate
+        ) as run:
+            first = run.stdout.readline()
+            run.send_signal(signal.SIGINT)
+            rest, errors = run.communicate(timeout=60)
+    lines = (first + rest).splitlines(keepends=True)
+    for line in lines:
+        assert line.endswith(b"\n"), "a line that is cut"
+        json.loads(line)
+    assert 0 < len(lines) < LINES, f"{len(lines)} lines"
+    assert run.returncode == 3, f"exit {run.returncode}"
+    assert errors.decode() == f"rmpl-run: interrupted after {len(lines)} of {LINES} lines\n", errors
+    print(f"{len(lines)} whole lines")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*map(pathlib.Path, sys.argv[1:])))
