@@ -9,6 +9,8 @@
 #include <sstream>
 #include <thread>
 
+#include "automata/command_line.hpp"
+
 namespace verifier {
 
 using automata::Ticks;
@@ -367,7 +369,7 @@ ParsedCommandLine parse_command_line(int count, const char* const* arguments, co
     std::ostringstream out;
     std::ostringstream err;
     result.failed = app.exit(error, out, err) != 0;
-    result.message = out.str() + err.str();
+    result.message = result.failed ? automata::complaint(app, error) : out.str();
   }
   return result;
 }
