@@ -24,17 +24,19 @@ struct Vertex {
   Index parent;
   Label label;  ///< from the parent
   std::vector<Edge> edges;
+  std::vector<bool> overdue;  ///< see Turn
 };
 
 /// All that can be reached, breadth first.
 class Graph {
  public:
-  Graph(ProgramSystem& system, Meter& meter) {
+  Graph(ProgramSystem& system, Loop& loop, Meter& meter) {
     system.initial([&](SymbolicState&& state, const Label& label) { add(std::move(state), none, label, meter); });
     for (Index v = 0; v < vertices.size(); ++v) {
       meter.poll();
       meter.at(0, vertices.size() - v);
       const SymbolicState state = vertices[v].state;
+      vertices[v].overdue = loop.turn(ProgramSystem::loop_state(state.discrete))->overdue;
       system.successors(state, [&](SymbolicState&& next, const Label& label) {
         const Index target = add(std::move(next), v, label, meter);
         vertices[v].edges.push_back({target, label});
@@ -53,7 +55,7 @@ class Graph {
     if (const auto at = std::find_if(known.begin(), known.end(), equal); at != known.end()) return *at;
     meter.count_state();
     known.push_back(static_cast<Index>(vertices.size()));
-    vertices.push_back({std::move(state), parent, label, {}});
+    vertices.push_back({std::move(state), parent, label, {}, {}});
     return known.back();
   }
 
@@ -142,8 +144,7 @@ class Lassos {
     });
     for (std::size_t c = 0; c < loop_.plant().components.size(); ++c) {
       duties.push_back([this, c](Index source, const Edge& edge) {
-        const LoopStateId id = ProgramSystem::loop_state(vertices_[source].state.discrete);
-        return !loop_.turn(id).overdue[c] || state(source).modes[c] != state(edge.target).modes[c];
+        return !vertices_[source].overdue[c] || state(source).modes[c] != state(edge.target).modes[c];
       });
     }
     if (after_fault_ && vertices_[members.front()].state.faults == 0) return std::nullopt;
@@ -211,7 +212,7 @@ class Lassos {
 }  // namespace
 
 std::optional<Lasso> find_lasso(ProgramSystem& system, Loop& loop, bool after_fault, Meter& meter) {
-  Graph graph(system, meter);
+  Graph graph(system, loop, meter);
   return Lassos(graph, loop, after_fault).find();
 }
 

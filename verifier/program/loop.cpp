@@ -19,6 +19,9 @@ using automata::Ticks;
 
 namespace {
 
+/// Twice so many at most are kept.
+constexpr std::size_t turns_remembered = 1u << 13;
+
 /// Every joint choice of all components within the budget of faults, depth first in declaration order.
 void for_each_joint(const std::vector<std::vector<Choice>>& choices, unsigned faults,
                     const std::function<void(const Modes&, unsigned, const Box&)>& visit) {
@@ -56,7 +59,8 @@ Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime:
       faults_(faults),
       meter_(meter),
       cells_(program),
-      sequencer_(program, step.plant()) {}
+      sequencer_(program, step.plant()),
+      explored_turns_(turns_remembered) {}
 
 std::vector<LoopState> Loop::initial(const std::vector<Assignment>& from) {
   std::vector<std::vector<Choice>> all;
@@ -80,10 +84,7 @@ std::vector<LoopState> Loop::initial(const std::vector<Assignment>& from) {
 
 LoopStateId Loop::number(const LoopState& state) {
   const auto [at, fresh] = numbers_.try_emplace(state, states_.size());
-  if (fresh) {
-    states_.push_back(&at->first);
-    turns_.emplace_back();
-  }
+  if (fresh) states_.push_back(&at->first);
   return at->second;
 }
 
@@ -95,23 +96,38 @@ std::vector<ComponentId> Loop::live(const Modes& modes) const {
   return result;
 }
 
-const Turn& Loop::turn(LoopStateId id) {
-  cycle(id);
-  if (!turns_[id.index()].waits) {
-    std::vector<Wait> found = waits(id);
-    turns_[id.index()].turn.waits = std::move(found);
-    turns_[id.index()].waits = true;
+std::shared_ptr<const Turn> Loop::turn(LoopStateId id, unsigned faults) {
+  const std::shared_ptr<Worked> worked = cycle(id, faults);
+  if (!worked->waits) {
+    worked->turn.waits = waits(id);
+    worked->waits = true;
   }
-  return turns_[id.index()].turn;
+  return {worked, &worked->turn};
 }
 
-const Turn& Loop::cycle(LoopStateId id) {
-  Worked& worked = turns_[id.index()];
-  if (!worked.cycle) {
-    worked.turn = work_out(*states_[id.index()]);
-    worked.cycle = true;
+std::shared_ptr<Loop::Worked> Loop::known(LoopStateId id) {
+  if (const auto open = turns_.find(id); open != turns_.end()) return open->second;
+  const auto* explored = explored_turns_.find(id);
+  return explored != nullptr ? *explored : nullptr;
+}
+
+std::shared_ptr<Loop::Worked> Loop::cycle(LoopStateId id, unsigned faults) {
+  std::shared_ptr<Worked> worked = known(id);
+  if (!worked) {
+    worked = std::make_shared<Worked>(Worked{work_out(*states_[id.index()], faults), faults, false});
+    turns_.emplace(id, worked);
+  } else if (worked->faults < faults) {
+    worked->turn.outcomes = work_out(*states_[id.index()], faults).outcomes;
+    worked->faults = faults;
   }
-  return worked.turn;
+  return worked;
+}
+
+void Loop::explored(LoopStateId id) {
+  const auto known = turns_.find(id);
+  if (known == turns_.end()) return;
+  explored_turns_.add(id, std::move(known->second));
+  turns_.erase(known);
 }
 
 std::vector<std::optional<Ticks>> Loop::started(const LoopState& state) const {
@@ -134,7 +150,7 @@ std::vector<Choice> Loop::choices_of(const LoopState& state, const Turn& turn, C
   return choices(plant()[component], state.modes[component.index()], enabled[component.index()], reading_);
 }
 
-Turn Loop::work_out(const LoopState& state) {
+Turn Loop::work_out(const LoopState& state, unsigned faults) {
   Turn turn;
   sequencer_.resume(state.marking, started(state));
   const automata::Asserted& asserted = sequencer_.begin({automata::assignments_of(plant(), state.modes)}, Ticks{0});
@@ -150,7 +166,7 @@ Turn Loop::work_out(const LoopState& state) {
                                        [&](const Choice& choice) { return leaves_for_sure(choice, state.modes[c]); }));
   }
   std::set<std::tuple<Modes, unsigned, Box>> seen;
-  for_each_joint(all, faults_, [&](const Modes& modes, unsigned cost, const Box& bounds) {
+  for_each_joint(all, faults, [&](const Modes& modes, unsigned cost, const Box& bounds) {
     meter_.poll();
     if (!seen.emplace(modes, cost, bounds).second || !step_.possible(modes)) return;
     sequencer_.finish({automata::assignments_of(plant(), modes)});
@@ -160,6 +176,8 @@ Turn Loop::work_out(const LoopState& state) {
     outcome.same = outcome.state == state;
     turn.outcomes.push_back(std::move(outcome));
   });
+  std::stable_sort(turn.outcomes.begin(), turn.outcomes.end(),
+                   [](const Outcome& a, const Outcome& b) { return a.faults < b.faults; });
   return turn;
 }
 
@@ -204,7 +222,8 @@ std::vector<LoopStateId> Loop::round(LoopStateId id) {
   for (LoopStateId at = id;;) {
     result.push_back(at);
     const LoopState& state = *states_[at.index()];
-    const Turn& turn = cycle(at);
+    const std::shared_ptr<const Worked> worked = cycle(at);
+    const Turn& turn = worked->turn;
     const auto stays = std::find_if(turn.outcomes.begin(), turn.outcomes.end(), [&](const Outcome& o) {
       return o.faults == 0 && o.state.modes == state.modes && o.state.passed == state.passed &&
              o.state.groups == state.groups;
@@ -238,7 +257,8 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     std::vector<Interval> intervals(1);
     for (const LoopStateId at : states) {
-      const Turn& turn = cycle(at);
+      const std::shared_ptr<const Worked> worked = cycle(at);
+      const Turn& turn = worked->turn;
       std::vector<Interval> both;
       const automata::AllEnabled enabled = step_.enabled(state.modes, turn.action);
       for (const Interval& wait : verifier::waits(plant().components[c], state.modes[c], enabled[c], reading_)) {

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <deque>
 #include <map>
+#include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
+#include "automata/step/memory.hpp"
 #include "automata/step/plant_step.hpp"
 #include "automata/step/program_step.hpp"
 #include "runtime/reconfigure/reconfigurer.hpp"
@@ -57,7 +59,7 @@ struct Turn {
   std::vector<automata::GoalConflict> conflicts;
   runtime::Reconfiguration answer;
   automata::ControlAction action;
-  std::vector<Outcome> outcomes;
+  std::vector<Outcome> outcomes;  ///< those with fewer faults first
   std::vector<Wait> waits;
   std::vector<bool> overdue;  ///< per component: an exit that has no upper bound, and will be taken at last, is enabled
 };
@@ -79,8 +81,12 @@ class Loop {
   std::vector<LoopState> initial(const std::vector<automata::Assignment>& from);
   LoopStateId number(const LoopState& state);
   [[nodiscard]] const LoopState& operator[](LoopStateId id) const { return *states_[id.index()]; }
-  /// Worked out when first asked.
-  const Turn& turn(LoopStateId id);
+  /// Worked out when it is asked for, and kept until the state is explored; soon after that it is forgotten, and worked
+  /// out again where it is asked for again: turns take far more memory than states.
+  /// `faults` are those that may still happen in it; outcomes with more are left out at the end of the list.
+  std::shared_ptr<const Turn> turn(LoopStateId id, unsigned faults = 0);
+  /// What follows the state has been seen.
+  void explored(LoopStateId id);
 
   [[nodiscard]] Cell cell(const ClockGroup& group) const { return cells_.around(group.clocks, group.position); }
   /// The components whose clocks matter in these modes, ascending.
@@ -89,13 +95,17 @@ class Loop {
  private:
   struct Worked {
     Turn turn;
-    bool cycle = false;  ///< all but its waits
-    bool waits = false;
+    unsigned faults = 0;  ///< of its outcomes, at most
+    bool waits = false;   ///< they are known too
+  };
+  struct IdHash {
+    std::size_t operator()(LoopStateId id) const noexcept { return id.index() * 0x9e3779b97f4a7c15u; }
   };
 
-  /// The turn without its waits.
-  const Turn& cycle(LoopStateId id);
-  [[nodiscard]] Turn work_out(const LoopState& state);
+  /// The turn, perhaps without its waits.
+  std::shared_ptr<Worked> cycle(LoopStateId id, unsigned faults = 0);
+  [[nodiscard]] std::shared_ptr<Worked> known(LoopStateId id);
+  [[nodiscard]] Turn work_out(const LoopState& state, unsigned faults);
   [[nodiscard]] std::vector<std::optional<automata::Ticks>> started(const LoopState& state) const;
   /// What follows `state` where the plant is in `modes` and the sequencer has finished the cycle.
   [[nodiscard]] Outcome follow(const LoopState& state, const automata::Modes& modes) const;
@@ -118,7 +128,8 @@ class Loop {
   automata::ProgramStep sequencer_;
   std::map<LoopState, LoopStateId> numbers_;
   std::vector<const LoopState*> states_;
-  std::deque<Worked> turns_;  ///< a deque: references stay good while it grows
+  std::unordered_map<LoopStateId, std::shared_ptr<Worked>, IdHash> turns_;            ///< of states not yet explored
+  automata::Forgetful<LoopStateId, std::shared_ptr<Worked>, IdHash> explored_turns_;  ///< the last of the others
 };
 
 }  // namespace verifier

@@ -32,15 +32,16 @@ class LoopTimetable {
  private:
   [[nodiscard]] LoopStateId id(std::size_t i) const { return ProgramSystem::loop_state(path_[i].discrete); }
   [[nodiscard]] const LoopState& state(std::size_t i) const { return loop_[id(i)]; }
-  [[nodiscard]] const Outcome& outcome(std::size_t i) const {
-    return loop_.turn(id(i - 1)).outcomes[path_[i].label.move];
+  [[nodiscard]] Outcome outcome(std::size_t i) const {
+    return loop_.turn(id(i - 1), loop_.faults())->outcomes[path_[i].label.move];
   }
 
   void step(std::size_t i) {
     const Schedule::Point begin = left_.back();
     const Schedule::Point end = schedule_.add_point();
     schedule_.fix(begin, end, loop_.reading().is_dense() ? 0 : 1);
-    for (const ClockBound& b : outcome(i).bounds) schedule_.constrain(restarted(b), end, b.clock);
+    const Box bounds = outcome(i).bounds;
+    for (const ClockBound& b : bounds) schedule_.constrain(restarted(b), end, b.clock);
     if (quest_.progress && loop_.reading().is_dense()) {
       const bool progressed = ProgramSystem::progressed(path_[i].discrete);
       schedule_.constrain(progress_, end, progressed ? Interval{1, unbounded} : Interval{0, 0});
@@ -80,7 +81,8 @@ class LoopTimetable {
       schedule_.fix(entered_.back(), left, 0);
     } else {
       schedule_.constrain(entered_.back(), left, {});
-      for (const ClockBound& b : loop_.turn(id(i)).waits[path_[i].label.wait].bounds) {
+      const std::shared_ptr<const Turn> turn = loop_.turn(id(i));
+      for (const ClockBound& b : turn->waits[path_[i].label.wait].bounds) {
         schedule_.constrain(restarted(b), entered_.back(), {b.clock.lower, unbounded});
         schedule_.constrain(restarted(b), left, {0, b.clock.upper});
       }
@@ -101,7 +103,8 @@ class LoopTimetable {
       return times_of(late);
     }
     if (quest_.aim != Quest::Aim::endless_wait) return times_of(schedule_);
-    for (const Wait& wait : loop_.turn(id(path_.size() - 1)).waits) {
+    const std::shared_ptr<const Turn> turn = loop_.turn(id(path_.size() - 1));
+    for (const Wait& wait : turn->waits) {
       if (!wait.endless) continue;
       Schedule waiting = schedule_;
       for (const ClockBound& b : wait.bounds) waiting.constrain(restarted(b), last, b.clock);
@@ -140,7 +143,8 @@ class LoopTimetable {
   }
 
   [[nodiscard]] LoopCycle begun(std::size_t i, const std::vector<Units>& times) const {
-    const Turn& turn = loop_.turn(id(i));
+    const std::shared_ptr<const Turn> worked = loop_.turn(id(i));
+    const Turn& turn = *worked;
     LoopCycle cycle;
     cycle.begin = cycle.end = loop_.reading().time(times[left_[i]]);
     cycle.marking = state(i).marking;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <memory>
 
 namespace verifier {
 
@@ -23,8 +24,9 @@ void ProgramSystem::initial(const Visit& visit) {
 void ProgramSystem::successors(const SymbolicState& state, const Visit& visit) {
   const LoopStateId id = loop_state(state.discrete);
   if (loop_[id].marking.empty() && quest_.aim != Quest::Aim::late) return;
-  const auto count = static_cast<std::uint32_t>(loop_.turn(id).outcomes.size());
-  for (std::uint32_t move = 0; move < count; ++move) step(state, move, visit);
+  const std::shared_ptr<const Turn> turn = loop_.turn(id, loop_.faults() - state.faults);
+  for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) step(state, *turn, move, visit);
+  loop_.explored(id);
 }
 
 bool ProgramSystem::is_filtered(const LoopState& from, const Outcome& outcome) const {
@@ -34,10 +36,10 @@ bool ProgramSystem::is_filtered(const LoopState& from, const Outcome& outcome) c
   return from.modes[c] != fault->from || outcome.state.modes[c] != fault->to;
 }
 
-void ProgramSystem::step(const SymbolicState& state, std::uint32_t move, const Visit& visit) {
+void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit) {
   const LoopStateId id = loop_state(state.discrete);
   const LoopState& from = loop_[id];
-  const Outcome& outcome = loop_.turn(id).outcomes[move];
+  const Outcome& outcome = turn.outcomes[move];
   Arrival arrival{outcome.same ? std::optional(id) : std::nullopt,
                   state.faults + outcome.faults,
                   state.discrete & happened_bit,
@@ -127,10 +129,10 @@ void ProgramSystem::enter(LoopStateId id, const Zone& zone, const Arrival& arriv
   const std::uint64_t discrete = (std::uint64_t{id.value} << phase_bits) | arrival.phase;
   Label label = arrival.label;
   bool whole = false;
-  const std::size_t count = loop_.turn(id).waits.size();
-  for (std::size_t w = 0; w < count; ++w) {
+  const std::shared_ptr<const Turn> turn = loop_.turn(id);
+  for (std::size_t w = 0; w < turn->waits.size(); ++w) {
     Zone later = now;
-    if (!wait(later, loop_.turn(id).waits[w].bounds, id)) continue;
+    if (!wait(later, turn->waits[w].bounds, id)) continue;
     whole = whole || later.includes(now);
     later.extrapolate(clocks);
     label.wait = static_cast<std::uint32_t>(w);
@@ -164,12 +166,12 @@ bool ProgramSystem::accepts(const SymbolicState& state) const {
   const LoopState& at = loop_[id];
   switch (quest_.aim) {
     case Quest::Aim::goal_conflict:
-      return !loop_.turn(id).conflicts.empty();
+      return !loop_.turn(id)->conflicts.empty();
     case Quest::Aim::no_plan:
-      return loop_.turn(id).answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
+      return loop_.turn(id)->answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
     case Quest::Aim::endless_wait: {
-      const auto& waits = loop_.turn(id).waits;
-      return std::any_of(waits.begin(), waits.end(), [&](const Wait& w) {
+      const std::shared_ptr<const Turn> turn = loop_.turn(id);
+      return std::any_of(turn->waits.begin(), turn->waits.end(), [&](const Wait& w) {
         Zone zone = state.zone;
         return w.endless && wait(zone, w.bounds, id);
       });

@@ -86,7 +86,7 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] bool progress_clock() const { return quest_.progress && loop_.reading().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }
   [[nodiscard]] bool is_filtered(const LoopState& from, const Outcome& outcome) const;
-  void step(const SymbolicState& state, std::uint32_t move, const Visit& visit);
+  void step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit);
   /// Enters a state in every choice of cells; the zone is over the clocks of `state` as it stands.
   void choose_cells(const LoopState& state, std::vector<Cell>& chosen, const Zone& zone, const Arrival& arrival,
                     const Visit& visit);
