@@ -10,6 +10,7 @@
 
 #include "automata/partition.hpp"
 #include "automata/step/model.hpp"
+#include "automata/step/relevance.hpp"
 
 namespace runtime {
 
@@ -152,7 +153,9 @@ struct SupportFinder::Question {
 };
 
 SupportFinder::SupportFinder(const Plant& plant, const Islands& islands)
-    : plant_(with_questions(plant, questions_, tolerates_)), islands_(islands), theory_(fresh_theory()) {
+    : plant_(with_questions(automata::relevant_part(plant), questions_, tolerates_)),
+      islands_(islands),
+      theory_(fresh_theory()) {
   find_regions(plant.variables.size());
 }
 
