@@ -82,6 +82,7 @@ PlantStep::PlantStep(const Plant& plant)
     }
   }
   for (std::size_t i = 0; i < islands_.size(); ++i) {
+    islands_[i].prepare();
     if (islands_[i].watches()) watching_.push_back(i);
   }
 }

@@ -69,6 +69,7 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
   const automata::AllEnabled without = step_.enabled(modes, idle);
   const automata::AllEnabled with = step_.enabled(modes, action);
   for (const ComponentId c : islands_.components(island)) {
+    if (&with[c.index()] == &without[c.index()]) continue;
     const auto& names = named[c.index()];
     const bool own = intended != nullptr && intended->component == c;
     for (const TransitionId id : with[c.index()].untimed) {
