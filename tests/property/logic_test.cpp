@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "automata/logic/theory.hpp"
 #include "automata/step/plant_step.hpp"
+#include "automata/step/relevance.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/models.hpp"
@@ -99,6 +101,35 @@ RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {
     RC_ASSERT(fast.explains(state.modes, observation) == slow.explains(state.modes, observation));
     RC_ASSERT(std::abs(fast.observation_factor(state.modes, observation) -
                        slow.observation_factor(state.modes, observation)) < 1e-12);
+  }
+}
+
+RC_GTEST_PROP(Logic, WhatIsLeftOutMakesNoDifference, ()) {
+  const Model model = *models();
+  const automata::Plant part = automata::relevant_part(model.plant);
+  automata::PlantStep less(part);
+  const reference::Step all(model.plant);
+  for (int question = 0; question < 6; ++question) {
+    const automata::Modes modes = *modes_of(model.plant);
+    RC_ASSERT(less.possible(modes) == all.possible(modes));
+    if (!all.possible(modes)) continue;
+    const auto action = *actions_of(model.plant);
+    const automata::AllEnabled& enabled = less.enabled(modes, action);
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      const auto& transitions = model.plant.components[c].transitions;
+      const auto listed = [&](automata::TransitionId id) {
+        for (const auto* list : {&enabled[c].faults, &enabled[c].untimed, &enabled[c].timed}) {
+          if (std::find(list->begin(), list->end(), id) != list->end()) return true;
+        }
+        return false;
+      };
+      for (std::size_t t = 0; t < transitions.size(); ++t) {
+        const auto& weight = transitions[t].weight;
+        const bool weightless = weight.kind != automata::Weight::Kind::none && !(weight.value > 0);
+        if (transitions[t].from != modes[c] || weightless) continue;
+        RC_ASSERT(listed(automata::TransitionId(t)) == all.enabled(transitions[t], modes, action));
+      }
+    }
   }
 }
 
