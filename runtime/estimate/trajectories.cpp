@@ -54,6 +54,7 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
   };
   fronts_.clear();
   cursors_.assign(sources.size(), 0);
+  barriers_.assign(sources.size(), 0);
   double mass = 0;
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
     mass += sources[s].weight;
@@ -143,7 +144,7 @@ void TrajectorySearch::weigh(Target& target, double factor, std::span<const Sour
   double greatest = 0;
   target.leading = 0;
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
-    const double probability = trajectory(sources[s], target, now);
+    const double probability = trajectory(s, sources[s], target, now);
     sum += probability;
     if (probability > greatest) {
       greatest = probability;
@@ -155,14 +156,25 @@ void TrajectorySearch::weigh(Target& target, double factor, std::span<const Sour
 }
 
 /// The probability of being in the source and going to exactly this target, clocks included.
-double TrajectorySearch::trajectory(const Source& source, const Target& target, automata::Ticks now) const {
-  double product = 1;
+double TrajectorySearch::trajectory(std::uint32_t number, const Source& source, const Target& target,
+                                    automata::Ticks now) {
   const automata::SystemState& from = *source.state;
   const automata::SystemState& to = target.state;
+  const auto move = [&](std::size_t c) {
+    const double prior = source.extensions->prior(c, to.modes[c]);
+    if (prior == 0) return 0.0;
+    const bool meets = to.clock_starts[c] == clocks_.advance(c, from.modes[c], from.clock_starts[c], to.modes[c], now);
+    return meets ? prior : 0.0;
+  };
+  if (barriers_[number] < to.modes.size() && move(barriers_[number]) == 0) return 0;
+  double product = 1;
   for (std::size_t c = 0; c < to.modes.size(); ++c) {
-    product *= source.extensions->prior(c, to.modes[c]);
-    if (product == 0) return 0;
-    if (to.clock_starts[c] != clocks_.advance(c, from.modes[c], from.clock_starts[c], to.modes[c], now)) return 0;
+    const double prior = move(c);
+    if (prior == 0) {
+      barriers_[number] = c;
+      return 0;
+    }
+    product *= prior;
   }
   return source.weight * product;
 }

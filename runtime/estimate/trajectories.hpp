@@ -61,7 +61,7 @@ class TrajectorySearch {
   void enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k, const Deadline& deadline);
   std::pair<Target*, bool> reach(const Source& source, const Extension& extension, automata::Ticks now);
   void weigh(Target& target, double factor, std::span<const Source> sources, automata::Ticks now);
-  [[nodiscard]] double trajectory(const Source& source, const Target& target, automata::Ticks now) const;
+  double trajectory(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now);
   void note(double worth, std::size_t k);
   void keep(std::size_t k);
   void grow_index();
@@ -73,10 +73,13 @@ class TrajectorySearch {
   std::vector<std::uint32_t> index_;  ///< open addressing: position in `targets_` + 1, or 0; size a power of two
   std::vector<Front> fronts_;         ///< a heap
   std::vector<std::size_t> cursors_;  ///< per source, the next extension to look at
-  std::vector<double> best_;          ///< a heap: the k best worths, the least on top
-  double explored_ = 0;               ///< prior mass of all that was looked at
-  double dropped_ = 0;                ///< worth of trajectories that lost to a better one into the same state
-  double unexplored_ = 0;             ///< upper bound of the mass that was not looked at
+  /// Per source, the component that kept it from the last target that it does not lead to: most often, as for the one
+  /// fault that sets it apart, the next target fails there as well.
+  std::vector<std::size_t> barriers_;
+  std::vector<double> best_;  ///< a heap: the k best worths, the least on top
+  double explored_ = 0;       ///< prior mass of all that was looked at
+  double dropped_ = 0;        ///< worth of trajectories that lost to a better one into the same state
+  double unexplored_ = 0;     ///< upper bound of the mass that was not looked at
   std::size_t checked_ = 0;
   bool cut_ = false;
   Belief kept_;
