@@ -143,10 +143,9 @@ class KBest final : public Filter {
         extensions.erase(extensions.begin());
       }
     }
-    const std::size_t components = step_.plant().components.size() + 1;
-    if (remembered_ * components < memory_limit && table_.size() < memory_limit &&
-        lasting_.conflicts().size() < conflict_limit)
-      return;
+    // However large a state is: what a few cycles need.
+    const std::size_t sources = std::max(memory_limit / (step_.plant().components.size() + 1), 8 * options_.k);
+    if (remembered_ < sources && table_.size() < memory_limit && lasting_.conflicts().size() < conflict_limit) return;
     retired_ = std::exchange(contexts_, {});
     remembered_ = 0;
     table_.forget();
