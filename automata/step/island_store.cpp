@@ -51,7 +51,7 @@ Theory& IslandStore::theory() {
         formula, [this](VariableId v) { return own(v); }, [](VariableId, ValueId value) { return value; });
   };
   theory_.emplace(variables, Theory::Upkeep::maintained);
-  for (const Locality::Constraint& constraint : island_->constraints) {
+  for (const Constraint& constraint : island_->constraints) {
     if (constraint.under) {
       theory_->tell_if({own(constraint.under->variable), constraint.under->value}, translated(constraint.formula));
     } else {

@@ -45,30 +45,11 @@ Locality::Locality(const Plant& plant)
   }
   for (std::size_t i = 0; i < plant.controls.size(); ++i) control_of_[plant.controls[i].variable.index()] = i;
 
-  struct Told {
-    std::optional<ComponentId> owner;  ///< the component under whose mode it is told, if any
-    Constraint constraint;
-    std::vector<VariableId> variables;
-  };
-  std::vector<Told> constraints;
-  const auto tell = [&](std::optional<ComponentId> owner, std::optional<Assignment> under, const Formula& formula) {
-    for (Formula& conjunct : conjuncts_of(formula)) {
-      if (conjunct.is_true()) continue;
-      auto variables = variables_of(conjunct);
-      constraints.push_back({owner, {under, std::move(conjunct)}, std::move(variables)});
-    }
-  };
-  for (const Formula& q : plant.interconnections) tell(std::nullopt, std::nullopt, q);
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    const Component& component = plant.components[c];
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      tell(ComponentId(c), Assignment{component.mode, ValueId(m)}, component.modes[m].constraint);
-    }
-  }
+  std::vector<Constraint> constraints = constraints_of(plant);
   Partition partition(plant.variables.size());
-  for (const Told& told : constraints) {
+  for (const Constraint& constraint : constraints) {
     std::optional<std::size_t> hub;
-    for (const VariableId v : told.variables) {
+    for (const VariableId v : variables_of(constraint.formula)) {
       if (component_of_[v.index()]) continue;
       if (hub) partition.join(*hub, v.index());
       hub = v.index();
@@ -86,18 +67,18 @@ Locality::Locality(const Plant& plant)
     island.attributes.emplace_back(v);
     if (control_of_[v]) insert(island.support.controls, *control_of_[v]);
   }
-  for (Told& told : constraints) {
-    const auto& variables = told.variables;
+  for (Constraint& constraint : constraints) {
+    const std::vector<VariableId> variables = variables_of(constraint.formula);
     const auto attribute = std::find_if(variables.begin(), variables.end(),
                                         [&](VariableId v) { return !component_of_[v.index()].has_value(); });
     // A constraint on modes alone is an island without attributes.
     if (attribute == variables.end()) islands_.emplace_back();
     Island& island = attribute == variables.end() ? islands_.back() : islands_[*island_of_[attribute->index()]];
-    if (told.owner) insert(island.support.components, *told.owner);
+    if (constraint.under) insert(island.support.components, *component_of_[constraint.under->variable.index()]);
     for (const VariableId v : variables) {
       if (component_of_[v.index()]) insert(island.support.components, *component_of_[v.index()]);
     }
-    island.constraints.push_back(std::move(told.constraint));
+    island.constraints.push_back(std::move(constraint));
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
+#include "automata/step/model.hpp"
 
 namespace automata {
 
@@ -30,11 +31,6 @@ struct Support {
 /// The islands of a plant, each with its support and its observables.
 class Locality {
  public:
-  /// A conjunct of Q, or of a mode's constraint: then under that mode.
-  struct Constraint {
-    std::optional<Assignment> under;
-    Formula formula;
-  };
   struct Island {
     Support support;
     std::vector<VariableId> attributes;   ///< ascending, controls among them

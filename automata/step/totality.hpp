@@ -7,12 +7,8 @@
 
 namespace automata {
 
-/// Whether the island's constraints have a model for all modes and all values of its controls. Sufficient: false where
-/// that is not seen.
-///
-/// Attributes are taken away one by one, effects before their causes: an attribute goes, with all constraints that
-/// still read it, where these leave it a value whatever everything else is. In a plant whose components compute their
-/// outputs from their inputs, without loops, all attributes go. The order needs no declared direction.
+/// Whether the island's constraints have a model for all modes and all values of its controls (Elimination).
+/// Sufficient: false where that is not seen.
 bool is_total(const Plant& plant, const Locality::Island& island);
 
 }  // namespace automata
