@@ -174,7 +174,7 @@ class Check {
   std::optional<Trace> search(const Observe& observe) {
     if (std::count(cone_.begin(), cone_.end(), false) > 0) {
       situations_.freeze_all_but(cone_);
-      const std::optional<Trace> trace = search_as_it_is(observe);
+      std::optional<Trace> trace = search_as_it_is(observe);
       situations_.freeze_all_but({});
       if (!trace || all_possible(*trace)) return trace;
     }
