@@ -32,25 +32,6 @@ void close(std::vector<Permutation>& generators) {
   }
 }
 
-/// Whether the permuted order of clocks (position to original clock) makes the matrix lexicographically less: first
-/// what each clock can read, then how they stand to each other.
-bool less(const Zone& zone, const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i] == b[i]) continue;
-    if (zone.bound(0, a[i]) != zone.bound(0, b[i])) return zone.bound(0, a[i]) < zone.bound(0, b[i]);
-    if (zone.bound(a[i], 0) != zone.bound(b[i], 0)) return zone.bound(a[i], 0) < zone.bound(b[i], 0);
-  }
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < a.size(); ++j) {
-      if (a[i] == b[i] && a[j] == b[j]) continue;
-      const Units one = zone.bound(a[i], a[j]);
-      const Units other = zone.bound(b[i], b[j]);
-      if (one != other) return one < other;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 Modes renamed(const Modes& modes, const Permutation& permutation) {
@@ -79,47 +60,107 @@ Symmetry::Symmetry(std::vector<Permutation> generators) : generators_(std::move(
 
 namespace {
 
-/// A state as it is sorted: which of the given clocks each component has, or 0.
-struct Arrangement {
-  Modes& modes;
-  std::vector<std::size_t> clocks;
+/// A state as it is sorted: its modes, and the clocks of its zone in the order of the components that have them.
+class Arrangement {
+ public:
+  Arrangement(Modes& modes, const std::vector<ComponentId>& live, std::size_t others, const Zone& zone)
+      : modes_(modes), zone_(zone), clocks_(modes.size(), 0), places_(modes.size()), others_(others) {
+    for (std::size_t i = 0; i < live.size(); ++i) clocks_[live[i].index()] = others + i + 1;
+    put_in_order();
+  }
 
+  /// Applies the permutation if that makes the state less.
+  bool lessened_by(const Permutation& permutation) {
+    const int compared = compare(permutation);
+    if (compared > 0 || (compared == 0 && !makes_zone_less(permutation))) return false;
+    images_.clear();
+    for (const Renaming& r : permutation) {
+      images_.emplace_back(r.modes[modes_[r.component].index()], clocks_[r.component]);
+    }
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      std::tie(modes_[permutation[i].to], clocks_[permutation[i].to]) = images_[i];
+    }
+    put_in_order();
+    return true;
+  }
+
+  /// The clocks, those that belong to no component first.
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+  [[nodiscard]] std::vector<ComponentId> live() const {
+    std::vector<ComponentId> result;
+    for (std::size_t c = 0; c < clocks_.size(); ++c) {
+      if (clocks_[c] != 0) result.emplace_back(c);
+    }
+    return result;
+  }
+
+ private:
   /// Whether the permutation makes the modes less (-1), greater (1), or leaves them as they are (0).
   [[nodiscard]] int compare(const Permutation& permutation) const {
     std::uint32_t first = UINT32_MAX;
     bool less = false;
     for (const Renaming& r : permutation) {
-      const ModeId mode(r.modes[modes[r.component].index()]);
-      if (r.to >= first || mode == modes[r.to]) continue;
+      const ModeId mode(r.modes[modes_[r.component].index()]);
+      if (r.to >= first || mode == modes_[r.to]) continue;
       first = r.to;
-      less = mode < modes[r.to];
+      less = mode < modes_[r.to];
     }
     return first == UINT32_MAX ? 0 : less ? -1 : 1;
   }
 
-  [[nodiscard]] bool moves_clocks(const Permutation& permutation) const {
-    return std::any_of(permutation.begin(), permutation.end(),
-                       [&](const Renaming& r) { return clocks[r.component] != clocks[r.to]; });
-  }
-
-  void apply(const Permutation& permutation) {
-    std::vector<std::pair<ModeId, std::size_t>> images;
+  /// Whether a permutation that leaves the modes as they are makes the matrix lexicographically less: first what each
+  /// clock can read, then how they stand to each other. Equal modes have clocks alike, so that clocks only change
+  /// places among themselves; what lies between two that keep theirs is not looked at.
+  [[nodiscard]] bool makes_zone_less(const Permutation& permutation) {
+    moved_.clear();
     for (const Renaming& r : permutation) {
-      images.emplace_back(r.modes[modes[r.component].index()], clocks[r.component]);
+      if (clocks_[r.component] != clocks_[r.to]) moved_.push_back({places_[r.to], clocks_[r.component]});
     }
-    for (std::size_t i = 0; i < images.size(); ++i) {
-      std::tie(modes[permutation[i].to], clocks[permutation[i].to]) = images[i];
+    if (moved_.empty()) return false;
+    std::sort(moved_.begin(), moved_.end());
+    for (const auto& [place, clock] : moved_) {
+      const std::size_t now = order_[place];
+      if (zone_.bound(0, clock) != zone_.bound(0, now)) return zone_.bound(0, clock) < zone_.bound(0, now);
+      if (zone_.bound(clock, 0) != zone_.bound(now, 0)) return zone_.bound(clock, 0) < zone_.bound(now, 0);
+    }
+    after_ = order_;
+    for (const auto& [place, clock] : moved_) after_[place] = clock;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const auto compare_at = [&](std::size_t j) {
+        const Units one = zone_.bound(after_[i], after_[j]);
+        const Units other = zone_.bound(order_[i], order_[j]);
+        return one < other ? -1 : one > other ? 1 : 0;
+      };
+      int compared = 0;
+      if (after_[i] != order_[i]) {
+        for (std::size_t j = 0; j < order_.size() && compared == 0; ++j) compared = compare_at(j);
+      } else {
+        for (std::size_t k = 0; k < moved_.size() && compared == 0; ++k) compared = compare_at(moved_[k].first);
+      }
+      if (compared != 0) return compared < 0;
+    }
+    return false;
+  }
+
+  void put_in_order() {
+    order_.clear();
+    for (std::size_t i = 0; i < others_; ++i) order_.push_back(i + 1);
+    for (std::size_t c = 0; c < clocks_.size(); ++c) {
+      places_[c] = order_.size();
+      if (clocks_[c] != 0) order_.push_back(clocks_[c]);
     }
   }
 
-  /// The clocks in order of their components, after others that stay where they are.
-  void order(std::size_t others, std::vector<std::size_t>& result) const {
-    result.clear();
-    for (std::size_t i = 0; i < others; ++i) result.push_back(i + 1);
-    for (const std::size_t clock : clocks) {
-      if (clock != 0) result.push_back(clock);
-    }
-  }
+  Modes& modes_;
+  const Zone& zone_;
+  std::vector<std::size_t> clocks_;  ///< by component, 0 where it has none
+  std::vector<std::size_t> places_;  ///< by component, in `order_`
+  std::size_t others_;
+  std::vector<std::size_t> order_;
+  // Room that is used again:
+  std::vector<std::pair<std::size_t, std::size_t>> moved_;  ///< places whose clock changes, with the new clock
+  std::vector<std::size_t> after_;
+  std::vector<std::pair<ModeId, std::size_t>> images_;
 };
 
 }  // namespace
@@ -127,32 +168,19 @@ struct Arrangement {
 Permutation Symmetry::sort(Modes& modes, std::vector<ComponentId>& live, std::size_t others, Zone& zone,
                            bool applied) const {
   Permutation all;
-  Arrangement state{modes, std::vector<std::size_t>(modes.size(), 0)};
-  for (std::size_t i = 0; i < live.size(); ++i) state.clocks[live[i].index()] = others + i + 1;
-  std::vector<std::size_t> order, other;
-  state.order(others, order);
-  bool sorted = false;
-  while (!sorted) {
-    sorted = true;
-    for (const Permutation& g : generators_) {
-      const int compared = state.compare(g);
-      if (compared > 0 || (compared == 0 && !state.moves_clocks(g))) continue;
-      state.apply(g);
-      state.order(others, other);
-      if (compared == 0 && !less(zone, other, order)) {
-        // Modes are as they were: the inverse takes the clocks back.
-        state.apply(inverse(g));
-        continue;
-      }
-      order = other;
-      if (applied) all = composed(all, g);
-      sorted = false;
+  Arrangement state(modes, live, others, zone);
+  // Round and round, until a whole round has changed nothing.
+  std::size_t unchanged = 0;
+  for (std::size_t i = 0; unchanged < generators_.size(); i = (i + 1) % generators_.size()) {
+    if (state.lessened_by(generators_[i])) {
+      if (applied) all = composed(all, generators_[i]);
+      unchanged = 0;
+    } else {
+      ++unchanged;
     }
   }
-  live.clear();
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    if (state.clocks[c] != 0) live.emplace_back(c);
-  }
+  live = state.live();
+  const auto& order = state.order();
   if (!std::is_sorted(order.begin(), order.end())) zone = zone.select(order);
   return all;
 }
