@@ -59,12 +59,16 @@ std::size_t PlantStep::StateActionHash::operator()(const StateAction& key) const
 }
 
 PlantStep::PlantStep(const Plant& plant)
-    : plant_(plant), locality_(plant), theory_(model_theory(plant)), enabled_(states_remembered(plant)) {
+    : plant_(plant),
+      locality_(plant),
+      theory_(model_theory(plant)),
+      enabled_(states_remembered(plant)),
+      weighed_by_(plant.components.size()),
+      weighed_modes_(plant.components.size()) {
   for (const Locality::Island& island : locality_.islands()) {
     islands_.emplace_back(plant, island);
     if (islands_.back().excludes()) constrained_.push_back(islands_.size() - 1);
   }
-  weighed_ = constrained_;
   for (const Component& component : plant.components) {
     auto& handles = guards_.emplace_back();
     auto& exits = exits_.emplace_back(component.modes.size());
@@ -287,28 +291,39 @@ void PlantStep::observe(const Observation& observation) {
   std::vector<std::vector<Assignment>> readings(islands_.size());
   for (const Assignment& reading : observation) readings[*locality_.island_of(reading.variable)].push_back(reading);
   weighed_.clear();
+  for (auto& reading : weighed_by_) reading.clear();
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     islands_[i].observe(readings[i]);
-    if (islands_[i].excludes() || !readings[i].empty()) weighed_.push_back(i);
+    if (!islands_[i].excludes() && readings[i].empty()) continue;
+    for (const ComponentId c : locality_.islands()[i].support.components) {
+      weighed_by_[c.index()].push_back(weighed_.size());
+    }
+    weighed_.push_back({i, unknown});
   }
 }
 
+/// Candidates that are weighed one after the other are much alike: only what reads a difference is asked again.
 double PlantStep::observation_factor(const Modes& modes, const Observation& observation) {
   observe(observation);
-  double factor = 1;
-  for (const std::size_t island : weighed_) {
-    factor *= islands_[island].factor(modes);
-    if (factor == 0) break;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (modes[c] == weighed_modes_[c]) continue;
+    weighed_modes_[c] = modes[c];
+    for (const std::size_t at : weighed_by_[c]) weighed_[at].factor = unknown;
   }
-  return factor;
+  double product = 1;
+  for (auto& [island, factor] : weighed_) {
+    if (factor == unknown) factor = islands_[island].factor(modes);
+    product *= factor;
+    if (product == 0) break;
+  }
+  return product;
 }
 
 Refutation PlantStep::refutation(const Modes& modes, const Observation& observation) {
-  observe(observation);
-  const auto at = std::find_if(weighed_.begin(), weighed_.end(),
-                               [&](std::size_t island) { return islands_[island].factor(modes) == 0; });
-  assert(at != weighed_.end() && "some island refutes what is refuted");
-  return islands_[*at].refutation(modes);
+  [[maybe_unused]] const double factor = observation_factor(modes, observation);
+  assert(factor == 0);
+  const auto at = std::find_if(weighed_.begin(), weighed_.end(), [](const Weighed& w) { return w.factor == 0; });
+  return islands_[at->island].refutation(modes);
 }
 
 std::size_t PlantStep::questions() const {

@@ -152,7 +152,6 @@ class PlantStep {
   std::vector<Wide> wide_;
   std::vector<std::size_t> watching_;     ///< positions of the islands that watch a guard
   std::vector<std::size_t> constrained_;  ///< positions of the islands that can be inconsistent
-  std::vector<std::size_t> weighed_;      ///< of those, and of those that were observed last
 
   /// Whole states are remembered too: a plant at rest asks the same again and again.
   struct StateAction {
@@ -167,7 +166,18 @@ class PlantStep {
   StateAction asked_;                             ///< the last question, kept for its memory
   std::vector<std::uint64_t> found_;              ///< a set of exits, likewise
   std::vector<IslandStore::Verdicts*> verdicts_;  ///< by island, of the state that is worked out
-  Observation observed_;                          ///< what the islands were told last
+
+  /// The islands that an observation is weighed on, those that can be inconsistent and those that are observed, each
+  /// with its factor under the modes that were weighed last.
+  struct Weighed {
+    std::size_t island;
+    double factor;
+  };
+  static constexpr double unknown = -1;
+  std::optional<Observation> observed_;  ///< what the islands were told last
+  std::vector<Weighed> weighed_;
+  std::vector<std::vector<std::size_t>> weighed_by_;  ///< by component: positions of those that read its mode
+  Modes weighed_modes_;
 };
 
 }  // namespace automata

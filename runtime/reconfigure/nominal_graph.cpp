@@ -81,6 +81,21 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
       t.reversible = back[t.from.index()];
     }
   }
+  dependents_.resize(plant.components.size());
+  for (std::size_t c = 0; c < transitions_.size(); ++c) {
+    std::vector<bool> known(plant.components.size());
+    known[c] = true;
+    for (const NominalTransition& t : transitions_[c]) {
+      for (const Support& support : t.supports) {
+        for (const Requirement& requirement : support) {
+          const auto other = component_of_[requirement.variable.index()];
+          if (!other || known[other->index()]) continue;
+          known[other->index()] = true;
+          dependents_[other->index()].emplace_back(c);
+        }
+      }
+    }
+  }
 }
 
 const NominalTransition* NominalGraph::find(ComponentId component, TransitionId id) const {
@@ -117,13 +132,27 @@ std::vector<std::vector<bool>> NominalGraph::reachable(const automata::Modes& mo
   const auto supported = [&](const Support& support) {
     return std::all_of(support.begin(), support.end(), [&](const Requirement& r) { return meets(r, reached); });
   };
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (std::size_t c = 0; c < modes.size(); ++c) {
+  // What a component reaches is looked at again where one that it depends on has come further.
+  std::vector<std::size_t> queue(modes.size());
+  std::iota(queue.begin(), queue.end(), std::size_t{0});
+  std::vector<bool> queued(modes.size(), true);
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const std::size_t c = queue[next];
+    queued[c] = false;
+    bool further = false;
+    for (bool grown = true; grown;) {
+      grown = false;
       for (const NominalTransition& t : transitions_[c]) {
         if (!reached[c][t.from.index()] || reached[c][t.to.index()] || !permitted(t, named[c])) continue;
-        if (std::any_of(t.supports.begin(), t.supports.end(), supported)) reached[c][t.to.index()] = grown = true;
+        if (std::any_of(t.supports.begin(), t.supports.end(), supported)) {
+          reached[c][t.to.index()] = grown = further = true;
+        }
       }
+    }
+    for (const ComponentId dependent : dependents_[c]) {
+      if (!further || queued[dependent.index()]) continue;
+      queued[dependent.index()] = true;
+      queue.push_back(dependent.index());
     }
   }
   return reached;

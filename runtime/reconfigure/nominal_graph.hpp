@@ -72,6 +72,7 @@ class NominalGraph {
 
   std::vector<std::vector<NominalTransition>> transitions_;
   std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
+  std::vector<std::vector<automata::ComponentId>> dependents_;      ///< by component: others whose supports read it
 };
 
 }  // namespace runtime
