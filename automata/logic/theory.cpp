@@ -236,6 +236,10 @@ bool Theory::allows(std::span<const Assignment> assumptions, Handle formula) {
   return solve(assumptions, formula.literal);
 }
 
+bool Theory::allows_other(std::span<const Assignment> assumptions, Assignment assignment) {
+  return solve(assumptions, -literal(assignment));
+}
+
 std::vector<Assignment> Theory::minimal_conflict(std::vector<Assignment> conflict, Handle formula) {
   for (std::size_t i = 0; i < conflict.size();) {
     std::vector<Assignment> less = conflict;
@@ -254,7 +258,8 @@ std::vector<Assignment> Theory::minimal_conflict(std::vector<Assignment> conflic
   return minimal_conflict(std::move(conflict), {true_});
 }
 
-bool Theory::entails(std::span<const Assignment> assumptions, Literal conclusion) {
+bool Theory::entails(std::span<const Assignment> assumptions, Handle formula) {
+  const Literal conclusion = formula.literal;
   if (maintenance_) {
     // A model at hand refutes most that is not implied, and propagation derives most that is.
     if (!solve(assumptions, true_)) return true;
@@ -266,14 +271,6 @@ bool Theory::entails(std::span<const Assignment> assumptions, Literal conclusion
     }
   }
   return !solve(assumptions, -conclusion);
-}
-
-bool Theory::entails(std::span<const Assignment> assumptions, Handle formula) {
-  return entails(assumptions, formula.literal);
-}
-
-bool Theory::entails(std::span<const Assignment> assumptions, Assignment assignment) {
-  return entails(assumptions, literal(assignment));
 }
 
 ValueId Theory::value(VariableId variable) const {

@@ -44,9 +44,10 @@ class Theory {
   bool consistent(std::span<const Assignment> assumptions);
   /// Whether store, assumptions and the formula can hold together.
   bool allows(std::span<const Assignment> assumptions, Handle formula);
+  /// Whether store and assumptions can hold together with another value of the variable.
+  bool allows_other(std::span<const Assignment> assumptions, Assignment assignment);
   /// Whether store and assumptions imply the formula; an inconsistent store implies everything.
   bool entails(std::span<const Assignment> assumptions, Handle formula);
-  bool entails(std::span<const Assignment> assumptions, Assignment assignment);
 
   /// After `consistent` or `allows` returned false: assumptions that contradict the store by themselves (a conflict in
   /// the sense of livingstone), in the order in which they were given; after `entails` returned true: assumptions that
@@ -61,6 +62,7 @@ class Theory {
   /// Then also: the truth of an encoded formula in that model, and whether it is known already to be implied by the
   /// store and the assumptions (a sufficient condition that costs nothing; searched theories never know).
   [[nodiscard]] bool holds(Handle formula) const { return value(formula.literal); }
+  [[nodiscard]] bool holds(Assignment assignment) const { return value(literal(assignment)); }
   [[nodiscard]] bool known_to_follow(Handle formula) const {
     return maintenance_ && maintenance_->follows(formula.literal);
   }
@@ -79,7 +81,6 @@ class Theory {
   bool solve(std::span<const Assignment> assumptions, Literal extra);
   template <class Reasoner>
   void blame(std::span<const Assignment> assumptions, const Reasoner& reasoner);
-  bool entails(std::span<const Assignment> assumptions, Literal conclusion);
   [[nodiscard]] bool value(Literal literal) const {
     return maintenance_ ? maintenance_->value(literal) : sat_->value(literal);
   }

@@ -140,26 +140,36 @@ double IslandStore::factor(const Modes& modes) {
   return *known;
 }
 
-/// A reading that the store entails cannot contradict it; readings are assumed together only where some is open.
+/// Each model at hand shows some readings to be contingent; only for what all models so far agree with is there a
+/// question. A reading that the store entails cannot contradict it: where all are, there is no question at all.
 double IslandStore::weigh(const Modes& modes) {
   Theory& theory = this->theory();
   std::vector<Assignment> store = assumptions(modes);
   if (!theory.consistent(store)) return 0;
-  std::vector<Assignment> open;
+  enum class Reading : std::uint8_t { implied, contingent, open };
+  std::vector<Reading> status;
   for (const Assignment& reading : readings_) {
-    if (!theory.known_to_follow(reading)) open.push_back(reading);
+    status.push_back(theory.known_to_follow(reading) ? Reading::implied
+                     : theory.holds(reading)         ? Reading::open
+                                                     : Reading::contingent);
   }
+  if (std::count(status.begin(), status.end(), Reading::implied) == std::ssize(status)) return 1;
+  std::vector<Assignment> seen = store;
+  seen.insert(seen.end(), readings_.begin(), readings_.end());
+  if (!theory.consistent(seen)) return 0;
   double factor = 1;
-  bool contingent = false;
-  for (const Assignment& reading : open) {
-    if (theory.entails(store, reading)) continue;
-    contingent = true;
-    const VariableId attribute = island_->attributes[reading.variable.index() - island_->support.components.size()];
+  for (std::size_t i = 0; i < readings_.size(); ++i) {
+    if (status[i] == Reading::open && theory.allows_other(store, readings_[i])) {
+      for (std::size_t j = i; j < readings_.size(); ++j) {
+        if (status[j] == Reading::open && !theory.holds(readings_[j])) status[j] = Reading::contingent;
+      }
+    }
+    if (status[i] != Reading::contingent) continue;
+    const VariableId attribute =
+        island_->attributes[readings_[i].variable.index() - island_->support.components.size()];
     factor /= static_cast<double>(plant_->variables[attribute].values.size());
   }
-  if (!contingent) return factor;
-  store.insert(store.end(), readings_.begin(), readings_.end());
-  return theory.consistent(store) ? factor : 0.0;
+  return factor;
 }
 
 Refutation IslandStore::refutation(const Modes& modes) {

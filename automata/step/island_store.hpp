@@ -33,7 +33,6 @@ class IslandStore {
   [[nodiscard]] bool excludes() const { return excludes_; }
   /// Has `implies` answer for a formula over the island's attributes; returns its number. Before the first question.
   std::size_t watch(const Formula& formula);
-  [[nodiscard]] bool watches() const { return !watched_.empty(); }
   /// Makes the theory beforehand, so that no question has to.
   void prepare() { theory(); }
 

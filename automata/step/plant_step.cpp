@@ -62,20 +62,29 @@ PlantStep::PlantStep(const Plant& plant)
     : plant_(plant),
       locality_(plant),
       theory_(model_theory(plant)),
-      enabled_(states_remembered(plant)),
-      weighed_by_(plant.components.size()),
-      weighed_modes_(plant.components.size()) {
+      possible_(plant.components.size(), 0),
+      consistent_(plant.components.size(), plant.controls.size()),
+      enabled_(plant.components.size(), plant.controls.size()),
+      wholes_(states_remembered(plant)),
+      factors_(plant.components.size(), 0) {
   for (const Locality::Island& island : locality_.islands()) {
     islands_.emplace_back(plant, island);
-    if (islands_.back().excludes()) constrained_.push_back(islands_.size() - 1);
+    if (!islands_.back().excludes()) continue;
+    constrained_.push_back(islands_.size() - 1);
+    possible_.add({island.support.components, {}});
+    consistent_.add(island.support);
   }
-  for (const Component& component : plant.components) {
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const Component& component = plant.components[c];
     auto& handles = guards_.emplace_back();
     auto& exits = exits_.emplace_back(component.modes.size());
     auto& supports = supports_.emplace_back(component.modes.size());
+    Support all{{ComponentId(c)}, {}};
     for (const Transition& t : component.transitions) {
       handles.push_back(theory_.encode(t.guard));
-      supports[t.from.index()].join(locality_.support_of(t.guard));
+      const Support support = locality_.support_of(t.guard);
+      supports[t.from.index()].join(support);
+      all.join(support);
       const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
       if (weightless) continue;
       Exit& exit = exits[t.from.index()].all.emplace_back();
@@ -84,11 +93,9 @@ PlantStep::PlantStep(const Plant& plant)
         if (!conjunct.is_true()) exit.parts.push_back(part(conjunct));
       }
     }
+    enabled_.add(all);
   }
-  for (std::size_t i = 0; i < islands_.size(); ++i) {
-    islands_[i].prepare();
-    if (islands_[i].watches()) watching_.push_back(i);
-  }
+  for (IslandStore& island : islands_) island.prepare();
 }
 
 PlantStep::Part PlantStep::part(const Formula& conjunct) {
@@ -104,8 +111,13 @@ PlantStep::Part PlantStep::part(const Formula& conjunct) {
 }
 
 bool PlantStep::possible(const Modes& modes) {
-  return std::all_of(constrained_.begin(), constrained_.end(),
-                     [&](std::size_t island) { return islands_[island].possible(modes); });
+  possible_.ask(modes, {});
+  for (std::size_t i = 0; i < constrained_.size(); ++i) {
+    auto& answer = possible_[i];
+    if (!answer) answer = islands_[constrained_[i]].possible(modes);
+    if (!*answer) return false;
+  }
+  return true;
 }
 
 std::vector<ComponentId> PlantStep::conflict(const Modes& modes) {
@@ -116,8 +128,13 @@ std::vector<ComponentId> PlantStep::conflict(const Modes& modes) {
 }
 
 bool PlantStep::consistent(const Modes& modes, const ControlAction& action) {
-  return std::all_of(constrained_.begin(), constrained_.end(),
-                     [&](std::size_t island) { return islands_[island].verdicts(modes, action).consistent; });
+  consistent_.ask(modes, action);
+  for (std::size_t i = 0; i < constrained_.size(); ++i) {
+    auto& answer = consistent_[i];
+    if (!answer) answer = islands_[constrained_[i]].verdicts(modes, action).consistent;
+    if (!*answer) return false;
+  }
+  return true;
 }
 
 bool PlantStep::implied(Wide& wide, const Modes& modes, const ControlAction& action) {
@@ -159,15 +176,26 @@ const Enabled& PlantStep::enabled(ComponentId component, const Modes& modes, con
 
 PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& action) {
   Whole result{consistent(modes, action), {}};
-  verdicts_.resize(islands_.size());
-  for (const std::size_t island : watching_) verdicts_[island] = &islands_[island].verdicts(modes, action);
   result.enabled.sets_.reserve(modes.size());
+  if (!result.consistent) {
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      result.enabled.sets_.push_back(&sort_out(ComponentId(c), modes[c], [](const Part&) { return true; }));
+    }
+    return result;
+  }
+  verdicts_.assign(islands_.size(), nullptr);
+  const auto holds = [&](const Part& part) {
+    if (part.island == no_island) return implied(wide_[part.number], modes, action);
+    IslandStore& island = islands_[part.island];
+    auto& verdicts = verdicts_[part.island];
+    if (verdicts == nullptr) verdicts = &island.verdicts(modes, action);
+    return island.implies(part.number, *verdicts, modes, action);
+  };
+  enabled_.ask(modes, action);
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    result.enabled.sets_.push_back(&sort_out(ComponentId(c), modes[c], [&](const Part& part) {
-      if (!result.consistent) return true;
-      if (part.island == no_island) return implied(wide_[part.number], modes, action);
-      return islands_[part.island].implies(part.number, *verdicts_[part.island], modes, action);
-    }));
+    auto& answer = enabled_[c];
+    if (!answer) answer = &sort_out(ComponentId(c), modes[c], holds);
+    result.enabled.sets_.push_back(*answer);
   }
   return result;
 }
@@ -175,8 +203,8 @@ PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& ac
 const PlantStep::Whole& PlantStep::whole(const Modes& modes, const ControlAction& action) {
   asked_.modes = modes;
   asked_.action = action;
-  if (const Whole* known = enabled_.find(asked_)) return *known;
-  return enabled_.add(asked_, work_out(modes, action));
+  if (const Whole* known = wholes_.find(asked_)) return *known;
+  return wholes_.add(asked_, work_out(modes, action));
 }
 
 const AllEnabled& PlantStep::enabled(const Modes& modes, const ControlAction& action) {
@@ -291,30 +319,23 @@ void PlantStep::observe(const Observation& observation) {
   std::vector<std::vector<Assignment>> readings(islands_.size());
   for (const Assignment& reading : observation) readings[*locality_.island_of(reading.variable)].push_back(reading);
   weighed_.clear();
-  for (auto& reading : weighed_by_) reading.clear();
+  factors_.clear();
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     islands_[i].observe(readings[i]);
     if (!islands_[i].excludes() && readings[i].empty()) continue;
-    for (const ComponentId c : locality_.islands()[i].support.components) {
-      weighed_by_[c.index()].push_back(weighed_.size());
-    }
-    weighed_.push_back({i, unknown});
+    weighed_.push_back(i);
+    factors_.add({locality_.islands()[i].support.components, {}});
   }
 }
 
-/// Candidates that are weighed one after the other are much alike: only what reads a difference is asked again.
 double PlantStep::observation_factor(const Modes& modes, const Observation& observation) {
   observe(observation);
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    if (modes[c] == weighed_modes_[c]) continue;
-    weighed_modes_[c] = modes[c];
-    for (const std::size_t at : weighed_by_[c]) weighed_[at].factor = unknown;
-  }
+  factors_.ask(modes, {});
   double product = 1;
-  for (auto& [island, factor] : weighed_) {
-    if (factor == unknown) factor = islands_[island].factor(modes);
-    product *= factor;
-    if (product == 0) break;
+  for (std::size_t i = 0; i < weighed_.size() && product > 0; ++i) {
+    auto& factor = factors_[i];
+    if (!factor) factor = islands_[weighed_[i]].factor(modes);
+    product *= *factor;
   }
   return product;
 }
@@ -322,8 +343,9 @@ double PlantStep::observation_factor(const Modes& modes, const Observation& obse
 Refutation PlantStep::refutation(const Modes& modes, const Observation& observation) {
   [[maybe_unused]] const double factor = observation_factor(modes, observation);
   assert(factor == 0);
-  const auto at = std::find_if(weighed_.begin(), weighed_.end(), [](const Weighed& w) { return w.factor == 0; });
-  return islands_[at->island].refutation(modes);
+  std::size_t first = 0;
+  while (factors_[first] != 0.0) ++first;
+  return islands_[weighed_[first]].refutation(modes);
 }
 
 std::size_t PlantStep::questions() const {

@@ -10,6 +10,7 @@
 #include "automata/state.hpp"
 #include "automata/step/island_store.hpp"
 #include "automata/step/memory.hpp"
+#include "automata/step/standing_answers.hpp"
 #include "automata/step/support.hpp"
 
 namespace automata {
@@ -150,8 +151,12 @@ class PlantStep {
   std::vector<std::vector<Exits>> exits_;            ///< per component, per mode
   std::vector<IslandStore> islands_;                 ///< as the locality has them
   std::vector<Wide> wide_;
-  std::vector<std::size_t> watching_;     ///< positions of the islands that watch a guard
-  std::vector<std::size_t> constrained_;  ///< positions of the islands that can be inconsistent
+  std::vector<std::size_t> constrained_;          ///< positions of the islands that can be inconsistent
+  StandingAnswers<bool> possible_;                ///< of those
+  StandingAnswers<bool> consistent_;              ///< of those
+  StandingAnswers<const Enabled*> enabled_;       ///< by component, in a consistent store
+  std::vector<std::uint64_t> found_;              ///< a set of exits, kept for its memory
+  std::vector<IslandStore::Verdicts*> verdicts_;  ///< by island, of the state that is worked out; null: not asked yet
 
   /// Whole states are remembered too: a plant at rest asks the same again and again.
   struct StateAction {
@@ -162,22 +167,12 @@ class PlantStep {
   struct StateActionHash {
     std::size_t operator()(const StateAction& key) const noexcept;
   };
-  Forgetful<StateAction, Whole, StateActionHash> enabled_;
-  StateAction asked_;                             ///< the last question, kept for its memory
-  std::vector<std::uint64_t> found_;              ///< a set of exits, likewise
-  std::vector<IslandStore::Verdicts*> verdicts_;  ///< by island, of the state that is worked out
+  Forgetful<StateAction, Whole, StateActionHash> wholes_;
+  StateAction asked_;  ///< the last question, kept for its memory
 
-  /// The islands that an observation is weighed on, those that can be inconsistent and those that are observed, each
-  /// with its factor under the modes that were weighed last.
-  struct Weighed {
-    std::size_t island;
-    double factor;
-  };
-  static constexpr double unknown = -1;
   std::optional<Observation> observed_;  ///< what the islands were told last
-  std::vector<Weighed> weighed_;
-  std::vector<std::vector<std::size_t>> weighed_by_;  ///< by component: positions of those that read its mode
-  Modes weighed_modes_;
+  std::vector<std::size_t> weighed_;     ///< positions of the islands that can be inconsistent or that are observed
+  StandingAnswers<double> factors_;      ///< of those
 };
 
 }  // namespace automata
