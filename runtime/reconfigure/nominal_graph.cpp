@@ -6,6 +6,8 @@
 #include <functional>
 #include <numeric>
 
+#include "runtime/reconfigure/support_finder.hpp"
+
 namespace runtime {
 
 using automata::Component;

@@ -12,6 +12,7 @@
 #include "runtime/ocsp/ocsp.hpp"
 #include "runtime/reconfigure/goal.hpp"
 #include "runtime/reconfigure/nominal_graph.hpp"
+#include "runtime/reconfigure/support_finder.hpp"
 
 namespace runtime {
 

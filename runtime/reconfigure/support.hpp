@@ -5,9 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
-#include "runtime/reconfigure/islands.hpp"
 
 namespace runtime {
 
@@ -24,65 +22,14 @@ using Support = std::vector<Requirement>;
 
 /// Whether a support can be met with every control at its idle value.
 bool needs_no_command(const automata::Plant& plant, const Support& support);
+/// How many controls it needs off their idle values.
+std::size_t commanded_controls(const automata::Plant& plant, const Support& support);
 
-/// Finds supports by abduction over the constraint store (the preconditions of Williams & Nayak 1997, 4.1, without
-/// compiling the interactions away first).
-///
-/// Which modes and controls support a guard is a question of two quantifiers: do some modes and controls make it true
-/// in all worlds? It is answered by counterexample-guided refinement. A world in which the guard holds proposes its
-/// modes and controls. If they imply the guard, the failed assumptions are a support; it is shrunk, widened to sets of
-/// values, and excluded. If not, a world with the same modes and controls refutes them; it is chosen close to the
-/// proposal, and all worlds that the same local change refutes are excluded with it, so that components far from the
-/// change are never enumerated.
-///
-/// A guard is asked conjunct by conjunct: what supports a conjunction supports each part, so its supports are unions of
-/// theirs. And each part is asked of its region only, the attributes that constraints join once modes and controls are
-/// fixed: those of other regions cannot make it true or false in a consistent state.
-class SupportFinder {
- public:
-  SupportFinder(const automata::Plant& plant, const Islands& islands);
-
-  /// The supports of a transition's guard in its source mode; none when nothing can bring the guard about. Every
-  /// consistent state and control action that imply the guard fit one of them, unless there are more than `limit`.
-  /// Sorted: fewest controls off their idle values first, then fewest requirements, then by variables and values.
-  std::vector<Support> supports(automata::ComponentId component, automata::TransitionId transition);
-
-  /// Whether some state of the plant has this mode.
-  bool possible(automata::ComponentId component, automata::ModeId mode);
-
-  static constexpr std::size_t limit = 256;
-
- private:
-  struct Question;
-  struct Region {
-    std::vector<automata::VariableId> attributes;
-    std::vector<automata::VariableId> decisions;  ///< modes and controls that its constraints read
-  };
-  using World = std::vector<automata::ValueId>;  ///< by variable; of the island only
-
-  [[nodiscard]] automata::Theory fresh_theory() const;
-  void find_regions(std::size_t variables);
-  std::vector<Support> part_supports(Question& question);
-  std::vector<Support> joined(const std::vector<Support>& left, const std::vector<Support>& right,
-                              automata::Assignment source);
-  World read_world(const Question& question) const;
-  Support shrink(const Question& question);
-  void widen(const Question& question, Support& support);
-  World most_tolerant(const Question& question, std::vector<automata::Assignment> assumptions);
-  [[nodiscard]] std::vector<bool> swapped(const Question& question, const World& proposal, const World& refuting) const;
-  void exclude(const Question& question, const World& proposal);
-
-  /// Per component, per transition, per conjunct of its guard.
-  std::vector<std::vector<std::vector<automata::VariableId>>> questions_;
-  std::vector<std::vector<automata::VariableId>> tolerates_;  ///< per component, per mode
-  automata::Plant plant_;  ///< with those variables: assumed, one asks for a conjunct, or tells a mode's constraint
-  const Islands& islands_;
-  automata::Theory theory_;
-  std::size_t excluded_ = 0;  ///< by this theory
-  std::vector<Region> regions_;
-  std::vector<std::optional<std::size_t>> region_of_;          ///< by variable; of attributes
-  std::vector<std::vector<automata::VariableId>> neighbours_;  ///< by variable: attributes in one constraint with it
-  std::vector<std::vector<automata::Assignment>> readers_;     ///< by variable: modes whose constraint reads it
-};
+/// That all requirements are met.
+automata::Formula formula_of(const Support& support);
+/// Whether whatever fits `narrow` fits `wide` too.
+bool subsumes(const Support& wide, const Support& narrow);
+/// What fits both; nothing where they exclude each other.
+std::optional<Support> both(const Support& left, const Support& right);
 
 }  // namespace runtime
