@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <list>
 #include <set>
 #include <utility>
 
 #include "runtime/ocsp/ocsp.hpp"
-#include "runtime/reconfigure/goal.hpp"
 #include "runtime/reconfigure/nominal_graph.hpp"
+#include "runtime/reconfigure/recent_goals.hpp"
 #include "runtime/reconfigure/support_finder.hpp"
 
 namespace runtime {
@@ -29,8 +28,6 @@ using automata::ValueId;
 
 namespace {
 
-/// A program asserts few goals, again and again; beyond these many the one asked least recently is forgotten.
-constexpr std::size_t goal_limit = 64;
 /// Candidates that one answer may take: all pairs of commands of half a hundred controls.
 constexpr std::size_t candidate_limit = 1u << 12;
 
@@ -45,7 +42,8 @@ class OneStepReconfigurer final : public Reconfigurer {
         plant_(step.plant()),
         idle_(idle_action(plant_)),
         graph_(std::move(graph)),
-        control_of_(plant_.variables.size(), none) {
+        control_of_(plant_.variables.size(), none),
+        goals_(step) {
     for (std::size_t i = 0; i < plant_.controls.size(); ++i) control_of_[plant_.controls[i].variable.index()] = i;
     for (std::size_t i = 0; i < idle_.size(); ++i) {
       auto& cost = costs_.emplace_back(plant_.variables[plant_.controls[i].variable].values.size(), 1.0);
@@ -62,7 +60,7 @@ class OneStepReconfigurer final : public Reconfigurer {
     Reconfiguration answer;
     answer.action = idle_;
     if (formula.is_true()) return answer;
-    const Goal& goal = remember(formula);
+    const Goal& goal = goals_.find(formula).goal;
     std::optional<Modes> expected;
     const auto check = [&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
       ControlAction action;
@@ -117,18 +115,6 @@ class OneStepReconfigurer final : public Reconfigurer {
     }
     answer.expected = std::move(expected);
     return answer;
-  }
-
-  const Goal& remember(const Formula& formula) {
-    const auto known =
-        std::find_if(goals_.begin(), goals_.end(), [&](const Goal& g) { return g.formula() == formula; });
-    if (known != goals_.end()) {
-      goals_.splice(goals_.begin(), goals_, known);
-    } else {
-      goals_.emplace_front(formula, plant_, step_.theory());
-      if (goals_.size() > goal_limit) goals_.pop_back();
-    }
-    return goals_.front();
   }
 
   /// The decisions of an action on the controls that the transitions out of a mode can feel: whatever agrees on them
@@ -231,7 +217,8 @@ class OneStepReconfigurer final : public Reconfigurer {
   std::shared_ptr<const NominalGraph> graph_;
   std::vector<std::size_t> control_of_;  ///< by variable
   OptimalSearch::Costs costs_;
-  std::list<Goal> goals_;
+  struct Nothing {};
+  RecentGoals<Nothing> goals_;
 };
 
 }  // namespace

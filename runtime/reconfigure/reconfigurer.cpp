@@ -3,16 +3,15 @@
 #include "runtime/reconfigure/reconfigurer.hpp"
 
 #include <algorithm>
-#include <list>
 #include <unordered_map>
 #include <utility>
 #include <variant>
 
-#include "runtime/reconfigure/goal.hpp"
 #include "runtime/reconfigure/goal_interpreter.hpp"
 #include "runtime/reconfigure/islands.hpp"
 #include "runtime/reconfigure/nominal_graph.hpp"
 #include "runtime/reconfigure/planner.hpp"
+#include "runtime/reconfigure/recent_goals.hpp"
 
 namespace runtime {
 
@@ -22,8 +21,6 @@ using automata::Modes;
 
 namespace {
 
-/// A program asserts few goals, again and again; beyond these many the one asked least recently is forgotten.
-constexpr std::size_t goal_limit = 64;
 /// Beyond this many states of one goal its answers are forgotten: long runs stay flat.
 constexpr std::size_t answer_limit = 1u << 14;
 
@@ -44,24 +41,26 @@ class PolicyReconfigurer : public Reconfigurer {
         graph_(std::move(graph)),
         islands_(step.plant(), graph_->restless(step.plant())),
         interpreter_(step, *graph_),
-        planner_(step, *graph_, islands_) {}
+        planner_(step, *graph_, islands_),
+        goals_(step) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
     if (goal.is_true()) return idle(Reconfiguration::Outcome::nothing_to_do);
-    Memory& memory = remember(goal);
-    if (const auto known = memory.answers.find(modes); known != memory.answers.end()) return known->second;
-    if (memory.answers.size() >= answer_limit) memory.answers.clear();
-    Reconfiguration fresh = memory.answers.emplace(modes, answer(modes, memory)).first->second;
+    auto& asked = goals_.find(goal);
+    auto& answers = asked.memory.answers;
+    if (const auto known = answers.find(modes); known != answers.end()) return known->second;
+    if (answers.size() >= answer_limit) answers.clear();
+    Reconfiguration fresh = answers.emplace(modes, answer(modes, asked)).first->second;
     fresh.checked = interpreter_.checked();
     return fresh;
   }
 
  private:
   struct Memory {
-    Goal goal;
     std::optional<GoalInterpreter::Choice> chosen;
     std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
   };
+  using Asked = RecentGoals<Memory>::Entry;
 
   [[nodiscard]] Reconfiguration idle(Reconfiguration::Outcome outcome) const {
     Reconfiguration answer;
@@ -70,21 +69,8 @@ class PolicyReconfigurer : public Reconfigurer {
     return answer;
   }
 
-  /// The memory of a goal, brought to the front.
-  Memory& remember(const Formula& goal) {
-    const auto known =
-        std::find_if(memories_.begin(), memories_.end(), [&](const Memory& m) { return m.goal.formula() == goal; });
-    if (known != memories_.end()) {
-      memories_.splice(memories_.begin(), memories_, known);
-    } else {
-      memories_.push_front({Goal(goal, step_.plant(), step_.theory()), {}, {}});
-      if (memories_.size() > goal_limit) memories_.pop_back();
-    }
-    return memories_.front();
-  }
-
-  Reconfiguration answer(const Modes& modes, Memory& memory) {
-    Reconfiguration result = chosen(modes, memory);
+  Reconfiguration answer(const Modes& modes, Asked& asked) {
+    Reconfiguration result = chosen(modes, asked);
     if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = idle_;
     return result;
   }
@@ -110,9 +96,9 @@ class PolicyReconfigurer : public Reconfigurer {
 
   /// Islands do not touch each other, so each is planned by itself; the first that has a command has its turn, in the
   /// order of goals, and the plant is waited for only where none has.
-  Reconfiguration chosen(const Modes& modes, Memory& memory) {
+  Reconfiguration chosen(const Modes& modes, Asked& asked) {
     if (!step_.possible(modes)) return refusal({std::nullopt, "the estimated modes contradict each other"}, {});
-    auto interpreted = interpreter_.interpret(modes, memory.goal, memory.chosen);
+    auto interpreted = interpreter_.interpret(modes, asked.goal, asked.memory.chosen);
     if (auto* impasse = std::get_if<Impasse>(&interpreted)) return refusal(std::move(*impasse), {});
     Modes target = std::get<Modes>(std::move(interpreted));
 
@@ -122,7 +108,7 @@ class PolicyReconfigurer : public Reconfigurer {
       const std::size_t island = islands_.of(c);
       if (modes[c.index()] == target[c.index()] || planned[island]) continue;
       planned[island] = true;
-      const Objective objective{target, memory.goal.named(), island};
+      const Objective objective{target, asked.goal.named(), island};
       auto choice = planner_.next(modes, objective);
       if (auto* impasse = std::get_if<Impasse>(&choice)) return refusal(std::move(*impasse), std::move(target));
       auto& step = std::get<PlannedStep>(choice);
@@ -153,7 +139,7 @@ class PolicyReconfigurer : public Reconfigurer {
   Islands islands_;
   GoalInterpreter interpreter_;
   Planner planner_;
-  std::list<Memory> memories_;
+  RecentGoals<Memory> goals_;
 };
 
 }  // namespace
