@@ -127,14 +127,19 @@ void add_limits(CLI::App* sub, CommandLine& line) {
       ->type_name("BYTES[K|M|G]");
 }
 
+void add_format(CLI::App* sub, CommandLine& line) {
+  using Format = CommandLine::Format;
+  add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}, {"junit", Format::junit}},
+             "text unless given");
+}
+
 /// What every check has: what is free, limits, the form of the answer.
 CLI::App* add_check(CLI::App& app, CommandLine& line, CommandLine::Kind kind, const std::string& name,
                     const std::string& description) {
   CLI::App* sub = add_subcommand(app, line, kind, name, description);
   add_freedom(sub, line);
   add_limits(sub, line);
-  using Format = CommandLine::Format;
-  add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}}, "text unless given");
+  add_format(sub, line);
   sub->add_flag("--stats", line.statistics, "tell what the check has cost");
   return sub;
 }
@@ -275,9 +280,7 @@ void add_check_file(CLI::App& app, CommandLine& line) {
       ->take_all();
   add_limits(sub, line);
   add_threads(sub, line);
-  using Format = CommandLine::Format;
-  add_choice(sub, "--format", line.format, {{"text", Format::text}, {"json", Format::json}, {"junit", Format::junit}},
-             "text unless given");
+  add_format(sub, line);
   sub->add_flag("--stats", line.statistics, "tell what each search has cost; properties may share one");
 }
 

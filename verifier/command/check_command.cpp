@@ -78,7 +78,7 @@ void print(const automata::Plant& plant, const std::vector<Answer>& answers, con
 
 }  // namespace
 
-int run_check(const CommandLine& line, const Limits& limits) {
+Verdict run_check(const CommandLine& line, const Limits& limits) {
   if (line.properties == "-" && line.models.front() == "-") {
     throw InputError("standard input cannot be both the model and the properties");
   }
@@ -108,8 +108,8 @@ int run_check(const CommandLine& line, const Limits& limits) {
   }
   print(plant, answers, line);
   const Count found = count(answers);
-  if (found.unexpected > 0) return 1;
-  return found.undecided > 0 ? 3 : 0;
+  if (found.unexpected > 0) return Verdict::violated;
+  return found.undecided > 0 ? Verdict::undecided : Verdict::holds;
 }
 
 }  // namespace verifier

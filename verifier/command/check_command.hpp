@@ -3,11 +3,12 @@
 #pragma once
 
 #include "verifier/command_line.hpp"
-#include "verifier/explore/limits.hpp"
+#include "verifier/property/property.hpp"
 
 namespace verifier {
 
-/// Checks them all, prints the answers, and returns the exit status. Throws InputError and Rejected.
-int run_check(const CommandLine& line, const Limits& limits);
+/// Checks them all and prints the answers. Holds where all are as expected, is violated where one is not. Throws
+/// InputError and Rejected.
+Verdict run_check(const CommandLine& line, const Limits& limits);
 
 }  // namespace verifier

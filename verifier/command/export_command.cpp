@@ -39,7 +39,7 @@ void write(std::ostream& out, automata::PlantStep& step, const ExportQuestion& q
 
 }  // namespace
 
-int run_export(const CommandLine& line, const Limits& limits) {
+bool run_export(const CommandLine& line, const Limits& limits) {
   const compiler::Compilation compilation = load(line);
   const automata::Plant& plant = compilation.document().plants.front();
   const bool safety = !line.never.empty();
@@ -54,11 +54,11 @@ int run_export(const CommandLine& line, const Limits& limits) {
     write(out, step, question, line, limits);
   } catch (const LimitReached&) {
     std::cerr << "tcca-check: a limit was reached before all mode combinations were met: nothing is written\n";
-    return 3;
+    return false;
   }
   std::cout << std::move(out).str();
   if (!std::cout.flush()) throw InputError("standard output: cannot be written");
-  return 0;
+  return true;
 }
 
 }  // namespace verifier

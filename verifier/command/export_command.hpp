@@ -7,8 +7,8 @@
 
 namespace verifier {
 
-/// Prints the model and the question, and returns the exit status. Throws InputError, where the tool cannot say it too,
-/// and Rejected.
-int run_export(const CommandLine& line, const Limits& limits);
+/// Prints the model and the question; false where a limit was reached first. Throws InputError, where the tool cannot
+/// say it too, and Rejected.
+bool run_export(const CommandLine& line, const Limits& limits);
 
 }  // namespace verifier

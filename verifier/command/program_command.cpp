@@ -12,6 +12,7 @@
 
 #include "automata/error.hpp"
 #include "verifier/command/input.hpp"
+#include "verifier/program/program_junit.hpp"
 #include "verifier/program/program_report.hpp"
 #include "verifier/program/witness_scenario.hpp"
 
@@ -42,27 +43,22 @@ std::vector<ProgramProperty> properties_of(const automata::Plant& plant, const C
   return result;
 }
 
-int status(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::holds:
-      return 0;
-    case Verdict::violated:
-      return 1;
-    case Verdict::undecided:
-      return 3;
+Verdict print_table(const ProgramSubject& subject, const FaultTable& table, const CommandLine& line) {
+  switch (line.format) {
+    case CommandLine::Format::text:
+      std::cout << to_text(subject, table, line.statistics);
+      break;
+    case CommandLine::Format::json:
+      std::cout << to_json(subject, table).dump(2) << '\n';
+      break;
+    case CommandLine::Format::junit:
+      std::cout << to_junit(subject, table);
+      break;
   }
-  return 2;
-}
-
-int print_table(const ProgramSubject& subject, const FaultTable& table, const CommandLine& line) {
-  if (line.format == CommandLine::Format::json) {
-    std::cout << to_json(subject, table).dump(2) << '\n';
-  } else {
-    std::cout << to_text(subject, table, line.statistics);
+  if (std::any_of(table.rows.begin(), table.rows.end(), [](const FaultOutcome& row) { return row.fails(); })) {
+    return Verdict::violated;
   }
-  const auto fails = [](const FaultOutcome& row) { return row.lost || row.waits || row.goes_on; };
-  if (std::any_of(table.rows.begin(), table.rows.end(), fails)) return 1;
-  return table.limit ? 3 : 0;
+  return table.limit ? Verdict::undecided : Verdict::holds;
 }
 
 /// Where the scenario goes, and what it calls its program and plant. Throws InputError before anything is searched.
@@ -126,7 +122,7 @@ void write_scenario(const ScenarioFrame& frame, const ProgramSubject& subject, a
 
 }  // namespace
 
-int run_program(const CommandLine& line, const Limits& limits) {
+Verdict run_program(const CommandLine& line, const Limits& limits) {
   const compiler::Compilation compilation = load(line);
   const automata::Document& document = compilation.document();
   if (document.programs.size() != 1) {
@@ -139,7 +135,7 @@ int run_program(const CommandLine& line, const Limits& limits) {
   const std::vector<ProgramProperty> properties = properties_of(plant, line);
   const ProgramOptions options{line.period, line.faults, line.entailed, starting_modes(plant, line)};
   automata::PlantStep step(plant);
-  int result = 0;
+  Verdict result = Verdict::undecided;
   if (line.each_fault) {
     const FaultTable table = check_each_fault(program, step, properties, options, limits);
     if (limits.report) std::fputs("\r\033[K", stderr);
@@ -153,13 +149,19 @@ int run_program(const CommandLine& line, const Limits& limits) {
       std::cerr << "tcca-check: warning: no initial state is possible: the initial modes contradict the "
                    "interconnections, so nothing can be violated\n";
     }
-    if (line.format == CommandLine::Format::json) {
-      std::cout << to_json(subject, properties, answer).dump(2) << '\n';
-    } else {
-      std::cout << to_text(subject, properties, answer, line.statistics, colored(line, STDOUT_FILENO));
+    switch (line.format) {
+      case CommandLine::Format::text:
+        std::cout << to_text(subject, properties, answer, line.statistics, colored(line, STDOUT_FILENO));
+        break;
+      case CommandLine::Format::json:
+        std::cout << to_json(subject, properties, answer).dump(2) << '\n';
+        break;
+      case CommandLine::Format::junit:
+        std::cout << to_junit(subject, properties, answer);
+        break;
     }
     if (frame) write_scenario(*frame, subject, step, properties, answer, options, line, limits);
-    result = status(answer.verdict());
+    result = answer.verdict();
   }
   if (!std::cout.flush()) throw InputError("standard output: cannot be written");
   return result;

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "verifier/command_line.hpp"
-#include "verifier/explore/limits.hpp"
+#include "verifier/property/property.hpp"
 
 namespace verifier {
 
-/// Checks, prints the answer, and returns the exit status. Throws InputError and Rejected.
-int run_program(const CommandLine& line, const Limits& limits);
+/// Checks and prints the answer. Violated where a property is, or where a fault can lose the mission or keep the
+/// program from ending. Throws InputError and Rejected.
+Verdict run_program(const CommandLine& line, const Limits& limits);
 
 }  // namespace verifier

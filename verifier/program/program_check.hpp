@@ -63,6 +63,9 @@ struct FaultOutcome {
   std::optional<LoopTrace> goes_on = std::nullopt;  ///< it goes on for ever without ending
   std::optional<LoopTrace> no_plan = std::nullopt;  ///< a goal is without a plan
   bool decided = false;
+
+  /// Whether it can lose the mission, or keep the program from ending.
+  [[nodiscard]] bool fails() const { return lost || waits || goes_on; }
 };
 
 struct FaultTable {

@@ -222,12 +222,6 @@ std::string meaning(const ProgramProperty& property, Verdict verdict) {
   return "";
 }
 
-std::string fault_text(const automata::Plant& plant, const FaultStep& fault) {
-  const automata::Component& component = plant[fault.component];
-  return component.name + ": " + component.modes[fault.from.index()].name + " -> " +
-         component.modes[fault.to.index()].name;
-}
-
 }  // namespace
 
 std::string finding(const ProgramSubject& subject, const ProgramProperty& property, const LoopTrace& trace) {
@@ -302,6 +296,21 @@ std::string to_text(const ProgramSubject& subject, const std::vector<ProgramProp
   return text;
 }
 
+std::string name_of(const ProgramSubject& subject, const FaultOutcome& row) {
+  if (!row.fault) return "none";
+  const automata::Component& component = subject.plant[row.fault->component];
+  return component.name + ": " + component.modes[row.fault->from.index()].name + " -> " +
+         component.modes[row.fault->to.index()].name;
+}
+
+std::string failure_text(const ProgramSubject& subject, const FaultOutcome& row) {
+  const std::vector<std::string> words = outcomes_of(row);
+  const auto* const trace = row.lost ? &row.lost : row.waits ? &row.waits : &row.goes_on;
+  if (!*trace) return "";
+  const std::size_t success = row.success ? 1 : 0;
+  return Story(subject, **trace).tell(words[success]);
+}
+
 std::vector<std::string> outcomes_of(const FaultOutcome& row) {
   if (!row.decided) return {"undecided"};
   if (row.fault && !row.happens) return {"cannot happen"};
@@ -348,8 +357,8 @@ std::string to_text(const ProgramSubject& subject, const FaultTable& table, bool
     std::string outcome;
     for (const std::string& part : outcomes_of(row)) outcome += (outcome.empty() ? "" : ", ") + part;
     if (row.no_plan) outcome += " (no plan: " + row.no_plan->last.reason + ")";
-    rows.push_back({row.fault ? fault_text(subject.plant, *row.fault) : "none",
-                    row.happens ? automata::format_seconds(row.happens->last.begin) + " s" : "-", outcome});
+    rows.push_back(
+        {name_of(subject, row), row.happens ? automata::format_seconds(row.happens->last.begin) + " s" : "-", outcome});
   }
   std::array<std::size_t, 2> widths{};
   for (const auto& row : rows) {

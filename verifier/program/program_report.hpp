@@ -28,6 +28,10 @@ std::string to_text(const ProgramSubject& subject, const std::vector<ProgramProp
 nlohmann::ordered_json to_json(const ProgramSubject& subject, const FaultTable& table);
 std::string to_text(const ProgramSubject& subject, const FaultTable& table, bool statistics);
 
+/// `valve: open -> stuck`, or `none`.
+std::string name_of(const ProgramSubject& subject, const FaultOutcome& row);
+/// The run on which the mission is lost, or else the program does not end; empty where there is none.
+std::string failure_text(const ProgramSubject& subject, const FaultOutcome& row);
 /// What can come of a fault, in words, best first; `undecided` where a limit was hit.
 std::vector<std::string> outcomes_of(const FaultOutcome& row);
 

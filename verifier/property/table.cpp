@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <pugixml.hpp>
 #include <sstream>
 
+#include "verifier/evidence/junit.hpp"
 #include "verifier/evidence/report.hpp"
 
 namespace verifier {
@@ -98,33 +98,20 @@ ordered_json to_json(const Plant& plant, const std::vector<Answer>& answers) {
 }
 
 std::string to_junit(const Plant& plant, const std::vector<Answer>& answers) {
-  pugi::xml_document document;
-  pugi::xml_node header = document.append_child(pugi::node_declaration);
-  header.append_attribute("version") = "1.0";
-  header.append_attribute("encoding") = "UTF-8";
-  const Count found = count(answers);
-  pugi::xml_node suites = document.append_child("testsuites");
-  pugi::xml_node suite = suites.append_child("testsuite");
-  suite.append_attribute("name") = plant.name.c_str();
-  suite.append_attribute("tests") = answers.size();
-  suite.append_attribute("failures") = found.unexpected;
-  suite.append_attribute("errors") = found.undecided;
-  suite.append_attribute("skipped") = 0;
+  std::vector<TestCase> cases;
   for (const Answer& answer : answers) {
-    pugi::xml_node test = suite.append_child("testcase");
-    test.append_attribute("name") = answer.name.c_str();
-    test.append_attribute("classname") = (plant.name + "." + name_of(answer.question.property)).c_str();
-    test.append_attribute("time") = seconds_text(answer.result.progress.seconds).c_str();
-    if (answer.as_expected()) continue;
-    pugi::xml_node child = test.append_child(answer.decided() ? "failure" : "error");
-    const std::string verdict(to_text(answer.result.verdict));
+    using Outcome = TestCase::Outcome;
     const std::string after = remark(answer);
-    child.append_attribute("message") = (verdict + (after.empty() ? "" : ": " + after)).c_str();
-    child.text().set(trace_of(plant, answer).c_str());
+    cases.push_back({.name = answer.name,
+                     .classname = plant.name + "." + name_of(answer.question.property),
+                     .seconds = answer.result.progress.seconds,
+                     .outcome = answer.as_expected() ? Outcome::success
+                                : answer.decided()   ? Outcome::failure
+                                                     : Outcome::error,
+                     .message = std::string(to_text(answer.result.verdict)) + (after.empty() ? "" : ": " + after),
+                     .text = trace_of(plant, answer)});
   }
-  std::ostringstream out;
-  document.save(out, "  ");
-  return std::move(out).str();
+  return to_junit(plant.name, cases);
 }
 
 }  // namespace verifier
