@@ -23,15 +23,22 @@ void Sensors::forget_all() {
   roots_.clear();
 }
 
+/// One model shows one value to be possible, and mostly that it is the only one.
 std::uint32_t Sensors::look(std::size_t depth) {
   const automata::VariableId variable = observables_[depth];
+  automata::Theory& theory = step_.theory();
+  [[maybe_unused]] const bool possible = theory.consistent(assumptions_);
+  assert(possible && "so far every reading was possible");
+  const automata::ValueId found = theory.value(variable);
+  const bool entailed = theory.known_to_follow({variable, found});
   Prefix prefix;
   for (std::size_t v = 0; v < step_.plant().variables[variable].values.size(); ++v) {
-    assumptions_.push_back({variable, automata::ValueId(v)});
-    if (step_.theory().consistent(assumptions_)) prefix.candidates.emplace_back(v);
+    const automata::ValueId value(v);
+    if (value != found && entailed) continue;
+    assumptions_.push_back({variable, value});
+    if (value == found || theory.consistent(assumptions_)) prefix.candidates.push_back(value);
     assumptions_.pop_back();
   }
-  assert(!prefix.candidates.empty() && "a consistent store allows some value");
   prefix.next.resize(prefix.candidates.size());
   prefixes_.push_back(std::move(prefix));
   return static_cast<std::uint32_t>(prefixes_.size() - 1);
