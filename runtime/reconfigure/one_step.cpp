@@ -81,9 +81,11 @@ class OneStepReconfigurer final : public Reconfigurer {
         break;
       case OptimalSearch::Outcome::exhausted:
         return refusal(std::move(answer), "no control action achieves the goal in one step");
-      case OptimalSearch::Outcome::budget:
-        return refusal(std::move(answer), "no control action was found that achieves the goal in one step, among " +
-                                              std::to_string(answer.checked));
+      case OptimalSearch::Outcome::budget: {
+        const std::string among = std::to_string(answer.checked);
+        return refusal(std::move(answer),
+                       "no control action was found that achieves the goal in one step, among " + among);
+      }
     }
     assert(expected && "a feasible action leads somewhere");
     return describe(std::move(answer), search.values(), tracked.front(), std::move(*expected));
