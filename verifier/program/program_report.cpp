@@ -59,8 +59,9 @@ std::string changes_text(const automata::Plant& plant, const automata::Modes& be
     if (before[c] == after[c]) continue;
     const automata::Component& component = plant.components[c];
     const automata::Mode& to = component.modes[after[c].index()];
-    result += (result.empty() ? "" : ", ") + component.name + ": " + component.modes[before[c].index()].name + " -> " +
-              to.name + (to.fault ? " (fault)" : "");
+    if (!result.empty()) result += ", ";
+    result += component.name + ": " + component.modes[before[c].index()].name + " -> " + to.name;
+    if (to.fault) result += " (fault)";
   }
   return result;
 }
