@@ -17,11 +17,14 @@ using automata::Ticks;
 
 namespace {
 
+constexpr unsigned most_faults = 1'000'000;
+
 /// A duration with or without a unit. What is wrong with it is said by CLI11 with the option's name before it.
 Ticks duration(const std::string& text) {
   if (const auto ticks = automata::parse_duration(text)) return *ticks;
   throw CLI::ValidationError("'" + text +
-                             "' is no duration; expected a number and perhaps a unit, such as 30, 0.5s or 270min");
+                             "' is no duration; expected a number and perhaps a unit, such as 30, 0.5s or 270min, "
+                             "of less than 292 years");
 }
 
 Ticks positive_duration(const std::string& text) {
@@ -111,7 +114,9 @@ void add_freedom(CLI::App* sub, CommandLine& line) {
   };
   add(sub, "--time", line.period, period, "dense time (the default), or the period at whose multiples steps happen")
       ->type_name("dense|T");
-  sub->add_option("--faults", line.faults, "the most faults that may happen; 0 unless given")->type_name("K");
+  sub->add_option("--faults", line.faults, "the most faults that may happen; 0 unless given")
+      ->check(CLI::Range(0u, most_faults))
+      ->type_name("K");
   sub->add_flag("--entailed", line.entailed, "a formula holds where the constraints imply it, not where they allow it");
   sub->add_option("--from", line.from,
                   "modes to start in, such as 'engine = off'; what is not named starts as in the plant")
@@ -323,9 +328,10 @@ void add_properties(CLI::App& app, CommandLine& line) {
   add_window(safety, line);
   add_search_options(safety, line);
 
-  CLI::App* response = add_property(app, line, Kind::response, "response",
-                                    "once one formula has held, does another hold in time? no: a timed counterexample");
-  response->add_option("--after", line.after, "what asks for the response, when it first holds")
+  CLI::App* response =
+      add_property(app, line, Kind::response, "response",
+                   "whenever one formula holds, does another follow in time? no: a timed counterexample");
+  response->add_option("--after", line.after, "what asks for the response, each time it holds")
       ->required()
       ->type_name("FORMULA");
   // CLI11 counts how many words an option takes: `--within T FORMULA` takes two.

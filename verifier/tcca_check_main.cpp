@@ -36,8 +36,8 @@ verifier::Limits limits(const CommandLine& line) {
   if (line.timeout && !line.timeout->is_infinite()) result.time.emplace(line.timeout->seconds());
   if (isatty(STDERR_FILENO) != 0 && !line.quiet) {
     result.report = [](const verifier::Progress& p) {
-      std::fprintf(stderr, "\r%.0f s: %zu states, %zu unexplored, %zu steps\033[K", p.seconds, p.states, p.waiting,
-                   p.steps);
+      std::fprintf(stderr, "\r%.0f s: %zu states, %zu unexplored, %zu %s\033[K", p.seconds, p.states, p.waiting,
+                   p.steps.value_or(p.level), p.steps ? "steps" : "faults");
     };
   }
   return result;

@@ -24,7 +24,7 @@ struct State {
   Modes modes;
   std::vector<Ticks> clocks;
   std::size_t faults = 0;
-  std::optional<Ticks> waiting = std::nullopt;  ///< for the response: time since `after` first held
+  std::optional<Ticks> waiting = std::nullopt;  ///< for the response: time since `after` held, unanswered
   auto operator<=>(const State&) const = default;
 };
 
@@ -70,7 +70,7 @@ class Search {
   std::optional<std::size_t> run() {
     std::deque<std::pair<State, std::size_t>> queue;  // states at n steps, then those at n + 1
     for (const auto& [start, probability] : initial_belief(step_))
-      if (const auto state = enter({start.modes, start.clock_starts})) queue.emplace_back(*state, 0);
+      queue.emplace_back(enter({start.modes, start.clock_starts}), 0);
     std::set<State> seen;
     while (!queue.empty()) {
       const auto [state, steps] = queue.front();
@@ -78,12 +78,11 @@ class Search {
       if (!seen.insert(state).second) continue;
       if (accepts(state)) return steps;
       successors(state, [&, &from = state, n = steps](const State& target) {
-        const auto next = enter(target);
-        if (!next) return;
-        if (next->modes == from.modes)
-          queue.emplace_front(*next, n);
+        const State next = enter(target);
+        if (next.modes == from.modes)
+          queue.emplace_front(next, n);
         else
-          queue.emplace_back(*next, n + 1);
+          queue.emplace_back(next, n + 1);
       });
     }
     return std::nullopt;
@@ -142,12 +141,12 @@ class Search {
   std::vector<ControlAction> actions_;
 
  private:
-  /// The state with what it means for the response; nothing where the response has come in time.
-  [[nodiscard]] std::optional<State> enter(State state) const {
+  /// The state with what it means for the response.
+  [[nodiscard]] State enter(State state) const {
     if (!question_.response) return state;
     if (!state.waiting && holds(state.modes, question_.response->after, question_.entailed)) state.waiting = Ticks{0};
     const bool in_time = state.waiting && *state.waiting <= question_.response->within;
-    if (in_time && holds(state.modes, question_.response->then, !question_.entailed)) return std::nullopt;
+    if (in_time && holds(state.modes, question_.response->then, !question_.entailed)) state.waiting.reset();
     return state;
   }
 

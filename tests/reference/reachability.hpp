@@ -11,7 +11,7 @@
 
 namespace reference {
 
-/// After `after` has held for the first time, `then` is to hold at some time at most `within` later.
+/// Whenever `after` holds, `then` is to hold at some time at most `within` later.
 struct Response {
   automata::Formula after;
   automata::Formula then;

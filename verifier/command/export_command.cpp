@@ -27,6 +27,13 @@ void write(std::ostream& out, automata::PlantStep& step, const ExportQuestion& q
         throw InputError(std::string(uppaal ? "uppaal" : "tchecker") + " reads time as dense; expected no period");
       }
       const TimedAutomaton automaton = unfold(step, question, limits);
+      if (automaton.locations.empty()) {
+        if (!question.from.empty()) {
+          throw InputError("no state to start in is possible: the modes contradict the interconnections");
+        }
+        std::cerr << "tcca-check: warning: no initial state is possible: the initial modes contradict the "
+                     "interconnections, so nothing is reachable\n";
+      }
       (uppaal ? write_uppaal : write_tchecker)(out, step.plant(), automaton);
       return;
     }

@@ -44,8 +44,9 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
   for (const PathState& next : path) {
     std::optional<PlantSystem::Entered> entered;
     const auto keep = [&](PlantSystem::Entered&& candidate) {
-      if (candidate.label.move == next.label.move && candidate.label.wait == next.label.wait)
-        entered = std::move(candidate);
+      const bool same = candidate.label.move == next.label.move && candidate.label.wait == next.label.wait &&
+                        candidate.phase == PlantSystem::phase_of(next.discrete);
+      if (same) entered = std::move(candidate);
     };
     if (state) {
       system.enumerate_successors(*state, keep);

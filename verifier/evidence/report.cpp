@@ -165,9 +165,11 @@ std::string_view to_text(Verdict verdict) {
 std::string reason(const Result& result) {
   if (!result.limit) return "";
   const Progress& p = result.progress;
-  return std::string(limit_text(*result.limit)) + " after " + std::to_string(p.states) + " states, " +
-         std::to_string(p.waiting) + " of them unexplored; everything within " + std::to_string(p.steps) +
-         " steps was seen";
+  std::string text = std::string(limit_text(*result.limit)) + " after " + std::to_string(p.states) + " states, " +
+                     std::to_string(p.waiting) + " of them unexplored";
+  if (p.steps) text += "; everything within " + std::to_string(*p.steps) + " steps was seen";
+  if (p.level > 0) text += "; every run with fewer than " + std::to_string(p.level) + " faults was seen";
+  return text;
 }
 
 ordered_json to_json(const Plant& plant, const Property& property, const CheckOptions& options, const Result& result) {
@@ -200,7 +202,7 @@ std::string to_text(const Plant& plant, const Property& property, const CheckOpt
     if (result.fewest_faults) text += "fewest faults: " + std::to_string(*result.fewest_faults) + "\n";
     text += text_of(plant, *result.trace);
   }
-  if (result.trace && result.limit) text += "a faster trace may exist: " + reason(result) + "\n";
+  if (result.trace && result.limit) text += "a better trace may exist: " + reason(result) + "\n";
   if (statistics) {
     text += "states " + std::to_string(result.progress.states) + ", seconds " + seconds_text(result.progress.seconds) +
             ", peak bytes " + std::to_string(peak_bytes()) + "\n";

@@ -48,7 +48,7 @@ class Exploration {
 
   void visit(std::uint32_t node) {
     const std::uint32_t steps = passed_[node].steps;
-    meter_.at(steps, levels_.begin()->second.size());
+    meter_.at_faults(levels_.begin()->first, levels_.begin()->second.size());
     meter_.poll();
     if (passed_[node].covered || superfluous(passed_[node].faults)) return;
     const SymbolicState state = passed_.state(node);

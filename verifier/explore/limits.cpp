@@ -46,9 +46,20 @@ void Meter::count_state() {
 
 void Meter::used_faults(unsigned faults) { progress_.faults = std::max(progress_.faults, faults); }
 
-void Meter::at(std::size_t steps, std::size_t waiting) {
-  progress_.steps = steps;
+void Meter::at(std::size_t waiting) {
+  progress_.steps.reset();
+  progress_.level = 0;
   progress_.waiting = waiting;
+}
+
+void Meter::at_steps(std::size_t steps, std::size_t waiting) {
+  at(waiting);
+  progress_.steps = steps;
+}
+
+void Meter::at_faults(unsigned faults, std::size_t waiting) {
+  at(waiting);
+  progress_.level = faults;
 }
 
 Progress Meter::progress() const {

@@ -17,8 +17,10 @@ enum class Limit { states, time, memory, interrupt };
 struct Progress {
   std::size_t states = 0;   ///< symbolic states found
   std::size_t waiting = 0;  ///< of those, not yet explored
-  std::size_t steps = 0;    ///< every state within so many steps has been found
-  unsigned faults = 0;      ///< the most that an explored state has used
+  /// In order of steps: every state within so many has been found. In order of faults: nothing.
+  std::optional<std::size_t> steps;
+  unsigned level = 0;   ///< in order of faults: every run with fewer faults has been looked at
+  unsigned faults = 0;  ///< the most that an explored state has used
   double seconds = 0;
 };
 
@@ -50,8 +52,12 @@ class Meter {
   void count_state();
   /// A state with so many faults is explored.
   void used_faults(unsigned faults);
-  /// Where the search is, for reports.
-  void at(std::size_t steps, std::size_t waiting);
+  /// Where a search is, for reports: how many states are not explored yet.
+  void at(std::size_t waiting);
+  /// Where a search in order of steps is.
+  void at_steps(std::size_t steps, std::size_t waiting);
+  /// Where a search in order of faults is.
+  void at_faults(unsigned faults, std::size_t waiting);
 
   [[nodiscard]] Progress progress() const;
 

@@ -13,17 +13,8 @@ Observer Observer::miss(Test after, Test then, Units deadline) {
 }
 
 Phase Observer::next(Phase phase, const automata::Modes& modes) const {
-  if (!response_) return trigger_(modes) ? Phase::armed : Phase::searching;
-  switch (phase) {
-    case Phase::searching:
-      if (!trigger_(modes)) return Phase::searching;
-      return release_(modes) ? Phase::closed : Phase::armed;
-    case Phase::armed:
-      return release_(modes) ? Phase::closed : Phase::armed;
-    case Phase::closed:
-      return Phase::closed;
-  }
-  return phase;
+  const bool open = phase == Phase::armed && response_;
+  return (open || trigger_(modes)) && !(response_ && release_(modes)) ? Phase::armed : Phase::searching;
 }
 
 }  // namespace verifier

@@ -13,9 +13,8 @@ namespace verifier {
 
 /// Where an observer is.
 enum class Phase : std::uint8_t {
-  searching,  ///< nothing yet
-  armed,      ///< accepted, if the stopwatch reads right
-  closed      ///< nothing can be accepted from here on: such states are not explored
+  searching,  ///< nothing yet, or answered
+  armed       ///< accepted, if the stopwatch reads right
 };
 
 /// One extra clock is kept where time matters: the stopwatch.
@@ -25,12 +24,18 @@ class Observer {
 
   /// Accepts where `target` holds while the absolute time is in `window`.
   static Observer reach(Test target, std::optional<Interval> window);
-  /// Accepts where, after `after` has first held, `then` has not held up to and including `deadline` - 1 units later.
+  /// Accepts where, after some time at which `after` held, `then` has not held up to and including `deadline` - 1 units
+  /// later. What answers the first of several such times that are open answers all.
   static Observer miss(Test after, Test then, Units deadline);
 
   [[nodiscard]] Phase start(const automata::Modes& modes) const { return next(Phase::searching, modes); }
   /// The phase after a step into the modes.
   [[nodiscard]] Phase next(Phase phase, const automata::Modes& modes) const;
+
+  /// Whether a step from one phase to another is the response that was waited for.
+  [[nodiscard]] bool answers(Phase from, Phase to) const {
+    return response_ && from == Phase::armed && to == Phase::searching;
+  }
 
   /// Whether the stopwatch runs. It starts at 0 in the first phase in which it does.
   [[nodiscard]] bool timed(Phase phase) const { return stopwatch_ && (!response_ || phase == Phase::armed); }

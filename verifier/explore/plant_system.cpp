@@ -52,7 +52,6 @@ SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
 void PlantSystem::enumerate_initial(const VisitEntered& visit) {
   for (std::size_t s = 0; s < start_.size(); ++s) {
     const Phase phase = observer_.start(start_[s]);
-    if (phase == Phase::closed) continue;
     Situation situation = situations_.describe(start_[s]);
     const Zone zone(situation.live.size() + (observer_.timed(phase) ? 1 : 0));
     enter(std::move(situation), phase, 0, zone, {static_cast<std::uint32_t>(s), no_wait, false}, visit);
@@ -78,22 +77,24 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
       if (!situations_.reading().is_dense()) zone.tick();
       if (!within(zone, move.bounds, place)) continue;
     }
-    Phase next = observer_.next(phase, move.target);
-    if (next == Phase::closed) {
+    const auto step_into = [&](Phase next, const Zone& from) {
+      Situation target = situations_.describe(move.target);
+      std::vector<std::size_t> sources;
+      if (observer_.timed(next)) sources.push_back(observer_.timed(phase) ? stopwatch : 0);
+      for (const ComponentId component : target.live) {
+        const bool kept = here.modes[component.index()] == target.modes[component.index()];
+        sources.push_back(kept ? place.clock_of(component) : 0);
+      }
+      enter(std::move(target), next, faults, from.select(sources), {static_cast<std::uint32_t>(m), no_wait, move.hold},
+            visit);
+    };
+    const Phase next = observer_.next(phase, move.target);
+    if (observer_.answers(phase, next)) {
       // The period that brings the response may be the first one to end after the deadline: that is too late.
-      if (phase != Phase::armed || !observer_.timed(phase) || !zone.constrain(stopwatch, *observer_.accepted()))
-        continue;
-      next = Phase::armed;
+      Zone late = zone;
+      if (late.constrain(stopwatch, *observer_.accepted())) step_into(Phase::armed, late);
     }
-    Situation target = situations_.describe(move.target);
-    std::vector<std::size_t> sources;
-    if (observer_.timed(next)) sources.push_back(observer_.timed(phase) ? stopwatch : 0);
-    for (const ComponentId component : target.live) {
-      const bool kept = here.modes[component.index()] == target.modes[component.index()];
-      sources.push_back(kept ? place.clock_of(component) : 0);
-    }
-    enter(std::move(target), next, faults, zone.select(sources), {static_cast<std::uint32_t>(m), no_wait, move.hold},
-          visit);
+    step_into(next, zone);
   }
 }
 

@@ -38,7 +38,11 @@ class Search {
         continue;
       }
       const std::uint32_t steps = passed_[parent].steps;
-      meter_.at(steps, queue->second.size());
+      if (order_ == SearchOrder::covering) {
+        meter_.at_faults(queue->first, queue->second.size());
+      } else {
+        meter_.at_steps(steps, queue->second.size());
+      }
       meter_.used_faults(system_.fault_count(passed_[parent].faults));
       meter_.poll();
       announce(queue->second);

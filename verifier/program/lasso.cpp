@@ -34,7 +34,7 @@ class Graph {
     system.initial([&](SymbolicState&& state, const Label& label) { add(std::move(state), none, label, meter); });
     for (Index v = 0; v < vertices.size(); ++v) {
       meter.poll();
-      meter.at(0, vertices.size() - v);
+      meter.at(vertices.size() - v);
       const SymbolicState state = vertices[v].state;
       vertices[v].overdue = loop.turn(ProgramSystem::loop_state(state.discrete))->overdue;
       system.successors(state, [&](SymbolicState&& next, const Label& label) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -105,6 +106,12 @@ class Check {
         meter_(meter),
         situations_(step, Reading::of(options.period, step.plant(), times_of(quest_)), options.commands, faults,
                     meter) {}
+
+  /// A trace will do, whichever it is.
+  Result run_for_any_trace() {
+    any_ = true;
+    return run();
+  }
 
   Result run() {
     Result result;
@@ -212,7 +219,7 @@ class Check {
       const auto path = find_path(system, SearchOrder::covering, options_.threads, meter_);
       if (path) any = earliest_trace(*path, system);
       situations_.use(Steps::all, {});
-      if (!any) return std::nullopt;
+      if (!any || any_) return any;
     }
     try {
       const auto path = find_path(system, SearchOrder::fewest_steps, options_.threads, meter_);
@@ -232,6 +239,7 @@ class Check {
   PlantStep& step_;
   const CheckOptions& options_;
   unsigned faults_;
+  bool any_ = false;
   bool reachability_;
   Quest quest_;
   Meter& meter_;
@@ -270,11 +278,18 @@ Result check(PlantStep& step, const Property& property, const CheckOptions& opti
   demand_modes(step.plant(), options.from);
   Meter meter(limits);
   if (!options.fewest_faults) return Check(step, property, options, options.faults.value(), meter).run();
-  // Round by round one fault more, until there is a trace, or no state needs as many faults as there may be.
+  // Round by round one fault more. Where no state needs as many as there may be, more of them may still come together
+  // and lead somewhere: whether any number does is found out once, and then that is the answer, or the rounds will end.
+  const unsigned most = options.faults.value_or(std::numeric_limits<unsigned>::max());
+  bool reachable = false;
   for (unsigned faults = 0;; ++faults) {
     Result result = Check(step, property, options, faults, meter).run();
     if (result.trace) result.fewest_faults = faults;
-    if (result.trace || result.limit || faults == options.faults || result.progress.faults < faults) return result;
+    if (result.trace || result.limit || faults == most) return result;
+    if (reachable || result.progress.faults == faults) continue;
+    Result any = Check(step, property, options, most, meter).run_for_any_trace();
+    if (!any.trace) return any;
+    reachable = true;
   }
 }
 

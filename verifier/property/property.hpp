@@ -36,8 +36,8 @@ struct Safety {
   bool fastest = false;
 };
 
-/// On every run, once `after` has held for the first time, `then` holds at some time at most `within` later, that time
-/// itself included. A run on which time comes to a stop violates nothing.
+/// On every run, whenever `after` holds, `then` holds at some time at most `within` later, that time itself included. A
+/// run on which time comes to a stop violates nothing.
 struct Response {
   automata::Formula after;
   automata::Formula then;
@@ -85,7 +85,7 @@ struct Result {
   std::optional<Trace> trace;             ///< a witness of reachability, a counterexample of the others
   std::optional<unsigned> fewest_faults;  ///< those of the trace, where they were asked for and there is one
   std::vector<FaultTrace> cut_sets;       ///< where they were asked for; smallest first
-  /// Why it is undecided; or, beside a trace, why a faster one may have been missed.
+  /// Why it is undecided; or, beside a trace, why a better one (fewer steps, or less time) may have been missed.
   std::optional<Limit> limit;
   /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
   bool startless = false;
