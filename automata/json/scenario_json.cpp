@@ -1,5 +1,6 @@
 // Scenarios as JSON, and back.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -26,6 +27,14 @@ Json rule_to_json(const Rule& rule, const Plant& plant) {
   return json;
 }
 
+/// A reading is of something that the plant shows.
+Assignment reading_from_json(const Node& node, const Plant& plant) {
+  const Assignment reading = assignment_from_json(node, plant.variables);
+  const auto& shown = plant.observables;
+  if (std::find(shown.begin(), shown.end(), reading.variable) == shown.end()) node.fail("an observable and its value");
+  return reading;
+}
+
 Rule rule_from_json(const Node& node, const Plant& plant) {
   node.only({"stream", "trigger", node.has("delay") ? "delay" : "delay_cycles", "reading", "duration", "origin"});
   Rule rule;
@@ -38,7 +47,7 @@ Rule rule_from_json(const Node& node, const Plant& plant) {
   } else {
     rule.delay_cycles = node.at("delay_cycles").natural();
   }
-  rule.reading = assignment_from_json(node.at("reading"), plant.variables);
+  rule.reading = reading_from_json(node.at("reading"), plant);
   rule.duration = node.at("duration").ticks();
   rule.origin = origin_from_json(node.at("origin"));
   return rule;
@@ -143,8 +152,7 @@ Scenario scenario_from_json(const Node& node, const Document& document) {
   for (const Node& item : node.at("overrides").items()) {
     item.only({"at", "duration", "reading", "origin"});
     scenario.overrides.push_back({item.at("at").ticks(), item.at("duration").ticks(),
-                                  assignment_from_json(item.at("reading"), plant.variables),
-                                  origin_from_json(item.at("origin"))});
+                                  reading_from_json(item.at("reading"), plant), origin_from_json(item.at("origin"))});
   }
   for (const Node& item : node.at("rules").items()) scenario.rules.push_back(rule_from_json(item, plant));
   for (const Node& item : node.at("expectations").items()) {

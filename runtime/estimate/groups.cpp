@@ -116,10 +116,10 @@ Groups::Groups(const Plant& plant) {
   for (std::size_t v = 0; v < plant.variables.size(); ++v) {
     if (given[v]) continue;
     const std::size_t g = group_of_root.at(partition.root(v));
-    homes_[v] = {g, extracts[g].variable(VariableId(v))};
+    homes_[v] = Home{g, extracts[g].variable(VariableId(v))};
   }
   for (const VariableId observed : plant.observables) {
-    const Home& home = homes_[observed.index()];
+    const Home& home = *homes_[observed.index()];
     groups_[home.group].plant.observables.push_back(home.variable);
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -136,8 +136,8 @@ Groups::Groups(const Plant& plant) {
 std::vector<automata::Observation> Groups::divide(const automata::Observation& observation) const {
   std::vector<automata::Observation> parts(groups_.size());
   for (const automata::Assignment& reading : observation) {
-    const Home& home = homes_[reading.variable.index()];
-    parts[home.group].push_back({home.variable, reading.value});
+    const auto& home = homes_[reading.variable.index()];
+    if (home) parts[home->group].push_back({home->variable, reading.value});
   }
   for (automata::Observation& part : parts) std::sort(part.begin(), part.end());
   return parts;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "automata/plant.hpp"
@@ -33,7 +34,8 @@ class Groups {
   [[nodiscard]] auto begin() const { return groups_.begin(); }
   [[nodiscard]] auto end() const { return groups_.end(); }
 
-  /// The part of an observation that is a group's, for all of them.
+  /// The part of an observation that is a group's, for all of them. What is seen of a control variable that only guards
+  /// read is nobody's: it is as likely in one state as in another.
   [[nodiscard]] std::vector<automata::Observation> divide(const automata::Observation& observation) const;
 
  private:
@@ -42,7 +44,7 @@ class Groups {
     automata::VariableId variable;  ///< there
   };
   std::vector<Group> groups_;
-  std::vector<Home> homes_;  ///< per variable; of no meaning for a control variable that only guards read
+  std::vector<std::optional<Home>> homes_;  ///< per variable; none for a control variable that only guards read
 };
 
 }  // namespace runtime

@@ -151,7 +151,9 @@ std::vector<std::string_view> candidates(const automata::Plant& plant, Role role
       for (const automata::Component& component : plant.components) names.emplace_back(component.name);
       break;
     case Role::observations:
-      for (const automata::Variable& variable : plant.variables) names.emplace_back(variable.name);
+      for (const automata::Variable& variable : plant.variables) {
+        if (!plant.find_component(variable.name)) names.emplace_back(variable.name);
+      }
       break;
   }
   return names;
@@ -169,12 +171,28 @@ std::string_view noun(Role role) {
   return {};
 }
 
+/// Whether a variable makes sense in a role.
+bool plays(const automata::Plant& plant, Role role, automata::VariableId variable) {
+  switch (role) {
+    case Role::command:
+      return std::any_of(plant.controls.begin(), plant.controls.end(),
+                         [&](const automata::Control& control) { return control.variable == variable; });
+    case Role::estimate:
+      return plant.component_of(variable).has_value();
+    case Role::observations:
+      return !plant.component_of(variable);
+  }
+  return false;
+}
+
 Assignment resolve(const automata::Plant& plant, Role role, const std::string& name, const std::string& value) {
   const auto variable = plant.variables.find(name);
-  const auto names = candidates(plant, role);
-  if (!variable || std::find(names.begin(), names.end(), name) == names.end()) {
+  if (role == Role::observations && variable && plant.component_of(*variable)) {
+    throw InputError(" '" + name + "' is a component: no sensor reads its mode; expected an attribute");
+  }
+  if (!variable || !plays(plant, role, *variable)) {
     throw InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant.name + "'" +
-                     automata::suggestion(name, names));
+                     automata::suggestion(name, candidates(plant, role)));
   }
   const automata::Variable& declared = plant.variables[*variable];
   const auto known = declared.find(value);

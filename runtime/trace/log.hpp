@@ -26,8 +26,8 @@ struct LogLine {
 
 /// Reads a log over a plant's names. `name` is the file's, for messages. Blank lines are skipped. Throws InputError,
 /// located by line, where a line is no JSON object, has a key twice or one that no trace has, a value of the wrong
-/// type, a name or value that the plant lacks (with the nearest one), or a time that lies before that of an earlier
-/// line.
+/// type, a name or value that the plant lacks (with the nearest one), an observed mode, or a time that lies before that
+/// of an earlier line.
 std::vector<LogLine> read_log(std::istream& in, const std::string& name, const automata::Plant& plant);
 
 /// Reads a log whose names are taken as they come: variables and values that `variables` lacks are added to it.

@@ -61,10 +61,15 @@ class LogDraw {
 
   automata::Observation wild() {
     automata::Observation observation;
-    for (VariableId variable : plant_.observables)
-      if (chance(60))
+    for (std::size_t v = 0; v < plant_.variables.size(); ++v) {
+      const VariableId variable(v);
+      if (plant_.component_of(variable)) continue;
+      const auto& shown = plant_.observables;
+      // A log may tell of attributes that the plant does not declare as observed.
+      const bool declared = std::find(shown.begin(), shown.end(), variable) != shown.end();
+      if (chance(declared ? 60 : 10))
         observation.push_back({variable, ValueId(up_to(0, plant_.variables[variable].values.size() - 1))});
-    std::sort(observation.begin(), observation.end());
+    }
     return observation;
   }
 

@@ -80,6 +80,8 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
             "in.jsonl:1: 'lamp.light' is no control variable of plant 'house'");
   EXPECT_EQ(error_of("{\"observations\": {\"lamp.light\": \"brigth\"}}"),
             "in.jsonl:1: 'brigth' is no value of 'lamp.light'; did you mean 'bright'?");
+  EXPECT_EQ(error_of("{\"observations\": {\"lamp\": \"on\"}}"),
+            "in.jsonl:1: 'lamp' is a component: no sensor reads its mode; expected an attribute");
   EXPECT_EQ(error_of("{\"estimate\": {\"lamp\": true}}"),
             "in.jsonl:1: 'estimate.lamp': expected a value as a string, not boolean");
   EXPECT_EQ(error_of("{\"cycle\": -1}"), "in.jsonl:1: 'cycle': expected a whole number, not -1");
