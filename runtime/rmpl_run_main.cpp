@@ -8,6 +8,7 @@
 #include "automata/command_line.hpp"
 #include "automata/error.hpp"
 #include "runtime/command/command.hpp"
+#include "runtime/estimate/estimator.hpp"
 
 namespace {
 
@@ -59,6 +60,9 @@ int main(int argc, char** argv) {
   } catch (const automata::InputError& error) {
     std::cerr << "rmpl-run: " << error.what() << '\n';
     return static_cast<int>(Status::wrong);
+  } catch (const runtime::TooManyStates& error) {
+    std::cerr << "rmpl-run: " << error.what() << '\n';
+    return static_cast<int>(Status::undecided);
   }
   return static_cast<int>(Status::done);
 }

@@ -152,14 +152,20 @@ Status run(const Options& options, const Common& common) {
   for (const LogLine& line : lines) {
     if (interrupted()) break;
     const bool start = line.cycle == 0 && line.time == automata::Ticks{};  // a trace begins with where it starts
-    if (!start) {
-      const automata::ControlAction action = automata::action_from(plant, line.command);
-      const Stopwatch stopwatch;
-      estimator->update(action, line.observations, line.time);
-      account.latency.add(stopwatch.seconds());
+    Belief belief;
+    try {
+      if (!start) {
+        const automata::ControlAction action = automata::action_from(plant, line.command);
+        const Stopwatch stopwatch;
+        estimator->update(action, line.observations, line.time);
+        account.latency.add(stopwatch.seconds());
+      }
+      belief = listed(estimator->belief(), options);
+    } catch (const TooManyStates& error) {
+      throw TooManyStates(input.name() + ":" + std::to_string(line.number) + ": " + error.what() +
+                          "; expected -k, to list the best of them, or --estimator k-best");
     }
     const Estimate& estimate = estimator->estimate();
-    const Belief belief = listed(estimator->belief(), options);
     const Cost cost{estimate.checked, unlisted(estimate, belief)};
     if (!start) {
       cut = cut || estimate.cut;

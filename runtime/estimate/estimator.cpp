@@ -26,8 +26,10 @@ using MakeFilter = std::unique_ptr<Filter> (*)(PlantStep&, const EstimatorOption
 /// group, for then the guards of all groups hold: from there on one filter keeps the belief of all.
 class FactoredEstimator final : public Estimator {
  public:
-  FactoredEstimator(PlantStep& step, const EstimatorOptions& options, MakeFilter make, std::size_t listed)
-      : step_(step), options_(options), make_(make), listed_(listed) {
+  /// `listed`: of a product; `carried`: of the belief that one filter takes over from all, at most.
+  FactoredEstimator(PlantStep& step, const EstimatorOptions& options, MakeFilter make, std::size_t listed,
+                    std::size_t carried)
+      : step_(step), options_(options), make_(make), listed_(listed), carried_(carried) {
     // Without merging or normalisation numbers of different groups do not multiply to what Fig. 6-11 has.
     if (options.factored && options.merge_trajectories && options.normalise) {
       for (const Group& group : groups_.emplace(step.plant())) {
@@ -149,13 +151,17 @@ class FactoredEstimator final : public Estimator {
   }
 
   void fuse() {
-    Belief joint = product(factors(), step_.plant().components.size(), listed_);
+    const std::vector<Factor> parts = factors();
+    Belief joint = product(parts, step_.plant().components.size(), carried_);
+    // A sum that is rounded must not make what is whole look as if some of it were missing.
+    const bool whole = joint.size() == product_size(parts);
     retired_questions_ = questions() - step_.questions();
     retired_calls_ = solver_calls() - step_.solver_calls();
-    const double missing = 1 - (1 - estimate_.missing_total) * std::min(1.0, total(joint));
+    const double missing =
+        whole ? estimate_.missing_total : 1 - (1 - estimate_.missing_total) * std::min(1.0, total(joint));
     parts_.clear();
     take_as_one();
-    parts_.front().filter->resume(std::move(joint), missing > 1e-15 ? missing : 0.0, last_);
+    parts_.front().filter->resume(std::move(joint), missing, last_);
   }
 
   /// The estimate of the whole from the estimates of the parts.
@@ -187,6 +193,7 @@ class FactoredEstimator final : public Estimator {
   const EstimatorOptions options_;
   const MakeFilter make_;
   const std::size_t listed_;
+  const std::size_t carried_;
   std::optional<Groups> groups_;
   std::vector<Part> parts_;
   std::vector<ControlAction> actions_;     ///< per part
@@ -202,11 +209,12 @@ class FactoredEstimator final : public Estimator {
 }  // namespace
 
 std::unique_ptr<Estimator> make_exact_estimator(PlantStep& step, const EstimatorOptions& options) {
-  return std::make_unique<FactoredEstimator>(step, options, make_exact_filter, options.listed);
+  return std::make_unique<FactoredEstimator>(step, options, make_exact_filter, options.listed,
+                                             std::numeric_limits<std::size_t>::max());
 }
 
 std::unique_ptr<Estimator> make_k_best_estimator(PlantStep& step, const EstimatorOptions& options) {
-  return std::make_unique<FactoredEstimator>(step, options, make_k_best_filter, options.k);
+  return std::make_unique<FactoredEstimator>(step, options, make_k_best_filter, options.k, options.k);
 }
 
 }  // namespace runtime

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "automata/state.hpp"
@@ -18,6 +19,12 @@ namespace runtime {
 struct BeliefEntry {
   automata::SystemState state;
   double probability = 0;
+};
+
+/// More states would have to be listed, or kept in one belief, than there is room for.
+class TooManyStates : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Most probable first; ties in order of modes (components, then modes, in declaration order), then of clock starts.
@@ -63,8 +70,10 @@ class Estimator {
   virtual ~Estimator() = default;
   /// The belief after the control action that was in force since the last update and the observations at `now`, which
   /// is not before the last update.
+  /// Throws TooManyStates where groups have to be taken together and that is too much.
   virtual const Estimate& update(const automata::ControlAction& action, const automata::Observation& observation,
                                  automata::Ticks now) = 0;
+  /// Throws TooManyStates where more than a million states of a product are to be listed.
   [[nodiscard]] virtual const Belief& belief() const = 0;
   [[nodiscard]] virtual const Estimate& estimate() const = 0;  ///< of the last update, or of the initial belief
   /// How many independent groups the belief is kept as.

@@ -120,6 +120,7 @@ class KBest final : public Filter {
     normalise(belief_);
     tell_most_likely(belief_, estimate_);
     missing_ratio_ = missing / (1 - missing);
+    estimate_.missing_total = share_missing();
     last_ = now;
   }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "runtime/estimate/belief.hpp"
 #include "runtime/estimate/order.hpp"
@@ -45,19 +47,31 @@ Belief multiplied_out(std::span<const Factor> factors, std::size_t components) {
 
 }  // namespace
 
-Belief product(std::span<const Factor> factors, std::size_t components, std::size_t most) {
+std::size_t product_size(std::span<const Factor> factors) {
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
   std::size_t size = 1;
+  for (const Factor& factor : factors) {
+    const std::size_t own = factor.belief->size();
+    size = own > 0 && size > most / own ? most : size * own;
+  }
+  return size;
+}
+
+Belief product(std::span<const Factor> factors, std::size_t components, std::size_t most) {
+  const std::size_t size = product_size(factors);
+  if (size == 0) return {};
+  if (std::min(size, most) > most_states) {
+    throw TooManyStates("the belief, a product over " + std::to_string(factors.size()) + " groups, has more than " +
+                        std::to_string(most_states) + " states");
+  }
+  if (size <= most) return multiplied_out(factors, components);
+
   OptimalSearch::Costs costs;
   for (const Factor& factor : factors) {
-    if (factor.belief->empty()) return {};
-    const bool fits = size <= most && factor.belief->size() <= most / size;
-    size = fits ? size * factor.belief->size() : most + 1;
     auto& values = costs.emplace_back();
     // A rounded probability may exceed 1 in the last bit.
     for (const BeliefEntry& entry : *factor.belief) values.push_back(std::max(0.0, -std::log(entry.probability)));
   }
-  if (size <= most) return multiplied_out(factors, components);
-
   OptimalSearch search(costs);
   const auto anything = [](std::span<const std::uint32_t>) -> std::optional<Conflict> { return std::nullopt; };
   Belief head;

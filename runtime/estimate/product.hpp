@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,14 @@ struct Factor {
   std::span<const automata::ComponentId> components;
 };
 
+/// No more states than this are multiplied out.
+constexpr std::size_t most_states = 1u << 20;
+
+/// How many states the product has; saturates.
+std::size_t product_size(std::span<const Factor> factors);
+
 /// The `most` best states of the product, in the order of `Belief`; each factor is normalised, and so is the product,
-/// of which this is the head.
+/// of which this is the head. Throws TooManyStates where these are more than `most_states`.
 Belief product(std::span<const Factor> factors, std::size_t components, std::size_t most);
 
 }  // namespace runtime

@@ -9,7 +9,7 @@ namespace runtime {
 EstimationDispatcher::EstimationDispatcher(const automata::Plant& plant, Estimator& estimator, const Clock& clock,
                                            MessageQueue<ReconfigurationMessage>& reconfiguration)
     : estimator_(estimator), clock_(clock), reconfiguration_(reconfiguration), action_(automata::idle_action(plant)) {
-  reconfiguration_.push(StateEstimated{estimator_.estimate().modes, &estimator_.belief()});
+  reconfiguration_.push(StateEstimated{estimator_.estimate().modes, &estimator_});
 }
 
 // 11. As the messages arrive they are dequeued and asserted.
@@ -41,7 +41,7 @@ void EstimationDispatcher::handle(const EstimateRequested&) {
   const Estimate& estimate = estimator_.update(action_, observation_, time_);
   observation_.clear();
   // 15. it goes to MR, and to the sequencer, which reads `estimate()`.
-  reconfiguration_.push(StateEstimated{estimate.modes, &estimator_.belief()});
+  reconfiguration_.push(StateEstimated{estimate.modes, &estimator_});
 }
 
 }  // namespace runtime

@@ -34,7 +34,7 @@ struct ReconfigurationRequested {};
 /// ME dispatcher to MR: the new state (step 15).
 struct StateEstimated {
   std::span<const automata::ModeId> modes;
-  const Belief* belief;  ///< all states that are tracked
+  const Estimator* estimator;  ///< whose belief has all states that are tracked; it costs something to list them
 };
 
 using ReconfigurationMessage = std::variant<GoalAsserted, ReconfigurationRequested, StateEstimated>;

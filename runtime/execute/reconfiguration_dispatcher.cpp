@@ -43,7 +43,7 @@ void ReconfigurationDispatcher::handle(const StateEstimated& message) {
   tracked_.resize(1);
   tracked_.front().assign(message.modes.begin(), message.modes.end());
   if (!reconfigurer_.looks_at_all()) return;
-  for (const BeliefEntry& entry : *message.belief) {
+  for (const BeliefEntry& entry : message.estimator->belief()) {
     if (std::find(tracked_.begin(), tracked_.end(), entry.state.modes) == tracked_.end()) {
       tracked_.push_back(entry.state.modes);
     }

@@ -49,6 +49,16 @@ TEST(Groups, AControlThatOnlyGuardsReadLinksNothing) {
   EXPECT_EQ(groups[1].plant.variables.name(parts[1][0].variable), "right.light");
 }
 
+TEST(Groups, WhatNoStoreReadsIsSeenByNoGroup) {
+  const PlantWriter w = lamps({"left", "right"});
+  const auto parts = Groups(w.plant).divide({w.assignment("cmd", "on")});
+  EXPECT_TRUE(parts[0].empty());
+  EXPECT_TRUE(parts[1].empty());
+  PlantStep step(w.plant);
+  const auto estimator = make_k_best_estimator(step, {});
+  EXPECT_TRUE(estimator->update(automata::idle_action(w.plant), {w.assignment("cmd", "on")}, at(1)).consistent);
+}
+
 TEST(Groups, ConstraintsAndGuardsLink) {
   PlantWriter w = lamps({"left", "right", "rear"});
   w.plant.interconnections.push_back(
@@ -77,6 +87,24 @@ TEST(Groups, TheBeliefIsAProduct) {
   // One broken lamp: ties in order of state, in which `on` comes before `broken`.
   EXPECT_EQ(estimator->belief()[1].state.modes[9], automata::ModeId(2));
   EXPECT_EQ(estimator->belief()[2].state.modes[8], automata::ModeId(2));
+}
+
+TEST(Groups, MoreStatesThanCanBeCountedAreKeptAndNotListed) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < 64; ++i) names.push_back("lamp" + std::to_string(i));
+  const PlantWriter w = lamps(names);
+  PlantStep step(w.plant);
+  for (const std::size_t listed : {std::size_t{2}, EstimatorOptions{}.listed}) {
+    const auto estimator = make_exact_estimator(step, {.listed = listed});
+    estimator->update(w.command("cmd", "on"), {}, at(1));
+    estimator->update(automata::idle_action(w.plant), {}, at(2));
+    EXPECT_NEAR(estimator->estimate().probability, std::pow(0.875, 64), 1e-12);
+    if (listed == 2) {
+      EXPECT_EQ(estimator->belief().size(), 2u);
+    } else {
+      EXPECT_THROW(static_cast<void>(estimator->belief()), TooManyStates);
+    }
+  }
 }
 
 TEST(Groups, ACommandThatContradictsAStoreJoinsThem) {
