@@ -165,7 +165,8 @@ Status run(const Options& options, const Common& common) {
                                ": the model forbids these modes together");
   }
   const auto reconfigurer = options.one_step ? make_one_step_reconfigurer(step) : make_reconfigurer(step);
-  const Plan plan = make_plan(*reconfigurer, modes, *goal);
+  const Plan plan =
+      options.one_step ? make_one_step_plan(*reconfigurer, modes, *goal) : make_plan(*reconfigurer, modes, *goal);
   if (options.format == Format::json) {
     JsonLine json;
     write_json(json, plant, plan);

@@ -61,34 +61,21 @@ class OneStepReconfigurer final : public Reconfigurer {
     answer.action = idle_;
     if (formula.is_true()) return answer;
     const Goal& goal = goals_.find(formula).goal;
-    std::optional<Modes> expected;
-    const auto check = [&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
-      ControlAction action;
-      for (const std::uint32_t v : values) action.emplace_back(v);
-      for (const Modes& modes : tracked) {
-        std::optional<Modes> successor;
-        if (auto conflict = refute(modes, action, goal, successor)) return conflict;
-        if (&modes == &tracked.front()) expected = std::move(successor);
-      }
-      return std::nullopt;
-    };
-    OptimalSearch search(costs_);
-    search.set_budget(candidate_limit);
-    const auto outcome = search.next(check);
-    answer.checked = search.checked();
-    switch (outcome) {
+    Found found = search(tracked, goal, Scope::permitted);
+    answer.checked = found.checked;
+    switch (found.outcome) {
       case OptimalSearch::Outcome::solution:
-        break;
+        assert(found.expected && "a feasible action leads somewhere");
+        return describe(std::move(answer), found.action, tracked.front(), std::move(*found.expected));
       case OptimalSearch::Outcome::exhausted:
-        return refusal(std::move(answer), "no control action achieves the goal in one step");
+        return impossible(std::move(answer), tracked, goal);
       case OptimalSearch::Outcome::budget: {
         const std::string among = std::to_string(answer.checked);
         return refusal(std::move(answer),
                        "no control action was found that achieves the goal in one step, among " + among);
       }
     }
-    assert(expected && "a feasible action leads somewhere");
-    return describe(std::move(answer), search.values(), tracked.front(), std::move(*expected));
+    return answer;
   }
 
  private:
@@ -100,9 +87,59 @@ class OneStepReconfigurer final : public Reconfigurer {
     return answer;
   }
 
-  Reconfiguration describe(Reconfiguration answer, const std::vector<std::uint32_t>& values, const Modes& modes,
+  /// Which actions are looked at: those that may be taken; or those, too, that do what cannot be undone.
+  enum class Scope { permitted, all };
+  struct Found {
+    OptimalSearch::Outcome outcome;
+    ControlAction action;           ///< with a solution
+    std::optional<Modes> expected;  ///< likewise: what it leads the most likely state to
+    std::size_t checked;
+  };
+
+  Found search(std::span<const Modes> tracked, const Goal& goal, Scope scope) {
+    Found found{};
+    const auto check = [&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
+      found.action.clear();
+      for (const std::uint32_t v : values) found.action.emplace_back(v);
+      for (const Modes& modes : tracked) {
+        std::optional<Modes> successor;
+        if (auto conflict = refute(modes, found.action, goal, scope, successor)) return conflict;
+        if (&modes == &tracked.front()) found.expected = std::move(successor);
+      }
+      return std::nullopt;
+    };
+    OptimalSearch search(costs_);
+    search.set_budget(candidate_limit);
+    found.outcome = search.next(check);
+    found.checked = search.checked();
+    return found;
+  }
+
+  /// Why no action is enough that may be taken: perhaps one is that may not.
+  Reconfiguration impossible(Reconfiguration answer, std::span<const Modes> tracked, const Goal& goal) {
+    const Found found = search(tracked, goal, Scope::all);
+    answer.checked += found.checked;
+    if (found.outcome == OptimalSearch::Outcome::solution) {
+      for (const Modes& modes : tracked) {
+        const automata::AllEnabled idle = step_.enabled(modes, idle_);
+        const automata::AllEnabled enabled = step_.enabled(modes, found.action);
+        for (std::size_t c = 0; c < modes.size(); ++c) {
+          const NominalTransition* const t = forbidden(ComponentId(c), idle[c], enabled[c], goal);
+          if (t == nullptr) continue;
+          const automata::Component& component = plant_[*(answer.component = ComponentId(c))];
+          return refusal(std::move(answer),
+                         "no control action that may be taken achieves the goal in one step; the cheapest takes '" +
+                             component.name + "' to '" + component.modes[t->to.index()].name +
+                             "', which cannot be undone, and the goal does not name it");
+        }
+      }
+    }
+    return refusal(std::move(answer), "no control action achieves the goal in one step");
+  }
+
+  Reconfiguration describe(Reconfiguration answer, const ControlAction& action, const Modes& modes,
                            Modes expected) const {
-    for (std::size_t i = 0; i < values.size(); ++i) answer.action[i] = ValueId(values[i]);
+    answer.action = action;
     answer.goal_state = expected;
     const auto moved = std::mismatch(modes.begin(), modes.end(), expected.begin()).first;
     if (answer.action == idle_ && moved == modes.end()) return answer;
@@ -148,7 +185,7 @@ class OneStepReconfigurer final : public Reconfigurer {
   }
 
   /// Nothing where the action is feasible in this state, `successor` being what it leads to first; else a conflict.
-  std::optional<Conflict> refute(const Modes& modes, const ControlAction& action, const Goal& goal,
+  std::optional<Conflict> refute(const Modes& modes, const ControlAction& action, const Goal& goal, Scope scope,
                                  std::optional<Modes>& successor) {
     std::vector<Assignment> store = assignments_of(plant_, modes);
     const std::vector<Assignment> controls = assignments_of(plant_, action);
@@ -167,7 +204,10 @@ class OneStepReconfigurer final : public Reconfigurer {
     std::vector<std::vector<ModeId>> choices;
     for (std::size_t c = 0; c < modes.size(); ++c) {
       const ComponentId id(c);
-      if (auto conflict = forbidden(id, modes[c], idle[c], enabled[c], goal, action)) return conflict;
+      if (scope == Scope::permitted) {
+        const NominalTransition* const t = forbidden(id, idle[c], enabled[c], goal);
+        if (t != nullptr) return felt(id, modes[c], t->id, action);
+      }
       auto& targets = choices.emplace_back();
       const auto add = [&](ModeId mode) {
         if (std::find(targets.begin(), targets.end(), mode) == targets.end()) targets.push_back(mode);
@@ -185,15 +225,15 @@ class OneStepReconfigurer final : public Reconfigurer {
     return every_way(choices, 0, next, goal, successor) && successor ? std::nullopt : std::optional(whole(action));
   }
 
-  /// A step that cannot be undone, is none of those that the goal names, and is due to the action.
-  std::optional<Conflict> forbidden(ComponentId component, ModeId mode, const Enabled& idle, const Enabled& enabled,
-                                    const Goal& goal, const ControlAction& action) const {
+  /// A step that cannot be undone, is none of those that the goal names, and is due to the action; or null.
+  [[nodiscard]] const NominalTransition* forbidden(ComponentId component, const Enabled& idle, const Enabled& enabled,
+                                                   const Goal& goal) const {
     for (const TransitionId id : enabled.untimed) {
       const NominalTransition* const t = graph_->find(component, id);
       if (t == nullptr || t->from == t->to || contains(idle.untimed, id)) continue;
-      if (!NominalGraph::permitted(*t, goal.named()[component.index()])) return felt(component, mode, id, action);
+      if (!NominalGraph::permitted(*t, goal.named()[component.index()])) return t;
     }
-    return std::nullopt;
+    return nullptr;
   }
 
   /// Whether the goal, which permits each choice, is entailed in each possible combination of them. Where it asks for

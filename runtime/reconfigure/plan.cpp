@@ -10,6 +10,18 @@ namespace runtime {
 
 using automata::Modes;
 
+namespace {
+
+Plan no_plan(Reconfiguration answer) {
+  return {.outcome = Plan::Outcome::no_plan,
+          .goal_state = std::move(answer.goal_state),
+          .commands = {},
+          .component = answer.component,
+          .reason = std::move(answer.reason)};
+}
+
+}  // namespace
+
 Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
   Plan plan;
   Modes current = modes;
@@ -22,11 +34,7 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
         plan.goal_state = std::move(current);
         return plan;
       case Reconfiguration::Outcome::no_plan:
-        return {.outcome = Plan::Outcome::no_plan,
-                .goal_state = std::move(answer.goal_state),
-                .commands = {},
-                .component = answer.component,
-                .reason = std::move(answer.reason)};
+        return no_plan(std::move(answer));
       case Reconfiguration::Outcome::command:
       case Reconfiguration::Outcome::wait:
         assert(answer.expected && "a command and a wait lead somewhere");
@@ -41,6 +49,25 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
           .commands = {},
           .component = std::nullopt,
           .reason = "the commands towards the goal lead in a circle"};
+}
+
+Plan make_one_step_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
+  Reconfiguration answer = reconfigurer.next(modes, goal);
+  Plan plan;
+  switch (answer.outcome) {
+    case Reconfiguration::Outcome::nothing_to_do:
+      plan.goal_state = modes;
+      break;
+    case Reconfiguration::Outcome::no_plan:
+      return no_plan(std::move(answer));
+    case Reconfiguration::Outcome::command:
+    case Reconfiguration::Outcome::wait:
+      plan.outcome = Plan::Outcome::plan;
+      plan.goal_state = std::move(answer.expected);
+      plan.commands.push_back(std::move(answer.action));
+      break;
+  }
+  return plan;
 }
 
 }  // namespace runtime

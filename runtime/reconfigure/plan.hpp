@@ -28,4 +28,8 @@ struct Plan {
 /// Ends with `no_plan` where a state comes again.
 Plan make_plan(Reconfigurer& reconfigurer, const automata::Modes& modes, const automata::Formula& goal);
 
+/// The plan of a reconfigurer whose one answer is to be enough (one_step.hpp): asked once, so that it does not matter
+/// whether the state that is reached can be kept.
+Plan make_one_step_plan(Reconfigurer& reconfigurer, const automata::Modes& modes, const automata::Formula& goal);
+
 }  // namespace runtime
