@@ -15,12 +15,13 @@ Ticks later(Ticks time, Ticks by) {
   return by.count > Ticks::infinite().count - time.count ? Ticks::infinite() : time + by;
 }
 
-/// From the trigger of a rule to its reading; saturates.
+/// From the trigger of a rule, at the start of a cycle, to its reading, at the end of that cycle or of a later one;
+/// saturates.
 Ticks delay_of(const automata::Rule& rule, Ticks cycle) {
   if (rule.delay) return *rule.delay;
   const auto most = static_cast<std::uint64_t>(Ticks::infinite().count / cycle.count);
-  return rule.delay_cycles > most ? Ticks::infinite()
-                                  : Ticks{cycle.count * static_cast<std::int64_t>(rule.delay_cycles)};
+  return rule.delay_cycles >= most ? Ticks::infinite()
+                                   : Ticks{cycle.count * (static_cast<std::int64_t>(rule.delay_cycles) + 1)};
 }
 
 }  // namespace
