@@ -1,4 +1,4 @@
-// The `.bench` format: INPUT(n), OUTPUT(n), n = FUNCTION(a, b, …), # comments; a statement a line.
+// The `.bench` format: INPUT(n), OUTPUT(n), n = FUNCTION(a, b, …), # comments; a statement a line. Words in any case.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -17,12 +17,13 @@ namespace {
 using grammar::Code;
 using grammar::Span;
 
-constexpr std::array<std::pair<std::string_view, GateFunction>, 8> functions{
+constexpr std::array<std::pair<std::string_view, GateFunction>, 9> functions{
     {{"AND", GateFunction::conjunction},
      {"NAND", GateFunction::negated_conjunction},
      {"OR", GateFunction::disjunction},
      {"NOR", GateFunction::negated_disjunction},
      {"XOR", GateFunction::exclusive},
+     {"XNOR", GateFunction::negated_exclusive},
      {"NOT", GateFunction::negation},
      {"BUFF", GateFunction::buffer},
      {"BUF", GateFunction::buffer}}};
@@ -129,12 +130,13 @@ class BenchReader {
     }
     const auto port = form(statement);
     if (!port) return;
-    if (port->name == "INPUT") {
+    const std::string keyword = upper_case(port->name);
+    if (keyword == "INPUT") {
       const auto target = net(port->inside);
       if (!target) return;
       drive(*target, port->inside);
       netlist_.inputs.push_back({names_[*target], *target});
-    } else if (port->name == "OUTPUT") {
+    } else if (keyword == "OUTPUT") {
       const auto source = reading(port->inside);
       if (!source) return;
       if (!outputs_.insert(*source).second) {
@@ -174,8 +176,9 @@ class BenchReader {
     const auto* known = std::find_if(functions.begin(), functions.end(),
                                      [name = upper_case(parts->name)](const auto& f) { return f.first == name; });
     if (known == functions.end()) {
-      errors_.report(Code::netlist_gate, span(parts->name),
-                     "unknown gate " + backquoted(parts->name) + ", expected AND, NAND, OR, NOR, XOR, NOT or BUFF");
+      errors_.report(
+          Code::netlist_gate, span(parts->name),
+          "unknown gate " + backquoted(parts->name) + ", expected AND, NAND, OR, NOR, XOR, XNOR, NOT or BUFF");
       return;
     }
     gate.function = known->second;

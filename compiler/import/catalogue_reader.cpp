@@ -22,12 +22,13 @@ namespace {
 using grammar::Code;
 using grammar::Span;
 
-constexpr std::array<std::pair<std::string_view, GateFunction>, 7> functions{
+constexpr std::array<std::pair<std::string_view, GateFunction>, 8> functions{
     {{"and", GateFunction::conjunction},
      {"nand", GateFunction::negated_conjunction},
      {"or", GateFunction::disjunction},
      {"nor", GateFunction::negated_disjunction},
      {"xor", GateFunction::exclusive},
+     {"xnor", GateFunction::negated_exclusive},
      {"inverter", GateFunction::negation},
      {"buffer", GateFunction::buffer}}};
 

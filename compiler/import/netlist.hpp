@@ -19,6 +19,7 @@ enum class GateFunction {
   disjunction,
   negated_disjunction,
   exclusive,
+  negated_exclusive,
   negation,
   buffer
 };

@@ -25,12 +25,21 @@ std::string type_name(GateFunction function, std::size_t inputs) {
       return "Nor" + arity;
     case GateFunction::exclusive:
       return "Xor" + arity;
+    case GateFunction::negated_exclusive:
+      return "Xnor" + arity;
     case GateFunction::negation:
       return "Inverter";
     case GateFunction::buffer:
       return "Buffer";
   }
   return {};
+}
+
+/// That an odd number of inputs is true.
+std::string parity(std::size_t inputs) {
+  std::string text = "i1 = true";
+  for (std::size_t i = 2; i <= inputs; ++i) text = "!(" + text + " <-> i" + std::to_string(i) + " = true)";
+  return text;
 }
 
 std::string joined(std::size_t inputs, const std::string& separator) {
@@ -50,11 +59,10 @@ std::string behaviour(GateFunction function, std::size_t inputs) {
       return "o = true <-> " + joined(inputs, " | ");
     case GateFunction::negated_disjunction:
       return "o = true <-> !(" + joined(inputs, " | ") + ")";
-    case GateFunction::exclusive: {
-      std::string parity = "i1 = true";
-      for (std::size_t i = 2; i <= inputs; ++i) parity = "!(" + parity + " <-> i" + std::to_string(i) + " = true)";
-      return "o = true <-> " + parity;
-    }
+    case GateFunction::exclusive:
+      return "o = true <-> " + parity(inputs);
+    case GateFunction::negated_exclusive:
+      return "o = true <-> !(" + parity(inputs) + ")";
     case GateFunction::negation:
       return "o = true <-> i1 = false";
     case GateFunction::buffer:
@@ -127,10 +135,18 @@ std::string to_tcca(const Netlist& given, FaultModel faults) {
   for (const Gate& gate : netlist.gates) kinds.emplace(gate.function, gate.inputs.size());
   std::set<std::string> gate_names;
   for (const Gate& gate : netlist.gates) gate_names.insert(gate.name);
-  // An output port that has its gate's name (in .bench files all have) is that gate's pin.
+  std::set<std::string> input_names;
+  for (const Port& port : netlist.inputs) input_names.insert(port.name);
+  // An output port that has its gate's name (in .bench files all have) is that gate's pin; one that has an input's, and
+  // so is on its net, is that input, which is observed anyway.
   std::vector<Port> outputs;
+  std::vector<std::string> observed;
+  for (const Port& port : netlist.inputs) observed.push_back(port.name);
   for (const Port& port : netlist.outputs) {
-    if (!gate_names.contains(port.name)) outputs.push_back(port);
+    if (input_names.contains(port.name)) continue;
+    const bool pin = gate_names.contains(port.name);
+    if (!pin) outputs.push_back(port);
+    observed.push_back(pin ? port.name + ".o" : port.name);
   }
 
   std::string text = "// " + in_one_line(netlist.name) + ": " + std::to_string(netlist.gates.size()) + " gates, " +
@@ -152,10 +168,7 @@ std::string to_tcca(const Netlist& given, FaultModel faults) {
     }
   }
   for (const Port& port : outputs) text += "  " + port.name + " = " + driver.at(port.net) + ";\n";
-  for (const Port& port : netlist.inputs) text += "  observe " + port.name + ";\n";
-  for (const Port& port : netlist.outputs) {
-    text += "  observe " + (gate_names.contains(port.name) ? port.name + ".o" : port.name) + ";\n";
-  }
+  for (const std::string& name : observed) text += "  observe " + name + ";\n";
   return text + "}\n";
 }
 

@@ -134,5 +134,14 @@ TEST(Import, WhatIsWrittenCompiles) {
   }
 }
 
+TEST(Import, AnInputThatIsAnOutputIsOneVariable) {
+  const std::string path = testing::TempDir() + "/import_test_through.tcca";
+  std::ofstream(path) << to_tcca(bench("INPUT(a)\nOUTPUT(a)\nOUTPUT(b)\nb=NOT(a)\n"), FaultModel::weak);
+  const std::vector<std::string> paths{path};
+  const Compilation compiled = compile(paths);
+  ASSERT_TRUE(compiled.ok()) << compiled.diagnostics(DiagnosticFormat::text, false);
+  EXPECT_EQ(compiled.document().plants.front().observables.size(), 2u);
+}
+
 }  // namespace
 }  // namespace compiler
