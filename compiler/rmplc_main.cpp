@@ -1,10 +1,13 @@
 // rmplc: compiles control programs, plant models and scenarios; explains diagnostics.
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <iostream>
+#include <new>
 
 #include "automata/command_line.hpp"
 #include "automata/error.hpp"
+#include "automata/out_of_memory.hpp"
 #include "compiler/command/command.hpp"
 
 namespace {
@@ -35,6 +38,7 @@ Example:
 constexpr const char* exit_codes = R"(Exit status:
   0  done
   2  the command line or an input is wrong; nothing was written
+  3  out of memory; nothing was written
 
 Examples:
   rmplc compile mars_entry.rmpl mars_lander.tcca -o mars_entry.json
@@ -52,6 +56,7 @@ void common_options(CLI::App& app, Settings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate([] { automata::end_for_lack_of_memory("rmplc"); });
   CLI::App app{"The RMPL compiler: control programs, plant models and scenarios become automata.", "rmplc"};
   app.set_version_flag("--version", "rmplc " RMPL_VERSION);
   app.footer(exit_codes);
@@ -97,5 +102,8 @@ int main(int argc, char** argv) {
   } catch (const automata::InputError& error) {
     std::cerr << "rmplc: " << error.what() << "\n";
     return compiler::wrong_input;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "rmplc: out of memory\n";
+    return compiler::limit_hit;
   }
 }

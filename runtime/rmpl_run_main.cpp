@@ -1,12 +1,15 @@
 // rmpl-run: runs timed model-based programs, and the parts of the executive one by one.
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
 #include "automata/command_line.hpp"
 #include "automata/error.hpp"
+#include "automata/out_of_memory.hpp"
 #include "runtime/command/command.hpp"
 #include "runtime/estimate/estimator.hpp"
 
@@ -35,6 +38,7 @@ void add_common(CLI::App& app, Common& common) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate([] { automata::end_for_lack_of_memory("rmpl-run"); });
   CLI::App app("Runs timed model-based programs: the executive on a simulated plant, and its parts one by one.",
                "rmpl-run");
   Common common;
@@ -62,6 +66,9 @@ int main(int argc, char** argv) {
     return static_cast<int>(Status::wrong);
   } catch (const runtime::TooManyStates& error) {
     std::cerr << "rmpl-run: " << error.what() << '\n';
+    return static_cast<int>(Status::undecided);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "rmpl-run: out of memory\n";
     return static_cast<int>(Status::undecided);
   }
   return static_cast<int>(Status::done);

@@ -5,9 +5,12 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <iostream>
+#include <new>
 
 #include "automata/error.hpp"
+#include "automata/out_of_memory.hpp"
 #include "verifier/command/check_command.hpp"
 #include "verifier/command/export_command.hpp"
 #include "verifier/command/input.hpp"
@@ -75,6 +78,7 @@ int run(const CommandLine& line) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  std::set_terminate([] { automata::end_for_lack_of_memory("tcca-check"); });
   const auto parsed = verifier::parse_command_line(count, arguments, RMPL_VERSION);
   if (!parsed.command_line) {
     (parsed.failed ? std::cerr : std::cout) << parsed.message;
@@ -88,5 +92,8 @@ int main(int count, char** arguments) {
   } catch (const automata::InputError& error) {
     std::cerr << "tcca-check: " << error.what() << '\n';
     return wrong_input;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "tcca-check: out of memory\n";
+    return status(verifier::Verdict::undecided);
   }
 }

@@ -12,6 +12,7 @@ namespace compiler {
 /// Exit codes of the program.
 inline constexpr int done = 0;
 inline constexpr int wrong_input = 2;
+inline constexpr int limit_hit = 3;
 
 /// What the command line says; each subcommand reads its own part.
 struct Settings {
