@@ -212,10 +212,13 @@ class ScenarioLowering {
     if (!reading || observables_.count(reading->variable) != 0) return reading;
     std::vector<std::string> names;
     for (const VariableId id : plant_->plant.observables) names.push_back(plant_->plant.variables.name(id));
-    auto& error = diagnostics_.error(
-        Code::scenario_not_observable, text.variable.span,
-        backquoted(text.variable.text) + " is not observable" + (names.empty() ? "" : ", expected " + one_of(names)));
-    error.suggestion = "declare it in the plant: `observe " + text.variable.text + ";`";
+    const bool mode = components_.count(reading->variable) != 0;
+    auto& error =
+        diagnostics_.error(Code::scenario_not_observable, text.variable.span,
+                           backquoted(text.variable.text) +
+                               (mode ? " is a component, and no sensor reads its mode" : " is not observable") +
+                               (names.empty() ? "" : ", expected " + one_of(names)));
+    if (!mode) error.suggestion = "declare it in the plant: `observe " + text.variable.text + ";`";
     return std::nullopt;
   }
 

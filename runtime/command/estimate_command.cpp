@@ -190,7 +190,7 @@ Status run(const Options& options, const Common& common) {
 Subcommand estimate_command(CLI::App& app, const Common& common) {
   CLI::App* command = app.add_subcommand("estimate", "tell what state a plant is in, from a log");
   const auto options = std::make_shared<Options>();
-  command->add_option("PLANT", options->plant, "a .tcca or .rmpl model, or a compiled .json")->required();
+  command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
   command->add_option("--log", options->log, "commands and observations; - is standard input")
       ->required()
       ->option_text("IN.jsonl");
@@ -203,7 +203,8 @@ Subcommand estimate_command(CLI::App& app, const Common& common) {
           [options](const std::string& text) {
             options->deadline = automata::parse_duration(text);
             if (!options->deadline || options->deadline->count <= 0) {
-              throw CLI::ValidationError("--deadline", "expected a duration above 0, as in 5ms, not '" + text + "'");
+              throw CLI::ValidationError(
+                  "--deadline", "expected a duration above 0 in us, ms, s, min, h or d, as in 5ms, not '" + text + "'");
             }
           },
           "how long one update may search; the best states found until then are kept")

@@ -88,8 +88,10 @@ class LogReader {
     std::optional<Ticks> time;
     if (json.is_number()) time = automata::ticks_from_seconds(json.get<double>());
     if (json.is_string()) time = automata::parse_duration(json.get_ref<const std::string&>());
-    if (!time || time->is_infinite())
-      throw InputError(" 'time': expected seconds, at least 0, or a duration with a unit");
+    if (!time || time->is_infinite()) {
+      throw InputError(" 'time': expected seconds from 0 to 9.2e9, or a duration with a unit" +
+                       (json.is_string() ? "" : ", not " + name_of(json)));
+    }
     return *time;
   }
 

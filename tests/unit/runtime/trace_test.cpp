@@ -67,7 +67,10 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(error_of("{\"time\": }"), "in.jsonl:1:10: not JSON; expected one object a line");
   EXPECT_EQ(error_of("{\"time\": NaN}"), "in.jsonl:1:10: not JSON; expected one object a line");
   EXPECT_EQ(error_of("{\"time\": 1e999}"), "in.jsonl:1: a number is out of range");
-  EXPECT_EQ(error_of("{\"time\": -1}"), "in.jsonl:1: 'time': expected seconds, at least 0, or a duration with a unit");
+  EXPECT_EQ(error_of("{\"time\": -1}"),
+            "in.jsonl:1: 'time': expected seconds from 0 to 9.2e9, or a duration with a unit, not -1");
+  EXPECT_EQ(error_of("{\"time\": 1e12}"),
+            "in.jsonl:1: 'time': expected seconds from 0 to 9.2e9, or a duration with a unit, not 1000000000000.0");
   EXPECT_EQ(error_of("{\"time\": 1, \"time\": 2}"), "in.jsonl:1: /time: the key 'time' stands twice in one object");
   EXPECT_EQ(error_of("{\"command\": {\"lamp.cmd\": \"on\", \"lamp.cmd\": \"none\"}}"),
             "in.jsonl:1: /command/lamp.cmd: the key 'lamp.cmd' stands twice in one object");
