@@ -35,6 +35,11 @@ Assignment reading_from_json(const Node& node, const Plant& plant) {
   return reading;
 }
 
+bool is_control(const Plant& plant, VariableId variable) {
+  return std::any_of(plant.controls.begin(), plant.controls.end(),
+                     [variable](const Control& control) { return control.variable == variable; });
+}
+
 Rule rule_from_json(const Node& node, const Plant& plant) {
   node.only({"stream", "trigger", node.has("delay") ? "delay" : "delay_cycles", "reading", "duration", "origin"});
   Rule rule;
@@ -42,6 +47,10 @@ Rule rule_from_json(const Node& node, const Plant& plant) {
   if (stream != "command" && stream != "estimate") node.at("stream").fail("command or estimate");
   rule.stream = stream == "command" ? Rule::Stream::command : Rule::Stream::estimate;
   rule.trigger = formula_from_json(node.at("trigger"), plant.variables);
+  for (const VariableId v : variables_of(rule.trigger)) {
+    if (rule.stream == Rule::Stream::estimate ? plant.component_of(v).has_value() : is_control(plant, v)) continue;
+    node.at("trigger").fail(rule.stream == Rule::Stream::estimate ? "modes of components" : "values of controls");
+  }
   if (node.has("delay")) {
     rule.delay = node.at("delay").ticks();
   } else {

@@ -90,6 +90,10 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
   refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
   refuses("/scenarios/0/plant", 1, "below 1");
   refuses("/scenarios/0/cycle", 0, "above 0");
+  refuses("/scenarios/0/overrides/0/reading", {"pump", "on"}, "expected an observable and its value");
+  refuses("/scenarios/0/rules/0/reading", {"pump.cmd", "start"}, "expected an observable and its value");
+  refuses("/scenarios/0/rules/0/trigger", {{"variable", "pump.flow"}, {"in", {"yes"}}}, "expected values of controls");
+  refuses("/scenarios/0/rules/0/stream", "estimate", "expected modes of components");
   refuses("/programs/0/clocks", {"t", "t"}, "/programs/0/clocks/1: expected a clock that is new");
 }
 
