@@ -46,9 +46,11 @@ struct Rule {
 /// What must come true. `truth` speaks of the simulated plant, else of the executive's estimate.
 struct Expectation {
   enum class Kind {
-    eventually,  ///< condition becomes true (after `after`, within `within` of it or of the start)
-    never,       ///< condition is never true
-    finished     ///< the program ends (within `within`)
+    eventually,     ///< condition becomes true (after `after`, within `within` of it or of the start)
+    never,          ///< condition is never true
+    finished,       ///< the program ends (within `within`), and condition is true as it does
+    goal_conflict,  ///< the program never asserts goals that contradict each other
+    no_plan         ///< no goal is ever without a plan
   };
   Kind kind = Kind::eventually;
   bool truth = false;

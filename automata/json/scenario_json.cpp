@@ -9,9 +9,12 @@
 namespace automata {
 namespace {
 
-constexpr std::array<std::pair<Expectation::Kind, const char*>, 3> kinds{{{Expectation::Kind::eventually, "eventually"},
-                                                                          {Expectation::Kind::never, "never"},
-                                                                          {Expectation::Kind::finished, "finished"}}};
+constexpr std::array<std::pair<Expectation::Kind, const char*>, 5> kinds{
+    {{Expectation::Kind::eventually, "eventually"},
+     {Expectation::Kind::never, "never"},
+     {Expectation::Kind::finished, "finished"},
+     {Expectation::Kind::goal_conflict, "goal-conflict"},
+     {Expectation::Kind::no_plan, "no-plan"}}};
 
 Json rule_to_json(const Rule& rule, const Plant& plant) {
   Json json{{"stream", rule.stream == Rule::Stream::command ? "command" : "estimate"},
@@ -86,7 +89,7 @@ Expectation expectation_from_json(const Node& node, const Plant& plant) {
     expectation.kind = kind;
     known = true;
   }
-  if (!known) node.at("kind").fail("eventually, never or finished");
+  if (!known) node.at("kind").fail("eventually, never, finished, goal-conflict or no-plan");
   expectation.truth = node.at("truth").truth();
   expectation.condition = formula_from_json(node.at("condition"), plant.variables);
   if (node.has("after")) expectation.after = formula_from_json(node.at("after"), plant.variables);

@@ -156,6 +156,12 @@ class ScenarioLowering {
       case grammar::ExpectText::Kind::finished:
         expectation.kind = automata::Expectation::Kind::finished;
         break;
+      case grammar::ExpectText::Kind::goal_conflict:
+        expectation.kind = automata::Expectation::Kind::goal_conflict;
+        break;
+      case grammar::ExpectText::Kind::no_plan:
+        expectation.kind = automata::Expectation::Kind::no_plan;
+        break;
     }
     expectation.truth = text.truth;
     expectation.origin = origin_of(sources_, text.span);

@@ -84,11 +84,11 @@ struct RuleText {
 
 /// `expect [truth] [never] φ [within T] [after ψ];`, `expect finished [within T];`
 struct ExpectText {
-  enum class Kind { eventually, never, finished };
+  enum class Kind { eventually, never, finished, goal_conflict, no_plan };
   Span span;
   Kind kind = Kind::eventually;
   bool truth = false;
-  std::optional<Constraint> condition;  ///< none where `finished`
+  std::optional<Constraint> condition;  ///< of `finished` perhaps none; of the last two none
   std::optional<Constraint> after;
   std::optional<Duration> within;
 };

@@ -53,7 +53,7 @@ const auto rule_def =
            named("`after` or `observe`", Keyword("observe")) > field<&RuleText::reading>[assignment] >
            -(Keyword("for") > field<&RuleText::duration>[duration]) > named("`for` or `;`", semicolon)];
 
-// `truth`, `never` and `finished` may also be variables: then a relation follows.
+// `truth`, `never`, `finished` and what is never to come may also be variables: then a relation follows.
 constexpr auto kind = &ExpectText::kind;
 const auto within = Keyword("within") > field<&ExpectText::within>[duration];
 const auto after = Keyword("after") > field<&ExpectText::after>[constraint];
@@ -61,7 +61,10 @@ const auto condition = x3::expect[field<&ExpectText::condition>[constraint]] >>
                        -((within >> -after) | (after >> -within));
 const auto expectation_def =
     record[Keyword("expect") >> -set<&ExpectText::truth, true>[Keyword("truth") >> !relation] >>
-           ((set<kind, ExpectText::Kind::finished>[Keyword("finished") >> !relation] >> -within) |
+           ((set<kind, ExpectText::Kind::finished>[Keyword("finished") >> !relation] >>
+             -(Keyword("with") > field<&ExpectText::condition>[constraint]) >> -within) |
+            set<kind, ExpectText::Kind::goal_conflict>[Keyword("never") >> Keyword("goal-conflict") >> !relation] |
+            set<kind, ExpectText::Kind::no_plan>[Keyword("never") >> Keyword("no-plan") >> !relation] |
             (set<kind, ExpectText::Kind::never>[Keyword("never") >> !relation] >> condition) | condition) >
            named("`within`, `after` or `;`", semicolon)];
 

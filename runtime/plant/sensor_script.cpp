@@ -15,13 +15,13 @@ Ticks later(Ticks time, Ticks by) {
   return by.count > Ticks::infinite().count - time.count ? Ticks::infinite() : time + by;
 }
 
-/// From the trigger of a rule, at the start of a cycle, to its reading, at the end of that cycle or of a later one;
-/// saturates.
+/// From the trigger of a rule, at the start of a cycle, to its reading, at the end of that cycle or of a later one:
+/// nothing is read before. Saturates.
 Ticks delay_of(const automata::Rule& rule, Ticks cycle) {
   if (rule.delay) return *rule.delay;
   const auto most = static_cast<std::uint64_t>(Ticks::infinite().count / cycle.count);
-  return rule.delay_cycles >= most ? Ticks::infinite()
-                                   : Ticks{cycle.count * (static_cast<std::int64_t>(rule.delay_cycles) + 1)};
+  const std::uint64_t cycles = std::max<std::uint64_t>(rule.delay_cycles, 1);
+  return cycles > most ? Ticks::infinite() : Ticks{cycle.count * static_cast<std::int64_t>(cycles)};
 }
 
 }  // namespace

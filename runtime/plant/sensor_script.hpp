@@ -12,9 +12,9 @@
 namespace runtime {
 
 /// The rule-based simulator of thesis 7.2.1: it eavesdrops on commands and estimates, and injects observations some
-/// cycles later: after 0 cycles in the reading at the end of the cycle that begins with the command, or after the
-/// estimate. A reading holds from its time on, for its duration; where several speak of one sensor, the one that
-/// began last is heard, and of those that began together the one written last, overrides before rules.
+/// cycles later, at the end of the cycle that begins with the command, or after the estimate, at the soonest. A reading
+/// holds from its time on, for its duration; where several speak of one sensor, the one that began last is heard, and
+/// of those that began together the one written last, overrides before rules.
 class SensorScript {
  public:
   /// Keeps references to both.

@@ -16,6 +16,20 @@ using automata::format_seconds;
 using automata::Ticks;
 using Verdict = Judgement::Verdict;
 
+/// What is never to be is not met before the end.
+bool lasts_to_the_end(const Expectation& expectation) {
+  switch (expectation.kind) {
+    case Expectation::Kind::never:
+    case Expectation::Kind::goal_conflict:
+    case Expectation::Kind::no_plan:
+      return true;
+    case Expectation::Kind::eventually:
+    case Expectation::Kind::finished:
+      return false;
+  }
+  return false;
+}
+
 std::optional<Ticks> deadline(const Expectation& expectation, std::optional<Ticks> since) {
   if (!since || !expectation.within || expectation.within->is_infinite()) return std::nullopt;
   return *since + *expectation.within;
@@ -86,14 +100,18 @@ void Expectations::know(const CycleRecord& record) {
 
 void Expectations::observe(const CycleRecord& record, bool ended) {
   know(record);
-  for (std::size_t i = 0; i < watches_.size(); ++i) judge(watches_[i], judgements_[i], record.time, ended);
+  for (std::size_t i = 0; i < watches_.size(); ++i) judge(watches_[i], judgements_[i], record, ended);
 }
 
 void Expectations::decide(Judgement& judgement, Verdict verdict, Ticks now, std::string reason) {
   judgement = {verdict, now, std::move(reason)};
 }
 
-void Expectations::judge(Watch& watch, Judgement& judgement, Ticks now, bool ended) {
+void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& record, bool ended) {
+  const Ticks now = record.time;
+  const auto happened = [&](Event::Kind kind) {
+    return std::any_of(record.events.begin(), record.events.end(), [&](const Event& e) { return e.kind == kind; });
+  };
   const Expectation& expectation = *watch.expectation;
   const Side& side = expectation.truth ? truth_ : estimate_;
   // Both are asked in every cycle, also when decided: an answer is renewed only in the cycle in which knowledge
@@ -107,8 +125,10 @@ void Expectations::judge(Watch& watch, Judgement& judgement, Ticks now, bool end
   switch (expectation.kind) {
     case Expectation::Kind::eventually:
     case Expectation::Kind::finished: {
-      const bool reached = expectation.kind == Expectation::Kind::finished ? ended : condition;
-      if (watch.since && reached && !late) {
+      const bool finished = expectation.kind == Expectation::Kind::finished;
+      if (finished && ended && !condition) {
+        decide(judgement, Verdict::failed, now, "the program ended without it");
+      } else if (watch.since && (finished ? ended : condition) && !late) {
         decide(judgement, Verdict::met, now);
       } else if (late || (due && now == *due)) {
         decide(judgement, Verdict::failed, now, "not by " + format_seconds(*due) + " s");
@@ -117,6 +137,12 @@ void Expectations::judge(Watch& watch, Judgement& judgement, Ticks now, bool end
     }
     case Expectation::Kind::never:
       if (watch.since && condition && !late) decide(judgement, Verdict::failed, now, "it came true");
+      break;
+    case Expectation::Kind::goal_conflict:
+      if (happened(Event::Kind::goal_conflict)) decide(judgement, Verdict::failed, record.start, "there was one");
+      break;
+    case Expectation::Kind::no_plan:
+      if (happened(Event::Kind::no_plan)) decide(judgement, Verdict::failed, record.start, "a goal was without a plan");
       break;
   }
 }
@@ -132,6 +158,8 @@ void Expectations::close(Ticks time, bool interrupted) {
     }
     switch (expectation.kind) {
       case Expectation::Kind::never:
+      case Expectation::Kind::goal_conflict:
+      case Expectation::Kind::no_plan:
         decide(judgement, Verdict::met, time);
         break;
       case Expectation::Kind::finished:
@@ -149,7 +177,7 @@ void Expectations::close(Ticks time, bool interrupted) {
 bool Expectations::waiting() const {
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     if (judgements_[i].verdict != Verdict::undecided) continue;
-    if (watches_[i].expectation->kind != Expectation::Kind::never) return true;
+    if (!lasts_to_the_end(*watches_[i].expectation)) return true;
   }
   return false;
 }
@@ -157,7 +185,7 @@ bool Expectations::waiting() const {
 bool Expectations::watching() const {
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     if (judgements_[i].verdict != Verdict::undecided) continue;
-    if (watches_[i].expectation->kind == Expectation::Kind::never) return true;
+    if (lasts_to_the_end(*watches_[i].expectation)) return true;
   }
   return false;
 }

@@ -34,9 +34,10 @@ class Expectations {
   void observe(const CycleRecord& record, bool ended);
   /// The run is over: what is open is decided; or, where it was `interrupted`, stays undecided.
   void close(automata::Ticks time, bool interrupted);
-  /// Whether some expectation is open that more cycles may still meet or fail, `never` aside: that lasts to the end.
+  /// Whether some expectation is open that more cycles may still meet or fail, aside from what is never to be: that
+  /// lasts to the end.
   [[nodiscard]] bool waiting() const;
-  /// Whether a `never` has not been violated.
+  /// Whether something that is never to be has not been.
   [[nodiscard]] bool watching() const;
   /// One a piece, in the order of the scenario.
   [[nodiscard]] const std::vector<Judgement>& judgements() const { return judgements_; }
@@ -65,7 +66,7 @@ class Expectations {
   Question ask(const automata::Formula& formula);
   void know(const CycleRecord& record);
   bool holds(Question& question, const Side& side);
-  void judge(Watch& watch, Judgement& judgement, automata::Ticks now, bool ended);
+  void judge(Watch& watch, Judgement& judgement, const CycleRecord& record, bool ended);
   void decide(Judgement& judgement, Judgement::Verdict verdict, automata::Ticks now, std::string reason = {});
 
   automata::PlantStep& step_;

@@ -42,12 +42,14 @@ std::string summary(const automata::Scenario& scenario, const ScenarioResult& re
     const automata::Expectation& expectation = scenario.expectations[i];
     const Judgement& judgement = result.judgements[i];
     text += "  " + verdict_word(judgement.verdict, style) + "  " + expectation.text;
-    if (judgement.time && expectation.kind != automata::Expectation::Kind::never) {
+    using Kind = automata::Expectation::Kind;
+    const bool awaited = expectation.kind == Kind::eventually || expectation.kind == Kind::finished;
+    if (judgement.time && awaited) {
       text += style.quiet("  at " + format_seconds(*judgement.time) + " s");
     }
     if (!judgement.reason.empty()) {
       text += ": " + judgement.reason;
-      if (expectation.kind == automata::Expectation::Kind::never && judgement.time) {
+      if (judgement.time && !awaited) {
         text += " at " + format_seconds(*judgement.time) + " s";
       }
     }

@@ -38,10 +38,6 @@ class Writer {
   }
 
  private:
-  [[nodiscard]] const Modes& last_modes() const {
-    return trace_.cycles.empty() ? trace_.start : trace_.cycles.back().modes;
-  }
-
   /// A few cycles longer than the trace: what does not come is missed when the run is over.
   [[nodiscard]] Ticks duration() const {
     const std::int64_t after = property_.kind == Kind::endless_wait || property_.kind == Kind::termination ? 20 : 4;
@@ -146,25 +142,11 @@ class Writer {
     return plant_.variables.name(a.variable) + " = " + plant_.variables.value(a);
   }
 
-  [[nodiscard]] std::string text_of(const std::vector<Assignment>& assignments) const {
-    std::string text;
-    for (const Assignment& a : assignments) text += (text.empty() ? "" : " & ") + text_of(a);
-    return text;
-  }
-
   [[nodiscard]] std::string expectation() const {
-    const std::string after = " after " + text_of(automata::assignments_of(plant_, last_modes())) + ";\n";
     switch (property_.kind) {
-      case Kind::goal_conflict: {
-        // Contradicting goals are not acted on: the one that does not hold yet stays away.
-        const automata::GoalConflict& conflict = trace_.last.conflicts.front();
-        const auto component = plant_.component_of(conflict.asserted.variable);
-        const bool holds = last_modes()[component->index()].index() == conflict.asserted.value.index();
-        return "  expect " + text_of(holds ? conflict.contradicted : conflict.asserted) + " within " +
-               automata::format_seconds(frame_.cycle) + " s" + after;
-      }
+      case Kind::goal_conflict:
       case Kind::no_plan:
-        return "  expect " + text_of(trace_.last.goal) + after;
+        return "  expect never " + std::string(name_of(property_.kind)) + ";\n";
       case Kind::endless_wait:
       case Kind::termination:
         return "  expect finished;\n";
@@ -173,7 +155,7 @@ class Writer {
       case Kind::eventually:
         return "  expect " + property_.text + " within " + automata::format_seconds(property_.within) + " s;\n";
       case Kind::finally:
-        return "  expect finished;\n  expect " + property_.text + after;
+        return "  expect finished with " + property_.text + ";\n";
     }
     return "";
   }

@@ -39,6 +39,20 @@ TEST(Scenario, EndsWithTheProgramWhenAllIsDecided) {
   for (const Judgement& judgement : result.judgements) EXPECT_EQ(judgement.time, (Ticks{2'500'000'000}));
 }
 
+// The mode that is off at first is on where the program ends.
+TEST(Scenario, WhatAProgramIsToEndWithIsAskedThen) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::finished, is(mode, ValueId(on.index()))),
+                           expects(Kind::finished, is(mode, ValueId(off.index()))), expects(Kind::no_plan),
+                           expects(Kind::goal_conflict)};
+  const ScenarioResult result = fly(scenario);
+  EXPECT_EQ(result.judgements[0].verdict, Verdict::met);
+  EXPECT_EQ(result.judgements[1].verdict, Verdict::failed);
+  EXPECT_EQ(result.judgements[1].time, (Ticks{2'500'000'000}));
+  EXPECT_EQ(result.judgements[2].verdict, Verdict::met);
+  EXPECT_EQ(result.judgements[3].verdict, Verdict::met);
+}
+
 TEST(Scenario, TimesAreExact) {
   Scenario scenario = heater::scenario();
   Expectation warm = expects(Kind::eventually, is(temp, high));

@@ -66,12 +66,25 @@ TEST(ScenarioParse, Expectations) {
   EXPECT_EQ(std::get<ExpectText>(all.at(5)).within->text(), "5h");
 }
 
+TEST(ScenarioParse, HowAProgramIsToEndAndWhatIsNeverToCome) {
+  const auto all = items("expect finished with a = x within 5 h; expect never goal-conflict; expect never no-plan;");
+  const auto& finished = std::get<ExpectText>(all.at(0));
+  EXPECT_EQ(finished.kind, ExpectText::Kind::finished);
+  EXPECT_EQ(test::tree(*finished.condition), "a=x");
+  EXPECT_EQ(finished.within->text(), "5h");
+  EXPECT_EQ(std::get<ExpectText>(all.at(1)).kind, ExpectText::Kind::goal_conflict);
+  EXPECT_EQ(std::get<ExpectText>(all.at(2)).kind, ExpectText::Kind::no_plan);
+}
+
 TEST(ScenarioParse, ItsKeywordsMayBeVariables) {
-  const auto all = items("expect truth = x; expect never in {x}; expect finished != x; expect truth truth = x;");
+  const auto all = items(
+      "expect truth = x; expect never in {x}; expect finished != x; expect truth truth = x;"
+      "expect never no-plan = x;");
   EXPECT_FALSE(std::get<ExpectText>(all.at(0)).truth);
   EXPECT_EQ(std::get<ExpectText>(all.at(1)).kind, ExpectText::Kind::eventually);
   EXPECT_EQ(test::tree(*std::get<ExpectText>(all.at(2)).condition), "finished!=x");
   EXPECT_TRUE(std::get<ExpectText>(all.at(3)).truth);
+  EXPECT_EQ(std::get<ExpectText>(all.at(4)).kind, ExpectText::Kind::never);
 }
 
 TEST(ScenarioParse, AFileHoldsSeveral) {
