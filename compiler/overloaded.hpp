@@ -8,5 +8,7 @@ template <class... Visits>
 struct Overloaded : Visits... {
   using Visits::operator()...;
 };
+template <class... Visits>
+Overloaded(Visits...) -> Overloaded<Visits...>;
 
 }  // namespace compiler

@@ -38,7 +38,10 @@ std::string type_name(GateFunction function, std::size_t inputs) {
 /// That an odd number of inputs is true.
 std::string parity(std::size_t inputs) {
   std::string text = "i1 = true";
-  for (std::size_t i = 2; i <= inputs; ++i) text = "!(" + text + " <-> i" + std::to_string(i) + " = true)";
+  for (std::size_t i = 2; i <= inputs; ++i) {
+    text.insert(0, "!(");
+    text += " <-> i" + std::to_string(i) + " = true)";
+  }
   return text;
 }
 
