@@ -52,6 +52,8 @@ void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& 
   const automata::AllEnabled& enabled = step.enabled(state.modes, action);
   moves.clear();
   timed_ = false;
+  constexpr int let_go = 4;
+  for (int i = 0; i < let_go && !retired_.empty(); ++i) retired_.erase(retired_.begin());
   for (std::size_t c = 0; c < enabled.size(); ++c) {
     const bool timed = depends_on_clock(c, enabled[c]);
     timed_ = timed_ || timed;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
@@ -46,7 +47,11 @@ class MoveTable {
 
   /// Forgets what rests on readings of clocks: no reading comes twice.
   void forget_timed() { passing_.clear(); }
-  void forget() { lasting_.clear(); }
+  /// Forgets the rest, and lets go of it bit by bit, so that no single step pays for all of it.
+  void forget() {
+    retired_.clear();
+    std::swap(lasting_, retired_);
+  }
   [[nodiscard]] std::size_t size() const { return lasting_.size(); }
 
  private:
@@ -66,6 +71,7 @@ class MoveTable {
 
   const automata::Plant& plant_;
   Table lasting_;
+  Table retired_;  ///< of what was forgotten: what is still to be let go of
   Table passing_;
   bool timed_ = false;
 };
