@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -122,7 +123,7 @@ TEST(Import, NamesBecomeIdentifiers) {
 
 TEST(Import, WhatIsWrittenCompiles) {
   for (const FaultModel faults : {FaultModel::weak, FaultModel::strong}) {
-    const std::string path = testing::TempDir() + "/import_test.tcca";
+    const std::string path = testing::TempDir() + "/import_test-" + std::to_string(::getpid()) + ".tcca";
     std::ofstream(path) << to_tcca(bench(adder), faults);
     const std::vector<std::string> paths{path};
     const Compilation compiled = compile(paths);
@@ -135,7 +136,7 @@ TEST(Import, WhatIsWrittenCompiles) {
 }
 
 TEST(Import, AnInputThatIsAnOutputIsOneVariable) {
-  const std::string path = testing::TempDir() + "/import_test_through.tcca";
+  const std::string path = testing::TempDir() + "/import_test_through-" + std::to_string(::getpid()) + ".tcca";
   std::ofstream(path) << to_tcca(bench("INPUT(a)\nOUTPUT(a)\nOUTPUT(b)\nb=NOT(a)\n"), FaultModel::weak);
   const std::vector<std::string> paths{path};
   const Compilation compiled = compile(paths);

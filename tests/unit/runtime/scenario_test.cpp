@@ -1,6 +1,7 @@
 // Scenarios: verdicts with their times and reasons, the end of a run, the story, the trace as a log.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -156,7 +157,8 @@ class TraceFile : public ::testing::Test {
   void SetUp() override { std::filesystem::create_directories(directory_); }
   void TearDown() override { std::filesystem::remove_all(directory_); }
   [[nodiscard]] std::string path() const { return (directory_ / "out.jsonl").string(); }
-  std::filesystem::path directory_ = std::filesystem::path(::testing::TempDir()) / "rmpl-trace-test";
+  std::filesystem::path directory_ =
+      std::filesystem::path(::testing::TempDir()) / ("rmpl-trace-test-" + std::to_string(::getpid()));
 };
 
 TEST_F(TraceFile, RepeatsAsALogOfTheSequencer) {
