@@ -17,6 +17,7 @@ std::vector<double> priors_of(const std::vector<automata::Move>& moves) {
 
 std::vector<double> costs_of(const std::vector<double>& priors) {
   std::vector<double> costs;
+  costs.reserve(priors.size());
   // A rounded probability may exceed 1 in the last bit.
   for (const double prior : priors) costs.push_back(std::max(0.0, -std::log(prior)));
   return costs;

@@ -128,8 +128,9 @@ class LogReader {
   [[nodiscard]] std::vector<Assignment> assignments(Role role, const std::string& key, const Json& json) const {
     expect(json.is_object(), key, "an object of names and values", json);
     std::vector<Assignment> result;
+    const std::string prefix = key + ".";
     for (const auto& [name, value] : json.items()) {
-      expect(value.is_string(), key + "." + name, "a value as a string", value);
+      expect(value.is_string(), prefix + name, "a value as a string", value);
       result.push_back(resolve_(role, name, value.get_ref<const std::string&>()));
     }
     std::sort(result.begin(), result.end());

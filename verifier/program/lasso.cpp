@@ -139,11 +139,11 @@ class Lassos {
   std::optional<std::vector<Duty>> duties_of(const std::vector<Index>& members) {
     std::vector<Duty> duties;
     const bool dense = loop_.reading().is_dense();
-    duties.push_back([this, dense](Index, const Edge& edge) {
+    duties.emplace_back([this, dense](Index, const Edge& edge) {
       return !dense || ProgramSystem::progressed(vertices_[edge.target].state.discrete);
     });
     for (std::size_t c = 0; c < loop_.plant().components.size(); ++c) {
-      duties.push_back([this, c](Index source, const Edge& edge) {
+      duties.emplace_back([this, c](Index source, const Edge& edge) {
         return !vertices_[source].overdue[c] || state(source).modes[c] != state(edge.target).modes[c];
       });
     }

@@ -89,7 +89,11 @@ class Story {
     for (const auto& [time, text] : lines_) width = std::max(width, time.size());
     std::string result;
     for (const auto& [time, text] : lines_) {
-      result += "  " + std::string(width - time.size(), ' ') + time + " s  " + text + "\n";
+      result.append(2 + width - time.size(), ' ');
+      result += time;
+      result += " s  ";
+      result += text;
+      result += '\n';
     }
     return result;
   }

@@ -58,7 +58,9 @@ class Writer {
     std::string text;
     for (std::size_t i = 0; i < changes.size(); ++i) {
       const auto& [time, now] = changes[i];
-      for (const auto& [sensor, value] : now) {
+      for (const auto& reading : now) {
+        const VariableId sensor = reading.first;
+        const ValueId value = reading.second;
         if (i > 0 && reads(changes[i - 1].second, sensor) == value) continue;
         text += "  at " + automata::format_seconds(time) + " s observe " + text_of({sensor, value});
         // Until it falls silent; another reading replaces it anyway.
