@@ -16,7 +16,13 @@ using automata::format_seconds;
 using automata::Ticks;
 using Verdict = Judgement::Verdict;
 
-/// What is never to be is not met before the end.
+std::optional<Ticks> deadline(const Expectation& expectation, std::optional<Ticks> since) {
+  if (!since || !expectation.within || expectation.within->is_infinite()) return std::nullopt;
+  return *since + *expectation.within;
+}
+
+}  // namespace
+
 bool lasts_to_the_end(const Expectation& expectation) {
   switch (expectation.kind) {
     case Expectation::Kind::never:
@@ -29,13 +35,6 @@ bool lasts_to_the_end(const Expectation& expectation) {
   }
   return false;
 }
-
-std::optional<Ticks> deadline(const Expectation& expectation, std::optional<Ticks> since) {
-  if (!since || !expectation.within || expectation.within->is_infinite()) return std::nullopt;
-  return *since + *expectation.within;
-}
-
-}  // namespace
 
 std::string_view name_of(Verdict verdict) {
   switch (verdict) {

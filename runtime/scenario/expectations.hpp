@@ -12,6 +12,9 @@
 
 namespace runtime {
 
+/// Whether it speaks of what is never to be, which is not met before the end.
+bool lasts_to_the_end(const automata::Expectation& expectation);
+
 /// What came of one expectation.
 struct Judgement {
   enum class Verdict { met, failed, undecided };

@@ -42,8 +42,7 @@ std::string summary(const automata::Scenario& scenario, const ScenarioResult& re
     const automata::Expectation& expectation = scenario.expectations[i];
     const Judgement& judgement = result.judgements[i];
     text += "  " + verdict_word(judgement.verdict, style) + "  " + expectation.text;
-    using Kind = automata::Expectation::Kind;
-    const bool awaited = expectation.kind == Kind::eventually || expectation.kind == Kind::finished;
+    const bool awaited = !lasts_to_the_end(expectation);
     if (judgement.time && awaited) {
       text += style.quiet("  at " + format_seconds(*judgement.time) + " s");
     }

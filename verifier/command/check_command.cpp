@@ -10,6 +10,7 @@
 
 #include "automata/error.hpp"
 #include "verifier/command/input.hpp"
+#include "verifier/command/output.hpp"
 #include "verifier/property/table.hpp"
 
 namespace verifier {
@@ -61,21 +62,6 @@ std::vector<PlantProperty> read_properties(const CommandLine& line, const automa
   return all;
 }
 
-void print(const automata::Plant& plant, const std::vector<Answer>& answers, const CommandLine& line) {
-  switch (line.format) {
-    case CommandLine::Format::text:
-      std::cout << to_table(plant, answers, line.statistics, colored(line, STDOUT_FILENO));
-      break;
-    case CommandLine::Format::json:
-      std::cout << to_json(plant, answers).dump(2) << '\n';
-      break;
-    case CommandLine::Format::junit:
-      std::cout << to_junit(plant, answers);
-      break;
-  }
-  if (!std::cout.flush()) throw InputError("standard output: cannot be written");
-}
-
 }  // namespace
 
 Verdict run_check(const CommandLine& line, const Limits& limits) {
@@ -99,14 +85,16 @@ Verdict run_check(const CommandLine& line, const Limits& limits) {
   std::vector<Result> results = check_all(step, questions, limits);
   if (limits.report) std::fputs("\r\033[K", stderr);
   if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.startless; })) {
-    std::cerr << "tcca-check: warning: no initial state is possible: the initial modes contradict the "
-                 "interconnections, so nothing is reachable\n";
+    warn_of_no_start("nothing is reachable");
   }
   std::vector<Answer> answers;
   for (std::size_t q = 0; q < stated.size(); ++q) {
     answers.push_back({stated[q].name, std::move(questions[q]), stated[q].expect_violated, std::move(results[q])});
   }
-  print(plant, answers, line);
+  print(
+      line, [&] { return to_table(plant, answers, line.statistics, colored(line, STDOUT_FILENO)); },
+      [&] { return to_json(plant, answers); }, [&] { return to_junit(plant, answers); });
+  finish_output();
   const Count found = count(answers);
   if (found.unexpected > 0) return Verdict::violated;
   return found.undecided > 0 ? Verdict::undecided : Verdict::holds;

@@ -7,6 +7,7 @@
 
 #include "automata/error.hpp"
 #include "verifier/command/input.hpp"
+#include "verifier/command/output.hpp"
 #include "verifier/export/prism.hpp"
 #include "verifier/export/write.hpp"
 #include "verifier/property/property.hpp"
@@ -28,11 +29,8 @@ void write(std::ostream& out, automata::PlantStep& step, const ExportQuestion& q
       }
       const TimedAutomaton automaton = unfold(step, question, limits);
       if (automaton.locations.empty()) {
-        if (!question.from.empty()) {
-          throw InputError("no state to start in is possible: the modes contradict the interconnections");
-        }
-        std::cerr << "tcca-check: warning: no initial state is possible: the initial modes contradict the "
-                     "interconnections, so nothing is reachable\n";
+        if (!question.from.empty()) refuse_start();
+        warn_of_no_start("nothing is reachable");
       }
       (uppaal ? write_uppaal : write_tchecker)(out, step.plant(), automaton);
       return;
@@ -64,7 +62,7 @@ bool run_export(const CommandLine& line, const Limits& limits) {
     return false;
   }
   std::cout << std::move(out).str();
-  if (!std::cout.flush()) throw InputError("standard output: cannot be written");
+  finish_output();
   return true;
 }
 

@@ -12,6 +12,7 @@
 
 #include "automata/error.hpp"
 #include "verifier/command/input.hpp"
+#include "verifier/command/output.hpp"
 #include "verifier/program/program_junit.hpp"
 #include "verifier/program/program_report.hpp"
 #include "verifier/program/witness_scenario.hpp"
@@ -44,17 +45,9 @@ std::vector<ProgramProperty> properties_of(const automata::Plant& plant, const C
 }
 
 Verdict print_table(const ProgramSubject& subject, const FaultTable& table, const CommandLine& line) {
-  switch (line.format) {
-    case CommandLine::Format::text:
-      std::cout << to_text(subject, table, line.statistics);
-      break;
-    case CommandLine::Format::json:
-      std::cout << to_json(subject, table).dump(2) << '\n';
-      break;
-    case CommandLine::Format::junit:
-      std::cout << to_junit(subject, table);
-      break;
-  }
+  print(
+      line, [&] { return to_text(subject, table, line.statistics); }, [&] { return to_json(subject, table); },
+      [&] { return to_junit(subject, table); });
   if (std::any_of(table.rows.begin(), table.rows.end(), [](const FaultOutcome& row) { return row.fails(); })) {
     return Verdict::violated;
   }
@@ -78,7 +71,7 @@ ScenarioFrame frame_of(const CommandLine& line, const ProgramSubject& subject) {
     }
     (extension == ".rmpl" ? frame.program : frame.plant) = path.lexically_proximate(folder).string();
   }
-  frame.name = subject.program.name + " on " + subject.plant.name;
+  frame.name = title(subject);
   return frame;
 }
 
@@ -145,25 +138,14 @@ Verdict run_program(const CommandLine& line, const Limits& limits) {
     if (!line.scenario.empty()) frame = frame_of(line, subject);
     const ProgramResult answer = check(program, step, properties, options, limits);
     if (limits.report) std::fputs("\r\033[K", stderr);
-    if (answer.startless) {
-      std::cerr << "tcca-check: warning: no initial state is possible: the initial modes contradict the "
-                   "interconnections, so nothing can be violated\n";
-    }
-    switch (line.format) {
-      case CommandLine::Format::text:
-        std::cout << to_text(subject, properties, answer, line.statistics, colored(line, STDOUT_FILENO));
-        break;
-      case CommandLine::Format::json:
-        std::cout << to_json(subject, properties, answer).dump(2) << '\n';
-        break;
-      case CommandLine::Format::junit:
-        std::cout << to_junit(subject, properties, answer);
-        break;
-    }
+    if (answer.startless) warn_of_no_start("nothing can be violated");
+    print(
+        line, [&] { return to_text(subject, properties, answer, line.statistics, colored(line, STDOUT_FILENO)); },
+        [&] { return to_json(subject, properties, answer); }, [&] { return to_junit(subject, properties, answer); });
     if (frame) write_scenario(*frame, subject, step, properties, answer, options, line, limits);
     result = answer.verdict();
   }
-  if (!std::cout.flush()) throw InputError("standard output: cannot be written");
+  finish_output();
   return result;
 }
 

@@ -7,14 +7,13 @@
 #include <cstdio>
 #include <iostream>
 
-#include "automata/error.hpp"
 #include "verifier/command/input.hpp"
+#include "verifier/command/output.hpp"
 #include "verifier/evidence/report.hpp"
 #include "verifier/property/table.hpp"
 
 namespace verifier {
 
-using automata::InputError;
 using automata::Plant;
 
 namespace {
@@ -73,23 +72,14 @@ Verdict run_property(const CommandLine& line, const Limits& limits) {
   const CheckOptions asked_for = options(plant, line);
   const Result result = check(step, asked, asked_for, limits);
   if (limits.report) std::fputs("\r\033[K", stderr);
-  if (result.startless) {
-    std::cerr
-        << "tcca-check: warning: no initial state is possible: the initial modes contradict the interconnections, so "
-           "nothing is reachable\n";
-  }
-  switch (line.format) {
-    case CommandLine::Format::text:
-      std::cout << to_text(plant, asked, asked_for, result, line.statistics, colored(line, STDOUT_FILENO));
-      break;
-    case CommandLine::Format::json:
-      std::cout << to_json(plant, asked, asked_for, result).dump(2) << '\n';
-      break;
-    case CommandLine::Format::junit:
-      std::cout << to_junit(plant, {{title(line, asked), {asked, asked_for}, false, result}});
-      break;
-  }
-  if (!std::cout.flush()) throw InputError("standard output: cannot be written");
+  if (result.startless) warn_of_no_start("nothing is reachable");
+  print(
+      line, [&] { return to_text(plant, asked, asked_for, result, line.statistics, colored(line, STDOUT_FILENO)); },
+      [&] { return to_json(plant, asked, asked_for, result); },
+      [&] {
+        return to_junit(plant, {{title(line, asked), {asked, asked_for}, false, result}});
+      });
+  finish_output();
   return result.verdict;
 }
 

@@ -89,7 +89,7 @@ class ProgramCheck {
   void start() {
     start_ = loop_.initial(options_.from);
     if (start_.empty() && !options_.from.empty()) {
-      throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
+      refuse_start();
     }
   }
 

@@ -9,8 +9,6 @@ namespace {
 
 using enum TestCase::Outcome;
 
-std::string suite_of(const ProgramSubject& subject) { return subject.program.name + " on " + subject.plant.name; }
-
 /// A report of one property: its headline, which ends the first line, and what follows it.
 std::pair<std::string, std::string> parted(const std::string& report) {
   const auto end = report.find('\n');
@@ -37,7 +35,7 @@ std::string to_junit(const ProgramSubject& subject, const std::vector<ProgramPro
                      .message = std::move(message),
                      .text = std::move(text)});
   }
-  return to_junit(suite_of(subject), cases);
+  return to_junit(title(subject), cases);
 }
 
 std::string to_junit(const ProgramSubject& subject, const FaultTable& table) {
@@ -54,7 +52,7 @@ std::string to_junit(const ProgramSubject& subject, const FaultTable& table) {
                      .message = std::move(message),
                      .text = failure_text(subject, row)});
   }
-  return to_junit(suite_of(subject), cases);
+  return to_junit(title(subject), cases);
 }
 
 }  // namespace verifier

@@ -229,6 +229,8 @@ std::string meaning(const ProgramProperty& property, Verdict verdict) {
 
 }  // namespace
 
+std::string title(const ProgramSubject& subject) { return subject.program.name + " on " + subject.plant.name; }
+
 std::string finding(const ProgramSubject& subject, const ProgramProperty& property, const LoopTrace& trace) {
   const auto location = [&](LocationId id) -> const automata::Location& {
     return subject.program.locations[id.index()];

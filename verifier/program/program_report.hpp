@@ -16,6 +16,9 @@ struct ProgramSubject {
   const automata::Plant& plant;
 };
 
+/// `EntrySequence on MarsLander`.
+std::string title(const ProgramSubject& subject);
+
 /// What a trace of a violation has come to, in words: the goals, the reason, the locations that wait.
 std::string finding(const ProgramSubject& subject, const ProgramProperty& property, const LoopTrace& trace);
 

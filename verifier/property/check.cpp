@@ -124,7 +124,7 @@ class Check {
       }
       result.startless = start_.empty();
       if (result.startless && !options_.from.empty()) {
-        throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
+        refuse_start();
       }
       std::visit([&](const auto& quest) { look_for(quest); }, quest_);
       result.limit = limit_;
@@ -272,6 +272,10 @@ void demand_modes(const automata::Plant& plant, const std::vector<Assignment>& f
       throw automata::InputError("'" + name + "' is given more than one mode to start in");
     }
   }
+}
+
+void refuse_start() {
+  throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
 }
 
 Result check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {

@@ -77,6 +77,8 @@ struct FaultTrace {
 
 /// Throws automata::InputError where `from` names what is no mode of a component, or one component twice.
 void demand_modes(const automata::Plant& plant, const std::vector<automata::Assignment>& from);
+/// Throws automata::InputError: `from` gives modes in which no state to start in is possible.
+[[noreturn]] void refuse_start();
 
 enum class Verdict { holds, violated, undecided };
 
