@@ -20,12 +20,11 @@ class StandingAnswers {
   StandingAnswers(std::size_t components, std::size_t controls)
       : by_component_(components), by_control_(controls), modes_(components), action_(controls) {}
 
-  /// Number of the new answer, which is not known yet.
-  std::size_t add(const Support& support) {
+  /// One more answer, which is not known yet; they are numbered in this order, from 0.
+  void add(const Support& support) {
     for (const ComponentId c : support.components) by_component_[c.index()].push_back(answers_.size());
     for (const std::size_t i : support.controls) by_control_[i].push_back(answers_.size());
     answers_.emplace_back();
-    return answers_.size() - 1;
   }
   void clear() {
     for (auto& readers : by_component_) readers.clear();
