@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -62,4 +62,4 @@ double Timing::step_hazard(Ticks from, Ticks to) const {
   return -std::log(left);
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -4,7 +4,7 @@
 
 #include "automata/time.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A density over the clock of the source mode, truncated to the bounds of the transition. Parameters are in seconds.
 struct Density {
@@ -32,4 +32,4 @@ struct Timing {
   [[nodiscard]] double step_hazard(Ticks from, Ticks to) const;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

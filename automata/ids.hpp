@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace automata {
+namespace rmpl::automata {
 
 /// An index into a vector of `Tag`s. `value` is the position, from 0.
 template <class Tag>
@@ -27,9 +27,11 @@ using TransitionId = Id<struct TransitionTag>;  ///< position in `Component::tra
 using ClockId = Id<struct ClockTag>;            ///< position in `Program::clocks`
 using LocationId = Id<struct LocationTag>;      ///< position in `Program::locations`; printed as position + 1
 
-}  // namespace automata
+}  // namespace rmpl::automata
 
 template <class Tag>
-struct std::hash<automata::Id<Tag>> {
-  std::size_t operator()(const automata::Id<Tag>& id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
+struct std::hash<rmpl::automata::Id<Tag>> {
+  std::size_t operator()(const rmpl::automata::Id<Tag>& id) const noexcept {
+    return std::hash<std::uint32_t>{}(id.value);
+  }
 };

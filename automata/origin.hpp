@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A place in a source file. `line` and `column` count from 1; line 0 means that there is no source.
 struct Origin {
@@ -15,4 +15,4 @@ struct Origin {
   bool operator==(const Origin&) const = default;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

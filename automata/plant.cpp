@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace automata {
+namespace rmpl::automata {
 
 double Weight::fault_probability(Ticks step) const {
   switch (kind) {
@@ -38,4 +38,4 @@ bool Plant::has_timed_exit(ComponentId component, ModeId mode) const {
                      [&](const Transition& t) { return t.from == mode && t.timing.has_value(); });
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -12,7 +12,7 @@
 #include "automata/logic/variables.hpp"
 #include "automata/origin.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// One mode of a component, with its constraint M(x = v) and reward R(x = v).
 struct Mode {
@@ -94,4 +94,4 @@ struct Plant {
   [[nodiscard]] bool has_timed_exit(ComponentId component, ModeId mode) const;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "automata/error.hpp"
+#include "base/error.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 /// Rewrites one program; collects every name that the plant lacks, so that all are reported at once.
@@ -26,7 +26,7 @@ class Binder {
     if (!problems_.empty()) {
       std::string message;
       for (const std::string& problem : problems_) message += (message.empty() ? "" : "\n") + problem;
-      throw InputError(message);
+      throw base::InputError(message);
     }
     return bound;
   }
@@ -112,4 +112,4 @@ class Binder {
 
 Program bind(const Program& program, const Plant& plant) { return Binder(program, plant).run(); }
 
-}  // namespace automata
+}  // namespace rmpl::automata

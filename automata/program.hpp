@@ -12,7 +12,7 @@
 #include "automata/origin.hpp"
 #include "automata/plant.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A label or a maintenance constraint: |= c where `entailed`, else the overbar, not |= c.
 struct Condition {
@@ -54,8 +54,8 @@ struct Program {
 };
 
 /// The program with its variables and values replaced by the plant's. An atom `x = y` whose right side is no value of
-/// x but a variable of the same domain becomes an equality. Throws InputError naming every variable or value that the
-/// plant lacks, with its source line.
+/// x but a variable of the same domain becomes an equality. Throws base::InputError naming every variable or value that
+/// the plant lacks, with its source line.
 Program bind(const Program& program, const Plant& plant);
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -11,7 +11,7 @@
 #include "automata/origin.hpp"
 #include "automata/time.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A named property (semantics 7).
 struct PlantProperty {
@@ -37,4 +37,4 @@ struct PlantProperty {
   bool expect_violated = false;  ///< the verdict that is meant to come out
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

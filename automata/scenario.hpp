@@ -9,7 +9,7 @@
 #include "automata/plant.hpp"
 #include "automata/program.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// `at T fault x = m;` forces a mode in the simulated plant.
 struct ForcedMode {
@@ -87,4 +87,4 @@ struct Document {
   bool operator==(const Document&) const = default;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

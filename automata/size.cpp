@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "automata/size.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 /// Clauses of a formula and of its negation, multiplied out; 0 where it is true, so that nothing is left to say.
@@ -81,4 +81,4 @@ PlantSize size_of(const Plant& plant) {
   return size;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

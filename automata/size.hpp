@@ -6,7 +6,7 @@
 
 #include "automata/plant.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 struct PlantSize {
   std::size_t components = 0;
@@ -20,4 +20,4 @@ struct PlantSize {
 
 PlantSize size_of(const Plant& plant);
 
-}  // namespace automata
+}  // namespace rmpl::automata

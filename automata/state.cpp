@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "automata/error.hpp"
+#include "base/error.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 ControlAction idle_action(const Plant& plant) {
   ControlAction action;
@@ -45,8 +45,8 @@ ControlAction action_from(const Plant& plant, std::span<const Assignment> assign
     const auto at = std::find_if(plant.controls.begin(), plant.controls.end(),
                                  [&](const Control& control) { return control.variable == a.variable; });
     if (at == plant.controls.end()) {
-      throw InputError("'" + plant.variables.name(a.variable) + "' is no control variable of plant '" + plant.name +
-                       "'");
+      throw base::InputError("'" + plant.variables.name(a.variable) + "' is no control variable of plant '" +
+                             plant.name + "'");
     }
     action[static_cast<std::size_t>(at - plant.controls.begin())] = a.value;
   }
@@ -59,4 +59,4 @@ std::size_t ModesHash::operator()(const Modes& modes) const noexcept {
   return hash;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

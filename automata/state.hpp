@@ -9,7 +9,7 @@
 #include "automata/plant.hpp"
 #include "automata/time.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A mode for each component, by `ComponentId`: the state s of thesis 6.1.3.
 using Modes = std::vector<ModeId>;
@@ -35,11 +35,11 @@ std::vector<Assignment> commanded(const Plant& plant, const ControlAction& actio
 std::vector<Assignment> assignments_of(const Plant& plant, const ControlAction& action);
 /// Mode variables with their values.
 std::vector<Assignment> assignments_of(const Plant& plant, const Modes& modes);
-/// Idle, but for the given assignments. Throws InputError where one is no control variable.
+/// Idle, but for the given assignments. Throws base::InputError where one is no control variable.
 ControlAction action_from(const Plant& plant, std::span<const Assignment> assignments);
 
 struct ModesHash {
   std::size_t operator()(const Modes& modes) const noexcept;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -42,4 +42,4 @@ std::string suggestion(std::string_view name, const std::vector<std::string_view
   return best.empty() ? std::string() : "; did you mean '" + std::string(best) + "'?";
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

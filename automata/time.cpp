@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ wants a typedef
@@ -112,4 +112,4 @@ std::string format_seconds(Ticks time) {
   return text;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A point in time since the start, or a length of time. Unit: 1 ns. Range: about 292 years; `infinite()` is the top.
 struct Ticks {
@@ -44,4 +44,4 @@ std::optional<Ticks> parse_duration(std::string_view text);
 /// In seconds, the shortest decimal that reads back the same: `43.2`, `16200`, `inf`.
 std::string format_seconds(Ticks time);
 
-}  // namespace automata
+}  // namespace rmpl::automata

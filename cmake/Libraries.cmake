@@ -17,19 +17,20 @@ target_link_libraries(rmpl_bliss INTERFACE ${BLISS_LIBRARY} ${GMP_LIBRARY})
 target_compile_definitions(rmpl_bliss INTERFACE BLISS_USE_GMP)
 target_include_directories(rmpl_bliss SYSTEM INTERFACE ${BLISS_INCLUDE_DIR})
 
-# rmpl_folder(<name> [links…]): every .cpp below this folder but *_main.cpp, as one static library.
+# rmpl_folder(<name> [links…]): every .cpp below this folder, as one static library.
 # A folder sees another only through a link named here; the test `arrows` checks the includes against the links.
 function(rmpl_folder name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ARGN} PRIVATE rmpl_warnings)
 endfunction()
 
-# rmpl_program(<name> <main> <links…>): one command-line program.
-function(rmpl_program name main)
-  add_executable(${name} ${main})
+# rmpl_program(<name> <links…>): one command-line program, of every .cpp in this folder.
+function(rmpl_program name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_executable(${name} ${sources})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARGN} CLI11::CLI11 rmpl_warnings)
   target_compile_definitions(${name} PRIVATE RMPL_VERSION="${PROJECT_VERSION}")
 endfunction()

@@ -10,7 +10,7 @@
 #include "automata/json/node.hpp"
 #include "automata/scenario.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// The document as JSON. Times are whole nanoseconds or "inf"; modes, values and variables are named, not numbered;
 /// locations have their printed numbers, from 1.
@@ -18,7 +18,7 @@ Json to_json(const Document& document);
 /// The bytes that `rmplc compile` writes: indented by two, one final newline.
 std::string to_text(const Document& document);
 
-/// Reads a compiled document. Throws InputError that names the JSON path at fault; nothing is half accepted.
+/// Reads a compiled document. Throws base::InputError that names the JSON path at fault; nothing is half accepted.
 Document document_from_json(const Json& json);
 /// Parses, then reads. `name` is the file's name, for messages.
 Document read_document(std::string_view text, const std::string& name);
@@ -48,4 +48,4 @@ Origin origin_from_json(const Node& node);
 /// Whole nanoseconds, or "inf".
 Json to_json(Ticks time);
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "automata/json/document.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 constexpr const char* format_name = "rmpl-automata";
 constexpr int format_version = 1;
@@ -48,10 +48,10 @@ Document read_document(std::string_view text, const std::string& name) {
   try {
     return document_from_json(parse_json(text));
   } catch (const Json::exception& error) {
-    throw InputError(name + ": " + error.what());
-  } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
+    throw base::InputError(name + ": " + error.what());
+  } catch (const base::InputError& error) {
+    throw base::InputError(name + ": " + error.what());
   }
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -5,7 +5,7 @@
 
 #include "automata/json/document.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 constexpr std::array<std::pair<Comparison, const char*>, 4> comparisons{
@@ -172,4 +172,4 @@ Origin origin_from_json(const Node& node) {
           static_cast<std::uint32_t>(node.at("column").index(limit))};
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -12,7 +12,7 @@
 #include "automata/suggestion.hpp"
 #include "automata/time.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A JSON value and the path that leads to it. Cheap to copy; refers to the value.
 class Node {
@@ -85,4 +85,4 @@ class Node {
   std::string path_;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

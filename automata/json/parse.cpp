@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 /// A compiled document has objects of a dozen keys, a log one for each component or variable.
@@ -184,4 +184,4 @@ JsonPlace place_of(std::string_view text, std::string_view path, JsonError::Blam
   return walk.here() == '{' || walk.here() == '[' ? JsonPlace{begin, begin + 1} : walk.skip_value();
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -7,20 +7,20 @@
 #include <string>
 #include <string_view>
 
-#include "automata/error.hpp"
+#include "base/error.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 using Json = nlohmann::ordered_json;
 
 /// What is wrong with a value of a JSON text. The message begins with its path.
-class JsonError : public InputError {
+class JsonError : public base::InputError {
  public:
   enum class Blame { value, key };  ///< the value itself, or the key before it
 
   /// `path` is a JSON pointer (RFC 6901), empty for the whole text.
   JsonError(std::string path, const std::string& message, Blame blame = Blame::value)
-      : InputError((path.empty() ? "/" : path) + ": " + message), path_(std::move(path)), blame_(blame) {}
+      : base::InputError((path.empty() ? "/" : path) + ": " + message), path_(std::move(path)), blame_(blame) {}
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] Blame blame() const { return blame_; }
@@ -48,4 +48,4 @@ struct JsonPlace {
 /// Walks the text; meant for messages.
 JsonPlace place_of(std::string_view text, std::string_view path, JsonError::Blame blame);
 
-}  // namespace automata
+}  // namespace rmpl::automata

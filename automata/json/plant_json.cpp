@@ -7,7 +7,7 @@
 
 #include "automata/json/document.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 constexpr std::array<std::pair<Density::Kind, const char*>, 3> densities{{{Density::Kind::uniform, "uniform"},
@@ -219,4 +219,4 @@ Plant plant_from_json(const Node& node) {
   return plant;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

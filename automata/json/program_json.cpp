@@ -5,7 +5,7 @@
 
 #include "automata/json/document.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 Json condition_to_json(const Condition& condition, const Program& program) {
@@ -114,4 +114,4 @@ Program program_from_json(const Node& node) {
   return program;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -6,7 +6,7 @@
 
 #include "automata/json/document.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 constexpr std::array<std::pair<Expectation::Kind, const char*>, 5> kinds{
@@ -174,4 +174,4 @@ Scenario scenario_from_json(const Node& node, const Document& document) {
   return scenario;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 Formula node(Formula::Kind kind, std::vector<Formula> operands) {
@@ -233,4 +233,4 @@ Formula renamed(const Formula& formula, const std::function<VariableId(VariableI
   return result;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -11,7 +11,7 @@
 #include "automata/logic/variables.hpp"
 #include "automata/time.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 enum class Comparison { less, at_most, greater, at_least };
 
@@ -79,4 +79,4 @@ Formula renamed(const Formula& formula, const std::function<VariableId(VariableI
 /// In the surface syntax, with no more parentheses than needed; `clocks` names the clocks where there are any.
 std::string to_text(const Formula& formula, const Variables& variables, std::span<const std::string> clocks = {});
 
-}  // namespace automata
+}  // namespace rmpl::automata

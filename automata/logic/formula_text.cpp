@@ -4,7 +4,7 @@
 
 #include "automata/logic/formula.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 /// How tightly a connective binds; a looser operand is parenthesised.
@@ -95,4 +95,4 @@ std::string to_text(const Formula& formula, const Variables& variables, std::spa
   return {};
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -5,7 +5,7 @@
 #include <cadical.hpp>
 #include <cassert>
 
-namespace automata {
+namespace rmpl::automata {
 
 struct Sat::Solver {
   CaDiCaL::Solver cadical;
@@ -49,4 +49,4 @@ bool Sat::failed(Literal assumption) const { return solver_->cadical.failed(assu
 
 bool Sat::value(Literal literal) const { return solver_->cadical.val(literal) > 0; }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A literal in the DIMACS manner: +v or -v, v from 1.
 using Literal = int;
@@ -41,4 +41,4 @@ class Sat {
   std::size_t calls_ = 0;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

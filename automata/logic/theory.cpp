@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace automata {
+namespace rmpl::automata {
 
 Theory::Theory(const Variables& variables, Upkeep upkeep) {
   if (upkeep == Upkeep::maintained) maintenance_.emplace();
@@ -282,4 +282,4 @@ ValueId Theory::value(VariableId variable) const {
   return {};
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -11,7 +11,7 @@
 #include "automata/logic/truth_maintenance.hpp"
 #include "automata/logic/variables.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// The constraint store of thesis 6.1: permanent constraints (the interconnections Q, and each mode's constraint under
 /// its mode), and questions under assumptions. One incremental solver lives behind it; formulas are encoded once.
@@ -101,4 +101,4 @@ class Theory {
   std::vector<Assignment> conflict_;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

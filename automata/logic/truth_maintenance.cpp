@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 /// Guesses taken back in vain before a solver is asked; each new assumption grants one more.
@@ -300,4 +300,4 @@ bool TruthMaintenance::failed(Literal assumption) const {
   return blamed >> 1 == question_ && !refuted_;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -18,7 +18,7 @@
 
 #include "automata/logic/sat.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 class TruthMaintenance {
  public:
@@ -101,4 +101,4 @@ class TruthMaintenance {
   bool refuted_ = false;      ///< the clauses alone have no model
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace automata {
+namespace rmpl::automata {
 
 std::optional<ValueId> Variable::find(std::string_view value) const {
   const auto at = std::find(values.begin(), values.end(), value);
@@ -35,4 +35,4 @@ std::optional<VariableId> Variables::find(std::string_view name) const {
   return at->second;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

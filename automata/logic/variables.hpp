@@ -10,7 +10,7 @@
 
 #include "automata/ids.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// A variable with a finite domain. Two variables are comparable when their `values` are the same list.
 struct Variable {
@@ -52,4 +52,4 @@ class Variables {
   std::unordered_map<std::string, VariableId> by_name_;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "automata/step/model.hpp"
+#include "automata/store/model.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 /// How many whole states are remembered: so many that their modes, all together, are no more than this.
@@ -373,4 +373,4 @@ std::vector<std::vector<Move>> PlantStep::initial_moves() const {
   return all;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

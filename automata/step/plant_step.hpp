@@ -8,12 +8,12 @@
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "automata/step/island_store.hpp"
-#include "automata/step/memory.hpp"
-#include "automata/step/standing_answers.hpp"
-#include "automata/step/support.hpp"
+#include "automata/store/island_store.hpp"
+#include "automata/store/memory.hpp"
+#include "automata/store/standing_answers.hpp"
+#include "automata/store/support.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// What one component may do in one step: go to `mode` (staying is going to its own mode) with `probability` > 0.
 struct Move {
@@ -175,4 +175,4 @@ class PlantStep {
   StandingAnswers<double> factors_;      ///< of those
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

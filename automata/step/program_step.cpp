@@ -6,9 +6,9 @@
 #include <cassert>
 #include <map>
 
-#include "automata/step/model.hpp"
+#include "automata/store/model.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 ProgramStep::ProgramStep(const Program& program, const Plant& plant) : program_(program), theory_(model_theory(plant)) {
   initialise();
@@ -188,4 +188,4 @@ void ProgramStep::finish(const Knowledge& knowledge) {
   started_ = next_started_;
 }
 
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -11,7 +11,7 @@
 #include "automata/program.hpp"
 #include "automata/state.hpp"
 
-namespace automata {
+namespace rmpl::automata {
 
 /// Marked locations, ascending. Empty: the program has ended.
 using Marking = std::vector<LocationId>;
@@ -101,4 +101,4 @@ class ProgramStep {
   Asserted asserted_;
 };
 
-}  // namespace automata
+}  // namespace rmpl::automata

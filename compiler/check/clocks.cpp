@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "base/overloaded.hpp"
 #include "compiler/check/vocabulary.hpp"
-#include "compiler/overloaded.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using grammar::Code;
 using grammar::Span;
@@ -134,30 +134,31 @@ class Summaries {
   }
 
   Summary step(const grammar::Step& s) {
-    return std::visit(Overloaded{[](const grammar::Goal&) { return Summary{}; },
-                                 [](const grammar::ClockStart& c) {
-                                   return Summary{{}, {c.clock.text}, {}};
-                                 },
-                                 [&](const grammar::Call& c) { return call(c); },
-                                 [&](const grammar::Block& b) { return body(b.body); },
-                                 [&](const grammar::Watching& w) { return around(*w.step, w.condition); },
-                                 [&](const grammar::Maintaining& m) { return around(*m.step, m.condition); },
-                                 [&](const grammar::If& i) {
-                                   Summary result = guarded(i.condition, *i.step);
-                                   if (i.otherwise) merge(result, step(**i.otherwise));
-                                   return result;
-                                 },
-                                 [&](const grammar::Unless& u) { return guarded(u.condition, *u.step); },
-                                 [&](const grammar::When& w) { return guarded(w.condition, *w.step); },
-                                 [&](const grammar::Whenever& w) { return looped(guarded(w.condition, *w.step)); },
-                                 [&](const grammar::Always& a) { return looped(step(*a.step)); },
-                                 [&](const grammar::Next& n) { return step(*n.step); },
-                                 [&](const grammar::Choose& c) {
-                                   Summary result;
-                                   for (const grammar::Choice& choice : c.choices) merge(result, step(choice.step));
-                                   return result;
-                                 }},
-                      s.node);
+    return std::visit(
+        base::Overloaded{[](const grammar::Goal&) { return Summary{}; },
+                         [](const grammar::ClockStart& c) {
+                           return Summary{{}, {c.clock.text}, {}};
+                         },
+                         [&](const grammar::Call& c) { return call(c); },
+                         [&](const grammar::Block& b) { return body(b.body); },
+                         [&](const grammar::Watching& w) { return around(*w.step, w.condition); },
+                         [&](const grammar::Maintaining& m) { return around(*m.step, m.condition); },
+                         [&](const grammar::If& i) {
+                           Summary result = guarded(i.condition, *i.step);
+                           if (i.otherwise) merge(result, step(**i.otherwise));
+                           return result;
+                         },
+                         [&](const grammar::Unless& u) { return guarded(u.condition, *u.step); },
+                         [&](const grammar::When& w) { return guarded(w.condition, *w.step); },
+                         [&](const grammar::Whenever& w) { return looped(guarded(w.condition, *w.step)); },
+                         [&](const grammar::Always& a) { return looped(step(*a.step)); },
+                         [&](const grammar::Next& n) { return step(*n.step); },
+                         [&](const grammar::Choose& c) {
+                           Summary result;
+                           for (const grammar::Choice& choice : c.choices) merge(result, step(choice.step));
+                           return result;
+                         }},
+        s.node);
   }
 
   /// The summary of the callee with arguments for parameters. A call within a loop of definitions adds nothing: `close`
@@ -216,15 +217,15 @@ class Summaries {
       for (const grammar::Constraint& operand : connective.operands) collect(operand, into);
     };
     std::visit(
-        Overloaded{[](const grammar::Truth&) {},
-                   [&](const grammar::Reference& r) {
-                     if (is_parameter(r.name.text)) into.asks.try_emplace(r.name.text);
-                   },
-                   [](const grammar::Comparison&) {}, [](const grammar::Membership&) {},
-                   [&](const grammar::ClockBound& b) { into.needs[b.clock.text].push_back(b.clock.span); },
-                   [&](const grammar::Negation& n) { all(n); }, [&](const grammar::Conjunction& c) { all(c); },
-                   [&](const grammar::Disjunction& d) { all(d); }, [&](const grammar::Implication& i) { all(i); },
-                   [&](const grammar::Equivalence& e) { all(e); }},
+        base::Overloaded{[](const grammar::Truth&) {},
+                         [&](const grammar::Reference& r) {
+                           if (is_parameter(r.name.text)) into.asks.try_emplace(r.name.text);
+                         },
+                         [](const grammar::Comparison&) {}, [](const grammar::Membership&) {},
+                         [&](const grammar::ClockBound& b) { into.needs[b.clock.text].push_back(b.clock.span); },
+                         [&](const grammar::Negation& n) { all(n); }, [&](const grammar::Conjunction& c) { all(c); },
+                         [&](const grammar::Disjunction& d) { all(d); }, [&](const grammar::Implication& i) { all(i); },
+                         [&](const grammar::Equivalence& e) { all(e); }},
         constraint.node);
   }
 
@@ -256,17 +257,17 @@ class Starts {
   }
 
   void step(const grammar::Step& s) {
-    std::visit(Overloaded{[](const grammar::Goal&) {}, [](const grammar::Call&) {},
-                          [&](const grammar::ClockStart& c) { first.emplace(c.clock.text, c.clock.span); },
-                          [&](const grammar::Block& b) { body(b.body); },
-                          [&](const grammar::If& i) {
-                            step(*i.step);
-                            if (i.otherwise) step(**i.otherwise);
-                          },
-                          [&](const grammar::Choose& c) {
-                            for (const grammar::Choice& choice : c.choices) step(choice.step);
-                          },
-                          [&](const auto& with_body) { step(*with_body.step); }},
+    std::visit(base::Overloaded{[](const grammar::Goal&) {}, [](const grammar::Call&) {},
+                                [&](const grammar::ClockStart& c) { first.emplace(c.clock.text, c.clock.span); },
+                                [&](const grammar::Block& b) { body(b.body); },
+                                [&](const grammar::If& i) {
+                                  step(*i.step);
+                                  if (i.otherwise) step(**i.otherwise);
+                                },
+                                [&](const grammar::Choose& c) {
+                                  for (const grammar::Choice& choice : c.choices) step(choice.step);
+                                },
+                                [&](const auto& with_body) { step(*with_body.step); }},
                s.node);
   }
 };
@@ -301,4 +302,4 @@ void check_clocks(const Definitions& definitions, const Recursion& recursion, co
   }
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -9,7 +9,7 @@
 #include "compiler/check/recursion.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Reports each read of a clock that no path from a root has started: not before it, not in a parallel thread, not in
 /// an earlier turn of a loop around it. Each definition is summed up once, callees first, so the cost is that of the
@@ -17,4 +17,4 @@ namespace compiler {
 void check_clocks(const Definitions& definitions, const Recursion& recursion, const std::vector<std::size_t>& roots,
                   grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "base/overloaded.hpp"
 #include "compiler/check/domains.hpp"
 #include "compiler/check/vocabulary.hpp"
-#include "compiler/overloaded.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using grammar::Code;
 
@@ -54,8 +54,8 @@ class CallCollector {
 
   void step(const grammar::Step& step, const Position& position) {
     const char* const last = "";
-    std::visit(
-        Overloaded{[](const grammar::Goal&) {}, [](const grammar::ClockStart&) {},
+    std::visit(base::Overloaded{
+                   [](const grammar::Goal&) {}, [](const grammar::ClockStart&) {},
                    [&](const grammar::Call& c) { call(c, position); },
                    [&](const grammar::Block& b) { body(b.body, position); },
                    [&](const grammar::Watching& w) { inside(*w.step, position, "a `do … watching` encloses it"); },
@@ -74,7 +74,7 @@ class CallCollector {
                                         "`choose` stands in model programs only, and this is a control program");
                      for (const grammar::Choice& choice : c.choices) inside(choice.step, position, "");
                    }},
-        step.node);
+               step.node);
   }
 
   void call(const grammar::Call& call, const Position& position) {
@@ -133,7 +133,7 @@ Definitions collect_definitions(const std::vector<ProgramSource>& files, grammar
   for (const ProgramSource& source : files) {
     for (const grammar::ProgramItem& item : source.file->items) {
       std::visit(
-          Overloaded{
+          base::Overloaded{
               [](const grammar::Import&) {},
               [&](const grammar::Definition& d) { declare(d, source.root, names, definitions, diagnostics); },
               [&](const grammar::VariableDeclaration& v) { report_model_item(v.span, "`variable`", diagnostics); },
@@ -188,4 +188,4 @@ std::optional<std::size_t> find_entry(const Definitions& definitions, const std:
   return std::nullopt;
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -11,7 +11,7 @@
 #include "grammar/ast/program.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// A file of a program set. The files named by the user are roots; those that an import brought are not.
 struct ProgramSource {
@@ -53,4 +53,4 @@ std::optional<std::size_t> find_entry(const Definitions& definitions, const std:
                                       std::optional<grammar::Span> main_span, grammar::Span blame,
                                       grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -4,7 +4,7 @@
 
 #include "compiler/check/vocabulary.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using grammar::Code;
 
@@ -48,4 +48,4 @@ DomainValues Domains::distinct(const grammar::Values& values) {
   return result;
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

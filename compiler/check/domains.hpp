@@ -10,7 +10,7 @@
 #include "grammar/ast/declaration.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Values in order, and where they are written.
 struct DomainValues {
@@ -52,4 +52,4 @@ class Uniqueness {
   grammar::Diagnostics& diagnostics_;
 };
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -11,7 +11,7 @@
 #include "automata/logic/theory.hpp"
 #include "compiler/check/vocabulary.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Formula;
 using automata::Transition;
@@ -121,4 +121,4 @@ void check_fault_sums(const Part& type, const std::vector<grammar::Span>& spans,
   }
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -10,7 +10,7 @@
 #include "grammar/ast/token.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Sums of written decimals are compared with 1 up to this.
 inline constexpr double probability_tolerance = 1e-9;
@@ -30,4 +30,4 @@ void check_branch_sum(const grammar::TransitionText& text, grammar::Diagnostics&
 void check_fault_sums(const Part& type, const std::vector<grammar::Span>& spans,
                       const std::vector<grammar::Span>& modes, grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -10,7 +10,7 @@
 
 #include "compiler/check/vocabulary.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using grammar::Code;
 
@@ -217,4 +217,4 @@ Recursion check_recursion(const Definitions& definitions, grammar::Diagnostics& 
   return recursion;
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

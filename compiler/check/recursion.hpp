@@ -9,7 +9,7 @@
 #include "compiler/check/definitions.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// The strongly connected sets of the call graph.
 struct Recursion {
@@ -24,4 +24,4 @@ struct Recursion {
 /// definition does, and each cycle of calls with no location between, naming the cycle.
 Recursion check_recursion(const Definitions& definitions, grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

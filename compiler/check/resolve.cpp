@@ -1,12 +1,12 @@
 // Constraints as written become formulas.
 // SPDX-License-Identifier: MIT
 #include "compiler/check/resolve.hpp"
-#include "compiler/overloaded.hpp"
+#include "base/overloaded.hpp"
 
 #include <utility>
 #include <variant>
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Formula;
 using automata::ValueId;
@@ -23,22 +23,22 @@ constexpr std::size_t small_domain = 64;
 
 Formula Resolver::resolve(const grammar::Constraint& constraint) {
   return std::visit(
-      Overloaded{[&](const grammar::Truth& t) { return automata::constant(t.value); },
-                 [&](const grammar::Reference& r) { return reference(r); },
-                 [&](const grammar::Comparison& c) { return comparison(c); },
-                 [&](const grammar::Membership& m) { return membership(m); },
-                 [&](const grammar::ClockBound& b) { return clock(b); },
-                 [&](const grammar::Negation& n) { return automata::negation(resolve(n.operands[0])); },
-                 [&](const grammar::Conjunction& c) { return automata::conjunction(resolve_all(c.operands)); },
-                 [&](const grammar::Disjunction& d) { return automata::disjunction(resolve_all(d.operands)); },
-                 [&](const grammar::Implication& i) {
-                   Formula premise = resolve(i.operands[0]);
-                   return automata::implication(std::move(premise), resolve(i.operands[1]));
-                 },
-                 [&](const grammar::Equivalence& e) {
-                   Formula left = resolve(e.operands[0]);
-                   return automata::equivalence(std::move(left), resolve(e.operands[1]));
-                 }},
+      base::Overloaded{[&](const grammar::Truth& t) { return automata::constant(t.value); },
+                       [&](const grammar::Reference& r) { return reference(r); },
+                       [&](const grammar::Comparison& c) { return comparison(c); },
+                       [&](const grammar::Membership& m) { return membership(m); },
+                       [&](const grammar::ClockBound& b) { return clock(b); },
+                       [&](const grammar::Negation& n) { return automata::negation(resolve(n.operands[0])); },
+                       [&](const grammar::Conjunction& c) { return automata::conjunction(resolve_all(c.operands)); },
+                       [&](const grammar::Disjunction& d) { return automata::disjunction(resolve_all(d.operands)); },
+                       [&](const grammar::Implication& i) {
+                         Formula premise = resolve(i.operands[0]);
+                         return automata::implication(std::move(premise), resolve(i.operands[1]));
+                       },
+                       [&](const grammar::Equivalence& e) {
+                         Formula left = resolve(e.operands[0]);
+                         return automata::equivalence(std::move(left), resolve(e.operands[1]));
+                       }},
       constraint.node);
 }
 
@@ -195,4 +195,4 @@ void Resolver::note_domain(grammar::Diagnostic& diagnostic, VariableId variable)
   }
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -13,7 +13,7 @@
 #include "grammar/ast/constraint.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Resolves constraints against one vocabulary. A part that is wrong is reported and becomes `true`, so that one error
 /// causes no others. What programs add to constraints (parameters, clocks) is overridden there.
@@ -65,4 +65,4 @@ class Resolver {
   std::map<automata::VariableId, std::unordered_map<std::string, automata::ValueId>> large_;
 };
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

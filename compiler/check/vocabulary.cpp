@@ -4,7 +4,7 @@
 
 #include "grammar/source/nearest.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 std::optional<grammar::Span> Vocabulary::declaration(automata::VariableId id) const {
   if (declared == nullptr || id.index() >= declared->size()) return std::nullopt;
@@ -41,4 +41,4 @@ std::vector<std::string> names_of(const automata::Variables& variables) {
   return names;
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -12,7 +12,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/span.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Refers to a table that it does not own. Messages that name something put it in back quotes.
 struct Vocabulary {
@@ -39,4 +39,4 @@ void suggest(grammar::Diagnostic& diagnostic, std::size_t errors_so_far, std::st
 /// The names of all variables, for suggestions.
 std::vector<std::string> names_of(const automata::Variables& variables);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -11,7 +11,7 @@
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/import/netlist.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using grammar::Code;
@@ -210,4 +210,4 @@ std::optional<Netlist> read_bench(const grammar::Sources& sources, std::uint32_t
   return BenchReader(sources[file], file, diagnostics).run();
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -16,7 +16,7 @@
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/import/netlist.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using grammar::Code;
@@ -185,4 +185,4 @@ std::optional<Netlist> read_catalogue(const grammar::Sources& sources, std::uint
   return CatalogueReader(sources[file], file, diagnostics).run();
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-#include "automata/error.hpp"
-#include "compiler/load/files.hpp"
+#include "base/error.hpp"
+#include "compiler/session/files.hpp"
 #include "grammar/source/render.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 /// Whether the text is XML: by the name of its file, or of standard input by its first character.
@@ -19,7 +19,7 @@ bool is_catalogue(const std::string& path, std::string_view text) {
   }
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending == ".bench" || ending == ".xml") return ending == ".xml";
-  throw automata::InputError("'" + path + "' is no netlist: expected a file that ends in .bench or .xml");
+  throw base::InputError("'" + path + "' is no netlist: expected a file that ends in .bench or .xml");
 }
 
 }  // namespace
@@ -36,4 +36,4 @@ ImportedCircuit import_circuit(const std::string& path, FaultModel faults, bool 
   return {to_tcca(*netlist, faults), {}};
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

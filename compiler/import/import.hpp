@@ -7,7 +7,7 @@
 
 #include "compiler/import/netlist.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// The `.tcca` text of a netlist; where it has errors, `plant` is empty and `diagnostics` tells them all.
 struct ImportedCircuit {
@@ -16,8 +16,8 @@ struct ImportedCircuit {
 };
 
 /// Imports a netlist: `.bench` (ISCAS) or `.xml` (a system catalogue of the diagnostic competition), told by the file's
-/// ending; `-` is standard input, told by its content. Throws InputError where the file cannot be read or has another
-/// ending.
+/// ending; `-` is standard input, told by its content. Throws base::InputError where the file cannot be read or has
+/// another ending.
 ImportedCircuit import_circuit(const std::string& path, FaultModel faults, bool color = false);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -11,7 +11,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 enum class GateFunction {
   conjunction,
@@ -79,7 +79,7 @@ enum class FaultModel {
 };
 
 /// The circuit as a plant in the surface language: gates are instances named as in the file (with an N before a name
-/// that begins with a digit), ports are observed. Throws InputError where two names cannot be told apart then.
+/// that begins with a digit), ports are observed. Throws base::InputError where two names cannot be told apart then.
 std::string to_tcca(const Netlist& netlist, FaultModel faults);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

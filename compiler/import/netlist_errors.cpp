@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/import/netlist.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 grammar::Diagnostic* NetlistErrors::report(grammar::Code code, grammar::Span span, std::string message) {
   if (too_many()) return nullptr;
@@ -12,4 +12,4 @@ grammar::Diagnostic* NetlistErrors::report(grammar::Code code, grammar::Span spa
   return nullptr;
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

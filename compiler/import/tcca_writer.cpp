@@ -5,11 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "automata/error.hpp"
+#include "base/error.hpp"
 #include "compiler/import/netlist.hpp"
 #include "grammar/parse/scan.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 std::string type_name(GateFunction function, std::size_t inputs) {
@@ -95,7 +95,7 @@ std::string identifier(const std::string& name) {
   std::string made = grammar::is_reserved(name) ? name + "_" : name;
   if (!name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) != 0) made = "N" + name;
   if (made.empty() || grammar::identifier_at(made.data(), made.data() + made.size()) != made) {
-    throw automata::InputError("'" + name + "' cannot be made a name: letters, digits, '_', '-' and '.' can");
+    throw base::InputError("'" + name + "' cannot be made a name: letters, digits, '_', '-' and '.' can");
   }
   return made;
 }
@@ -108,13 +108,13 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-/// The netlist with identifiers for names. Throws InputError where one cannot, or where two become one.
+/// The netlist with identifiers for names. Throws base::InputError where one cannot, or where two become one.
 Netlist with_identifiers(Netlist netlist) {
   std::map<std::string, std::string> origin;
   const auto rename = [&](std::string& name) {
     const std::string made = identifier(name);
     if (const auto [at, fresh] = origin.emplace(made, name); !fresh && at->second != name) {
-      throw automata::InputError("the names '" + at->second + "' and '" + name + "' both become '" + made + "'");
+      throw base::InputError("the names '" + at->second + "' and '" + name + "' both become '" + made + "'");
     }
     name = made;
   };
@@ -175,4 +175,4 @@ std::string to_tcca(const Netlist& given, FaultModel faults) {
   return text + "}\n";
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

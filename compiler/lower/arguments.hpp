@@ -8,7 +8,7 @@
 
 #include "grammar/ast/program.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 struct Environment;
 
@@ -30,4 +30,4 @@ struct Environment {
   const grammar::Call* call = nullptr;  ///< where the expansion comes from, for messages
 };
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/attributes.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 void declare(Part& part, const grammar::AttributeDeclaration& declaration, Uniqueness& names, Domains& domains,
              grammar::Diagnostics& diagnostics) {
@@ -14,4 +14,4 @@ void declare(Part& part, const grammar::AttributeDeclaration& declaration, Uniqu
   }
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

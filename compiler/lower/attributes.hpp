@@ -6,11 +6,11 @@
 #include "compiler/lower/part.hpp"
 #include "grammar/ast/plant.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Adds the variables of one declaration. A name that `names` has already is reported and left out, as are all names
 /// where the domain is unknown.
 void declare(Part& part, const grammar::AttributeDeclaration& declaration, Uniqueness& names, Domains& domains,
              grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

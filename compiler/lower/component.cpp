@@ -10,7 +10,7 @@
 #include "compiler/lower/initial.hpp"
 #include "compiler/lower/timing.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::ModeId;
 using automata::Transition;
@@ -211,4 +211,4 @@ std::optional<ModeId> ComponentLowering::mode(const grammar::Name& name) {
   return std::nullopt;
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

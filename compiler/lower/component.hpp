@@ -15,7 +15,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Lowers one component type. What is wrong is reported and left out.
 class ComponentLowering {
@@ -47,4 +47,4 @@ class ComponentLowering {
   std::uint32_t branches_ = 0;
 };
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -7,7 +7,7 @@
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lower/part.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Condition;
 using automata::Location;
@@ -91,4 +91,4 @@ void Draft::connect() {
   }
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

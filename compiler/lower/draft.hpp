@@ -15,7 +15,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Where an arc leads, or a fragment starts: a location, or the starts of an expansion that is still open (a tail
 /// call), known when it is closed.
@@ -95,4 +95,4 @@ class Draft {
   bool complete_ = true;
 };
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -9,7 +9,7 @@
 #include "compiler/check/probabilities.hpp"
 #include "compiler/check/vocabulary.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using grammar::Code;
 
@@ -57,4 +57,4 @@ std::optional<std::vector<double>> initial_distribution(const grammar::Initial& 
   return distribution;
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

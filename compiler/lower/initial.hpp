@@ -9,7 +9,7 @@
 #include "grammar/ast/plant.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Per mode of the component, the probability of starting in it; they sum to 1. A mode without a number is certain.
 /// Nothing where something is wrong; then it has been reported.
@@ -17,4 +17,4 @@ std::optional<std::vector<double>> initial_distribution(const grammar::Initial& 
                                                         const automata::Component& component,
                                                         grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

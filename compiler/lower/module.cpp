@@ -10,7 +10,7 @@
 #include "compiler/lower/initial.hpp"
 #include "compiler/lower/ports.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using grammar::Code;
 using grammar::Name;
@@ -193,4 +193,4 @@ void ModelLowering::report_cycle(const Type& type, const Name& instance) {
   }
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -16,7 +16,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Lowers one plant model: all files that belong together. Every type is lowered once, used or not, so that its errors
 /// are reported once; instances are copies.
@@ -60,4 +60,4 @@ class ModelLowering {
   std::vector<std::pair<Type*, grammar::Name>> path_;
 };
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

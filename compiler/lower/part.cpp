@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/part.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Formula;
 using automata::VariableId;
@@ -72,4 +72,4 @@ automata::Origin origin_of(const grammar::Sources& sources, grammar::Span span) 
   return {file.name(), place.line, place.column};
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -11,7 +11,7 @@
 #include "grammar/source/source_file.hpp"
 #include "grammar/source/span.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// A plant is its root module as a part. The mode variable and the component of a component type are named "", so that
 /// an instance of it takes the instance's name.
@@ -42,4 +42,4 @@ std::string first_clash(const Part& whole, const std::string& instance, const Pa
 /// A span as a place in the automata.
 automata::Origin origin_of(const grammar::Sources& sources, grammar::Span span);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -7,7 +7,7 @@
 
 #include "compiler/check/resolve.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::VariableId;
 using grammar::Code;
@@ -94,4 +94,4 @@ void connect(const grammar::ModuleDefinition& definition, Part& part, grammar::D
   Connector(definition, part, diagnostics).run();
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -6,9 +6,9 @@
 #include "grammar/ast/plant.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Resolves the interconnections, controls and observables of a module over its ports and instances, and adds them.
 void connect(const grammar::ModuleDefinition& definition, Part& part, grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

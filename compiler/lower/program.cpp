@@ -10,7 +10,7 @@
 #include "compiler/lower/draft.hpp"
 #include "compiler/lower/program_resolver.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Condition;
 using automata::Formula;
@@ -354,4 +354,4 @@ LoweredProgram lower_program(const grammar::Sources& sources, const Definitions&
   return ProgramLowering(sources, definitions, recursion, entry, purpose, plant, reached, diagnostics).run();
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -12,7 +12,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// A program that was lowered. Only where no error was reported does it mean what the text says.
 struct LoweredProgram {
@@ -31,4 +31,4 @@ LoweredProgram lower_program(const grammar::Sources& sources, const Definitions&
                              const Recursion& recursion, std::size_t entry, Purpose purpose, const Part* plant,
                              std::vector<bool>& reached, grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -7,7 +7,7 @@
 
 #include "compiler/lower/timing.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Assignment;
 using automata::ClockId;
@@ -265,4 +265,4 @@ Passed ProgramResolver::pass(const grammar::Argument& argument) {
   return PassedConstraint{&constraint, environment_, to_text(formula, program_.variables, program_.clocks)};
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -15,7 +15,7 @@
 #include "compiler/lower/arguments.hpp"
 #include "compiler/lower/part.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Fills in the variables and clocks of a program. With a plant, the table is the plant's and every name is checked;
 /// without, the table collects what is mentioned, and `x = y` takes y for a value: where y turns out to be a variable
@@ -72,4 +72,4 @@ class ProgramResolver final : public Resolver {
   std::map<std::pair<std::uint32_t, std::uint32_t>, grammar::Name> taken_for_values_;
 };
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

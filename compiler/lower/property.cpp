@@ -9,12 +9,12 @@
 #include <set>
 #include <string>
 
+#include "base/overloaded.hpp"
 #include "compiler/check/resolve.hpp"
 #include "compiler/lower/part.hpp"
 #include "compiler/lower/timing.hpp"
-#include "compiler/overloaded.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::PlantProperty;
 using grammar::Code;
@@ -153,4 +153,4 @@ std::vector<PlantProperty> lower_properties(const grammar::Sources& sources, con
   return PropertyLowering(sources, plant, diagnostics).run(file);
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -10,11 +10,11 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// The properties in the order of the file. They mean something only where nothing is reported.
 std::vector<automata::PlantProperty> lower_properties(const grammar::Sources& sources,
                                                       const grammar::PropertyFile& file, const automata::Plant& plant,
                                                       grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -9,11 +9,11 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/overloaded.hpp"
 #include "compiler/check/resolve.hpp"
 #include "compiler/lower/timing.hpp"
-#include "compiler/overloaded.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Assignment;
 using automata::Formula;
@@ -55,20 +55,20 @@ class ScenarioLowering {
     const grammar::Span* duration = nullptr;
     const grammar::Span* seed = nullptr;
     for (const grammar::ScenarioItem& item : definition.items) {
-      std::visit(Overloaded{[&](const grammar::CyclePart& part) {
-                              const auto period = ticks_of(part.period, diagnostics_);
-                              if (!once(part.span, cycle, "cycle") || !period) return;
-                              if (*period == Ticks{0}) report_cycle(part.period.span);
-                              scenario_.cycle = *period;
-                            },
-                            [&](const grammar::DurationPart& part) {
-                              const auto length = ticks_of(part.duration, diagnostics_);
-                              if (once(part.span, duration, "duration") && length) scenario_.duration = *length;
-                            },
-                            [&](const grammar::SeedPart& part) {
-                              if (once(part.span, seed, "seed")) scenario_.seed = part.seed;
-                            },
-                            [](const auto&) {}},
+      std::visit(base::Overloaded{[&](const grammar::CyclePart& part) {
+                                    const auto period = ticks_of(part.period, diagnostics_);
+                                    if (!once(part.span, cycle, "cycle") || !period) return;
+                                    if (*period == Ticks{0}) report_cycle(part.period.span);
+                                    scenario_.cycle = *period;
+                                  },
+                                  [&](const grammar::DurationPart& part) {
+                                    const auto length = ticks_of(part.duration, diagnostics_);
+                                    if (once(part.span, duration, "duration") && length) scenario_.duration = *length;
+                                  },
+                                  [&](const grammar::SeedPart& part) {
+                                    if (once(part.span, seed, "seed")) scenario_.seed = part.seed;
+                                  },
+                                  [](const auto&) {}},
                  item);
     }
   }
@@ -288,4 +288,4 @@ automata::Scenario lower_scenario(const grammar::Sources& sources, const grammar
   return ScenarioLowering(sources, plant, diagnostics).run(definition);
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -8,7 +8,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// The parts of a scenario that name files; null where the scenario lacks one. Reports what is missing or repeated.
 struct ScenarioFiles {
@@ -22,4 +22,4 @@ ScenarioFiles files_of(const grammar::ScenarioDefinition& definition, grammar::D
 automata::Scenario lower_scenario(const grammar::Sources& sources, const grammar::ScenarioDefinition& definition,
                                   const Part* plant, grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -5,7 +5,7 @@
 #include "compiler/check/probabilities.hpp"
 #include "compiler/check/vocabulary.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 using automata::Density;
 using automata::Ticks;
@@ -96,4 +96,4 @@ std::optional<Weight> weight_of(const grammar::WeightText& text, grammar::Diagno
   return Weight{Weight::Kind::rate, rate.rate.value / unit->seconds()};
 }
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -10,7 +10,7 @@
 #include "grammar/ast/token.hpp"
 #include "grammar/source/diagnostic.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 /// Nothing where the duration is finer than a tick or beyond the range; then it has been reported.
 std::optional<automata::Ticks> ticks_of(const grammar::Duration& duration, grammar::Diagnostics& diagnostics);
@@ -21,4 +21,4 @@ std::optional<automata::Timing> timing_of(const grammar::TimingText& text, gramm
 /// A probability, or a rate per second. Nothing where it is out of range; then it has been reported.
 std::optional<automata::Weight> weight_of(const grammar::WeightText& text, grammar::Diagnostics& diagnostics);
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// Holds one T, never empty but after a move. Copying copies the T.
 template <class T>
@@ -31,4 +31,4 @@ class Box {
   std::unique_ptr<T> value_;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

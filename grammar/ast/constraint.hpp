@@ -7,7 +7,7 @@
 
 #include "grammar/ast/token.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 struct Constraint;
 
@@ -83,4 +83,4 @@ struct AssignmentText {
   Name value;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -8,7 +8,7 @@
 
 #include "grammar/ast/token.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// `{ zero, low, nominal }`, with its place, braces included. One value or more.
 struct Values {
@@ -45,4 +45,4 @@ struct Control {
   std::optional<Name> idle;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -10,7 +10,7 @@
 #include "grammar/ast/declaration.hpp"
 #include "grammar/ast/token.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 enum class Direction { input, output, internal };
 
@@ -148,4 +148,4 @@ struct PlantFile {
   std::vector<PlantItem> items;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -11,7 +11,7 @@
 #include "grammar/ast/declaration.hpp"
 #include "grammar/ast/token.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 struct Step;
 
@@ -146,4 +146,4 @@ struct ProgramFile {
   std::vector<ProgramItem> items;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

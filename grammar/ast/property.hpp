@@ -10,7 +10,7 @@
 #include "grammar/ast/constraint.hpp"
 #include "grammar/ast/token.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// `never φ;`
 struct NeverClaim {
@@ -84,4 +84,4 @@ struct PropertyFile {
   std::vector<PropertyDefinition> properties;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -10,7 +10,7 @@
 #include "grammar/ast/constraint.hpp"
 #include "grammar/ast/token.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// `program "mars_entry.rmpl" main EntrySequence;`
 struct ProgramPart {
@@ -108,4 +108,4 @@ struct ScenarioFile {
   std::vector<ScenarioDefinition> scenarios;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

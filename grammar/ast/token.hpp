@@ -6,7 +6,7 @@
 
 #include "grammar/source/span.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// An identifier as written, dots and dashes included: `prop.engine.temp` is one name. Also a value of a domain, and
 /// then it may be `true` or `false`.
@@ -37,4 +37,4 @@ struct String {
   std::string text;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -6,7 +6,7 @@
 
 #include "grammar/parse/scan.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 const char* Brackets::open(char kind, const char* place) {
   for (at_ = skip_blank(at_, end_); at_ < place; at_ = skip_blank(at_, end_)) {
@@ -28,4 +28,4 @@ void Brackets::close(char kind) {
   if (same != open_.rend()) open_.erase(std::prev(same.base()), open_.end());
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

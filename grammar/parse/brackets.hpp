@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// Reads a text once, from place to place, however often it is asked.
 class Brackets {
@@ -24,4 +24,4 @@ class Brackets {
   std::vector<const char*> open_;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

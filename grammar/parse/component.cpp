@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const Rule<struct InitialModeId, InitialMode> initial_mode{"a mode"};
@@ -45,4 +45,4 @@ BOOST_SPIRIT_INSTANTIATE(decltype(attribute), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(initial), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(component), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

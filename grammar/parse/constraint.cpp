@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 /// Operands of one connective, side by side: one operand alone is itself, several are one `Node`.
@@ -161,4 +161,4 @@ BOOST_SPIRIT_INSTANTIATE(decltype(constraint), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(assignment), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(assignment_list), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const auto import_def = record[Keyword("import") > field<&Import::path>[string] > semicolon];
@@ -29,4 +29,4 @@ BOOST_SPIRIT_INSTANTIATE(decltype(values), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(observe), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(control), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

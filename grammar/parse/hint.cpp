@@ -10,7 +10,7 @@
 #include "grammar/parse/scan.hpp"
 #include "grammar/source/nearest.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 std::string did_you_mean(std::string_view word) { return "did you mean `" + std::string(word) + "`?"; }
@@ -181,4 +181,4 @@ std::optional<std::string> hint(const Unexpected& place) {
   return std::nullopt;
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

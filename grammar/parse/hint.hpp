@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// A place where something else was expected.
 struct Unexpected {
@@ -19,4 +19,4 @@ struct Unexpected {
 /// What to do about it, as a sentence; nothing where nothing is near.
 std::optional<std::string> hint(const Unexpected& place);
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -7,7 +7,7 @@
 
 #include "grammar/parse/record.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// A token that a scan function recognises.
 template <class Value, bool (*Scan)(const char*&, ParseState&, Value&)>
@@ -151,12 +151,12 @@ constexpr auto statements_in_braces(const char* text, const Alternatives& altern
                         recovering<Resume::after_semicolon>[named(text, alternatives)]) > close_brace;
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar
 
-template <class Value, bool (*Scan)(const char*&, grammar::ParseState&, Value&)>
-struct boost::spirit::x3::get_info<grammar::Token<Value, Scan>> {
+template <class Value, bool (*Scan)(const char*&, rmpl::grammar::ParseState&, Value&)>
+struct boost::spirit::x3::get_info<rmpl::grammar::Token<Value, Scan>> {
   using result_type = std::string;
-  std::string operator()(const grammar::Token<Value, Scan>& token) const { return token.description; }
+  std::string operator()(const rmpl::grammar::Token<Value, Scan>& token) const { return token.description; }
 };
 
 template <class Parser>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const Rule<struct InstanceId, InstanceDeclaration> instance{"an instance"};
@@ -34,4 +34,4 @@ BOOST_SPIRIT_DEFINE(instance, interconnection)
 BOOST_SPIRIT_DEFINE(module_)
 BOOST_SPIRIT_INSTANTIATE(decltype(module_), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 /// The tree of a whole text, or nothing where it has errors.
@@ -61,4 +61,4 @@ std::optional<std::vector<AssignmentText>> parse_assignments(const Sources& sour
   return std::move(list->assignments);
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

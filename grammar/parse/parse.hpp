@@ -14,7 +14,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// How deep constraints and steps may nest: a limit that keeps every recursive pass far from the end of the stack.
 inline constexpr std::size_t nesting_limit = 400;
@@ -33,4 +33,4 @@ std::optional<Constraint> parse_constraint(const Sources& sources, std::uint32_t
 std::optional<std::vector<AssignmentText>> parse_assignments(const Sources& sources, std::uint32_t file,
                                                              Diagnostics& diagnostics);
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 constexpr auto items = &PlantFile::items;
@@ -15,4 +15,4 @@ const auto plant_file_def = record[statements_of_file(
 BOOST_SPIRIT_DEFINE(plant_file)
 BOOST_SPIRIT_INSTANTIATE(decltype(plant_file), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const Rule<struct DefinitionId, Definition> definition{"a definition"};
@@ -29,4 +29,4 @@ BOOST_SPIRIT_DEFINE(definition, variable)
 BOOST_SPIRIT_DEFINE(program_file)
 BOOST_SPIRIT_INSTANTIATE(decltype(program_file), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const Rule<struct NeverClaimId, NeverClaim> never_claim{"`never`"};
@@ -66,4 +66,4 @@ BOOST_SPIRIT_DEFINE(from_setting, entailed_setting, expected_verdict, property)
 BOOST_SPIRIT_DEFINE(property_file)
 BOOST_SPIRIT_INSTANTIATE(decltype(property_file), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -12,7 +12,7 @@
 #include "grammar/parse/scan.hpp"
 #include "grammar/parse/state.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 namespace x3 = boost::spirit::x3;
 
@@ -202,13 +202,13 @@ inline constexpr Directive<NestedFamily> nested;
 template <Resume How>
 inline constexpr Directive<RecoveringFamily<How>> recovering;
 
-}  // namespace grammar
+}  // namespace rmpl::grammar
 
 /// A directive is called what its subject is called.
 template <class Parser>
 requires requires {
   typename Parser::subject_type;
-  requires std::is_base_of_v<grammar::DirectiveBase, Parser>;
+  requires std::is_base_of_v<rmpl::grammar::DirectiveBase, Parser>;
 }
 struct boost::spirit::x3::get_info<Parser> {
   using result_type = std::string;

@@ -12,7 +12,7 @@
 #include "grammar/ast/scenario.hpp"
 #include "grammar/parse/lexeme.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 template <class Id, class Attribute>
 using Rule = x3::rule<Id, Attribute>;
@@ -68,4 +68,4 @@ constexpr auto domain_reference() {
   return named("a domain", field<Member>[name] | field<Member>[values]);
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 constexpr std::array<std::string_view, 22> reserved_words = {
@@ -239,4 +239,4 @@ bool scan_end(const char*& first, ParseState& state) {
   return true;
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -8,7 +8,7 @@
 #include "grammar/ast/token.hpp"
 #include "grammar/parse/state.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// Behind white space and comments. An unclosed comment is not skipped: it is then found where something else was
 /// expected.
@@ -52,4 +52,4 @@ bool scan_operator(const char*& first, ParseState& state, std::string_view symbo
 /// The end of the text.
 bool scan_end(const char*& first, ParseState& state);
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const Rule<struct ProgramPartId, ProgramPart> program_part{"`program`"};
@@ -87,4 +87,4 @@ BOOST_SPIRIT_DEFINE(fault_event, observe_event, cycles, rule, expectation, scena
 BOOST_SPIRIT_DEFINE(scenario_file)
 BOOST_SPIRIT_INSTANTIATE(decltype(scenario_file), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -8,7 +8,7 @@
 #include "grammar/parse/parse.hpp"
 #include "grammar/parse/scan.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 constexpr std::size_t error_limit = 100;
@@ -129,4 +129,4 @@ void ParseState::check_depth(const char* where, std::size_t further) {
   throw Abandoned{};
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

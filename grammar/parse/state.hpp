@@ -11,7 +11,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// Thrown to leave a parse that is not worth going on with; the reason has been reported.
 struct Abandoned {};
@@ -75,4 +75,4 @@ class ParseState {
   const char* next_statement_ = nullptr;  ///< where the statement in error most likely lacks its `;`
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

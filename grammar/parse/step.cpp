@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/rules.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 /// What ends a `do`: `watching c` or `maintaining c`.
@@ -199,4 +199,4 @@ BOOST_SPIRIT_DEFINE(step, body)
 BOOST_SPIRIT_INSTANTIATE(decltype(step), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(body), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -3,7 +3,7 @@
 #include "grammar/parse/rules.hpp"
 #include "grammar/source/nearest.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const Rule<struct AnySourceId, AnySource> any_source{"`any`"};
@@ -85,4 +85,4 @@ BOOST_SPIRIT_DEFINE(any_source, named_sources, sources, probability, rate, densi
 BOOST_SPIRIT_DEFINE(transition)
 BOOST_SPIRIT_INSTANTIATE(decltype(transition), Iterator, Context)
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

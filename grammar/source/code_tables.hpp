@@ -6,7 +6,7 @@
 
 #include "grammar/source/codes.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 std::span<const CodeInfo> text_codes();
 std::span<const CodeInfo> name_codes();
@@ -17,4 +17,4 @@ std::span<const CodeInfo> document_codes();
 std::span<const CodeInfo> property_codes();
 std::span<const CodeInfo> netlist_codes();
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

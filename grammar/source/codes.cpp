@@ -10,7 +10,7 @@
 
 #include "grammar/source/code_tables.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 const CodeInfo* look_up(Code code) {
@@ -61,4 +61,4 @@ std::vector<CodeInfo> all_codes() {
   return all;
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

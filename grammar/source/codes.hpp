@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// The number of a code: `RMPL0001` is 1. A number is never given to another meaning. Hundreds group by subject:
 /// 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled documents, 7 properties,
@@ -110,4 +110,4 @@ const CodeInfo& info(Code code);
 /// All entries, by number.
 std::vector<CodeInfo> all_codes();
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "grammar/source/code_tables.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 constexpr std::array table = {
@@ -35,4 +35,4 @@ constexpr std::array table = {
 
 std::span<const CodeInfo> scenario_codes() { return table; }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "grammar/source/code_tables.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 constexpr std::array table = {
@@ -66,4 +66,4 @@ import "types.tcca";)"},
 
 std::span<const CodeInfo> text_codes() { return table; }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

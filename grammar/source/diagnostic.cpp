@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace grammar {
+namespace rmpl::grammar {
 
 const char* to_string(Severity severity) {
   switch (severity) {
@@ -47,4 +47,4 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
   return sorted;
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -10,7 +10,7 @@
 #include "grammar/source/codes.hpp"
 #include "grammar/source/span.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// Least severe first, so that levels can be compared.
 enum class Severity { note, warning, error };
@@ -58,4 +58,4 @@ class Diagnostics {
   std::size_t errors_ = 0;
 };
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <vector>
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 bool same_but_for_case(std::string_view a, std::string_view b) {
@@ -56,4 +56,4 @@ std::optional<std::string> nearest(std::string_view name, std::span<const std::s
   return *best;
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

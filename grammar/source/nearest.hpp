@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b` (optimal string
 /// alignment), or `limit + 1` where it is more than `limit`. O(|a| |b|).
@@ -17,4 +17,4 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 /// errors; the first of equals; nothing where none is near. A candidate that differs in case only always counts.
 std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates);
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

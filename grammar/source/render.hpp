@@ -8,7 +8,7 @@
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// The manner of rustc: a headline with severity and code, the place, the source line with carets under the span, each
 /// note with its own line and carets, the suggestion as `help:`. Long lines are shown through a window around the span,
@@ -20,4 +20,4 @@ std::string render_text(std::span<const Diagnostic> diagnostics, const Sources& 
 /// code points, the end is exclusive. Schema: grammar/schema/diagnostics.schema.json.
 std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& sources);
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "grammar/source/render.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -44,4 +44,4 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& 
   return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

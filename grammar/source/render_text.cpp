@@ -8,7 +8,7 @@
 
 #include "grammar/source/render.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 constexpr std::size_t widest = 120;  // columns of a source line that are shown
@@ -185,4 +185,4 @@ std::string render_text(std::span<const Diagnostic> diagnostics, const Sources& 
   return text.take();
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -9,7 +9,7 @@
 
 #include "grammar/source/diagnostic.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 constexpr std::size_t longest_text = std::numeric_limits<std::uint32_t>::max();
@@ -121,4 +121,4 @@ bool check_encoding(const Sources& sources, std::uint32_t file, Diagnostics& dia
   return errors == 0;
 }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -11,7 +11,7 @@
 
 #include "grammar/source/span.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 
 class Diagnostics;
 
@@ -75,4 +75,4 @@ bool check_encoding(const Sources& sources, std::uint32_t file, Diagnostics& dia
 /// The length in bytes, 1 to 4, of the well-formed code point at the start of `text`; 0 where there is none.
 std::size_t code_point_length(std::string_view text);
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace grammar {
+namespace rmpl::grammar {
 
 /// Bytes [begin, end) of the file with index `file` in a `Sources`. Empty where begin = end: a place between two bytes.
 struct Span {
@@ -17,4 +17,4 @@ struct Span {
 /// From the start of `first` to the end of `last`, both of one file.
 constexpr Span join(Span first, Span last) { return {first.file, first.begin, last.end}; }
 
-}  // namespace grammar
+}  // namespace rmpl::grammar

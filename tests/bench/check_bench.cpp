@@ -5,6 +5,8 @@
 #include "tests/bench/example.hpp"
 #include "verifier/property/property.hpp"
 
+using namespace rmpl;
+
 namespace {
 
 void check(benchmark::State& state, const char* file, const char* target, std::optional<automata::Ticks> period) {

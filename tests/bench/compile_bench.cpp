@@ -4,6 +4,8 @@
 
 #include "tests/bench/example.hpp"
 
+using namespace rmpl;
+
 namespace {
 
 void compile_mars_entry(benchmark::State& state) {

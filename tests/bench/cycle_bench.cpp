@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 
-#include "runtime/estimate/estimator.hpp"
-#include "runtime/reconfigure/reconfigurer.hpp"
-#include "runtime/scenario/run.hpp"
+#include "runtime/executive/scenario/run.hpp"
+#include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 #include "tests/bench/example.hpp"
+
+using namespace rmpl;
 
 namespace {
 

@@ -12,10 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "runtime/command/competition.hpp"
-#include "runtime/diagnose/minimal.hpp"
+#include "runtime/reasoning/diagnose/minimal.hpp"
 #include "tests/bench/netlist_plant.hpp"
 #include "tests/bench/processor_time.hpp"
+#include "tools/rmpl-run/competition.hpp"
+
+using namespace rmpl;
 
 namespace {
 

@@ -8,14 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "compiler/compiler.hpp"
+#include "compiler/session/compiler.hpp"
+#include "tests/paths.hpp"
 
-namespace bench {
+namespace rmpl::bench {
 
 /// Paths below examples/.
 inline std::vector<std::string> example_paths(std::initializer_list<const char*> names) {
   std::vector<std::string> paths;
-  for (const char* name : names) paths.push_back(std::string(RMPL_SOURCE_DIR) + "/examples/" + name);
+  for (const char* name : names) paths.push_back(rmpl::paths::source() + "/examples/" + name);
   return paths;
 }
 
@@ -39,4 +40,4 @@ inline automata::Formula formula(const char* text, const automata::Plant& plant)
   return *compiled.formula;
 }
 
-}  // namespace bench
+}  // namespace rmpl::bench

@@ -18,11 +18,13 @@
 #include <string>
 #include <vector>
 
-#include "runtime/diagnose/circuit.hpp"
-#include "runtime/diagnose/diagnose.hpp"
-#include "runtime/diagnose/simulate.hpp"
+#include "runtime/reasoning/diagnose/circuit.hpp"
+#include "runtime/reasoning/diagnose/diagnose.hpp"
+#include "runtime/reasoning/diagnose/simulate.hpp"
 #include "tests/bench/netlist_plant.hpp"
 #include "tests/bench/processor_time.hpp"
+
+using namespace rmpl;
 
 namespace {
 

@@ -10,10 +10,10 @@
 #include <fstream>
 #include <string>
 
-#include "compiler/compiler.hpp"
 #include "compiler/import/import.hpp"
+#include "compiler/session/compiler.hpp"
 
-namespace bench {
+namespace rmpl::bench {
 
 /// Imports and compiles a netlist, as `rmplc import` and the reader of every program do.
 inline automata::Document imported(const std::filesystem::path& netlist, compiler::FaultModel faults) {
@@ -34,4 +34,4 @@ inline automata::Document imported(const std::filesystem::path& netlist, compile
   return compilation.document();
 }
 
-}  // namespace bench
+}  // namespace rmpl::bench

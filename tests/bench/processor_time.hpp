@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-namespace bench {
+namespace rmpl::bench {
 
 inline double processor_seconds() {
   timespec now{};
@@ -12,4 +12,4 @@ inline double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace bench
+}  // namespace rmpl::bench

@@ -6,9 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "automata/error.hpp"
+#include "base/error.hpp"
 #include "compiler/import/netlist.hpp"
 #include "grammar/source/render.hpp"
+
+using namespace rmpl;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   grammar::Sources sources;
@@ -22,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     if (compiler::to_tcca(*netlist, compiler::FaultModel::strong).empty()) std::abort();
-  } catch (const automata::InputError& error) {
+  } catch (const base::InputError& error) {
     if (std::string_view(error.what()).empty()) std::abort();
   }
   return 0;

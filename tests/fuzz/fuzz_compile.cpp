@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "automata/json/document.hpp"
-#include "compiler/compiler.hpp"
+#include "compiler/session/compiler.hpp"
+
+using namespace rmpl;
 
 namespace {
 

@@ -6,8 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "automata/error.hpp"
 #include "automata/json/document.hpp"
+#include "base/error.hpp"
+
+using namespace rmpl;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
@@ -15,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const automata::Document document = automata::read_document(input, "document.json");
     const std::string text = automata::to_text(document);
     if (automata::to_text(automata::read_document(text, "document.json")) != text) std::abort();
-  } catch (const automata::InputError& error) {
+  } catch (const base::InputError& error) {
     if (std::string_view(error.what()).empty()) std::abort();
   }
   return 0;

@@ -19,6 +19,8 @@
 
 #include "tests/fuzz/mutate.hpp"
 
+using namespace rmpl;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {

@@ -7,14 +7,17 @@
 #include <string>
 #include <string_view>
 
-#include "automata/error.hpp"
-#include "compiler/compiler.hpp"
-#include "runtime/trace/log.hpp"
+#include "base/error.hpp"
+#include "compiler/session/compiler.hpp"
+#include "runtime/executive/trace/log.hpp"
+#include "tests/paths.hpp"
+
+using namespace rmpl;
 
 namespace {
 
 const automata::Plant& lander() {
-  static const std::vector<std::string> paths{RMPL_SOURCE_DIR "/examples/mars-entry/mars_lander.tcca"};
+  static const std::vector<std::string> paths{rmpl::paths::source() + "/examples/mars-entry/mars_lander.tcca"};
   static const compiler::Compilation compiled = compiler::compile(paths);
   return compiled.document().plants.front();
 }
@@ -24,7 +27,7 @@ void read(const std::string& text, Names& names) {
   try {
     std::istringstream in(text);
     runtime::read_log(in, "log.jsonl", names);
-  } catch (const automata::InputError& error) {
+  } catch (const base::InputError& error) {
     if (std::string_view(error.what()).empty()) std::abort();
   }
 }

@@ -8,6 +8,8 @@
 #include "grammar/parse/parse.hpp"
 #include "grammar/source/render.hpp"
 
+using namespace rmpl;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   grammar::Sources sources;
   grammar::Diagnostics diagnostics;

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace fuzz {
+namespace rmpl::fuzz {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::string mutate(const std::string& text, const std::vector<Seed>& corpus, Ran
   return result;
 }
 
-}  // namespace fuzz
+}  // namespace rmpl::fuzz

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace fuzz {
+namespace rmpl::fuzz {
 
 using Random = std::mt19937_64;
 
@@ -23,4 +23,4 @@ std::vector<Seed> read_corpus(const std::string& directory, const std::vector<st
 /// NUL bytes and broken UTF-8, brackets nested deep. The same generator state gives the same text.
 std::string mutate(const std::string& text, const std::vector<Seed>& corpus, Random& random);
 
-}  // namespace fuzz
+}  // namespace rmpl::fuzz

@@ -10,6 +10,8 @@
 
 #include "tests/fuzz/mutate.hpp"
 
+using namespace rmpl;
+
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() < 4) {

@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "compiler/compiler.hpp"
+#include "compiler/session/compiler.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/models.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 /// Compiles a text as the file of a program.
@@ -57,4 +57,4 @@ RC_GTEST_PROP(Compiler, LowersByTheTable, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -1,6 +1,6 @@
 // Diagnoses of snapshots against every assignment of modes.
 // SPDX-License-Identifier: MIT
-#include "runtime/diagnose/diagnose.hpp"
+#include "runtime/reasoning/diagnose/diagnose.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,7 +13,7 @@
 #include "tests/property/generate.hpp"
 #include "tests/reference/diagnoses.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using Faults = std::vector<std::pair<automata::ComponentId, automata::ModeId>>;
@@ -98,4 +98,4 @@ RC_GTEST_PROP(Diagnose, AllMinimalAreThoseOfFewestFaults, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace property {
+namespace rmpl::property {
 
 // Only inside rc::gen::exec, or in the body of a property. RapidCheck narrows ranges in the first cases of a run; these
 // draws do not, so that every case is as wild as the next.
@@ -24,4 +24,4 @@ T pick(const std::vector<T>& from) {
   return from[up_to(0, from.size() - 1)];
 }
 
-}  // namespace property
+}  // namespace rmpl::property

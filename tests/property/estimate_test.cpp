@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "runtime/estimate/estimator.hpp"
+#include "runtime/reasoning/estimate/estimator.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/belief.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Ticks;
@@ -210,4 +210,4 @@ RC_GTEST_PROP(Estimate, LiveClocksKeepTheModes, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -13,7 +13,7 @@
 #include "verifier/export/timed_automaton.hpp"
 #include "verifier/property/property.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using verifier::ClockRange;
@@ -96,4 +96,4 @@ RC_GTEST_PROP(Export, ReachesWhatThePlantReaches, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -8,7 +8,7 @@
 #include "automata/json/document.hpp"
 #include "tests/property/draw.hpp"
 
-namespace property {
+namespace rmpl::property {
 
 using automata::Assignment;
 using automata::Component;
@@ -310,4 +310,4 @@ rc::Gen<automata::ControlAction> actions_of(const Plant& plant) {
   });
 }
 
-}  // namespace property
+}  // namespace rmpl::property

@@ -14,7 +14,7 @@
 #include "tests/reference/rmpl.hpp"
 
 /// What RapidCheck prints of the automata's values when a property fails; found by argument-dependent lookup.
-namespace automata {
+namespace rmpl::automata {
 template <class Tag>
 void showValue(Id<Tag> id, std::ostream& out) {
   out << id.value;
@@ -22,10 +22,10 @@ void showValue(Id<Tag> id, std::ostream& out) {
 inline void showValue(const Assignment& assignment, std::ostream& out) {
   out << assignment.variable.value << '=' << assignment.value.value;
 }
-}  // namespace automata
+}  // namespace rmpl::automata
 
 // A generator owns copies of what it was given: RapidCheck runs it again to shrink, when the caller's are gone.
-namespace property {
+namespace rmpl::property {
 
 /// What the plants of one property may contain.
 struct Shape {
@@ -97,4 +97,4 @@ rc::Gen<RandomSource> sources(const automata::Plant& plant);
 /// What a sequencer is told cycle by cycle: modes that mostly stay as they are, and some observations.
 rc::Gen<std::vector<std::vector<automata::Assignment>>> knowledge_of(const automata::Plant& plant, std::size_t cycles);
 
-}  // namespace property
+}  // namespace rmpl::property

@@ -6,7 +6,7 @@
 #include "tests/property/generate.hpp"
 #include "tests/reference/belief.hpp"
 
-namespace property {
+namespace rmpl::property {
 
 using automata::Assignment;
 using automata::Component;
@@ -102,4 +102,4 @@ rc::Gen<Log> logs(const Plant& plant, std::size_t max_length) {
   });
 }
 
-}  // namespace property
+}  // namespace rmpl::property

@@ -7,7 +7,7 @@
 #include "tests/property/generate.hpp"
 #include "tests/reference/step.hpp"
 
-namespace property {
+namespace rmpl::property {
 
 using automata::Assignment;
 using automata::ClockId;
@@ -129,4 +129,4 @@ rc::Gen<std::vector<std::vector<Assignment>>> knowledge_of(const automata::Plant
   });
 }
 
-}  // namespace property
+}  // namespace rmpl::property

@@ -3,7 +3,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 
-namespace property {
+namespace rmpl::property {
 
 using automata::ClockId;
 using automata::Formula;
@@ -133,4 +133,4 @@ rc::Gen<RandomSource> sources(const automata::Plant& plant) {
   });
 }
 
-}  // namespace property
+}  // namespace rmpl::property

@@ -7,7 +7,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Ticks;
@@ -64,4 +64,4 @@ RC_GTEST_PROP(Json, FormulasComeBackTheSame, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -8,13 +8,13 @@
 
 #include "automata/logic/theory.hpp"
 #include "automata/step/plant_step.hpp"
-#include "automata/step/relevance.hpp"
+#include "automata/store/relevance.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/models.hpp"
 #include "tests/reference/step.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Assignment;
@@ -134,4 +134,4 @@ RC_GTEST_PROP(Logic, WhatIsLeftOutMakesNoDifference, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -6,9 +6,9 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/closed_loop.hpp"
-#include "verifier/program/program_check.hpp"
+#include "verifier/closed_loop/program_check.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Ticks;
@@ -74,4 +74,4 @@ RC_GTEST_PROP(ClosedLoop, SampledIsTheTicks, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -8,7 +8,7 @@
 #include "tests/reference/reachability.hpp"
 #include "verifier/property/property.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Ticks;
@@ -225,4 +225,4 @@ RC_GTEST_PROP(Reachability, SampledIsTheTicks, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

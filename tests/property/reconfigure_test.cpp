@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "runtime/reconfigure/one_step.hpp"
-#include "runtime/reconfigure/plan.hpp"
-#include "runtime/reconfigure/reconfigurer.hpp"
+#include "runtime/reasoning/reconfigure/one_step.hpp"
+#include "runtime/reasoning/reconfigure/plan.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/goals.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Formula;
@@ -114,4 +114,4 @@ RC_GTEST_PROP(Reconfigure, OneStepIsTheCheapestActionOfAll, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

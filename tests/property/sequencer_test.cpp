@@ -7,7 +7,7 @@
 #include "tests/property/generate.hpp"
 #include "tests/reference/sequencer.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Ticks;
@@ -52,4 +52,4 @@ RC_GTEST_PROP(Sequencer, IsFigure5_3Alone, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

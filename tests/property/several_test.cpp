@@ -7,7 +7,7 @@
 #include "tests/property/generate.hpp"
 #include "verifier/property/check_all.hpp"
 
-namespace property {
+namespace rmpl::property {
 namespace {
 
 using automata::Ticks;
@@ -68,4 +68,4 @@ RC_GTEST_PROP(SeveralProperties, AreEachByItself, ()) {
 }
 
 }  // namespace
-}  // namespace property
+}  // namespace rmpl::property

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::Modes;
 using automata::SystemState;
@@ -124,4 +124,4 @@ Best best(const Belief& belief, std::size_t k) {
   return result;
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -8,7 +8,7 @@
 #include "automata/state.hpp"
 #include "tests/reference/step.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 /// The whole belief, by system state; states of probability 0 are left out.
 using Belief = std::map<automata::SystemState, double>;
@@ -51,4 +51,4 @@ struct Best {
 };
 Best best(const Belief& belief, std::size_t k);
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -9,7 +9,7 @@
 
 #include "tests/reference/belief.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::Assignment;
 using automata::ClockId;
@@ -423,4 +423,4 @@ LoopAnswer explore_loop(const automata::Program& program, const Step& step, cons
   return answer;
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -11,7 +11,7 @@
 #include "tests/reference/sequencer.hpp"
 #include "tests/reference/step.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 /// What the reconfigurer says to modes and goal.
 struct Advice {
@@ -46,4 +46,4 @@ struct LoopAnswer {
 LoopAnswer explore_loop(const automata::Program& program, const Step& step, const Adviser& adviser,
                         const LoopQuestion& question);
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -8,7 +8,7 @@
 
 #include "tests/reference/models.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 namespace {
 
 using automata::Component;
@@ -78,4 +78,4 @@ std::vector<Diagnosis> diagnoses(const automata::Plant& plant, const automata::O
   return all;
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

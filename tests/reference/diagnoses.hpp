@@ -8,7 +8,7 @@
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 struct Diagnosis {
   std::vector<std::pair<automata::ComponentId, automata::ModeId>> faults;  ///< in order of component
@@ -19,4 +19,4 @@ struct Diagnosis {
 /// most probable first, those of probability 0 too.
 std::vector<Diagnosis> diagnoses(const automata::Plant& plant, const automata::Observation& observation);
 
-}  // namespace reference
+}  // namespace rmpl::reference

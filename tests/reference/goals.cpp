@@ -6,7 +6,7 @@
 #include <deque>
 #include <map>
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::ControlAction;
 using automata::ModeId;
@@ -300,4 +300,4 @@ std::optional<std::vector<ControlAction>> shortest_reversible_plan(const Step& s
   return std::nullopt;
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

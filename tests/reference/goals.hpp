@@ -9,7 +9,7 @@
 #include "automata/state.hpp"
 #include "tests/reference/step.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 /// Per component, the modes that the goal interpreter may choose: those it reaches by nominal transitions that are
 /// timed, reversible, repairs of its mode, or lead to a mode that the goal names: assigns outside negations. A
@@ -49,4 +49,4 @@ std::optional<std::vector<automata::ControlAction>> shortest_reversible_plan(con
                                                                              const automata::Modes& from,
                                                                              const automata::Modes& to);
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::Assignment;
 using automata::Formula;
@@ -143,4 +143,4 @@ std::vector<Assignment> assumptions_of(const automata::Plant& plant, const autom
   return result;
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -9,7 +9,7 @@
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 /// A value for each variable, by position.
 using World = std::vector<automata::ValueId>;
@@ -56,4 +56,4 @@ std::vector<automata::Assignment> assumptions_of(const automata::Plant& plant, c
 /// Every tuple that takes its i-th member from 0 … sizes[i] - 1, in lexicographic order.
 std::vector<std::vector<std::size_t>> tuples(const std::vector<std::size_t>& sizes);
 
-}  // namespace reference
+}  // namespace rmpl::reference

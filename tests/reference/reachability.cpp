@@ -10,7 +10,7 @@
 
 #include "tests/reference/belief.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::ControlAction;
 using automata::ModeId;
@@ -302,4 +302,4 @@ std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& 
   return Dense(step, question, unit).run();
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -9,7 +9,7 @@
 #include "automata/time.hpp"
 #include "tests/reference/step.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 /// Whenever `after` holds, `then` is to hold at some time at most `within` later.
 struct Response {
@@ -37,4 +37,4 @@ std::optional<std::size_t> fewest_steps_sampled(const Step& step, const Question
 /// steps.
 std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& question, automata::Ticks unit);
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <set>
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::Condition;
 using automata::Location;
@@ -229,4 +229,4 @@ std::string to_text(const Rmpl& source, const automata::Variables& variables) {
 
 Program lower(const Rmpl& source, const automata::Variables& variables) { return Lowering(source, variables).lower(); }
 
-}  // namespace reference
+}  // namespace rmpl::reference

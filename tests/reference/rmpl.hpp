@@ -7,7 +7,7 @@
 
 #include "automata/program.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 struct Statement {
   enum class Kind {
@@ -49,4 +49,4 @@ std::string to_text(const Rmpl& source, const automata::Variables& variables);
 /// The THCA; without labels and origins, arcs in no particular order.
 automata::Program lower(const Rmpl& source, const automata::Variables& variables);
 
-}  // namespace reference
+}  // namespace rmpl::reference

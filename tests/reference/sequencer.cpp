@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::Assignment;
 using automata::Location;
@@ -117,4 +117,4 @@ void Sequencer::finish(const std::vector<Assignment>& knowledge) {
   started_.merge(started_next_);
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

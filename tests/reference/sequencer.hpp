@@ -10,7 +10,7 @@
 #include "automata/program.hpp"
 #include "tests/reference/models.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 class Sequencer {
  public:
@@ -59,4 +59,4 @@ class Sequencer {
   Locations violated_;  ///< marked primitives whose own maintenance constraint is violated in this cycle
 };
 
-}  // namespace reference
+}  // namespace rmpl::reference

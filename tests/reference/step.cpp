@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace reference {
+namespace rmpl::reference {
 
 using automata::Ticks;
 using automata::Timing;
@@ -155,4 +155,4 @@ automata::SystemState Step::advance(const automata::SystemState& state, const au
   return result;
 }
 
-}  // namespace reference
+}  // namespace rmpl::reference

@@ -6,7 +6,7 @@
 #include "automata/state.hpp"
 #include "tests/reference/models.hpp"
 
-namespace reference {
+namespace rmpl::reference {
 
 /// 1 - G(t) of a timed transition: the density, truncated to [lower, upper], integrated from t on.
 double survival(const automata::Timing& timing, automata::Ticks t);
@@ -43,4 +43,4 @@ class Step {
   Models models_;
 };
 
-}  // namespace reference
+}  // namespace rmpl::reference

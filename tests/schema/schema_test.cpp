@@ -16,12 +16,13 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 #include <vector>
+#include "tests/paths.hpp"
 
 namespace {
 
 using nlohmann::json;
 
-const std::filesystem::path schemas = std::filesystem::path(RMPL_SOURCE_DIR) / "grammar/schema";
+const std::filesystem::path schemas = std::filesystem::path(rmpl::paths::source()) / "grammar/schema";
 
 json read_json(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -65,8 +66,8 @@ std::ostream& operator<<(std::ostream& out, const Output& output) { return out <
 std::string run(std::string command) {
   const std::string place = "{examples}";
   for (std::size_t at; (at = command.find(place)) != std::string::npos;)
-    command.replace(at, place.size(), std::string(RMPL_SOURCE_DIR) + "/examples");
-  command = "cd '" + testing::TempDir() + "' && PATH='" + std::string(RMPL_BIN_DIR) + "':$PATH && " + command;
+    command.replace(at, place.size(), rmpl::paths::source() + "/examples");
+  command = "cd '" + testing::TempDir() + "' && PATH='" + rmpl::paths::programs() + "':$PATH && " + command;
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   std::array<char, 4096> buffer{};

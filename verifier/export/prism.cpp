@@ -14,20 +14,20 @@
 #include <tuple>
 #include <vector>
 
-#include "automata/error.hpp"
-#include "verifier/explore/reading.hpp"
+#include "base/error.hpp"
+#include "verifier/plant/reading.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 using automata::ComponentId;
 using automata::ControlAction;
 using automata::Enabled;
-using automata::InputError;
 using automata::ModeId;
 using automata::Modes;
 using automata::Plant;
 using automata::PlantStep;
 using automata::Support;
+using base::InputError;
 
 namespace {
 
@@ -153,8 +153,8 @@ class Writer {
       meter_.poll();
       if (!seen.insert(modes).second) return;
       if (!step_.possible(modes)) {
-        throw InputError("prism cannot say that modes are impossible, and these may be drawn: " +
-                         verifier::describe(plant_, modes));
+        throw base::InputError("prism cannot say that modes are impossible, and these may be drawn: " +
+                               verifier::describe(plant_, modes));
       }
       meter_.count_state();
       queue.push_back(modes);
@@ -166,8 +166,8 @@ class Writer {
       const Modes modes = queue[next];
       for (const ControlAction& action : actions_) {
         if (!step_.consistent(modes, action)) {
-          throw InputError("prism cannot say what follows where the command " + describe(action) +
-                           " contradicts the modes: " + verifier::describe(plant_, modes));
+          throw base::InputError("prism cannot say what follows where the command " + describe(action) +
+                                 " contradicts the modes: " + verifier::describe(plant_, modes));
         }
         const automata::AllEnabled enabled = step_.enabled(modes, action);
         for (std::size_t c = 0; c < modes.size(); ++c) lists[c] = targets(ComponentId(c), modes[c], enabled[c]);
@@ -194,7 +194,7 @@ class Writer {
       if (t.from != mode || !t.timing) continue;
       const bool endless = t.timing->upper.is_infinite();
       if (endless && t.timing->density.kind == automata::Density::Kind::normal && !plant_[component].is_fault(t)) {
-        throw InputError(
+        throw base::InputError(
             "prism cannot say a hazard that goes on changing for ever: the normal density of a transition of " +
             plant_[component].name + " has no upper bound");
       }
@@ -347,9 +347,10 @@ class Writer {
 void write_prism(std::ostream& out, PlantStep& step, const ExportQuestion& question, automata::Ticks period,
                  const Limits& limits) {
   if (question.faults > 0) {
-    throw InputError("prism weighs faults by their probability and does not bound their number; expected no --faults");
+    throw base::InputError(
+        "prism weighs faults by their probability and does not bound their number; expected no --faults");
   }
   Writer(out, step, question, period, limits).run();
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

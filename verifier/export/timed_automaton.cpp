@@ -9,9 +9,9 @@
 #include <set>
 #include <utility>
 
-#include "verifier/explore/choices.hpp"
+#include "verifier/plant/choices.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 using automata::ComponentId;
 using automata::ControlAction;
@@ -212,4 +212,4 @@ std::string describe(const Plant& plant, const Modes& modes) {
   return result;
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
-#include "verifier/explore/commands.hpp"
-#include "verifier/explore/limits.hpp"
-#include "verifier/explore/reading.hpp"
+#include "verifier/plant/commands.hpp"
+#include "verifier/plant/reading.hpp"
+#include "verifier/search/limits.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// A clock, by its position, within an interval of whole units.
 struct ClockRange {
@@ -61,4 +61,4 @@ TimedAutomaton unfold(automata::PlantStep& step, const ExportQuestion& question,
 /// `valve = open, engine = off`.
 std::string describe(const automata::Plant& plant, const automata::Modes& modes);
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

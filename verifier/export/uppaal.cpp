@@ -3,10 +3,10 @@
 #include <pugixml.hpp>
 #include <string>
 
-#include "automata/error.hpp"
+#include "base/error.hpp"
 #include "verifier/export/write.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr Units greatest = (Units{1} << 30) - 1;
 
 std::string constant(Units units) {
   if (units <= greatest) return std::to_string(units);
-  throw automata::InputError("uppaal: a time bound of " + std::to_string(units) +
-                             " units is beyond its integers; expected coarser or shorter bounds");
+  throw base::InputError("uppaal: a time bound of " + std::to_string(units) +
+                         " units is beyond its integers; expected coarser or shorter bounds");
 }
 
 std::string clock(std::size_t number) { return "x[" + std::to_string(number) + "]"; }
@@ -124,4 +124,4 @@ void write_uppaal(std::ostream& out, const automata::Plant& plant, const TimedAu
   document.save(out, "  ");
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

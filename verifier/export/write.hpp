@@ -6,15 +6,15 @@
 
 #include "verifier/export/timed_automaton.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// A system of one process for TChecker; target locations have the label `target`:
-/// `tck-reach -a covreach -l target FILE` says REACHABLE true or false. Throws automata::InputError where a constant
+/// `tck-reach -a covreach -l target FILE` says REACHABLE true or false. Throws base::InputError where a constant
 /// is beyond its 32 bits.
 void write_tchecker(std::ostream& out, const automata::Plant& plant, const TimedAutomaton& automaton);
 
 /// A system of one process with its query for UPPAAL: `verifyta FILE` says whether it is satisfied. Throws
-/// automata::InputError where a constant is beyond its range.
+/// base::InputError where a constant is beyond its range.
 void write_uppaal(std::ostream& out, const automata::Plant& plant, const TimedAutomaton& automaton);
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -6,14 +6,15 @@
 #include <memory>
 #include <set>
 
-#include "automata/error.hpp"
-#include "verifier/evidence/replay.hpp"
-#include "verifier/explore/cone.hpp"
-#include "verifier/explore/cut_sets.hpp"
-#include "verifier/explore/plant_system.hpp"
+#include "base/error.hpp"
+#include "base/overloaded.hpp"
+#include "verifier/plant/cut_sets.hpp"
+#include "verifier/plant/plant_system.hpp"
 #include "verifier/property/property.hpp"
+#include "verifier/slice/cone.hpp"
+#include "verifier/witness/replay.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 using automata::Assignment;
 using automata::Formula;
@@ -24,13 +25,6 @@ using automata::Ticks;
 
 namespace {
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
 /// What is looked for, whatever the property: a target to reach, or a response to miss.
 struct Target {
   Formula formula;
@@ -40,21 +34,21 @@ struct Target {
 using Quest = std::variant<Target, Response>;
 
 Quest quest_of(const Property& property) {
-  return std::visit(Overloaded{[](const Reachability& p) {
-                                 return Quest(Target{p.target, p.window, p.fastest});
-                               },
-                               [](const Safety& p) {
-                                 return Quest(Target{p.never, p.window, p.fastest});
-                               },
-                               [](const Response& p) { return Quest(p); }},
+  return std::visit(base::Overloaded{[](const Reachability& p) {
+                                       return Quest(Target{p.target, p.window, p.fastest});
+                                     },
+                                     [](const Safety& p) {
+                                       return Quest(Target{p.never, p.window, p.fastest});
+                                     },
+                                     [](const Response& p) { return Quest(p); }},
                     property);
 }
 
 std::vector<Formula> formulas_of(const Quest& quest) {
-  return std::visit(Overloaded{[](const Target& t) { return std::vector{t.formula}; },
-                               [](const Response& r) {
-                                 return std::vector{r.after, r.then};
-                               }},
+  return std::visit(base::Overloaded{[](const Target& t) { return std::vector{t.formula}; },
+                                     [](const Response& r) {
+                                       return std::vector{r.after, r.then};
+                                     }},
                     quest);
 }
 
@@ -63,11 +57,11 @@ std::vector<Ticks> times_of(const Quest& quest) {
   const auto add = [&](std::optional<Ticks> time) {
     if (time && !time->is_infinite()) times.push_back(*time);
   };
-  std::visit(Overloaded{[&](const Target& t) {
-                          add(t.window.not_before);
-                          add(t.window.by);
-                        },
-                        [&](const Response& r) { add(r.within); }},
+  std::visit(base::Overloaded{[&](const Target& t) {
+                                add(t.window.not_before);
+                                add(t.window.by);
+                              },
+                              [&](const Response& r) { add(r.within); }},
              quest);
   return times;
 }
@@ -256,9 +250,10 @@ class Check {
 }  // namespace
 
 std::string name_of(const Property& property) {
-  return std::visit(Overloaded{[](const Reachability&) { return "reachability"; },
-                               [](const Safety&) { return "safety"; }, [](const Response&) { return "response"; }},
-                    property);
+  return std::visit(
+      base::Overloaded{[](const Reachability&) { return "reachability"; }, [](const Safety&) { return "safety"; },
+                       [](const Response&) { return "response"; }},
+      property);
 }
 
 void demand_modes(const automata::Plant& plant, const std::vector<Assignment>& from) {
@@ -266,16 +261,16 @@ void demand_modes(const automata::Plant& plant, const std::vector<Assignment>& f
   for (const Assignment& a : from) {
     const std::string& name = plant.variables.name(a.variable);
     if (!plant.component_of(a.variable)) {
-      throw automata::InputError("'" + name + "' is not the mode of a component; expected a component to start from");
+      throw base::InputError("'" + name + "' is not the mode of a component; expected a component to start from");
     }
     if (!seen.insert(a.variable).second) {
-      throw automata::InputError("'" + name + "' is given more than one mode to start in");
+      throw base::InputError("'" + name + "' is given more than one mode to start in");
     }
   }
 }
 
 void refuse_start() {
-  throw automata::InputError("no state to start in is possible: the modes contradict the interconnections");
+  throw base::InputError("no state to start in is possible: the modes contradict the interconnections");
 }
 
 Result check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {
@@ -297,4 +292,4 @@ Result check(PlantStep& step, const Property& property, const CheckOptions& opti
   }
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -8,9 +8,9 @@
 #include <span>
 #include <tuple>
 
-#include "verifier/explore/cone.hpp"
+#include "verifier/slice/cone.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 using automata::Formula;
 using automata::PlantStep;
@@ -130,4 +130,4 @@ std::vector<Result> check_all(PlantStep& step, const std::vector<Question>& ques
   return CheckAll(step, questions, limits).run();
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

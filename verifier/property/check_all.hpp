@@ -6,7 +6,7 @@
 
 #include "verifier/property/property.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// A property with what is free in it.
 struct Question {
@@ -25,4 +25,4 @@ struct Question {
 /// disjunction may be entailed where no part is) are checked singly.
 std::vector<Result> check_all(automata::PlantStep& step, const std::vector<Question>& questions, const Limits& limits);
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

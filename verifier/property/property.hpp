@@ -9,12 +9,12 @@
 
 #include "automata/logic/formula.hpp"
 #include "automata/step/plant_step.hpp"
-#include "verifier/evidence/trace.hpp"
-#include "verifier/explore/commands.hpp"
-#include "verifier/explore/fault_sets.hpp"
-#include "verifier/explore/limits.hpp"
+#include "verifier/plant/commands.hpp"
+#include "verifier/plant/fault_sets.hpp"
+#include "verifier/search/limits.hpp"
+#include "verifier/witness/trace.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// The absolute times at which a target counts, both ends included.
 struct Window {
@@ -75,9 +75,9 @@ struct FaultTrace {
   Trace trace;
 };
 
-/// Throws automata::InputError where `from` names what is no mode of a component, or one component twice.
+/// Throws base::InputError where `from` names what is no mode of a component, or one component twice.
 void demand_modes(const automata::Plant& plant, const std::vector<automata::Assignment>& from);
-/// Throws automata::InputError: `from` gives modes in which no state to start in is possible.
+/// Throws base::InputError: `from` gives modes in which no state to start in is possible.
 [[noreturn]] void refuse_start();
 
 enum class Verdict { holds, violated, undecided };
@@ -94,8 +94,8 @@ struct Result {
   Progress progress;
 };
 
-/// Checks one property. Every trace has been replayed. Throws automata::InputError where `from` names what is no mode,
+/// Checks one property. Every trace has been replayed. Throws base::InputError where `from` names what is no mode,
 /// or contradicts itself, or gives modes in which no state to start in is possible.
 Result check(automata::PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits);
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <sstream>
 
-#include "verifier/evidence/junit.hpp"
-#include "verifier/evidence/report.hpp"
+#include "verifier/witness/junit.hpp"
+#include "verifier/witness/report.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 using automata::Plant;
 using nlohmann::ordered_json;
@@ -114,4 +114,4 @@ std::string to_junit(const Plant& plant, const std::vector<Answer>& answers) {
   return to_junit(plant.name, cases);
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

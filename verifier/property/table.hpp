@@ -8,7 +8,7 @@
 
 #include "verifier/property/check_all.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// A property of a file with its answer.
 struct Answer {
@@ -36,4 +36,4 @@ nlohmann::ordered_json to_json(const automata::Plant& plant, const std::vector<A
 /// One suite, a test case a property: a failure where the verdict is not as expected, an error where there is none.
 std::string to_junit(const automata::Plant& plant, const std::vector<Answer>& answers);
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

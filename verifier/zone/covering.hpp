@@ -14,7 +14,7 @@
 
 #include "verifier/zone/zone.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// Whether `larger`, up to the limits (one a clock), covers `smaller`. Both are canonical matrices of dimension n,
 /// row by row; `Entry` is any signed integer, whose greatest value stands for no bound. O(n^2).
@@ -47,4 +47,4 @@ bool includes(const Larger* larger, const Smaller* smaller, std::size_t n) {
   return true;
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

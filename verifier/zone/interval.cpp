@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace verifier {
+namespace rmpl::verifier {
 
 Interval intersection(const Interval& a, const Interval& b) {
   return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
@@ -24,4 +24,4 @@ std::vector<Interval> merged(std::vector<Interval> intervals) {
   return result;
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

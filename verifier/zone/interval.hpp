@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// A number of time units: what one unit is, the reading of time says (explore/reading.hpp).
 using Units = std::int64_t;
@@ -31,4 +31,4 @@ Interval intersection(const Interval& a, const Interval& b);
 /// The same readings as fewest intervals, ascending: those that overlap or follow each other unit on unit become one.
 std::vector<Interval> merged(std::vector<Interval> intervals);
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <functional>
 
-namespace verifier {
+namespace rmpl::verifier {
 namespace {
 
 /// The bound of a path. Finite bounds are far from the ends of the range (Reading sees to it), so that sums do not
@@ -111,4 +111,4 @@ bool Zone::contains(std::span<const Units> reading) const {
   return true;
 }
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

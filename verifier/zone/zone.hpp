@@ -13,7 +13,7 @@
 
 #include "verifier/zone/interval.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 
 /// The greatest constants that a clock is compared with: from below (`lower`: x >= c) and from above (`upper`: x <= c);
 /// -1 where it never is.
@@ -76,4 +76,4 @@ class Zone {
   std::vector<Units> bounds_;  ///< row by row
 };
 
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 Ticks s(double seconds) { return *ticks_from_seconds(seconds); }
@@ -62,4 +62,4 @@ TEST(Density, NormalTailKeepsItsHazard) {
 }
 
 }  // namespace
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 TEST(Suggestion, NamesTheNearestOrNothing) {
@@ -16,4 +16,4 @@ TEST(Suggestion, NamesTheNearestOrNothing) {
 }
 
 }  // namespace
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace automata {
+namespace rmpl::automata {
 namespace {
 
 TEST(Time, ReadsEveryUnit) {
@@ -43,4 +43,4 @@ TEST(Time, WritesTheShortestDecimal) {
 }
 
 }  // namespace
-}  // namespace automata
+}  // namespace rmpl::automata

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include "automata/error.hpp"
 #include "automata/json/document.hpp"
-#include "compiler/load/files.hpp"
-#include "compiler/write_file.hpp"
+#include "base/error.hpp"
+#include "base/output_file.hpp"
+#include "compiler/session/files.hpp"
 #include "tests/unit/compiler/workspace.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using ::testing::ElementsAre;
@@ -52,7 +52,7 @@ TEST_F(InputFiles, AllThatCannotBeReadIsTold) {
   try {
     compile(paths);
     FAIL();
-  } catch (const automata::InputError& error) {
+  } catch (const base::InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("/no/a.tcca"));
     EXPECT_THAT(error.what(), HasSubstr("/no/b.rmpl"));
   }
@@ -69,8 +69,8 @@ TEST_F(InputFiles, ImportsThatFail) {
 }
 
 TEST_F(InputFiles, WhatCannotBeReadIsAnInputError) {
-  EXPECT_THROW(compile_files({"/no/such/file.rmpl"}), automata::InputError);
-  EXPECT_THROW(compile_text("notes.txt", ""), automata::InputError);
+  EXPECT_THROW(compile_files({"/no/such/file.rmpl"}), base::InputError);
+  EXPECT_THROW(compile_text("notes.txt", ""), base::InputError);
 }
 
 TEST_F(InputFiles, SeveralProgramFilesMakeOneProgram) {
@@ -129,12 +129,12 @@ TEST_F(InputFiles, SameInputSameBytes) {
 
 TEST_F(InputFiles, ResultsAreWrittenWholeOrNotAtAll) {
   const std::string path = write("out.json", "before");
-  write_file(path, "after");
+  base::write_file(path, "after");
   std::ifstream file(path);
   EXPECT_EQ((std::string{std::istreambuf_iterator<char>(file), {}}), "after");
-  write_file("/dev/null", "nothing");
+  base::write_file("/dev/null", "nothing");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
-  EXPECT_THROW(write_file(path + "/below", "x"), automata::InputError);
+  EXPECT_THROW(base::write_file(path + "/below", "x"), base::InputError);
 }
 
 TEST_F(InputFiles, FormulasOfTheCommandLine) {
@@ -160,4 +160,4 @@ TEST_F(InputFiles, AssignmentsOfTheCommandLine) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

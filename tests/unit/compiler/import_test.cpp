@@ -8,11 +8,11 @@
 
 #include <fstream>
 
-#include "automata/error.hpp"
-#include "compiler/compiler.hpp"
+#include "base/error.hpp"
+#include "compiler/session/compiler.hpp"
 #include "grammar/source/render.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 constexpr const char* adder = R"(# half an adder
@@ -114,11 +114,11 @@ TEST(Import, NamesBecomeIdentifiers) {
   EXPECT_THAT(text, testing::HasSubstr("and_.i1 = N1;"));
   Netlist odd = bench(adder);
   odd.gates[0].name = "a sum";
-  EXPECT_THROW(to_tcca(odd, FaultModel::weak), automata::InputError);
+  EXPECT_THROW(to_tcca(odd, FaultModel::weak), base::InputError);
   odd = bench(adder);
   odd.name = "half\nadder";
   EXPECT_THAT(to_tcca(odd, FaultModel::weak), testing::StartsWith("// half adder: 2 gates"));
-  EXPECT_THROW(to_tcca(bench("INPUT(1)\nINPUT(N1)\ng = AND(1, N1)\n"), FaultModel::weak), automata::InputError);
+  EXPECT_THROW(to_tcca(bench("INPUT(1)\nINPUT(N1)\ng = AND(1, N1)\n"), FaultModel::weak), base::InputError);
 }
 
 TEST(Import, WhatIsWrittenCompiles) {
@@ -145,4 +145,4 @@ TEST(Import, AnInputThatIsAnOutputIsOneVariable) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -4,7 +4,7 @@
 
 #include "tests/unit/compiler/workspace.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using ::testing::ElementsAre;
@@ -159,4 +159,4 @@ TEST_F(PlantErrors, AreCollected) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -4,7 +4,7 @@
 
 #include "tests/unit/compiler/workspace.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using automata::Formula;
@@ -133,4 +133,4 @@ TEST_F(Plants, AnyIsEveryModeButTheTarget) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -4,7 +4,7 @@
 
 #include "tests/unit/compiler/workspace.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using ::testing::ElementsAre;
@@ -166,4 +166,4 @@ TEST_F(ProgramErrors, RecursionThatGrowsItsArgumentsEndsInAnError) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include "tests/paths.hpp"
 #include "tests/unit/compiler/workspace.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using ::testing::ElementsAre;
@@ -47,7 +48,7 @@ class Programs : public Workspace {
 };
 
 TEST_F(Programs, MarsEntryHasTheTwelveLocationsOfTheThesis) {
-  const Compilation result = compile_files({RMPL_SOURCE_DIR "/tests/unit/grammar/listings/fig_b_2.rmpl"});
+  const Compilation result = compile_files({rmpl::paths::source() + "/tests/unit/grammar/listings/fig_b_2.rmpl"});
   ASSERT_TRUE(result.ok());
   const automata::Program& program = result.document().programs.at(0);
   EXPECT_THAT(lines(program),
@@ -197,7 +198,7 @@ TEST_F(Programs, WithoutAPlantNamesAreTakenAsTheyCome) {
 }
 
 TEST_F(Programs, ListingsOfTheThesisCompile) {
-  const std::string listings = RMPL_SOURCE_DIR "/tests/unit/grammar/listings/";
+  const std::string listings = rmpl::paths::source() + "/tests/unit/grammar/listings/";
   for (const char* one : {"fig_3_2", "fig_5_1", "fig_b_2", "fig_b_4"}) {
     EXPECT_THAT(findings(compile_files({listings + one + ".rmpl"})), IsEmpty()) << one;
   }
@@ -208,4 +209,4 @@ TEST_F(Programs, ListingsOfTheThesisCompile) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

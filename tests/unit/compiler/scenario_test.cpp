@@ -4,7 +4,7 @@
 
 #include "tests/unit/compiler/workspace.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using automata::Ticks;
@@ -123,4 +123,4 @@ TEST_F(Scenarios, NamesDiffer) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
-#include "compiler/compiler.hpp"
+#include "compiler/session/compiler.hpp"
+#include "tests/paths.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 namespace {
 
 using automata::Assignment;
@@ -21,7 +22,8 @@ using automata::ValueId;
 class ValveDriver : public ::testing::Test {
  protected:
   ValveDriver()
-      : compilation_(compile(std::vector<std::string>{RMPL_SOURCE_DIR "/examples/valve-driver/driver.tcca"}, {})),
+      : compilation_(
+            compile(std::vector<std::string>{rmpl::paths::source() + "/examples/valve-driver/driver.tcca"}, {})),
         plant_(compilation_.document().plants.front()),
         step_(plant_) {}
 
@@ -91,4 +93,4 @@ TEST_F(ValveDriver, PassesCommandsOnWhileItIsOn) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace rmpl::compiler

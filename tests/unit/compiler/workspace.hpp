@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "compiler/compiler.hpp"
+#include "compiler/session/compiler.hpp"
 
-namespace compiler {
+namespace rmpl::compiler {
 
 class Workspace : public ::testing::Test {
  protected:
@@ -98,4 +98,4 @@ class Workspace : public ::testing::Test {
 
 using Strings = std::vector<std::string>;
 
-}  // namespace compiler
+}  // namespace rmpl::compiler

@@ -1,12 +1,12 @@
 // Totalizers against counting.
 // SPDX-License-Identifier: MIT
-#include "runtime/diagnose/totalizer.hpp"
+#include "runtime/reasoning/diagnose/totalizer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 
-namespace runtime {
+namespace rmpl::runtime {
 namespace {
 
 using automata::Literal;
@@ -37,4 +37,4 @@ TEST(Totalizer, CountsWhatHolds) {
 }
 
 }  // namespace
-}  // namespace runtime
+}  // namespace rmpl::runtime

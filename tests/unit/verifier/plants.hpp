@@ -9,7 +9,7 @@
 #include "automata/plant.hpp"
 #include "automata/time.hpp"
 
-namespace verifier::test {
+namespace rmpl::verifier::test {
 
 inline automata::Ticks seconds(std::int64_t s) { return automata::Ticks::of_seconds(s); }
 
@@ -76,4 +76,4 @@ inline PlantBuilder engine() {
   return b;
 }
 
-}  // namespace verifier::test
+}  // namespace rmpl::verifier::test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 using test::Parsed;
@@ -98,4 +98,4 @@ TEST(AssignmentsParse, RefusesWhatIsNoAssignment) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -6,7 +6,7 @@
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 /// The suggestion of the first error of a body.
@@ -64,4 +64,4 @@ TEST(Hint, NothingWhereNothingIsNear) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 using test::Parsed;
@@ -86,4 +86,4 @@ TEST(Limits, NumbersBeyondTheirRangeAreErrors) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 using test::Parsed;
@@ -152,4 +152,4 @@ TEST(PlantParse, PlacesAreTheStatements) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

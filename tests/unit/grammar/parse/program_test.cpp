@@ -8,9 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include "tests/paths.hpp"
 #include "tests/unit/grammar/parse/trees.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 using test::Parsed;
@@ -21,7 +22,7 @@ std::string body_of(const std::string& text) {
 }
 
 std::string listing(const std::string& name) {
-  std::ifstream in(RMPL_SOURCE_DIR "/tests/unit/grammar/listings/" + name + ".rmpl");
+  std::ifstream in(rmpl::paths::source() + "/tests/unit/grammar/listings/" + name + ".rmpl");
   std::stringstream text;
   text << in.rdbuf();
   return text.str();
@@ -146,4 +147,4 @@ TEST(ProgramParse, AClockStartsAtZeroOnly) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 using test::Parsed;
@@ -112,4 +112,4 @@ TEST(Recovery, GivesUpAfterAHundredErrors) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -4,7 +4,7 @@
 
 #include "tests/unit/grammar/parse/trees.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 using test::Parsed;
@@ -95,4 +95,4 @@ TEST(ScenarioParse, AFileHoldsSeveral) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

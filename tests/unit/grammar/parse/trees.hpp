@@ -6,7 +6,7 @@
 
 #include "grammar/parse/parse.hpp"
 
-namespace grammar::test {
+namespace rmpl::grammar::test {
 
 /// `(& a=on (! b))`, `(-> …)`, `a in {x y}`, `t1>=30s`.
 inline std::string tree(const Constraint& constraint) {
@@ -108,4 +108,4 @@ struct Parsed {
   }
 };
 
-}  // namespace grammar::test
+}  // namespace rmpl::grammar::test

@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 TEST(Codes, HaveOneFullEntryEach) {
@@ -31,4 +31,4 @@ TEST(Codes, AreFoundInTheirSpellings) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 TEST(EditDistance, CountsEdits) {
@@ -35,4 +35,4 @@ TEST(Nearest, TheFirstOfEqualsWins) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 std::string text_of(const Sources& sources, const Diagnostics& diagnostics, bool color = false) {
@@ -129,4 +129,4 @@ TEST(Diagnostics, SortByPlaceAndDropDoubles) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

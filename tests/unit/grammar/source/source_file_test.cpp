@@ -6,7 +6,7 @@
 
 #include "grammar/source/diagnostic.hpp"
 
-namespace grammar {
+namespace rmpl::grammar {
 namespace {
 
 TEST(SourceFile, CountsLinesFromOneAndColumnsInCodePoints) {
@@ -50,4 +50,4 @@ TEST(Encoding, ReportsRunsOfWrongBytesAndNotTooMany) {
 }
 
 }  // namespace
-}  // namespace grammar
+}  // namespace rmpl::grammar

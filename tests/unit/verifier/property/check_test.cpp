@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "automata/error.hpp"
+#include "base/error.hpp"
 #include "tests/unit/verifier/plants.hpp"
 #include "verifier/property/property.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 namespace {
 
 using automata::Ticks;
@@ -182,11 +182,11 @@ TEST(From, HasToNameEachModeOnce) {
   const auto b = test::engine();
   CheckOptions options;
   options.from = {{b.plant.controls[0].variable, automata::ValueId(0)}};
-  EXPECT_THROW(ask(b, Safety{b.is("engine", "off"), {}, false}, options), automata::InputError);
+  EXPECT_THROW(ask(b, Safety{b.is("engine", "off"), {}, false}, options), base::InputError);
   const automata::VariableId mode = b.plant.components[0].mode;
   options.from = {{mode, automata::ValueId(0)}, {mode, automata::ValueId(1)}};
-  EXPECT_THROW(ask(b, Safety{b.is("engine", "off"), {}, false}, options), automata::InputError);
+  EXPECT_THROW(ask(b, Safety{b.is("engine", "off"), {}, false}, options), base::InputError);
 }
 
 }  // namespace
-}  // namespace verifier
+}  // namespace rmpl::verifier

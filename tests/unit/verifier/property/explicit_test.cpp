@@ -12,7 +12,7 @@
 #include "tests/unit/verifier/plants.hpp"
 #include "verifier/property/property.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 namespace {
 
 using automata::ControlAction;
@@ -307,4 +307,4 @@ TEST(AgainstExplicitStates, SampledAtOneSecond) { compare(seconds(1), 150, 12); 
 TEST(AgainstExplicitStates, SampledBetweenTheBounds) { compare(seconds(2), 150, 13); }
 
 }  // namespace
-}  // namespace verifier
+}  // namespace rmpl::verifier

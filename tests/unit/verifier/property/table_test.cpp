@@ -8,7 +8,7 @@
 
 #include "tests/unit/verifier/plants.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 namespace {
 
 std::vector<Answer> answers(automata::PlantStep& step, const test::PlantBuilder& b, const Limits& limits) {
@@ -60,4 +60,4 @@ TEST(Table, WhatIsUndecidedIsAnErrorOfJunit) {
 }
 
 }  // namespace
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -11,7 +11,7 @@
 
 #include "verifier/zone/covering.hpp"
 
-namespace verifier {
+namespace rmpl::verifier {
 namespace {
 
 constexpr std::size_t clocks = 3;
@@ -221,4 +221,4 @@ TEST(Interval, MergedJoinsWhatTouches) {
 }
 
 }  // namespace
-}  // namespace verifier
+}  // namespace rmpl::verifier

@@ -1,0 +1,48 @@
+// Elimination: attributes that always find a value are taken away, with all constraints that read them.
+//
+// An attribute may go where the constraints that still read it leave it a value whatever all other variables are: then
+// they exclude nothing, and go with it. That frees others. Where components compute their outputs from their inputs,
+// without loops, effects go before their causes, and in the end nothing is left; no direction need be declared.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "automata/store/model.hpp"
+
+namespace rmpl::automata {
+
+/// Takes away all of some attributes that may go. The result does not depend on the order in which they go.
+class Elimination {
+ public:
+  /// Keeps a reference to the variables.
+  Elimination(const Variables& variables, const std::vector<Constraint>& constraints,
+              const std::vector<VariableId>& attributes);
+
+  [[nodiscard]] bool has_gone(VariableId attribute) const { return gone_.contains(attribute); }
+  /// Positions of the constraints that nothing has taken away, ascending.
+  [[nodiscard]] const std::set<std::size_t>& left() const { return left_; }
+
+ private:
+  [[nodiscard]] bool always_has_a_value(VariableId attribute) const;
+  [[nodiscard]] bool satisfiable(const Formula& formula, const std::vector<VariableId>& variables) const;
+  [[nodiscard]] std::size_t values_of(VariableId variable) const { return variables_[variable].values.size(); }
+  void take_away(std::size_t constraint);
+
+  struct Told {
+    Formula formula;  ///< with the mode that it is told under
+    std::vector<VariableId> variables;
+  };
+
+  const Variables& variables_;
+  std::vector<Told> told_;
+  std::set<std::size_t> left_;
+  std::set<VariableId> gone_;
+  std::map<VariableId, std::set<std::size_t>> readers_;  ///< of the attributes that are still there
+  std::set<std::pair<std::size_t, VariableId>> open_;    ///< number of readers, attribute: not looked at since
+};
+
+}  // namespace rmpl::automata

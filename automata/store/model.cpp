@@ -1,0 +1,41 @@
+// The plant model as a constraint store.
+// SPDX-License-Identifier: MIT
+#include "automata/store/model.hpp"
+
+#include <utility>
+
+namespace rmpl::automata {
+
+std::vector<Constraint> constraints_of(const Plant& plant) {
+  std::vector<Constraint> result;
+  const auto tell = [&](std::optional<Assignment> under, const Formula& formula) {
+    for (Formula& conjunct : conjuncts_of(formula)) {
+      if (!conjunct.is_true()) result.push_back({under, std::move(conjunct)});
+    }
+  };
+  for (const Formula& q : plant.interconnections) tell(std::nullopt, q);
+  for (const Component& component : plant.components) {
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      tell(Assignment{component.mode, ValueId(m)}, component.modes[m].constraint);
+    }
+  }
+  return result;
+}
+
+void tell_model(Theory& theory, const Plant& plant) {
+  for (const Formula& q : plant.interconnections) theory.tell(q);
+  for (const Component& component : plant.components) {
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      const Formula& constraint = component.modes[m].constraint;
+      if (!constraint.is_true()) theory.tell_if({component.mode, ValueId(m)}, constraint);
+    }
+  }
+}
+
+Theory model_theory(const Plant& plant, Theory::Upkeep upkeep) {
+  Theory theory(plant.variables, upkeep);
+  tell_model(theory, plant);
+  return theory;
+}
+
+}  // namespace rmpl::automata

@@ -1,0 +1,81 @@
+// The one public door to text: files or a formula in, automata or diagnostics out.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "automata/logic/formula.hpp"
+#include "automata/plant.hpp"
+#include "automata/property.hpp"
+#include "automata/scenario.hpp"
+
+namespace rmpl::compiler {
+
+enum class DiagnosticFormat { text, json };
+
+struct Options {
+  std::string main;  ///< the entry definition of the control program; empty: the one that no other calls
+};
+
+/// What came of compiling an input set: a document, or at least one error. Diagnostics (also warnings) are rendered on
+/// demand; nothing is printed here.
+class Compilation {
+ public:
+  Compilation(Compilation&&) noexcept;
+  Compilation& operator=(Compilation&&) noexcept;
+  ~Compilation();
+
+  [[nodiscard]] bool ok() const;
+  /// The document. Only where `ok()`.
+  [[nodiscard]] const automata::Document& document() const;
+  /// The file that was read, as an argument, an import or what a scenario names, and that `output` leads to: writing
+  /// there would destroy it.
+  [[nodiscard]] std::optional<std::string> input_at(const std::string& output) const;
+  /// Every diagnostic, in order of file, then place; empty text where there is none.
+  [[nodiscard]] std::string diagnostics(DiagnosticFormat format, bool color) const;
+
+ private:
+  friend Compilation compile(std::span<const std::string> paths, const Options& options);
+  struct Result;
+  explicit Compilation(std::unique_ptr<Result> result);
+  std::unique_ptr<Result> result_;
+};
+
+/// Compiles an input set: any mixture of `.rmpl`, `.tcca`, `.scn` and compiled `.json`; `-` is standard input (its kind
+/// is told by its content). Imports are followed relative to the importing file. At most one plant and one control
+/// program come from the `.tcca` and `.rmpl` arguments; where both are there, the program is checked against the plant
+/// and bound to it. Scenarios bring the program and plant that they name. Throws base::InputError where a file
+/// cannot be read.
+Compilation compile(std::span<const std::string> paths, const Options& options = {});
+
+/// A constraint from the command line, over a plant's modes and attributes. Where it is wrong, `formula` is empty and
+/// `diagnostics` says why, with carets under the text. `where` names the place, as in `--target`.
+struct CompiledFormula {
+  std::optional<automata::Formula> formula;
+  std::string diagnostics;
+};
+CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where,
+                                bool color);
+
+/// A list of assignments from the command line, `x = v, y = w` or `x = v & y = w` (`--from`, `--observe`).
+struct CompiledAssignments {
+  std::optional<std::vector<automata::Assignment>> assignments;
+  std::string diagnostics;
+};
+CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where,
+                                        bool color);
+
+/// A file of properties (`.props`; `-` is standard input) over a plant. Where it is wrong, `properties` is empty and
+/// `diagnostics` says why. Throws base::InputError where the file cannot be read.
+struct CompiledProperties {
+  std::optional<std::vector<automata::PlantProperty>> properties;
+  std::string diagnostics;
+};
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool color);
+
+}  // namespace rmpl::compiler

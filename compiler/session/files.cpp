@@ -1,0 +1,200 @@
+// Reading files and following imports.
+// SPDX-License-Identifier: MIT
+#include "compiler/session/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "automata/json/document.hpp"
+#include "base/error.hpp"
+#include "compiler/check/vocabulary.hpp"
+#include "grammar/parse/parse.hpp"
+
+namespace rmpl::compiler {
+
+using base::InputError;
+using grammar::Code;
+
+namespace {
+
+std::string canonical(const std::string& path) {
+  std::error_code error;
+  const auto resolved = std::filesystem::weakly_canonical(path, error);
+  return error ? path : resolved.string();
+}
+
+const char* name_of(Kind kind) {
+  switch (kind) {
+    case Kind::program:
+      return "a control program";
+    case Kind::plant:
+      return "a plant model";
+    case Kind::scenario:
+      return "a set of scenarios";
+    case Kind::document:
+      return "a compiled document";
+  }
+  return "";
+}
+
+/// The imports of a file in order.
+std::vector<const grammar::Import*> imports_of(const File& file) {
+  std::vector<const grammar::Import*> imports;
+  const auto collect = [&](const auto& items) {
+    for (const auto& item : items) {
+      if (const auto* import = std::get_if<grammar::Import>(&item)) imports.push_back(import);
+    }
+  };
+  if (file.program) collect(file.program->items);
+  if (file.plant) collect(file.plant->items);
+  return imports;
+}
+
+}  // namespace
+
+/// A file on the way from a root, with the import that led to it.
+struct Files::Importing {
+  const File* file;
+  const grammar::Import* import;  ///< null for a root
+};
+
+std::string read_text(const std::string& path) {
+  if (path.empty()) throw base::InputError("'' is no name of a file");
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw base::InputError(path + ": is a directory, expected a file");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw base::InputError(path + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read"));
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (file.bad() || text.bad()) throw base::InputError(path + ": cannot be read to its end");
+  return std::move(text).str();
+}
+
+const File& Files::open(const std::string& path) {
+  if (path == "-") {
+    if (const auto known = files_.find(path); known != files_.end()) return known->second;
+    return read(path, path, read_text(path));
+  }
+  const std::string id = canonical(path);
+  if (const auto known = files_.find(id); known != files_.end()) return known->second;
+  return read(path, id, read_text(path));
+}
+
+const File* Files::open(const File& from, const grammar::String& path) {
+  std::string name = path.text;
+  if (!std::filesystem::path(name).is_absolute() && !from.directory.empty()) {
+    name = (std::filesystem::path(from.directory) / name).lexically_normal().string();
+  }
+  try {
+    return &open(name);
+  } catch (const base::InputError& error) {
+    diagnostics_.error(Code::import_not_found, path.span, std::string("cannot read ") + error.what());
+    return nullptr;
+  }
+}
+
+const File& Files::read(const std::string& path, const std::string& id, std::string text) {
+  const bool standard_input = path == "-";
+  const auto kind = standard_input ? kind_by_content(text) : kind_by_name(path);
+  if (!kind) throw base::InputError(path + ": expected a file named .rmpl, .tcca, .scn or .json");
+  File file;
+  file.kind = *kind;
+  file.directory = standard_input ? "" : std::filesystem::path(path).parent_path().string();
+  const std::string name = standard_input ? "<stdin>" : path;
+  file.index = sources_.add(name, std::move(text));
+  switch (file.kind) {
+    case Kind::program:
+      file.program = grammar::parse_program(sources_, file.index, diagnostics_);
+      break;
+    case Kind::plant:
+      file.plant = grammar::parse_plant(sources_, file.index, diagnostics_);
+      break;
+    case Kind::scenario:
+      file.scenarios = grammar::parse_scenarios(sources_, file.index, diagnostics_);
+      break;
+    case Kind::document:
+      file.document = read_document(file.index);
+      break;
+  }
+  return files_.emplace(id, std::move(file)).first->second;
+}
+
+std::optional<automata::Document> Files::read_document(std::uint32_t index) {
+  const std::string_view text = sources_[index].text();
+  try {
+    return automata::document_from_json(automata::parse_json(text));
+  } catch (const automata::Json::parse_error& error) {
+    const auto at = static_cast<std::uint32_t>(std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0));
+    diagnostics_.error(Code::document_schema, {index, at, at}, "the text is no JSON: syntax error here");
+  } catch (const automata::Json::exception&) {
+    diagnostics_.error(Code::document_schema, {index, 0, 0}, "a number in the text is out of range");
+  } catch (const automata::JsonError& error) {
+    const automata::JsonPlace place = automata::place_of(text, error.path(), error.blame());
+    diagnostics_.error(Code::document_schema,
+                       {index, static_cast<std::uint32_t>(place.begin), static_cast<std::uint32_t>(place.end)},
+                       error.what());
+  }
+  return std::nullopt;
+}
+
+FileSet Files::with_imports(const std::vector<const File*>& roots) {
+  FileSet set{roots, roots.size(), true};
+  for (const File* root : roots) {
+    std::vector<Importing> path{{root, nullptr}};
+    follow(*root, path, set);
+  }
+  return set;
+}
+
+void Files::follow(const File& file, std::vector<Importing>& path, FileSet& set) {
+  constexpr std::size_t depth_limit = 200;
+  if (!file.program && !file.plant && !file.document) set.complete = false;
+  for (const grammar::Import* import : imports_of(file)) {
+    const File* imported = open(file, import->path);
+    if (imported == nullptr) {
+      set.complete = false;
+      continue;
+    }
+    const auto on_path = [&](const Importing& step) { return step.file == imported; };
+    if (std::any_of(path.begin(), path.end(), on_path)) {
+      report_cycle(*imported, path, import->span);
+      continue;
+    }
+    if (imported->kind != file.kind) {
+      diagnostics_.error(Code::import_not_found, import->path.span,
+                         backquoted(import->path.text) + " is " + name_of(imported->kind) + ", and " +
+                             name_of(file.kind) + " imports others of its kind only");
+      continue;
+    }
+    if (std::find(set.files.begin(), set.files.end(), imported) != set.files.end()) continue;
+    if (path.size() >= depth_limit) {
+      diagnostics_.error(Code::nesting_too_deep, import->span,
+                         "imports nest deeper than " + std::to_string(depth_limit));
+      continue;
+    }
+    set.files.push_back(imported);
+    path.push_back({imported, import});
+    follow(*imported, path, set);
+    path.pop_back();
+  }
+}
+
+void Files::report_cycle(const File& file, const std::vector<Importing>& path, grammar::Span span) {
+  auto step = std::find_if(path.begin(), path.end(), [&](const Importing& s) { return s.file == &file; });
+  std::string cycle;
+  for (auto s = step; s != path.end(); ++s) cycle += sources_[s->file->index].name() + " -> ";
+  auto& error =
+      diagnostics_.error(Code::import_cycle, span, "the file imports itself: " + cycle + sources_[file.index].name());
+  for (++step; step != path.end(); ++step) {
+    error.notes.push_back({step->import->span, backquoted(sources_[step->file->index].name()) + " is imported here"});
+  }
+}
+
+}  // namespace rmpl::compiler

@@ -1,0 +1,80 @@
+// Files and what they import: read once, parsed once, in a fixed order.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "automata/scenario.hpp"
+#include "compiler/check/definitions.hpp"
+#include "grammar/ast/plant.hpp"
+#include "grammar/ast/program.hpp"
+#include "grammar/ast/scenario.hpp"
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
+
+namespace rmpl::compiler {
+
+/// What a file holds, told by its extension; of standard input, by its content.
+enum class Kind { program, plant, scenario, document };
+
+/// One file: its text, and what it holds where it has no syntax errors.
+struct File {
+  std::uint32_t index = 0;  ///< in the sources; of a compiled document, too
+  std::string directory;    ///< what its imports are relative to
+  Kind kind = Kind::program;
+  std::optional<grammar::ProgramFile> program;
+  std::optional<grammar::PlantFile> plant;
+  std::optional<grammar::ScenarioFile> scenarios;
+  std::optional<automata::Document> document;
+};
+
+/// Files that make one program or one plant: those named first, then what they import, each once.
+struct FileSet {
+  std::vector<const File*> files;
+  std::size_t roots = 0;  ///< how many of them were named
+  bool complete = true;   ///< false where a file is missing or has syntax errors; that has been reported
+};
+
+/// The whole text of a file; `-` is standard input. Throws base::InputError with the reason.
+std::string read_text(const std::string& path);
+
+/// Reads and parses; the same file once, however it is named.
+class Files {
+ public:
+  Files(grammar::Sources& sources, grammar::Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {}
+
+  /// A file that the user named. `-` is standard input. Throws base::InputError where it cannot be read, or has
+  /// no known extension.
+  const File& open(const std::string& path);
+  /// A file that another names, relative to it. Null where it cannot be read; then it has been reported at the name.
+  const File* open(const File& from, const grammar::String& path);
+  /// The named files with all that they import. Reports what is missing, what imports itself, and imports of a file of
+  /// another kind.
+  FileSet with_imports(const std::vector<const File*>& roots);
+
+ private:
+  struct Importing;
+  const File& read(const std::string& path, const std::string& canonical, std::string text);
+  /// Nothing where the text is no compiled document; then it has been reported.
+  std::optional<automata::Document> read_document(std::uint32_t index);
+  void follow(const File& file, std::vector<Importing>& path, FileSet& set);
+  void report_cycle(const File& file, const std::vector<Importing>& path, grammar::Span span);
+
+  grammar::Sources& sources_;
+  grammar::Diagnostics& diagnostics_;
+  std::map<std::string, File> files_;  ///< by canonical path; a map, for files are referred to
+};
+
+/// The kind of a file by its extension: `.rmpl`, `.tcca`, `.scn`, `.json`. Nothing for any other.
+std::optional<Kind> kind_by_name(const std::string& path);
+/// The kind of a text: `{` opens a document; `scenario`, `component`, `module`, `domain` or `plant` say what they are;
+/// all else is a program.
+Kind kind_by_content(std::string_view text);
+
+}  // namespace rmpl::compiler

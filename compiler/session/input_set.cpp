@@ -1,0 +1,229 @@
+// From an input set to one document.
+// SPDX-License-Identifier: MIT
+#include "compiler/session/input_set.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "compiler/check/clocks.hpp"
+#include "compiler/check/definitions.hpp"
+#include "compiler/check/recursion.hpp"
+#include "compiler/check/vocabulary.hpp"
+#include "compiler/lower/module.hpp"
+#include "compiler/lower/program.hpp"
+#include "compiler/lower/scenario.hpp"
+
+namespace rmpl::compiler {
+
+using grammar::Code;
+using grammar::Span;
+
+automata::Document InputSet::compile(std::span<const std::string> paths, const Options& options) {
+  std::map<Kind, Roots> roots;
+  for (const File* file : opened(paths)) {
+    Roots& same = roots[file->kind];
+    if (std::find(same.begin(), same.end(), file) == same.end()) same.push_back(file);
+  }
+  for (const File* file : roots[Kind::document]) adopt(*file);
+  Plant plant;
+  if (!roots[Kind::plant].empty()) {
+    plant = this->plant(roots[Kind::plant], {roots[Kind::plant].front()->index, 0, 0});
+  } else if (document_.plants.size() == 1) {
+    plant = {0, &parts_.emplace_back(Part{document_.plants.front(), {}, 0})};
+  }
+  if (plant.part != nullptr) bind_adopted(*plant.part);
+  if (!roots[Kind::program].empty()) {
+    program(roots[Kind::program], {options.main, std::nullopt}, plant.part,
+            {roots[Kind::program].front()->index, 0, 0});
+  } else if (!options.main.empty()) {
+    throw base::InputError("--main " + options.main + ": expected a control program (.rmpl) among the inputs");
+  }
+  for (const File* file : roots[Kind::scenario]) scenarios(*file);
+  return std::move(document_);
+}
+
+InputSet::Roots InputSet::opened(std::span<const std::string> paths) {
+  Roots roots;
+  std::vector<std::string> failures;
+  for (const std::string& path : paths) {
+    try {
+      roots.push_back(&files_.open(path));
+    } catch (const base::InputError& error) {
+      failures.emplace_back(error.what());
+    }
+  }
+  if (failures.size() == 1) throw base::InputError(failures.front());
+  if (!failures.empty()) {
+    std::string all = std::to_string(failures.size()) + " inputs cannot be used:";
+    for (const std::string& failure : failures) all += "\n  " + failure;
+    throw base::InputError(all);
+  }
+  return roots;
+}
+
+void InputSet::adopt(const File& file) {
+  if (!file.document) return;
+  const std::size_t plants = document_.plants.size();
+  const std::size_t programs = document_.programs.size();
+  const automata::Document& more = *file.document;
+  document_.plants.insert(document_.plants.end(), more.plants.begin(), more.plants.end());
+  for (const automata::Program& program : more.programs) {
+    document_.programs.push_back(program);
+    adopted_.push_back({file.index, 0, 0});
+  }
+  for (const automata::Scenario& scenario : more.scenarios) {
+    automata::Scenario& copy = document_.scenarios.emplace_back(scenario);
+    copy.plant += plants;
+    copy.program += programs;
+  }
+}
+
+void InputSet::bind_adopted(const Part& plant) {
+  for (std::size_t p = 0; p < adopted_.size(); ++p) {
+    automata::Program& program = document_.programs[p];
+    const bool has_plant = std::any_of(document_.plants.begin(), document_.plants.end(),
+                                       [&](const automata::Plant& own) { return own.variables == program.variables; });
+    if (!has_plant) program = bound(program, &plant, adopted_[p]);
+  }
+}
+
+automata::Program InputSet::bound(const automata::Program& program, const Part* plant, Span blame) {
+  if (plant == nullptr || program.variables == plant->plant.variables) return program;
+  try {
+    return automata::bind(program, plant->plant);
+  } catch (const base::InputError& error) {
+    diagnostics_.error(Code::not_in_plant, blame, error.what());
+    return program;
+  }
+}
+
+InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
+  if (const auto known = plants_.find(roots); known != plants_.end()) return known->second;
+  Plant result{document_.plants.size(), nullptr};
+  if (auto part = lower_plant(roots, blame)) {
+    document_.plants.push_back(part->plant);
+    result.part = &parts_.emplace_back(std::move(*part));
+  }
+  plants_.emplace(roots, result);
+  return result;
+}
+
+std::optional<Part> InputSet::lower_plant(const Roots& roots, Span blame) {
+  const FileSet set = files_.with_imports(roots);
+  if (!set.complete) return std::nullopt;
+  const std::size_t errors = diagnostics_.error_count();
+  if (roots.front()->kind == Kind::document) {
+    const auto& plants = roots.front()->document->plants;
+    if (plants.size() == 1) return Part{plants.front(), {}, 0};
+    diagnostics_.error(plants.empty() ? Code::no_plant : Code::several_plants, blame,
+                       "the compiled document holds " + std::to_string(plants.size()) + " plants, expected one");
+    return std::nullopt;
+  }
+  std::vector<const grammar::PlantFile*> files;
+  for (const File* file : set.files) files.push_back(&*file->plant);
+  auto part = ModelLowering(sources_, diagnostics_).run(files, blame);
+  return diagnostics_.error_count() == errors ? std::move(part) : std::nullopt;
+}
+
+std::optional<std::size_t> InputSet::program(const Roots& roots, const Entry& entry, const Part* plant, Span blame) {
+  const auto key = std::tuple(roots, entry.name, plant);
+  if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
+  std::optional<std::size_t> position;
+  if (auto program = lower_program(roots, entry, plant, blame)) {
+    position = document_.programs.size();
+    document_.programs.push_back(std::move(*program));
+  }
+  programs_.emplace(key, position);
+  return position;
+}
+
+std::optional<automata::Program> InputSet::lower_program(const Roots& roots, const Entry& entry, const Part* plant,
+                                                         Span blame) {
+  const FileSet set = files_.with_imports(roots);
+  if (!set.complete) return std::nullopt;
+  const std::size_t errors = diagnostics_.error_count();
+  if (roots.front()->kind == Kind::document) {
+    const auto& programs = roots.front()->document->programs;
+    if (programs.size() == 1) return bound(programs.front(), plant, blame);
+    diagnostics_.error(programs.empty() ? Code::no_program : Code::several_programs, blame,
+                       "the compiled document holds " + std::to_string(programs.size()) + " programs, expected one");
+    return std::nullopt;
+  }
+  std::vector<ProgramSource> files;
+  for (std::size_t f = 0; f < set.files.size(); ++f) files.push_back({&*set.files[f]->program, f < set.roots});
+  const Definitions definitions = collect_definitions(files, diagnostics_);
+  const Recursion recursion = check_recursion(definitions, diagnostics_);
+  std::vector<bool> reached(definitions.all.size(), false);
+  std::vector<std::size_t> entries;
+  std::optional<automata::Program> program;
+  const auto start = find_entry(definitions, entry.name, entry.span, blame, diagnostics_);
+  if (start) {
+    const grammar::Definition& definition = *definitions.all[*start].definition;
+    if (!definition.parameters.empty()) {
+      diagnostics_.error(
+          Code::wrong_argument_count, definition.name.span,
+          "execution starts at " + backquoted(definition.name.text) + ", which takes arguments: nothing gives them");
+    }
+    LoweredProgram lowered =
+        compiler::lower_program(sources_, definitions, recursion, *start, Purpose::run, plant, reached, diagnostics_);
+    if (!lowered.complete) return std::nullopt;
+    entries.push_back(*start);
+    program = std::move(lowered.program);
+  }
+  // What the program does not use is checked too, but for the names of a plant: it may be meant for another.
+  for (const bool called : {false, true}) {
+    for (std::size_t d = 0; d < definitions.all.size(); ++d) {
+      if (reached[d] || definitions.all[d].called != called) continue;
+      const auto unused =
+          compiler::lower_program(sources_, definitions, recursion, d, Purpose::check, nullptr, reached, diagnostics_);
+      if (!unused.complete) return std::nullopt;
+      entries.push_back(d);
+    }
+  }
+  check_clocks(definitions, recursion, entries, diagnostics_);
+  return diagnostics_.error_count() == errors ? std::move(program) : std::nullopt;
+}
+
+void InputSet::scenarios(const File& file) {
+  if (!file.scenarios) return;
+  if (file.scenarios->scenarios.empty()) {
+    auto& error = diagnostics_.error(Code::scenario_missing_part, {file.index, 0, 0}, "the file has no scenario");
+    error.suggestion = "add `scenario \"name\" { … }`";
+  }
+  std::map<std::string, Span> names;
+  for (const grammar::ScenarioDefinition& definition : file.scenarios->scenarios) {
+    const auto [first, fresh] = names.emplace(definition.name.text, definition.name.span);
+    if (!fresh) {
+      auto& error = diagnostics_.error(Code::duplicate_name, definition.name.span,
+                                       "scenario \"" + definition.name.text + "\" is already defined");
+      error.notes.push_back({first->second, "it is first defined here"});
+    }
+    const ScenarioFiles parts = files_of(definition, diagnostics_);
+    Plant plant;
+    if (const File* from = parts.plant == nullptr ? nullptr : referred(file, parts.plant->path, Kind::plant)) {
+      plant = this->plant({from}, parts.plant->path.span);
+    }
+    automata::Scenario scenario = lower_scenario(sources_, definition, plant.part, diagnostics_);
+    std::optional<std::size_t> position;
+    if (const File* from = parts.program == nullptr ? nullptr : referred(file, parts.program->path, Kind::program)) {
+      Entry entry;
+      if (parts.program->main) entry = {parts.program->main->text, parts.program->main->span};
+      position = program({from}, entry, plant.part, parts.program->path.span);
+    }
+    if (plant.part == nullptr || !position) continue;
+    scenario.plant = plant.position;
+    scenario.program = *position;
+    document_.scenarios.push_back(std::move(scenario));
+  }
+}
+
+const File* InputSet::referred(const File& from, const grammar::String& path, Kind kind) {
+  const File* file = files_.open(from, path);
+  if (file == nullptr || file->kind == kind || file->kind == Kind::document) return file;
+  diagnostics_.error(kind == Kind::plant ? Code::no_plant : Code::no_program, path.span,
+                     backquoted(path.text) + " holds no " + (kind == Kind::plant ? "plant" : "control program"));
+  return nullptr;
+}
+
+}  // namespace rmpl::compiler

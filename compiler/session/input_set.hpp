@@ -1,0 +1,74 @@
+// An input set on its way to a document: files read, plants and programs lowered once each, scenarios over both.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "automata/scenario.hpp"
+#include "compiler/lower/part.hpp"
+#include "compiler/session/compiler.hpp"
+#include "compiler/session/files.hpp"
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
+
+namespace rmpl::compiler {
+
+/// Compiles one input set. What is wrong is reported into the diagnostics; the document means something only where
+/// there are no errors.
+class InputSet {
+ public:
+  InputSet(grammar::Sources& sources, grammar::Diagnostics& diagnostics)
+      : sources_(sources), diagnostics_(diagnostics), files_(sources, diagnostics) {}
+
+  automata::Document compile(std::span<const std::string> paths, const Options& options);
+
+ private:
+  using Roots = std::vector<const File*>;
+
+  /// A plant of the document; `part` is null where it has errors, so that what refers to it is not judged by it.
+  struct Plant {
+    std::size_t position = 0;
+    const Part* part = nullptr;
+  };
+  /// Where execution of a program starts, as the user said it.
+  struct Entry {
+    std::string name;
+    std::optional<grammar::Span> span;  ///< none: on the command line, or nowhere
+  };
+
+  /// Takes over what a compiled document holds.
+  void adopt(const File& file);
+  /// Binds programs that were compiled without a plant.
+  void bind_adopted(const Part& plant);
+  automata::Program bound(const automata::Program& program, const Part* plant, grammar::Span blame);
+
+  /// The files that the user named. Throws base::InputError that tells of all that cannot be read.
+  Roots opened(std::span<const std::string> paths);
+  Plant plant(const Roots& roots, grammar::Span blame);
+  std::optional<Part> lower_plant(const Roots& roots, grammar::Span blame);
+  /// The position of the program, or nothing where it has errors.
+  std::optional<std::size_t> program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
+  std::optional<automata::Program> lower_program(const Roots& roots, const Entry& entry, const Part* plant,
+                                                 grammar::Span blame);
+  void scenarios(const File& file);
+  /// A file that a scenario names; null where it is missing or of another kind, and then it has been reported.
+  const File* referred(const File& from, const grammar::String& path, Kind kind);
+
+  grammar::Sources& sources_;
+  grammar::Diagnostics& diagnostics_;
+  Files files_;
+  automata::Document document_;
+  std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document
+  std::deque<Part> parts_;              ///< of plants without errors; a deque, for they are referred to
+  std::map<Roots, Plant> plants_;
+  std::map<std::tuple<Roots, std::string, const Part*>, std::optional<std::size_t>> programs_;
+};
+
+}  // namespace rmpl::compiler

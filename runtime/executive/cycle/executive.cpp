@@ -1,0 +1,123 @@
+// The fifteen steps of one cycle (thesis 7.1.1).
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/cycle/executive.hpp"
+
+#include "runtime/executive/cycle/stopwatch.hpp"
+#include "runtime/executive/sequence/goal_conflict.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+template <class Work>
+double timed(const Work& work) {
+  const Stopwatch stopwatch;
+  work();
+  return stopwatch.seconds();
+}
+
+}  // namespace
+
+Executive::Executive(const automata::Program& program, const automata::Plant& model, Estimator& estimator,
+                     Reconfigurer& reconfigurer, PlantInterface& plant, Clock& clock, automata::Ticks cycle)
+    : model_(model),
+      program_(program),
+      plant_(plant),
+      clock_(clock),
+      cycle_(cycle),
+      estimator_(estimator),
+      sequencer_(program, model),
+      reconfiguration_(model, reconfigurer, clock),
+      estimation_(model, estimator, clock, reconfiguration_.queue()),
+      control_(plant, estimation_.queue()),
+      monitor_(plant, estimation_.queue()) {
+  reconfiguration_.connect(control_);
+  record_.marking = sequencer_.marking();
+  record_.command = automata::idle_action(model);
+  read_back({});
+  plant_.overhear(record_.estimate, record_.time);
+}
+
+const CycleRecord& Executive::run_cycle() {
+  ++record_.cycle;
+  record_.events.clear();
+  record_.marking = sequencer_.marking();
+  assert_goals();                                                                    // 1 to 3
+  record_.reconfiguration_seconds = timed([this] { reconfiguration_.dispatch(); });  // 4 to 8: MR's command is issued,
+                                                                                     // and ME is told
+  note_reconfiguration();
+  clock_.wait_until(automata::Ticks{cycle_.count * static_cast<std::int64_t>(record_.cycle)});
+  const automata::Observation& observations = monitor_.sample(clock_.now());  // 9
+  control_.request_estimate();                                                // 10
+  record_.estimation_seconds = timed([this] { estimation_.dispatch(); });     // 11 to 15
+  read_back(observations);
+  sequencer_.finish(knowledge_);
+  plant_.overhear(record_.estimate, record_.time);
+  return record_;
+}
+
+void Executive::assert_goals() {
+  // 1. The sequencer queries the clock, checks maintenance constraints and establishes the goals.
+  record_.start = clock_.now();
+  const automata::Asserted& asserted = sequencer_.begin(knowledge_, record_.start);
+  record_.goal.clear();
+  for (const automata::GoalConflict& conflict : asserted.conflicts) {
+    record_.events.push_back(describe(conflict, program_, model_.variables));
+  }
+  // Goals that contradict each other are not acted on (semantics 2): MR is asked with none, and stays idle.
+  if (asserted.conflicts.empty()) record_.goal = asserted.goal;
+  // 2. It pushes the goals, one at a time, 3. and then the request.
+  for (const automata::Assignment& goal : record_.goal) reconfiguration_.queue().push(GoalAsserted{goal});
+  reconfiguration_.queue().push(ReconfigurationRequested{});
+}
+
+void Executive::note_reconfiguration() {
+  const Reconfiguration& answer = reconfiguration_.answer();
+  record_.command = reconfiguration_.command();
+  record_.considered = reconfiguration_.checked();
+  switch (answer.outcome) {
+    case Reconfiguration::Outcome::no_plan:
+      record_.events.push_back({Event::Kind::no_plan, answer.reason, answer.component, std::nullopt});
+      break;
+    case Reconfiguration::Outcome::command:
+      if (answer.irreversible) {
+        record_.events.push_back(
+            {Event::Kind::irreversible, "the command cannot be undone", answer.component, std::nullopt});
+      }
+      break;
+    case Reconfiguration::Outcome::wait:
+    case Reconfiguration::Outcome::nothing_to_do:
+      break;
+  }
+}
+
+void Executive::read_back(const automata::Observation& observations) {
+  const Estimate& estimate = estimation_.estimate();
+  record_.time = estimation_.time();
+  record_.observations = observations;
+  record_.estimate = estimate.modes;
+  record_.probability = estimate.probability;
+  record_.consistent = estimate.consistent;
+  record_.checked = estimate.checked;
+  record_.estimator = &estimator_;
+  record_.truth = plant_.truth();
+  const auto& happenings = plant_.happenings();
+  record_.events.insert(record_.events.end(), happenings.begin(), happenings.end());
+  if (!estimate.consistent) {
+    record_.events.push_back(
+        {Event::Kind::inconsistent, "no state that is tracked explains the observations", std::nullopt, std::nullopt});
+  }
+  if (estimate.cut) {
+    record_.events.push_back(
+        {Event::Kind::cut, "the search ended early; the belief may lack states", std::nullopt, std::nullopt});
+  }
+  knowledge_.assignments.clear();
+  for (std::size_t c = 0; c < estimate.modes.size(); ++c) {
+    knowledge_.assignments.push_back({model_.components[c].mode, automata::ValueId(estimate.modes[c].index())});
+  }
+  // Observations that contradict the estimate would make every constraint entailed, so they are not handed on.
+  if (estimate.consistent) {
+    knowledge_.assignments.insert(knowledge_.assignments.end(), observations.begin(), observations.end());
+  }
+}
+
+}  // namespace rmpl::runtime

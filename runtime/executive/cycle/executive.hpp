@@ -1,0 +1,54 @@
+// The timed model-based executive: sequencer, ME and MR around one plant (thesis 7.1, Fig. 7-1; semantics 6).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "automata/program.hpp"
+#include "automata/step/program_step.hpp"
+#include "runtime/executive/cycle/adapters.hpp"
+#include "runtime/executive/cycle/clock.hpp"
+#include "runtime/executive/cycle/estimation_dispatcher.hpp"
+#include "runtime/executive/cycle/reconfiguration_dispatcher.hpp"
+#include "runtime/executive/plant/plant_interface.hpp"
+#include "runtime/executive/trace/cycle_record.hpp"
+#include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
+
+namespace rmpl::runtime {
+
+/// Executes a control program on a plant, cycle by cycle. Cycle i (from 1) starts at (i - 1) * `cycle`: the sequencer
+/// asserts goals, MR commands the plant, time advances to i * `cycle`, observations arrive, ME estimates, and the
+/// sequencer advances its marking. Keeps references to all that it is made of.
+class Executive {
+ public:
+  /// `program` is bound to `model`. `cycle` is above 0.
+  Executive(const automata::Program& program, const automata::Plant& model, Estimator& estimator,
+            Reconfigurer& reconfigurer, PlantInterface& plant, Clock& clock, automata::Ticks cycle);
+
+  /// The state in which the run starts, as cycle 0; then what the last `run_cycle` did.
+  [[nodiscard]] const CycleRecord& record() const { return record_; }
+  /// Runs one cycle. After the end of the program cycles go on, with no goal.
+  const CycleRecord& run_cycle();
+  /// Whether the program has ended: no location is marked.
+  [[nodiscard]] bool ended() const { return sequencer_.ended(); }
+
+ private:
+  void assert_goals();
+  void note_reconfiguration();
+  void read_back(const automata::Observation& observations);
+
+  const automata::Plant& model_;
+  const automata::Program& program_;
+  PlantInterface& plant_;
+  Clock& clock_;
+  const automata::Ticks cycle_;
+  Estimator& estimator_;
+  automata::ProgramStep sequencer_;
+  ReconfigurationDispatcher reconfiguration_;
+  EstimationDispatcher estimation_;
+  ControlAdapter control_;
+  MonitorAdapter monitor_;
+  automata::Knowledge knowledge_;  ///< of the sequencer: the last estimate, and the observations that it explains
+  CycleRecord record_;
+};
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,53 @@
+// MR: from goals and the estimate to a command.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/cycle/reconfiguration_dispatcher.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace rmpl::runtime {
+
+ReconfigurationDispatcher::ReconfigurationDispatcher(const automata::Plant& plant, Reconfigurer& reconfigurer,
+                                                     const Clock& clock)
+    : reconfigurer_(reconfigurer), clock_(clock), idle_(automata::idle_action(plant)) {}
+
+void ReconfigurationDispatcher::dispatch() {
+  while (const auto message = queue_.pop()) {
+    std::visit([this](const auto& m) { handle(m); }, *message);
+  }
+}
+
+const automata::ControlAction& ReconfigurationDispatcher::command() const {
+  return answer_.outcome == Reconfiguration::Outcome::command ? answer_.action : idle_;
+}
+
+// 4. Goals are dequeued and conjoined.
+void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.push_back(message.goal); }
+
+void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
+  assert(control_ != nullptr && "connected before the first request");
+  // 5. The request invokes MR with the configuration goal, 6. which returns the next command of a sequence.
+  checked_ = 0;
+  if (tracked_ != asked_states_ || goals_ != asked_goals_) {
+    answer_ = reconfigurer_.next_of_all(tracked_, automata::conjunction_of(goals_));
+    asked_states_ = tracked_;
+    checked_ = answer_.checked;
+    asked_goals_ = goals_;
+  }
+  goals_.clear();
+  // 7. It goes to the control adapter.
+  control_->issue(command(), clock_.now());
+}
+
+void ReconfigurationDispatcher::handle(const StateEstimated& message) {
+  tracked_.resize(1);
+  tracked_.front().assign(message.modes.begin(), message.modes.end());
+  if (!reconfigurer_.looks_at_all()) return;
+  for (const BeliefEntry& entry : message.estimator->belief()) {
+    if (std::find(tracked_.begin(), tracked_.end(), entry.state.modes) == tracked_.end()) {
+      tracked_.push_back(entry.state.modes);
+    }
+  }
+}
+
+}  // namespace rmpl::runtime

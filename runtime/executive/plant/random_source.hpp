@@ -1,0 +1,26 @@
+// A source of random numbers whose bytes depend on the seed alone: the same on every machine and standard library.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rmpl::runtime {
+
+/// SplitMix64 (Steele, Lea, Flood 2014): 64 bits of state, period 2^64, every seed is good.
+class RandomSource {
+ public:
+  /// `stream` keeps sources with one seed apart, so that drawing more from one does not change the other.
+  explicit RandomSource(std::uint64_t seed, std::uint64_t stream = 0);
+
+  std::uint64_t next();
+  /// In [0, 1): the upper 53 bits, times 2^-53.
+  double uniform();
+  /// A position below `count`, each as likely as the others (to within count * 2^-53); `count` is above 0.
+  std::size_t below(std::size_t count);
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace rmpl::runtime

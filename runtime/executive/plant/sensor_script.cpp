@@ -1,0 +1,106 @@
+// When each dictated reading begins and ends.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/plant/sensor_script.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rmpl::runtime {
+namespace {
+
+using automata::Ticks;
+
+/// Saturates: a reading "for ever" ends at infinity.
+Ticks later(Ticks time, Ticks by) {
+  return by.count > Ticks::infinite().count - time.count ? Ticks::infinite() : time + by;
+}
+
+/// From the trigger of a rule, at the start of a cycle, to its reading, at the end of that cycle or of a later one:
+/// nothing is read before. Saturates.
+Ticks delay_of(const automata::Rule& rule, Ticks cycle) {
+  if (rule.delay) return *rule.delay;
+  const auto most = static_cast<std::uint64_t>(Ticks::infinite().count / cycle.count);
+  const std::uint64_t cycles = std::max<std::uint64_t>(rule.delay_cycles, 1);
+  return cycles > most ? Ticks::infinite() : Ticks{cycle.count * static_cast<std::int64_t>(cycles)};
+}
+
+}  // namespace
+
+SensorScript::SensorScript(const automata::Plant& plant, const automata::Scenario& scenario)
+    : plant_(plant), cycle_(scenario.cycle) {
+  std::size_t order = 0;
+  for (const automata::SensorOverride& dictated : scenario.overrides) {
+    schedule({dictated.at, later(dictated.at, dictated.duration), order++, dictated.reading});
+  }
+  for (const automata::Rule& rule : scenario.rules) triggers_.push_back({&rule, order++});
+}
+
+void SensorScript::schedule(Reading reading) {
+  const auto begins_later = [](const Reading& a, const Reading& b) {
+    return std::tie(a.from, a.order) > std::tie(b.from, b.order);
+  };
+  pending_.insert(std::upper_bound(pending_.begin(), pending_.end(), reading, begins_later), reading);
+}
+
+template <class ValueOf>
+void SensorScript::fire(automata::Rule::Stream stream, const ValueOf& value_of, Ticks now) {
+  for (Trigger& trigger : triggers_) {
+    const automata::Rule& rule = *trigger.rule;
+    if (rule.stream != stream) continue;
+    const bool holds = automata::evaluate(rule.trigger, value_of);
+    if (holds && !trigger.held) {
+      const Ticks from = later(now, delay_of(rule, cycle_));
+      schedule({from, later(from, rule.duration), trigger.order, rule.reading});
+    }
+    trigger.held = holds;
+  }
+}
+
+void SensorScript::hear_command(const automata::ControlAction& action, Ticks now) {
+  if (action == last_action_) return;
+  last_action_ = action;
+  fire(
+      automata::Rule::Stream::command,
+      [&](automata::VariableId variable) {
+        const auto at = std::find_if(plant_.controls.begin(), plant_.controls.end(),
+                                     [&](const automata::Control& control) { return control.variable == variable; });
+        return action[static_cast<std::size_t>(at - plant_.controls.begin())];
+      },
+      now);
+}
+
+void SensorScript::hear_estimate(const automata::Modes& modes, Ticks now) {
+  if (modes == last_modes_) return;
+  last_modes_ = modes;
+  fire(
+      automata::Rule::Stream::estimate,
+      [&](automata::VariableId variable) {
+        return automata::ValueId(modes[plant_.component_of(variable)->index()].index());
+      },
+      now);
+}
+
+void SensorScript::begin(const Reading& reading) {
+  // What ends no later is never heard again.
+  std::erase_if(active_, [&](const Reading& known) {
+    return known.reading.variable == reading.reading.variable && known.until <= reading.until;
+  });
+  active_.push_back(reading);
+}
+
+void SensorScript::apply(automata::Observation& observation, Ticks now) {
+  for (; !pending_.empty() && pending_.back().from <= now; pending_.pop_back()) begin(pending_.back());
+  std::erase_if(active_, [now](const Reading& known) { return known.until <= now; });
+  for (const Reading& known : active_) {
+    const auto at =
+        std::lower_bound(observation.begin(), observation.end(), known.reading.variable,
+                         [](const automata::Assignment& a, automata::VariableId id) { return a.variable < id; });
+    if (at != observation.end() && at->variable == known.reading.variable) {
+      at->value = known.reading.value;
+    } else {
+      observation.insert(at, known.reading);
+    }
+  }
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,100 @@
+// The stochastic simulation of a plant model.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/plant/simulated_plant.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+/// A model whose consistent next states are rarer than one in this many is taken to have none.
+constexpr int draws_limit = 100'000;
+
+constexpr std::uint64_t state_stream = 1;
+constexpr std::uint64_t sensor_stream = 2;
+
+automata::ModeId choose(const std::vector<automata::Move>& moves, RandomSource& random) {
+  if (moves.size() == 1) return moves.front().mode;
+  double total = 0;
+  for (const automata::Move& move : moves) total += move.probability;
+  double left = random.uniform() * total;
+  for (const automata::Move& move : moves) {
+    left -= move.probability;
+    if (left < 0) return move.mode;
+  }
+  return moves.back().mode;
+}
+
+}  // namespace
+
+SimulatedPlant::SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed)
+    : plant_(plant),
+      step_(plant),
+      random_(seed, state_stream),
+      sensors_(step_, RandomSource(seed, sensor_stream)),
+      script_(plant, scenario),
+      forced_(scenario.forced),
+      action_(automata::idle_action(plant)) {
+  std::stable_sort(forced_.begin(), forced_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+  std::reverse(forced_.begin(), forced_.end());
+  auto initial = step_.initial_moves();
+  for (const automata::Assignment& given : scenario.truth) {
+    initial[plant.component_of(given.variable)->index()] = {{automata::ModeId(given.value.index()), 1.0}};
+  }
+  state_.clock_starts.assign(plant.components.size(), automata::Ticks{});
+  force(initial, time_);
+  draw(initial, time_);
+  state_.modes = drawn_;
+}
+
+void SimulatedPlant::issue(const automata::ControlAction& action, automata::Ticks now) {
+  action_ = action;
+  script_.hear_command(action, now);
+}
+
+void SimulatedPlant::force(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
+  for (; !forced_.empty() && forced_.back().at <= now; forced_.pop_back()) {
+    const automata::ForcedMode& forced = forced_.back();
+    const automata::Component& component = plant_[forced.component];
+    moves[forced.component.index()] = {{forced.mode, 1.0}};
+    happenings_.push_back({Event::Kind::forced, component.name + " = " + component.modes[forced.mode.index()].name,
+                           forced.component, std::nullopt});
+  }
+}
+
+void SimulatedPlant::draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
+  drawn_.resize(moves.size());
+  for (int attempt = 0; attempt < draws_limit; ++attempt) {
+    for (std::size_t c = 0; c < moves.size(); ++c) drawn_[c] = choose(moves[c], random_);
+    if (step_.possible(drawn_)) return;
+  }
+  give_up(now);
+}
+
+void SimulatedPlant::give_up(automata::Ticks now) const {
+  std::string message = "the simulated plant '" + plant_.name + "' has no consistent state to go to at " +
+                        automata::format_seconds(now) + " s";
+  for (const Event& event : happenings_) message += ", with " + event.message + " forced";
+  throw base::InputError(message + "; the last of " + std::to_string(draws_limit) +
+                         " that were drawn contradicts the interconnections and mode constraints");
+}
+
+const automata::Observation& SimulatedPlant::sense(automata::Ticks now) {
+  happenings_.clear();
+  auto moves = step_.moves(state_, action_, time_, now);
+  force(moves, now);
+  draw(moves, now);
+  for (std::size_t c = 0; c < drawn_.size(); ++c) {
+    if (drawn_[c] != state_.modes[c]) state_.clock_starts[c] = now;
+  }
+  state_.modes = drawn_;
+  time_ = now;
+  readings_ = sensors_.read(state_.modes);
+  script_.apply(readings_, now);
+  return readings_;
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,52 @@
+// A plant that behaves as its model says, by chance (semantics 3; thesis 7.2.1).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "automata/scenario.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/executive/plant/plant_interface.hpp"
+#include "runtime/executive/plant/random_source.hpp"
+#include "runtime/executive/plant/sensor_script.hpp"
+#include "runtime/executive/plant/sensors.hpp"
+
+namespace rmpl::runtime {
+
+/// Draws initial modes, transitions, faults and readings from the model: all components at once, and all again where
+/// the store of the drawn state is inconsistent. Faults that the scenario forces happen in the first step that ends at
+/// or after their time; sensors that it dictates read what it says. Same seed, same plant.
+class SimulatedPlant final : public PlantInterface {
+ public:
+  /// Keeps references to all. Throws base::InputError where no consistent initial state is found.
+  SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed);
+
+  void issue(const automata::ControlAction& action, automata::Ticks now) override;
+  /// Throws base::InputError where no consistent next state is found: the model, or a forced mode, leads nowhere.
+  const automata::Observation& sense(automata::Ticks now) override;
+  void overhear(const automata::Modes& estimate, automata::Ticks now) override { script_.hear_estimate(estimate, now); }
+  [[nodiscard]] const automata::Modes* truth() const override { return &state_.modes; }
+  [[nodiscard]] const std::vector<Event>& happenings() const override { return happenings_; }
+  [[nodiscard]] bool more_to_come() const override { return !forced_.empty() || script_.pending(); }
+
+ private:
+  void draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  void force(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  [[noreturn]] void give_up(automata::Ticks now) const;
+
+  const automata::Plant& plant_;
+  automata::PlantStep step_;
+  RandomSource random_;
+  Sensors sensors_;
+  SensorScript script_;
+  std::vector<automata::ForcedMode> forced_;  ///< the next to happen stands last
+  automata::SystemState state_;
+  automata::Ticks time_;
+  automata::ControlAction action_;
+  automata::Modes drawn_;
+  automata::Observation readings_;
+  std::vector<Event> happenings_;
+};
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,82 @@
+// Judges what a scenario expects, cycle by cycle (language.md "Scenarios").
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/scenario.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/executive/trace/cycle_record.hpp"
+
+namespace rmpl::runtime {
+
+/// Whether it speaks of what is never to be, which is not met before the end.
+bool lasts_to_the_end(const automata::Expectation& expectation);
+
+/// What came of one expectation.
+struct Judgement {
+  enum class Verdict { met, failed, undecided };
+  Verdict verdict = Verdict::undecided;
+  std::optional<automata::Ticks> time;  ///< when it was decided
+  std::string reason;                   ///< where it failed or is undecided: why
+};
+
+/// `met`, `failed`, `undecided`.
+std::string_view name_of(Judgement::Verdict verdict);
+
+/// A condition holds when it is entailed by the model and what is known at the end of a cycle: the estimate and the
+/// observations that it explains, or the true modes.
+class Expectations {
+ public:
+  /// Keeps references to both. Throws base::InputError where an expectation speaks of the truth and nothing is
+  /// simulated.
+  Expectations(automata::PlantStep& step, const automata::Scenario& scenario);
+
+  /// Looks at a cycle; `ended` says that the program has ended in it.
+  void observe(const CycleRecord& record, bool ended);
+  /// The run is over: what is open is decided; or, where it was `interrupted`, stays undecided.
+  void close(automata::Ticks time, bool interrupted);
+  /// Whether some expectation is open that more cycles may still meet or fail, aside from what is never to be: that
+  /// lasts to the end.
+  [[nodiscard]] bool waiting() const;
+  /// Whether something that is never to be has not been.
+  [[nodiscard]] bool watching() const;
+  /// One a piece, in the order of the scenario.
+  [[nodiscard]] const std::vector<Judgement>& judgements() const { return judgements_; }
+
+ private:
+  /// A formula asked of a sequence of knowledge that seldom changes.
+  struct Question {
+    const automata::Formula* formula;
+    automata::Theory::Handle handle;
+    bool answer = false;
+  };
+  /// What is known on one side, the estimate's or the truth's.
+  struct Side {
+    std::vector<automata::Assignment> known;
+    std::vector<automata::Assignment> next;
+    bool changed = false;
+  };
+  /// The state of one expectation.
+  struct Watch {
+    const automata::Expectation* expectation;
+    Question condition;
+    std::optional<Question> after;
+    std::optional<automata::Ticks> since;  ///< when `after` came true; the start where there is none
+  };
+
+  Question ask(const automata::Formula& formula);
+  void know(const CycleRecord& record);
+  bool holds(Question& question, const Side& side);
+  void judge(Watch& watch, Judgement& judgement, const CycleRecord& record, bool ended);
+  void decide(Judgement& judgement, Judgement::Verdict verdict, automata::Ticks now, std::string reason = {});
+
+  automata::PlantStep& step_;
+  Side estimate_, truth_;
+  std::vector<Watch> watches_;
+  std::vector<Judgement> judgements_;
+};
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,77 @@
+// Verdicts for people and for programs.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/scenario/report.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+using automata::format_seconds;
+
+std::string verdict_word(Judgement::Verdict verdict, Style style) {
+  switch (verdict) {
+    case Judgement::Verdict::met:
+      return style.good("met      ");
+    case Judgement::Verdict::failed:
+      return style.bad("FAILED   ");
+    case Judgement::Verdict::undecided:
+      return style.strong("undecided");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string heading(const automata::Document& document, const automata::Scenario& scenario, std::uint64_t seed,
+                    Style style) {
+  return style.strong(scenario.name) + "\n" + "program " + document.programs[scenario.program].name + ", plant " +
+         document.plants[scenario.plant].name + (scenario.rules_only ? " (rules only)" : "") + ", a cycle of " +
+         format_seconds(scenario.cycle) + " s, seed " + std::to_string(seed) + "\n";
+}
+
+std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, Style style) {
+  std::string text;
+  if (result.ended) {
+    text += "the program ended at " + format_seconds(*result.ended) + " s";
+  } else if (result.interrupted) {
+    text += "interrupted at " + format_seconds(result.time) + " s";
+  } else {
+    text += "the program had not ended after " + format_seconds(result.time) + " s";
+  }
+  text += "; " + std::to_string(result.cycles) + (result.cycles == 1 ? " cycle\n" : " cycles\n");
+  for (std::size_t i = 0; i < result.judgements.size(); ++i) {
+    const automata::Expectation& expectation = scenario.expectations[i];
+    const Judgement& judgement = result.judgements[i];
+    text += "  " + verdict_word(judgement.verdict, style) + "  " + expectation.text;
+    const bool awaited = !lasts_to_the_end(expectation);
+    if (judgement.time && awaited) {
+      text += style.quiet("  at " + format_seconds(*judgement.time) + " s");
+    }
+    if (!judgement.reason.empty()) {
+      text += ": " + judgement.reason;
+      if (judgement.time && !awaited) {
+        text += " at " + format_seconds(*judgement.time) + " s";
+      }
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void write_result(JsonLine& json, const automata::Scenario& scenario, const ScenarioResult& result) {
+  json.open('{').key("scenario").string(scenario.name).key("verdict").string(name_of(result.verdict()));
+  json.key("seed").number(result.seed).key("cycles").number(result.cycles).key("time").seconds(result.time);
+  if (result.ended) json.key("ended").seconds(*result.ended);
+  json.key("expectations").open('[');
+  for (std::size_t i = 0; i < result.judgements.size(); ++i) {
+    const automata::Expectation& expectation = scenario.expectations[i];
+    const Judgement& judgement = result.judgements[i];
+    json.open('{').key("text").string(expectation.text).key("verdict").string(name_of(judgement.verdict));
+    if (judgement.time) json.key("time").seconds(*judgement.time);
+    if (!judgement.reason.empty()) json.key("reason").string(judgement.reason);
+    json.key("file").string(expectation.origin.file).key("line").number(expectation.origin.line);
+    json.close('}');
+  }
+  json.close(']').close('}');
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,24 @@
+// What came of a scenario, as text and as JSON (grammar/schema/scenario_result.schema.json).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "automata/scenario.hpp"
+#include "runtime/executive/scenario/run.hpp"
+#include "runtime/executive/scenario/style.hpp"
+#include "runtime/executive/trace/json_line.hpp"
+
+namespace rmpl::runtime {
+
+/// The heading before a story: what runs on what.
+std::string heading(const automata::Document& document, const automata::Scenario& scenario, std::uint64_t seed,
+                    Style style);
+
+/// How it ended, then a line for each expectation; ends with a line feed.
+std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, Style style);
+
+/// One object, with no part that differs between two runs of one seed.
+void write_result(JsonLine& json, const automata::Scenario& scenario, const ScenarioResult& result);
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,101 @@
+// A scenario: executive, plant and clock put together, and run to the verdict.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/scenario/run.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "runtime/executive/cycle/clock.hpp"
+#include "runtime/executive/cycle/executive.hpp"
+#include "runtime/executive/plant/scripted_plant.hpp"
+#include "runtime/executive/plant/simulated_plant.hpp"
+#include "runtime/reasoning/reconfigure/one_step.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+std::unique_ptr<PlantInterface> make_plant(const automata::Plant& model, const automata::Scenario& scenario,
+                                           std::uint64_t seed) {
+  if (scenario.rules_only) return std::make_unique<ScriptedPlant>(model, scenario);
+  return std::make_unique<SimulatedPlant>(model, scenario, seed);
+}
+
+std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const ScenarioOptions& options) {
+  EstimatorOptions estimator;
+  estimator.k = options.k;
+  estimator.live_clocks_only = true;
+  switch (options.engine) {
+    case ScenarioOptions::Engine::exact:
+      return make_exact_estimator(step, estimator);
+    case ScenarioOptions::Engine::k_best:
+      return make_k_best_estimator(step, estimator);
+  }
+  return nullptr;
+}
+
+std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const ScenarioOptions& options) {
+  switch (options.recovery) {
+    case ScenarioOptions::Recovery::planner:
+      return make_reconfigurer(step, options.graph);
+    case ScenarioOptions::Recovery::one_step:
+      return make_one_step_reconfigurer(step, options.graph);
+  }
+  return nullptr;
+}
+
+std::unique_ptr<Clock> make_clock(const ScenarioOptions& options) {
+  if (options.real_time) return std::make_unique<WallClock>(options.interrupted);
+  return std::make_unique<SimulatedClock>();
+}
+
+}  // namespace
+
+Judgement::Verdict ScenarioResult::verdict() const {
+  const auto some = [&](Judgement::Verdict verdict) {
+    return std::any_of(judgements.begin(), judgements.end(), [&](const auto& j) { return j.verdict == verdict; });
+  };
+  if (some(Judgement::Verdict::failed)) return Judgement::Verdict::failed;
+  if (interrupted || some(Judgement::Verdict::undecided)) return Judgement::Verdict::undecided;
+  return Judgement::Verdict::met;
+}
+
+ScenarioResult run_scenario(const automata::Document& document, const automata::Scenario& scenario,
+                            const ScenarioOptions& options, const std::vector<CycleObserver*>& observers) {
+  const automata::Plant& model = document.plants[scenario.plant];
+  const automata::Program& program = document.programs[scenario.program];
+  if (scenario.cycle.count <= 0) {
+    throw base::InputError("scenario '" + scenario.name + "': expected a cycle above 0 s");
+  }
+  ScenarioResult result;
+  result.seed = options.seed.value_or(scenario.seed);
+
+  automata::PlantStep step(model);
+  const auto estimator = make_estimator(step, options);
+  const auto reconfigurer = make_recovery(step, options);
+  const auto plant = make_plant(model, scenario, result.seed);
+  const auto clock = make_clock(options);
+  Expectations expectations(step, scenario);
+  Executive executive(program, model, *estimator, *reconfigurer, *plant, *clock, scenario.cycle);
+
+  const auto look = [&](const CycleRecord& record) {
+    if (executive.ended() && !result.ended) result.ended = record.time;
+    expectations.observe(record, executive.ended());
+    for (CycleObserver* observer : observers) observer->observe(record);
+  };
+  const auto more_to_decide = [&] {
+    return expectations.waiting() || (expectations.watching() && plant->more_to_come());
+  };
+  look(executive.record());
+  while (executive.record().time < scenario.duration && (!executive.ended() || more_to_decide())) {
+    result.interrupted = options.interrupted();
+    if (result.interrupted) break;
+    look(executive.run_cycle());
+  }
+  result.cycles = executive.record().cycle;
+  result.time = executive.record().time;
+  expectations.close(result.time, result.interrupted);
+  result.judgements = expectations.judgements();
+  return result;
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,31 @@
+// The words for a goal conflict.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/sequence/goal_conflict.hpp"
+
+#include <string>
+
+namespace rmpl::runtime {
+namespace {
+
+std::string asserts(const automata::Program& program, automata::LocationId id, automata::Assignment goal,
+                    const automata::Variables& variables) {
+  const automata::Origin& origin = program.locations[id.index()].origin;
+  std::string text = "location " + std::to_string(id.index() + 1) + " asserts " + variables.name(goal.variable) +
+                     " = " + variables.value(goal);
+  if (origin.line > 0) {
+    text += " (" + origin.file + ":" + std::to_string(origin.line) + ":" + std::to_string(origin.column) + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
+Event describe(const automata::GoalConflict& conflict, const automata::Program& program,
+               const automata::Variables& variables) {
+  return {Event::Kind::goal_conflict,
+          asserts(program, conflict.first, conflict.contradicted, variables) + ", but " +
+              asserts(program, conflict.second, conflict.asserted, variables),
+          std::nullopt, std::pair{conflict.first, conflict.second}};
+}
+
+}  // namespace rmpl::runtime

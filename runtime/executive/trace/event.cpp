@@ -1,0 +1,28 @@
+// Names of events.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/trace/event.hpp"
+
+#include <cassert>
+
+namespace rmpl::runtime {
+
+std::string_view name_of(Event::Kind kind) {
+  switch (kind) {
+    case Event::Kind::goal_conflict:
+      return "goal-conflict";
+    case Event::Kind::no_plan:
+      return "no-plan";
+    case Event::Kind::irreversible:
+      return "irreversible";
+    case Event::Kind::inconsistent:
+      return "inconsistent";
+    case Event::Kind::cut:
+      return "cut";
+    case Event::Kind::forced:
+      return "forced";
+  }
+  assert(false && "every kind of event has a name");
+  return {};
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,133 @@
+// JSON by appending to a string.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/trace/json_line.hpp"
+
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace rmpl::runtime {
+
+void JsonLine::clear() {
+  text_.clear();
+  first_ = true;
+}
+
+void JsonLine::separate() {
+  if (!first_) text_ += ',';
+  first_ = false;
+}
+
+void JsonLine::quote(std::string_view value) {
+  static constexpr std::string_view digits = "0123456789abcdef";
+  text_ += '"';
+  for (const char c : value) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      text_ += '\\';
+      text_ += c;
+    } else if (byte < 0x20) {
+      text_ += "\\u00";
+      text_ += digits[byte >> 4U];
+      text_ += digits[byte & 15U];
+    } else {
+      text_ += c;
+    }
+  }
+  text_ += '"';
+}
+
+JsonLine& JsonLine::open(char bracket) {
+  separate();
+  text_ += bracket;
+  first_ = true;
+  return *this;
+}
+
+JsonLine& JsonLine::close(char bracket) {
+  text_ += bracket;
+  first_ = false;
+  return *this;
+}
+
+JsonLine& JsonLine::key(std::string_view name) {
+  separate();
+  quote(name);
+  text_ += ':';
+  first_ = true;
+  return *this;
+}
+
+JsonLine& JsonLine::string(std::string_view value) {
+  separate();
+  quote(value);
+  return *this;
+}
+
+JsonLine& JsonLine::number(double value) {
+  assert(std::isfinite(value) && "JSON has finite numbers only");
+  separate();
+  std::array<char, 32> digits{};
+  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  text_.append(digits.data(), result.ptr);
+  return *this;
+}
+
+JsonLine& JsonLine::seconds(automata::Ticks value) {
+  assert(!value.is_infinite() && "a time that is written has come");
+  separate();
+  text_ += automata::format_seconds(value);
+  return *this;
+}
+
+JsonLine& JsonLine::digits(std::string_view number) {
+  separate();
+  text_ += number;
+  return *this;
+}
+
+JsonLine& JsonLine::boolean(bool value) {
+  separate();
+  text_ += value ? "true" : "false";
+  return *this;
+}
+
+JsonLine& JsonLine::null() {
+  separate();
+  text_ += "null";
+  return *this;
+}
+
+JsonLine& JsonLine::assignments(std::span<const automata::Assignment> assignments,
+                                const automata::Variables& variables) {
+  open('{');
+  for (const automata::Assignment& a : assignments) key(variables.name(a.variable)).string(variables.value(a));
+  return close('}');
+}
+
+JsonLine& JsonLine::modes(const automata::Modes& modes, const automata::Plant& plant) {
+  open('{');
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const automata::Component& component = plant.components[i];
+    key(component.name).string(component.modes[modes[i].index()].name);
+  }
+  return close('}');
+}
+
+JsonLine& JsonLine::belief(const Belief& belief, const automata::Plant& plant, automata::Ticks now,
+                           const ClockTable* clocks) {
+  open('[');
+  for (const BeliefEntry& entry : belief) {
+    open('{').key("probability").number(entry.probability).key("modes").modes(entry.state.modes, plant);
+    key("clocks").open('{');
+    for (std::size_t i = 0; i < entry.state.clock_starts.size(); ++i) {
+      if (clocks != nullptr && !(*clocks)[i][entry.state.modes[i].index()]) continue;
+      key(plant.components[i].name).seconds(now - entry.state.clock_starts[i]);
+    }
+    close('}').close('}');
+  }
+  return close(']');
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,72 @@
+// The moves of components.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/estimate/component_moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace rmpl::runtime {
+namespace {
+
+std::vector<double> priors_of(const std::vector<automata::Move>& moves) {
+  std::vector<double> priors(moves.empty() ? 0 : moves.back().mode.index() + 1, 0.0);
+  for (const automata::Move& move : moves) priors[move.mode.index()] = move.probability;
+  return priors;
+}
+
+std::vector<double> costs_of(const std::vector<double>& priors) {
+  std::vector<double> costs;
+  costs.reserve(priors.size());
+  // A rounded probability may exceed 1 in the last bit.
+  for (const double prior : priors) costs.push_back(std::max(0.0, -std::log(prior)));
+  return costs;
+}
+
+}  // namespace
+
+ComponentMoves::ComponentMoves(const std::vector<automata::Move>& moves)
+    : priors_(priors_of(moves)), domain_(costs_of(priors_)) {
+  for (const double prior : priors_) greatest_ = std::max(greatest_, prior);
+}
+
+std::size_t MoveTable::KeyHash::operator()(const Key& key) const noexcept {
+  std::size_t hash = std::hash<const void*>{}(key.enabled);
+  hash = (hash ^ static_cast<std::size_t>(key.clock_start)) * 0x9e3779b97f4a7c15u;
+  hash = (hash ^ static_cast<std::size_t>(key.step)) * 0x9e3779b97f4a7c15u;
+  return hash ^ (hash >> 32);
+}
+
+MoveTable::MoveTable(const automata::Plant& plant) : plant_(plant) {}
+
+/// A mode with timed exits none of which is enabled does not ask its clock.
+bool MoveTable::depends_on_clock(std::size_t component, const automata::Enabled& enabled) const {
+  if (!enabled.timed.empty()) return true;
+  const auto& transitions = plant_.components[component].transitions;
+  return std::any_of(enabled.faults.begin(), enabled.faults.end(),
+                     [&](automata::TransitionId fault) { return transitions[fault.index()].timing.has_value(); });
+}
+
+void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& state,
+                        const automata::ControlAction& action, automata::Ticks before, automata::Ticks now,
+                        Moves& moves) {
+  const automata::AllEnabled& enabled = step.enabled(state.modes, action);
+  moves.clear();
+  timed_ = false;
+  constexpr int let_go = 4;
+  for (int i = 0; i < let_go && !retired_.empty(); ++i) retired_.erase(retired_.begin());
+  for (std::size_t c = 0; c < enabled.size(); ++c) {
+    const bool timed = depends_on_clock(c, enabled[c]);
+    timed_ = timed_ || timed;
+    Table& table = timed ? passing_ : lasting_;
+    const Key key{&enabled[c], timed ? state.clock_starts[c].count : 0, (now - before).count};
+    auto at = table.find(key);
+    if (at == table.end()) {
+      const automata::ComponentId id(c);
+      at = table.try_emplace(key, step.moves(id, state.modes[c], enabled[c], state.clock_starts[c], before, now)).first;
+    }
+    moves.push_back(&at->second);
+  }
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,79 @@
+// What one component may do in one step, as searches over extensions want it; and a table of what was worked out.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/ocsp/ocsp.hpp"
+
+namespace rmpl::runtime {
+
+class ComponentMoves {
+ public:
+  explicit ComponentMoves(const std::vector<automata::Move>& moves);
+
+  /// 0 where the component does not go to the mode.
+  [[nodiscard]] double prior(automata::ModeId mode) const {
+    return mode.index() < priors_.size() ? priors_[mode.index()] : 0.0;
+  }
+  [[nodiscard]] double greatest() const { return greatest_; }
+  /// Its modes as the values of a decision variable, which cost -ln of their priors.
+  [[nodiscard]] const OptimalSearch::Domain& domain() const { return domain_; }
+
+ private:
+  std::vector<double> priors_;  ///< by mode; modes after the last possible one left out
+  double greatest_ = 0;
+  OptimalSearch::Domain domain_;
+};
+
+/// What the components of a state may do in a step, worked out once for all states that agree on a component: its mode,
+/// what is enabled, the length of the step, and its clock where that matters.
+class MoveTable {
+ public:
+  using Moves = std::vector<const ComponentMoves*>;  ///< by component
+
+  explicit MoveTable(const automata::Plant& plant);
+
+  /// For each component; valid until what it rests on is forgotten.
+  void look_up(automata::PlantStep& step, const automata::SystemState& state, const automata::ControlAction& action,
+               automata::Ticks before, automata::Ticks now, Moves& moves);
+  /// Whether clocks took part in the last answer.
+  [[nodiscard]] bool timed() const { return timed_; }
+
+  /// Forgets what rests on readings of clocks: no reading comes twice.
+  void forget_timed() { passing_.clear(); }
+  /// Forgets the rest, and lets go of it bit by bit, so that no single step pays for all of it.
+  void forget() {
+    retired_.clear();
+    std::swap(lasting_, retired_);
+  }
+  [[nodiscard]] std::size_t size() const { return lasting_.size(); }
+
+ private:
+  /// What is enabled tells component and mode, too.
+  struct Key {
+    const automata::Enabled* enabled;
+    std::int64_t clock_start;  ///< 0 where it does not matter
+    std::int64_t step;
+    bool operator==(const Key&) const = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const noexcept;
+  };
+  using Table = std::unordered_map<Key, ComponentMoves, KeyHash>;
+
+  [[nodiscard]] bool depends_on_clock(std::size_t component, const automata::Enabled& enabled) const;
+
+  const automata::Plant& plant_;
+  Table lasting_;
+  Table retired_;  ///< of what was forgotten: what is still to be let go of
+  Table passing_;
+  bool timed_ = false;
+};
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,220 @@
+// The estimators: one filter for each independent group of components, and what they say together.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/estimate/estimator.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+#include "runtime/reasoning/estimate/belief.hpp"
+#include "runtime/reasoning/estimate/filter.hpp"
+#include "runtime/reasoning/estimate/groups.hpp"
+#include "runtime/reasoning/estimate/product.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+using automata::ControlAction;
+using automata::Observation;
+using automata::PlantStep;
+using automata::Ticks;
+
+using MakeFilter = std::unique_ptr<Filter> (*)(PlantStep&, const EstimatorOptions&);
+
+/// The belief is the product of the filters' beliefs. Exact as long as no control action contradicts the store of a
+/// group, for then the guards of all groups hold: from there on one filter keeps the belief of all.
+class FactoredEstimator final : public Estimator {
+ public:
+  /// `listed`: of a product; `carried`: of the belief that one filter takes over from all, at most.
+  FactoredEstimator(PlantStep& step, const EstimatorOptions& options, MakeFilter make, std::size_t listed,
+                    std::size_t carried)
+      : step_(step), options_(options), make_(make), listed_(listed), carried_(carried) {
+    // Without merging or normalisation numbers of different groups do not multiply to what Fig. 6-11 has.
+    if (options.factored && options.merge_trajectories && options.normalise) {
+      for (const Group& group : groups_.emplace(step.plant())) {
+        if (groups_->size() == 1) break;
+        Part& part = parts_.emplace_back(group.components);
+        part.own_step = std::make_unique<PlantStep>(group.plant);
+        part.step = part.own_step.get();
+        part.filter = make(*part.step, options);
+        part.group = &group;
+      }
+    }
+    if (parts_.empty()) take_as_one();
+    summarise(std::all_of(parts_.begin(), parts_.end(), [](const Part& p) { return p.filter->estimate().consistent; }));
+  }
+
+  const Estimate& update(const ControlAction& action, const Observation& observation, Ticks now) override {
+    assert(now >= last_);
+    Deadline deadline;
+    if (options_.deadline) deadline = std::chrono::steady_clock::now() + *options_.deadline;
+    if (parts_.size() > 1) {
+      observations_ = groups_->divide(observation);
+      actions_.clear();
+      for (const Part& part : parts_) {
+        auto& own = actions_.emplace_back();
+        for (const std::size_t i : part.group->controls) own.push_back(action[i]);
+      }
+      if (!all_permit()) fuse();
+    }
+    if (parts_.size() == 1) {
+      actions_.assign(1, action);
+      observations_.assign(1, observation);
+    }
+    bool explained = true;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      explained = parts_[p].filter->condition(input(p, now, deadline)) && explained;
+    }
+    const bool doubtful = std::any_of(parts_.begin(), parts_.end(), [](const Part& part) {
+      return part.filter->estimate().cut || part.filter->estimate().missing_total > 0;
+    });
+    // Where nothing explains the observations the belief is carried forward; where that is impossible too, it stays.
+    bool goes_on = explained;
+    if (!explained) {
+      goes_on = true;
+      for (std::size_t p = 0; p < parts_.size(); ++p) {
+        goes_on = parts_[p].filter->predict(input(p, now, deadline), doubtful) && goes_on;
+      }
+    }
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      if (goes_on) {
+        parts_[p].filter->adopt(input(p, now, deadline), explained);
+      } else {
+        parts_[p].filter->stay(input(p, now, deadline));
+      }
+    }
+    last_ = now;
+    summarise(explained);
+    return estimate_;
+  }
+
+  [[nodiscard]] const Belief& belief() const override {
+    if (parts_.size() == 1) return parts_.front().filter->belief();
+    if (!multiplied_) {
+      joint_ = product(factors(), step_.plant().components.size(), listed_);
+      multiplied_ = true;
+    }
+    return joint_;
+  }
+  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
+  [[nodiscard]] std::size_t groups() const override { return parts_.size(); }
+  [[nodiscard]] std::size_t questions() const override {
+    std::size_t sum = retired_questions_;
+    for (const Part& part : parts_) sum += part.step->questions();
+    return sum;
+  }
+  [[nodiscard]] std::size_t solver_calls() const override {
+    std::size_t sum = retired_calls_;
+    for (const Part& part : parts_) sum += part.step->solver_calls();
+    return sum;
+  }
+
+ private:
+  struct Part {
+    explicit Part(std::vector<automata::ComponentId> members) : components(std::move(members)) {}
+    std::vector<automata::ComponentId> components;
+    const Group* group = nullptr;         ///< none where the part is the whole
+    std::unique_ptr<PlantStep> own_step;  ///< likewise
+    PlantStep* step = nullptr;
+    std::unique_ptr<Filter> filter;
+  };
+
+  void take_as_one() {
+    std::vector<automata::ComponentId> all;
+    for (std::size_t c = 0; c < step_.plant().components.size(); ++c) all.emplace_back(c);
+    Part& part = parts_.emplace_back(std::move(all));
+    part.step = &step_;
+    part.filter = make_(step_, options_);
+  }
+
+  [[nodiscard]] StepInput input(std::size_t part, Ticks now, const Deadline& deadline) const {
+    return {actions_[part], observations_[part], now, deadline};
+  }
+
+  [[nodiscard]] std::vector<Factor> factors() const {
+    std::vector<Factor> result;
+    for (const Part& part : parts_) result.push_back({&part.filter->belief(), part.components});
+    return result;
+  }
+
+  /// Whether the control action is consistent with all that each group may be in.
+  bool all_permit() {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const Part& part = parts_[p];
+      if (!part.group->constrains_controls) continue;
+      for (const BeliefEntry& entry : part.filter->belief()) {
+        if (!part.step->permits(entry.state.modes, actions_[p])) return false;
+      }
+    }
+    return true;
+  }
+
+  void fuse() {
+    const std::vector<Factor> parts = factors();
+    Belief joint = product(parts, step_.plant().components.size(), carried_);
+    // A sum that is rounded must not make what is whole look as if some of it were missing.
+    const bool whole = joint.size() == product_size(parts);
+    retired_questions_ = questions() - step_.questions();
+    retired_calls_ = solver_calls() - step_.solver_calls();
+    const double missing =
+        whole ? estimate_.missing_total : 1 - (1 - estimate_.missing_total) * std::min(1.0, total(joint));
+    parts_.clear();
+    take_as_one();
+    parts_.front().filter->resume(std::move(joint), missing, last_);
+  }
+
+  /// The estimate of the whole from the estimates of the parts.
+  void summarise(bool consistent) {
+    multiplied_ = false;
+    estimate_.modes.resize(step_.plant().components.size());
+    estimate_.consistent = consistent;
+    estimate_.probability = 1;
+    estimate_.cut = false;
+    estimate_.checked = 0;
+    double kept = 1;
+    double kept_of_all = 1;
+    for (const Part& part : parts_) {
+      const Estimate& own = part.filter->estimate();
+      for (std::size_t i = 0; i < part.components.size(); ++i) {
+        estimate_.modes[part.components[i].index()] = own.modes[i];
+      }
+      estimate_.probability *= own.probability;
+      estimate_.cut = estimate_.cut || own.cut;
+      estimate_.checked += own.checked;
+      kept *= 1 - own.missing_mass;
+      kept_of_all *= 1 - own.missing_total;
+    }
+    estimate_.missing_mass = parts_.size() == 1 ? parts_.front().filter->estimate().missing_mass : 1 - kept;
+    estimate_.missing_total = parts_.size() == 1 ? parts_.front().filter->estimate().missing_total : 1 - kept_of_all;
+  }
+
+  PlantStep& step_;
+  const EstimatorOptions options_;
+  const MakeFilter make_;
+  const std::size_t listed_;
+  const std::size_t carried_;
+  std::optional<Groups> groups_;
+  std::vector<Part> parts_;
+  std::vector<ControlAction> actions_;     ///< per part
+  std::vector<Observation> observations_;  ///< per part
+  Ticks last_;
+  Estimate estimate_;
+  mutable Belief joint_;
+  mutable bool multiplied_ = false;
+  std::size_t retired_questions_ = 0;  ///< of parts that were fused
+  std::size_t retired_calls_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Estimator> make_exact_estimator(PlantStep& step, const EstimatorOptions& options) {
+  return std::make_unique<FactoredEstimator>(step, options, make_exact_filter, options.listed,
+                                             std::numeric_limits<std::size_t>::max());
+}
+
+std::unique_ptr<Estimator> make_k_best_estimator(PlantStep& step, const EstimatorOptions& options) {
+  return std::make_unique<FactoredEstimator>(step, options, make_k_best_filter, options.k, options.k);
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,91 @@
+// Mode estimation: the interface behind which exact and k-best estimators stand (semantics 4; thesis 6.2).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+
+namespace rmpl::runtime {
+
+/// One system state with its probability.
+struct BeliefEntry {
+  automata::SystemState state;
+  double probability = 0;
+};
+
+/// More states would have to be listed, or kept in one belief, than there is room for.
+class TooManyStates : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Most probable first; ties in order of modes (components, then modes, in declaration order), then of clock starts.
+using Belief = std::vector<BeliefEntry>;
+
+/// What one update gives.
+struct Estimate {
+  automata::Modes modes;   ///< the most likely plant state: summed over clocks; ties to the first in declaration order
+  double probability = 0;  ///< its share of the belief
+  bool consistent =
+      true;          ///< false: no extension explains the observations; the belief is the last one predicted forward
+  bool cut = false;  ///< the limit of candidates or the deadline ended the search early
+  std::size_t checked = 0;  ///< candidates checked in this update
+  /// k-best: an upper bound of the probability that this update did not keep, as a share of the whole posterior that
+  /// follows from the belief before.
+  double missing_mass = 0;
+  /// k-best: an upper bound of the probability, in the posterior that the exact estimator has, of all that the belief
+  /// leaves out: what was not kept in any update since the start may all have come to where it explains everything.
+  double missing_total = 0;
+};
+
+struct EstimatorOptions {
+  std::size_t k = 16;                ///< system states kept by k-best; at least 1
+  std::size_t candidates = 100'000;  ///< k-best: how many candidates an update may check before it is cut
+  /// k-best: how long an update may search; the best states found until then are kept, at least one.
+  std::optional<std::chrono::nanoseconds> deadline = std::nullopt;
+  /// Keep the belief as a product over independent groups of components: exact, and exponential in the largest group
+  /// only. `belief()` multiplies out the best states of the product: the k best with k-best, which then need not add up
+  /// to 1, the `listed` best with exact.
+  bool factored = true;
+  std::size_t listed = std::numeric_limits<std::size_t>::max();
+  bool merge_trajectories = true;  ///< add up trajectories that meet in one system state; off in `--thesis`
+  bool observation_factor = true;  ///< apply the 1/m of semantics 4; off in `--thesis`
+  bool normalise = true;           ///< off in `--thesis`: Fig. 6-11 returns f(tau) as it is
+  /// Forget the clock of a component while its mode has no timed exit: exact on modes, and states that differ only in
+  /// such clocks become one. The executive sets it; `estimate` keeps all clocks, as Fig. 6-10 does.
+  bool live_clocks_only = false;
+};
+
+/// An estimator starts at time 0 with all clocks 0 and the initial distribution.
+class Estimator {
+ public:
+  virtual ~Estimator() = default;
+  /// The belief after the control action that was in force since the last update and the observations at `now`, which
+  /// is not before the last update.
+  /// Throws TooManyStates where groups have to be taken together and that is too much.
+  virtual const Estimate& update(const automata::ControlAction& action, const automata::Observation& observation,
+                                 automata::Ticks now) = 0;
+  /// Throws TooManyStates where more than a million states of a product are to be listed.
+  [[nodiscard]] virtual const Belief& belief() const = 0;
+  [[nodiscard]] virtual const Estimate& estimate() const = 0;  ///< of the last update, or of the initial belief
+  /// How many independent groups the belief is kept as.
+  [[nodiscard]] virtual std::size_t groups() const = 0;
+  /// How often the constraint stores were asked since the start, and how often that took a solver.
+  [[nodiscard]] virtual std::size_t questions() const = 0;
+  [[nodiscard]] virtual std::size_t solver_calls() const = 0;
+};
+
+/// BeliefUpdate of Fig. 6-10, with normalisation: the whole belief. The reference; exponential in the components.
+std::unique_ptr<Estimator> make_exact_estimator(automata::PlantStep& step, const EstimatorOptions& options);
+/// TimedME of Fig. 6-11 by conflict-directed A*, with the corrections of semantics 4 as `options` say.
+std::unique_ptr<Estimator> make_k_best_estimator(automata::PlantStep& step, const EstimatorOptions& options);
+
+}  // namespace rmpl::runtime

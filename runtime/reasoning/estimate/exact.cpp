@@ -1,0 +1,124 @@
+// The exact estimator: BeliefUpdate of thesis Fig. 6-10 over the whole belief, normalised.
+//
+// The reference: every positive product of moves of every state is enumerated, so the cost is exponential in the
+// number of components.
+// SPDX-License-Identifier: MIT
+#include <cassert>
+#include <unordered_map>
+#include <utility>
+
+#include "runtime/reasoning/estimate/belief.hpp"
+#include "runtime/reasoning/estimate/filter.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+using automata::Modes;
+using automata::Move;
+using automata::SystemState;
+using automata::Ticks;
+
+/// Probabilities of target states, summed (step 3 of Fig. 6-10).
+using Targets = std::unordered_map<SystemState, double, SystemStateHash>;
+
+class Exact final : public Filter {
+ public:
+  Exact(automata::PlantStep& step, const EstimatorOptions& options)
+      : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only) {
+    const std::size_t components = step.plant().components.size();
+    Targets initial;
+    const SystemState start{Modes(components), std::vector<Ticks>(components)};
+    spread({start, 1.0}, step.initial_moves(), Ticks{}, initial);
+    estimate_.consistent = weigh(initial, {});
+    if (estimate_.consistent) {
+      settle();
+    } else {
+      estimate_.modes = likeliest_initial_modes(step.plant());
+    }
+  }
+
+  bool condition(const StepInput& input) override {
+    assert(input.now >= last_);
+    targets_.clear();
+    for (const BeliefEntry& entry : belief_) {
+      spread(entry, step_.moves(entry.state, input.action, last_, input.now), input.now, targets_);
+    }
+    estimate_.checked = targets_.size();
+    return weigh(targets_, input.observation);
+  }
+
+  bool predict(const StepInput& /*input*/, bool /*doubtful*/) override { return weigh(targets_, {}); }
+
+  void adopt(const StepInput& input, bool /*consistent*/) override {
+    settle();
+    last_ = input.now;
+  }
+
+  void stay(const StepInput& input) override { last_ = input.now; }
+
+  void resume(Belief belief, double missing, Ticks now) override {
+    belief_ = std::move(belief);
+    tell_most_likely(belief_, estimate_);
+    estimate_.missing_total = missing;
+    last_ = now;
+  }
+
+  [[nodiscard]] const Belief& belief() const override { return belief_; }
+  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
+
+ private:
+  /// Adds to `targets` where an entry goes: step 2 of Fig. 6-10.
+  void spread(const BeliefEntry& entry, const std::vector<std::vector<Move>>& moves, Ticks now, Targets& targets) {
+    SystemState target = entry.state;
+    const auto visit = [&](const auto& self, std::size_t component, double probability) -> void {
+      if (component == moves.size()) {
+        targets[target] += probability;
+        return;
+      }
+      for (const Move& move : moves[component]) {
+        target.modes[component] = move.mode;
+        target.clock_starts[component] = clocks_.advance(component, entry.state.modes[component],
+                                                         entry.state.clock_starts[component], move.mode, now);
+        self(self, component + 1, probability * move.probability);
+      }
+    };
+    visit(visit, 0, entry.probability);
+  }
+
+  /// Conditions the targets on the observation (steps 4 and 5), into `posterior_`; false where nothing is left.
+  bool weigh(const Targets& targets, const automata::Observation& observation) {
+    posterior_.clear();
+    for (const auto& [state, probability] : targets) {
+      const double factor = step_.observation_factor(state.modes, observation);
+      const double conditioned = probability * (options_.observation_factor || factor == 0 ? factor : 1.0);
+      if (conditioned > 0) posterior_.push_back({state, conditioned});
+    }
+    return !posterior_.empty();
+  }
+
+  /// Takes the posterior as the belief.
+  void settle() {
+    put_in_order(posterior_);
+    if (options_.normalise) normalise(posterior_);
+    belief_ = std::move(posterior_);
+    posterior_ = {};
+    tell_most_likely(belief_, estimate_);
+  }
+
+  automata::PlantStep& step_;
+  EstimatorOptions options_;
+  Clocks clocks_;
+  Ticks last_;
+  Targets targets_;
+  Belief posterior_;
+  Belief belief_;
+  Estimate estimate_;
+};
+
+}  // namespace
+
+std::unique_ptr<Filter> make_exact_filter(automata::PlantStep& step, const EstimatorOptions& options) {
+  return std::make_unique<Exact>(step, options);
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,146 @@
+// Independent groups, by a partition of the variables.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/estimate/groups.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "base/partition.hpp"
+
+namespace rmpl::runtime {
+
+using automata::Component;
+using automata::ComponentId;
+using automata::Formula;
+using automata::Plant;
+using automata::VariableId;
+
+namespace {
+
+/// Per variable: whether an interconnection or a mode's constraint reads it.
+std::vector<bool> read_by_store(const Plant& plant) {
+  std::vector<bool> read(plant.variables.size());
+  const auto note = [&](const Formula& formula) {
+    for (const VariableId v : variables_of(formula)) read[v.index()] = true;
+  };
+  for (const Formula& q : plant.interconnections) note(q);
+  for (const Component& component : plant.components) {
+    for (const auto& mode : component.modes) note(mode.constraint);
+  }
+  return read;
+}
+
+/// Copies parts of a plant into another, whose variables get new numbers as they are met.
+class Extract {
+ public:
+  Extract(const Plant& from, Plant& to) : from_(from), to_(to) {}
+
+  VariableId variable(VariableId id) {
+    const auto [known, fresh] = numbers_.try_emplace(id, VariableId(to_.variables.size()));
+    if (fresh) to_.variables.add(from_.variables[id]);
+    return known->second;
+  }
+  Formula formula(const Formula& formula) {
+    return renamed(
+        formula, [this](VariableId id) { return variable(id); }, [](VariableId, automata::ValueId v) { return v; });
+  }
+  [[nodiscard]] bool has(VariableId id) const { return numbers_.contains(id); }
+  void component(const Component& original) {
+    Component copy = original;
+    copy.mode = variable(original.mode);
+    for (auto& mode : copy.modes) mode.constraint = formula(mode.constraint);
+    for (auto& transition : copy.transitions) transition.guard = formula(transition.guard);
+    to_.components.push_back(std::move(copy));
+  }
+
+ private:
+  const Plant& from_;
+  Plant& to_;
+  std::unordered_map<VariableId, VariableId> numbers_;
+};
+
+}  // namespace
+
+Groups::Groups(const Plant& plant) {
+  const std::vector<bool> stored = read_by_store(plant);
+  std::vector<bool> given(plant.variables.size());  // control variables that only guards read
+  for (const automata::Control& control : plant.controls) {
+    given[control.variable.index()] = !stored[control.variable.index()];
+  }
+  for (const VariableId observed : plant.observables) given[observed.index()] = false;
+
+  base::Partition partition(plant.variables.size());
+  const auto join = [&](VariableId hub, const Formula& formula) {
+    for (const VariableId v : variables_of(formula)) {
+      if (!given[v.index()]) partition.join(v.index(), hub.index());
+    }
+  };
+  for (const Formula& q : plant.interconnections) {
+    const auto read = variables_of(q);
+    if (!read.empty()) join(read.front(), q);
+  }
+  for (const Component& component : plant.components) {
+    for (const auto& mode : component.modes) join(component.mode, mode.constraint);
+    for (const auto& transition : component.transitions) join(component.mode, transition.guard);
+  }
+  // What touches no component goes with the first one.
+  std::vector<bool> inhabited(plant.variables.size());
+  for (const Component& component : plant.components) inhabited[partition.root(component.mode.index())] = true;
+  for (std::size_t v = 0; v < plant.variables.size() && !plant.components.empty(); ++v) {
+    if (!given[v] && !inhabited[partition.root(v)]) partition.join(v, plant.components.front().mode.index());
+  }
+
+  std::unordered_map<std::size_t, std::size_t> group_of_root;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const std::size_t root = partition.root(plant.components[c].mode.index());
+    const auto [known, fresh] = group_of_root.try_emplace(root, groups_.size());
+    if (fresh) groups_.emplace_back();
+    groups_[known->second].components.emplace_back(c);
+  }
+  if (groups_.size() < 2) return;
+
+  std::vector<Extract> extracts;
+  extracts.reserve(groups_.size());
+  for (Group& group : groups_) {
+    group.plant.name = plant.name;
+    Extract& extract = extracts.emplace_back(plant, group.plant);
+    for (const ComponentId c : group.components) extract.component(plant[c]);
+  }
+  for (const Formula& q : plant.interconnections) {
+    const auto read = variables_of(q);
+    const std::size_t g = read.empty() ? 0 : group_of_root.at(partition.root(read.front().index()));
+    groups_[g].plant.interconnections.push_back(extracts[g].formula(q));
+  }
+  homes_.resize(plant.variables.size());
+  for (std::size_t v = 0; v < plant.variables.size(); ++v) {
+    if (given[v]) continue;
+    const std::size_t g = group_of_root.at(partition.root(v));
+    homes_[v] = Home{g, extracts[g].variable(VariableId(v))};
+  }
+  for (const VariableId observed : plant.observables) {
+    const Home& home = *homes_[observed.index()];
+    groups_[home.group].plant.observables.push_back(home.variable);
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (std::size_t i = 0; i < plant.controls.size(); ++i) {
+      const automata::Control& control = plant.controls[i];
+      if (!extracts[g].has(control.variable)) continue;
+      groups_[g].controls.push_back(i);
+      groups_[g].plant.controls.push_back({extracts[g].variable(control.variable), control.idle});
+      if (stored[control.variable.index()]) groups_[g].constrains_controls = true;
+    }
+  }
+}
+
+std::vector<automata::Observation> Groups::divide(const automata::Observation& observation) const {
+  std::vector<automata::Observation> parts(groups_.size());
+  for (const automata::Assignment& reading : observation) {
+    const auto& home = homes_[reading.variable.index()];
+    if (home) parts[home->group].push_back({home->variable, reading.value});
+  }
+  for (automata::Observation& part : parts) std::sort(part.begin(), part.end());
+  return parts;
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,37 @@
+// The causal order of components: whose modes let commands through to whom (Williams & Nayak 1997, causal graph).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+
+namespace rmpl::runtime {
+
+/// Component u is upstream of c when a transition of c has a support that requires modes of u. Supports that make a
+/// causal cycle do not count where the transition has others.
+class CausalOrder {
+ public:
+  CausalOrder(const automata::Plant& plant, const NominalGraph& graph);
+
+  /// Every component once, those downstream before those upstream of them; the members of a causal cycle stand
+  /// together; otherwise in declaration order. Goals are achieved in this order: a driver is turned off last.
+  [[nodiscard]] const std::vector<automata::ComponentId>& downstream_first() const { return order_; }
+  /// The place of a component in that order, from 0.
+  [[nodiscard]] std::size_t rank(automata::ComponentId component) const { return rank_[component.index()]; }
+  /// Whether the component is upstream of itself, through others or directly.
+  [[nodiscard]] bool in_cycle(automata::ComponentId component) const { return in_cycle_[component.index()]; }
+
+  /// Whether all that the support requires counts as upstream of the component.
+  [[nodiscard]] bool goes_upstream(automata::ComponentId component, const Support& support) const;
+
+ private:
+  std::unordered_map<automata::VariableId, automata::ComponentId> component_of_;
+  std::vector<std::vector<std::size_t>> upstream_;  ///< per component, those directly upstream, ascending
+  std::vector<automata::ComponentId> order_;
+  std::vector<std::size_t> rank_;
+  std::vector<bool> in_cycle_;
+};
+
+}  // namespace rmpl::runtime

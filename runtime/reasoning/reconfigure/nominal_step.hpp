@@ -1,0 +1,81 @@
+// What a control action does where nothing fails: the nominal successors of a state, and what they cost.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/islands.hpp"
+#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+
+namespace rmpl::runtime {
+
+/// One nominal transition of one component.
+struct NominalMove {
+  automata::ComponentId component;
+  const NominalTransition* transition;
+};
+
+/// One way a step may go.
+struct NominalOutcome {
+  automata::Modes modes;
+  std::vector<NominalMove> moves;  ///< by component; those that change nothing are left out
+};
+
+/// The nominal part of semantics 3 for one island of the plant, without clocks: enabled untimed transitions are taken,
+/// enabled timed ones may fire or not. Enabledness is asked of `PlantStep`.
+class NominalStep {
+ public:
+  NominalStep(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands)
+      : step_(step), graph_(graph), islands_(islands) {}
+
+  [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
+  /// Whether the store of the modes tolerates the action.
+  bool tolerates(const automata::Modes& modes, const automata::ControlAction& action) {
+    return step_.permits(modes, action);
+  }
+
+  /// The step in which a component takes the given transition under the action: of the others each takes its heaviest
+  /// enabled untimed transition (the first of several), and no timed one fires. Nothing where the transition is not
+  /// enabled, the step would end in an impossible state, or the action takes or risks a step that is not permitted
+  /// (`permits`). With `keep`, also nothing where the action moves another component away from its mode there.
+  std::optional<NominalOutcome> take(const automata::Modes& modes, const automata::ControlAction& action,
+                                     NominalMove move, const NamedModes& named, const automata::Modes* keep);
+
+  /// Adds to a step of one island what goes on in the others meanwhile: each of their components takes its heaviest
+  /// enabled untimed transition, or an island goes some other way where that one is impossible. Whether there is a way.
+  bool join_others(const automata::Modes& modes, const automata::ControlAction& action, std::size_t island,
+                   const NamedModes& named, NominalOutcome& outcome);
+
+  /// The components of the island whose mode a timed nominal transition with an upper bound ends while the action is
+  /// held; none where the modes do not tolerate it.
+  std::vector<automata::ComponentId> fleeting(const automata::Modes& modes, const automata::ControlAction& action,
+                                              std::size_t island);
+
+  /// Every way a step may go in the island, where the action risks nothing that is not permitted: each combination of
+  /// untimed transitions, where some are enabled; else each timed transition by itself. Those that change nothing are
+  /// left out.
+  std::vector<NominalOutcome> outcomes(const automata::Modes& modes, const automata::ControlAction& action,
+                                       std::size_t island, const NamedModes& named);
+
+ private:
+  const NominalTransition& nominal(automata::ComponentId component, automata::TransitionId id) const;
+  /// The heaviest of the enabled untimed transitions, the first of several; null where there is none.
+  const NominalTransition* heaviest(automata::ComponentId component, const automata::Enabled& enabled) const;
+  /// Each combination of enabled untimed transitions of the island, in order of components, then transitions,
+  /// impossible ones too; with `fixed`, those that it is part of.
+  std::vector<NominalOutcome> combinations(const automata::Modes& modes, const automata::AllEnabled& enabled,
+                                           std::size_t island, std::optional<NominalMove> fixed) const;
+  /// Whether all that the action enables, idling does not, and the model does not exclude, may be taken. A step that
+  /// cannot be undone is left to chance neither as a side effect nor as the other branch of an intended one.
+  bool permits(const automata::Modes& modes, const automata::ControlAction& action, std::size_t island,
+               const NamedModes& named, const NominalMove* intended, const automata::Modes* keep);
+
+  automata::PlantStep& step_;
+  const NominalGraph& graph_;
+  const Islands& islands_;
+};
+
+}  // namespace rmpl::runtime

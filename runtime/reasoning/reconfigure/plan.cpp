@@ -1,0 +1,73 @@
+// A whole plan, by following the answers of a reconfigurer.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/reconfigure/plan.hpp"
+
+#include <cassert>
+#include <unordered_set>
+#include <utility>
+
+namespace rmpl::runtime {
+
+using automata::Modes;
+
+namespace {
+
+Plan no_plan(Reconfiguration answer) {
+  return {.outcome = Plan::Outcome::no_plan,
+          .goal_state = std::move(answer.goal_state),
+          .commands = {},
+          .component = answer.component,
+          .reason = std::move(answer.reason)};
+}
+
+}  // namespace
+
+Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
+  Plan plan;
+  Modes current = modes;
+  std::unordered_set<Modes, automata::ModesHash> seen;
+  while (seen.insert(current).second) {
+    Reconfiguration answer = reconfigurer.next(current, goal);
+    switch (answer.outcome) {
+      case Reconfiguration::Outcome::nothing_to_do:
+        plan.outcome = plan.commands.empty() ? Plan::Outcome::nothing_to_do : Plan::Outcome::plan;
+        plan.goal_state = std::move(current);
+        return plan;
+      case Reconfiguration::Outcome::no_plan:
+        return no_plan(std::move(answer));
+      case Reconfiguration::Outcome::command:
+      case Reconfiguration::Outcome::wait:
+        assert(answer.expected && "a command and a wait lead somewhere");
+        plan.goal_state = std::move(answer.goal_state);
+        plan.commands.push_back(std::move(answer.action));
+        current = std::move(*answer.expected);
+        break;
+    }
+  }
+  return {.outcome = Plan::Outcome::no_plan,
+          .goal_state = std::move(plan.goal_state),
+          .commands = {},
+          .component = std::nullopt,
+          .reason = "the commands towards the goal lead in a circle"};
+}
+
+Plan make_one_step_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
+  Reconfiguration answer = reconfigurer.next(modes, goal);
+  Plan plan;
+  switch (answer.outcome) {
+    case Reconfiguration::Outcome::nothing_to_do:
+      plan.goal_state = modes;
+      break;
+    case Reconfiguration::Outcome::no_plan:
+      return no_plan(std::move(answer));
+    case Reconfiguration::Outcome::command:
+    case Reconfiguration::Outcome::wait:
+      plan.outcome = Plan::Outcome::plan;
+      plan.goal_state = std::move(answer.expected);
+      plan.commands.push_back(std::move(answer.action));
+      break;
+  }
+  return plan;
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,35 @@
+// A whole plan: what reconfiguration would command, cycle by cycle, if nothing failed.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/logic/formula.hpp"
+#include "automata/state.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
+
+namespace rmpl::runtime {
+
+struct Plan {
+  enum class Outcome { plan, no_plan, nothing_to_do };
+  Outcome outcome = Outcome::nothing_to_do;
+  /// With `plan` and `nothing_to_do`: the state that is reached. With `no_plan`: the one that was aimed at, if any.
+  std::optional<automata::Modes> goal_state;
+  std::vector<automata::ControlAction> commands;   ///< with `plan`: at least one; idle means to wait
+  std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one
+  std::string reason;                              ///< with `no_plan`: in words
+};
+
+/// Asks `reconfigurer` again and again, from `modes` on, moving to the state that each answer expects. A wait is one
+/// step, however long it lasts: in it the transition that is waited for happens (`Reconfiguration::component`), and no
+/// other timed one, so that an event which the plan does not depend on, and which may be hours away, does not intrude.
+/// Ends with `no_plan` where a state comes again.
+Plan make_plan(Reconfigurer& reconfigurer, const automata::Modes& modes, const automata::Formula& goal);
+
+/// The plan of a reconfigurer whose one answer is to be enough (one_step.hpp): asked once, so that it does not matter
+/// whether the state that is reached can be kept.
+Plan make_one_step_plan(Reconfigurer& reconfigurer, const automata::Modes& modes, const automata::Formula& goal);
+
+}  // namespace rmpl::runtime

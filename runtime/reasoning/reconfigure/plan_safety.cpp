@@ -1,0 +1,78 @@
+// The reactive planner: which waits a plan survives, because no mode that it relies on ends meanwhile.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "runtime/reasoning/reconfigure/planner.hpp"
+
+namespace rmpl::runtime {
+
+using automata::ComponentId;
+using automata::ControlAction;
+using automata::ModeId;
+using automata::Modes;
+
+bool Planner::is_safe(const Modes& modes, const Objective& objective, const ControlAction& action,
+                      const NominalOutcome& outcome) {
+  const auto& moves = outcome.moves;
+  if (std::none_of(moves.begin(), moves.end(), [](const NominalMove& m) { return m.transition->timed; })) return true;
+  std::vector<ComponentId> others = nominal_.fleeting(modes, action, objective.island);
+  std::erase_if(others, [&](ComponentId c) { return outcome.modes[c.index()] != modes[c.index()]; });
+  if (others.empty()) return true;
+  const std::vector<bool> relied = relied_on(modes, objective);
+  return std::none_of(others.begin(), others.end(), [&](ComponentId c) { return relied[c.index()]; });
+}
+
+std::vector<bool> Planner::relied_on(const Modes& modes, const Objective& objective) {
+  std::vector<bool> relied(modes.size());
+  std::set<std::pair<ComponentId, ModeId>> sought;
+  std::vector<std::pair<ComponentId, ModeId>> open;
+  const auto seek = [&](ComponentId c, ModeId wanted) {
+    if (modes[c.index()] == wanted) {
+      relied[c.index()] = true;
+    } else if (sought.emplace(c, wanted).second) {
+      open.emplace_back(c, wanted);
+    }
+  };
+  for (const ComponentId c : islands_.components(objective.island)) seek(c, objective.target[c.index()]);
+  while (!open.empty()) {
+    const auto [component, wanted] = open.back();
+    open.pop_back();
+    const Policy& policy = policies_.of(component, objective.named);
+    const NominalTransition* t = policy.next(modes[component.index()], wanted);
+    if (t != nullptr && !t->timed) relied[component.index()] = true;
+    for (; t != nullptr; t = policy.next(t->to, wanted)) {
+      for (const Support& support : t->supports) {
+        for (const Requirement& r : support) {
+          const auto upstream = component_of_[r.variable.index()];
+          if (!upstream || *upstream == component) continue;
+          for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
+        }
+      }
+    }
+  }
+  return relied;
+}
+
+bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
+  const Modes& reached = step.outcome.modes;
+  const auto brief = nominal_.fleeting(reached, idle_, objective.island);
+  return std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(), [&](const NominalMove& move) {
+    const ComponentId c = move.component;
+    return reached[c.index()] == objective.target[c.index()] && std::find(brief.begin(), brief.end(), c) != brief.end();
+  });
+}
+
+bool Planner::has_waits(const Modes& modes, const Objective& objective) {
+  for (const ComponentId c : islands_.components(objective.island)) {
+    const ModeId target = objective.target[c.index()];
+    const Policy& policy = policies_.of(c, objective.named);
+    for (const auto* t = policy.next(modes[c.index()], target); t != nullptr; t = policy.next(t->to, target)) {
+      if (t->timed) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace rmpl::runtime

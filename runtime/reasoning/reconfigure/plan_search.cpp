@@ -1,0 +1,132 @@
+// The reactive planner: the search of an island where the walk through the policies does not get there.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "runtime/reasoning/reconfigure/planner.hpp"
+
+namespace rmpl::runtime {
+
+using automata::Modes;
+
+namespace {
+
+/// A path to a state: how long it is, and the step that it begins with.
+struct Path {
+  Distance distance;
+  std::size_t first;  ///< position among the first steps; `none` for the start
+  bool settled = false;
+};
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+/// Best paths first; of equal ones that which was found first, so that ties go by the order of actions.
+struct Entry {
+  Distance distance;
+  std::size_t found;
+  const Modes* modes;
+  bool operator>(const Entry& other) const { return std::tie(distance, found) > std::tie(other.distance, other.found); }
+};
+
+}  // namespace
+
+std::vector<automata::ControlAction> Planner::promising(const Modes& modes, const Objective& objective) const {
+  std::vector<bool> involved(modes.size());
+  std::vector<bool> useful(nominal_.plant().variables.size());
+  std::vector<automata::ComponentId> open;
+  const auto involve = [&](automata::ComponentId c) {
+    if (involved[c.index()]) return;
+    involved[c.index()] = true;
+    open.push_back(c);
+  };
+  for (const automata::ComponentId c : islands_.components(objective.island)) {
+    if (modes[c.index()] != objective.target[c.index()]) involve(c);
+  }
+  while (!open.empty()) {
+    const automata::ComponentId c = open.back();
+    open.pop_back();
+    for (const NominalTransition& t : graph_.transitions(c)) {
+      for (const Support& support : t.supports) {
+        for (const Requirement& r : support) {
+          useful[r.variable.index()] = true;
+          if (const auto upstream = component_of_[r.variable.index()]) involve(*upstream);
+        }
+      }
+    }
+  }
+  std::vector<automata::ControlAction> actions;
+  const auto& controls = nominal_.plant().controls;
+  for (const automata::ControlAction& action : actions_[objective.island]) {
+    bool useless = false;
+    for (std::size_t i = 0; i < action.size(); ++i) {
+      useless = useless || (action[i] != idle_[i] && !useful[controls[i].variable.index()]);
+    }
+    if (!useless) actions.push_back(action);
+  }
+  return actions;
+}
+
+/// Promising actions first; where they do not get there, all.
+Planner::Found Planner::search(const Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits) {
+  const auto& all = actions_[objective.island];
+  const std::vector<automata::ControlAction> some = promising(modes, objective);
+  Found found = search(modes, objective, otherwise, waits, some);
+  if (std::holds_alternative<PlannedStep>(found.first) || some.size() == all.size()) return found;
+  return search(modes, objective, otherwise, waits, all);
+}
+
+/// Uniform-cost search over the nominal successors of the whole island: fewest irreversible steps, then fewest steps.
+/// The same rules on irreversible steps hold; what is achieved may be undone on the path.
+Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
+                               std::span<const automata::ControlAction> actions) {
+  bool excluded = false;
+  std::size_t tried = 0;
+  std::unordered_map<Modes, Path, automata::ModesHash> paths;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  std::vector<PlannedStep> first_steps;
+  std::size_t found = 0;
+  std::size_t settled = 0;
+  const auto offer = [&](const Modes& state, Distance distance, std::size_t first) {
+    const auto [at, fresh] = paths.try_emplace(state, Path{distance, first});
+    if (!fresh && (at->second.settled || at->second.distance <= distance)) return;
+    at->second = Path{distance, first};
+    open.push({distance, found++, &at->first});
+  };
+  offer(modes, {}, none);
+  while (!open.empty()) {
+    const Entry entry = open.top();
+    open.pop();
+    Path& path = paths.at(*entry.modes);
+    if (path.settled) continue;
+    path.settled = true;
+    const Modes current = *entry.modes;
+    const Path reached = path;
+    if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded};
+    if (++settled > search_limit || tried > trial_limit) {
+      otherwise.reason += "; the search for another way was given up after " + std::to_string(settled - 1) + " states";
+      return {std::move(otherwise), excluded};
+    }
+    tried += actions.size();
+    for (const automata::ControlAction& action : actions) {
+      for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.island, objective.named)) {
+        if (waits == Waits::safe && !is_safe(current, objective, action, outcome)) {
+          excluded = true;
+          continue;
+        }
+        Distance distance = reached.distance + Distance{0, 1};
+        for (const NominalMove& move : outcome.moves) distance.irreversible += move.transition->reversible ? 0 : 1;
+        std::size_t first = reached.first;
+        if (first == none) {
+          first = first_steps.size();
+          first_steps.push_back({action, outcome.moves.front().component, outcome, action == idle_});
+        }
+        offer(outcome.modes, distance, first);
+      }
+    }
+  }
+  return {std::move(otherwise), excluded};
+}
+
+}  // namespace rmpl::runtime

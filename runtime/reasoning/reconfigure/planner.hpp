@@ -1,0 +1,145 @@
+// The reactive planner: from a state and a goal state to the first control action (semantics 5; thesis 6.3.2).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/causal_order.hpp"
+#include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
+#include "runtime/reasoning/reconfigure/islands.hpp"
+#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/reconfigure/nominal_step.hpp"
+#include "runtime/reasoning/reconfigure/policy.hpp"
+#include "runtime/reasoning/reconfigure/ways.hpp"
+
+namespace rmpl::runtime {
+
+/// What to do in one cycle, and what comes of it if nothing fails.
+struct PlannedStep {
+  automata::ControlAction action;   ///< idle: wait
+  automata::ComponentId component;  ///< the one that is to change its mode
+  NominalOutcome outcome;
+  bool idle = false;
+};
+
+/// What a planner is asked: everything but the state that it starts from.
+struct Objective {
+  const automata::Modes& target;
+  const NamedModes& named;  ///< modes to which an irreversible step may lead
+  std::size_t island;       ///< only its components are looked at
+};
+
+/// Goals are achieved one by one, downstream first; the policy of a component names the transition to take, and what
+/// its guard requires of components upstream becomes a subgoal (a depth-first walk through the policies). Each choice
+/// is checked on the step function: it must not undo a goal that is achieved, nor take an irreversible step that is not
+/// named. The walk is followed to the goal state before its first action is given; where it turns in a circle or gets
+/// stuck, and where components control each other in a cycle, the whole island is searched instead.
+///
+/// A wait is unsafe while another component has a mode that the rest of the plan relies on and may leave it by a timed
+/// transition of its own. A way without unsafe waits goes before all others: the walk, then the walk that puts off what
+/// does not last, then a search; only where there is none are unsafe waits accepted. Whether a wait is unsafe is read
+/// from the state alone, so the answers along a plan agree with each other.
+///
+/// Cost of a walk: about the plan's length times the requirements along it. Of a search: exponential in the island.
+class Planner {
+ public:
+  Planner(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands);
+
+  /// The first step from `modes`, which differ from the target in the island.
+  std::variant<PlannedStep, Impasse> next(const automata::Modes& modes, const Objective& objective);
+
+  /// Components in the order in which their goals are achieved.
+  [[nodiscard]] const std::vector<automata::ComponentId>& order() const { return order_.downstream_first(); }
+
+  /// Whether the step achieves a goal that a timed transition may undo.
+  bool is_brief(const PlannedStep& step, const Objective& objective);
+  /// Whether a timed transition stands in the policies that lead from the modes to the target.
+  bool has_waits(const automata::Modes& modes, const Objective& objective);
+
+  /// States that a search visits at most, before it gives up.
+  static constexpr std::size_t search_limit = 1u << 14;
+  /// Control actions that it tries at most, over all states.
+  static constexpr std::size_t trial_limit = 1u << 16;
+
+ private:
+  using Choice = std::variant<PlannedStep, Impasse>;
+  enum class Order { downstream_first, lasting_first };
+  enum class Waits { safe, any };
+  /// A walk to the goal state: its first step, or why it does not get there; and whether each of its waits is safe.
+  struct Trace {
+    Choice first;
+    bool safe;
+  };
+  /// What a search finds; `excluded`: ways were left out because of unsafe waits.
+  struct Found {
+    Choice first;
+    bool excluded;
+  };
+  Choice first_step(const automata::Modes& modes, const Objective& objective);
+  Trace follow(const automata::Modes& modes, const Objective& objective, Order order);
+  Choice walk(const automata::Modes& modes, const Objective& objective, Order order);
+  /// Of the components that are astray, the first that can be brought on without reaching a goal too early.
+  Choice advance(const automata::Modes& modes, const Objective& objective, Order order);
+  Choice achieve(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                 std::span<const automata::ModeId> wanted);
+  Choice bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                     const NominalTransition& transition);
+  /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
+  /// upstream of it. It can take others, to bring a component out of the way that is where it should be in the end.
+  [[nodiscard]] std::vector<automata::ControlAction> promising(const automata::Modes& modes,
+                                                               const Objective& objective) const;
+  Found search(const automata::Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits);
+  Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
+               std::span<const automata::ControlAction> actions);
+
+  /// Whether the step is no wait, or a safe one.
+  bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
+               const NominalOutcome& outcome);
+  /// Per component, whether its mode is its goal, or what a policy that leads another there requires or commands from.
+  std::vector<bool> relied_on(const automata::Modes& modes, const Objective& objective);
+
+  /// How far away the requirements of a way are; nothing where one of them cannot be met.
+  std::optional<Distance> distance(const automata::Modes& modes, const Objective& objective, const Way& way);
+  /// Of the requirements that the modes do not meet yet, the one furthest downstream, and of several of its component
+  /// the first; or null.
+  [[nodiscard]] const ModeRequirement* first_pending(const automata::Modes& modes, const Way& way) const;
+  [[nodiscard]] automata::ControlAction action_for(const Support& support) const;
+  [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
+  [[nodiscard]] std::string name(automata::ComponentId component, automata::ModeId mode) const;
+
+  /// What the island and the objective have to do with where a walk leads, as a key.
+  std::vector<std::uint64_t> question(const automata::Modes& modes, const Objective& objective) const;
+  /// The first step of a safe walk that was followed before, or part of one.
+  std::optional<PlannedStep> recall(const automata::Modes& modes, const Objective& objective);
+
+  /// What is remembered of a step: all but the modes of other islands.
+  struct RememberedStep {
+    automata::ControlAction action;
+    automata::ComponentId component;
+    std::vector<NominalMove> moves;
+    bool idle;
+  };
+  /// Beyond about so many remembered steps they are forgotten.
+  static constexpr std::size_t memory_limit = 1u << 11;
+
+  const NominalGraph& graph_;
+  const Islands& islands_;
+  CausalOrder order_;
+  Policies policies_;
+  Ways ways_;
+  NominalStep nominal_;
+  automata::ControlAction idle_;
+  std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
+  std::vector<std::vector<automata::ComponentId>> ordered_;         ///< per island, downstream first
+  std::vector<std::vector<automata::ControlAction>> actions_;       ///< per island: idle, then all that are tried
+  /// The steps of safe walks downstream first, by `question`: what follows on the first step is a safe walk, too, and
+  /// its answer was found on the way.
+  automata::Forgetful<std::vector<std::uint64_t>, RememberedStep, automata::WordsHash> remembered_{memory_limit};
+};
+
+}  // namespace rmpl::runtime

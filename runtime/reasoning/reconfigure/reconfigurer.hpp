@@ -1,0 +1,63 @@
+// Mode reconfiguration: from an estimate and a configuration goal to the next command (semantics 5; thesis 6.3).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "automata/logic/formula.hpp"
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+
+namespace rmpl::runtime {
+
+class NominalGraph;
+
+/// What reconfiguration answers in one cycle.
+struct Reconfiguration {
+  enum class Outcome {
+    command,        ///< issue `action`
+    wait,           ///< stay idle: a timed transition will do the next thing
+    nothing_to_do,  ///< the estimate is the goal state
+    no_plan         ///< no reachable state entails the goal, or no commands lead there; `reason` says why
+  };
+  Outcome outcome = Outcome::nothing_to_do;
+  automata::ControlAction action;                  ///< idle unless `command`
+  std::optional<automata::Modes> goal_state;       ///< chosen by the goal interpreter
+  std::optional<automata::Modes> expected;         ///< with `command` and `wait`: the state after it if nothing fails
+  std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one;
+                                                   ///< with `command` and `wait`: the one that is to change its mode
+  std::string reason;                              ///< with `no_plan`: in words
+  std::size_t checked = 0;                         ///< candidates checked for this answer; 0 where it was remembered
+  bool irreversible = false;                       ///< the command leads where no nominal sequence leads back from
+};
+
+/// A reconfigurer answers for one plant. Answers depend on the arguments alone.
+class Reconfigurer {
+ public:
+  virtual ~Reconfigurer() = default;
+  /// The first control action of a sequence from `modes` to the best reachable state that entails `goal` (over modes
+  /// and attributes; no clock atoms). `true` as goal asks for nothing: the answer is `nothing_to_do`.
+  virtual Reconfiguration next(const automata::Modes& modes, const automata::Formula& goal) = 0;
+  /// The same, told all states that are tracked, at least one, the most likely first.
+  virtual Reconfiguration next_of_all(std::span<const automata::Modes> tracked, const automata::Formula& goal) {
+    return next(tracked.front(), goal);
+  }
+  /// Whether the states after the first can matter.
+  [[nodiscard]] virtual bool looks_at_all() const { return false; }
+};
+
+/// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction. Remembers its answers:
+/// a repeated question costs a look-up. Keeps a reference to `step`, and asks its theory.
+/// `graph` is what was computed beforehand for the same plant, by `reconfiguration_graph`; without it that is done
+/// here.
+std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step,
+                                                std::shared_ptr<const NominalGraph> graph = nullptr);
+
+/// What reconfiguration computes before the first question, and most of its cost: several runs of one plant share it.
+std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant);
+
+}  // namespace rmpl::runtime

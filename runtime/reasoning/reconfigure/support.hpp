@@ -1,0 +1,35 @@
+// Supports: what must hold of other components' modes and of the controls for a guard to be implied.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "automata/plant.hpp"
+
+namespace rmpl::runtime {
+
+/// A mode variable or a control variable must have one of these values (sorted, at least one).
+struct Requirement {
+  automata::VariableId variable;
+  std::vector<automata::ValueId> values;
+  auto operator<=>(const Requirement&) const = default;
+};
+
+/// Requirements, in order of variable, that together with the component's own mode make the store imply a guard,
+/// whichever of the permitted values are taken. None of them can be left out.
+using Support = std::vector<Requirement>;
+
+/// Whether a support can be met with every control at its idle value.
+bool needs_no_command(const automata::Plant& plant, const Support& support);
+/// How many controls it needs off their idle values.
+std::size_t commanded_controls(const automata::Plant& plant, const Support& support);
+
+/// That all requirements are met.
+automata::Formula formula_of(const Support& support);
+/// Whether whatever fits `narrow` fits `wide` too.
+bool subsumes(const Support& wide, const Support& narrow);
+/// What fits both; nothing where they exclude each other.
+std::optional<Support> both(const Support& left, const Support& right);
+
+}  // namespace rmpl::runtime

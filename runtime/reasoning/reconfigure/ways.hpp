@@ -1,0 +1,38 @@
+// Ways to bring about each nominal transition: its supports, with what they require of other components at hand.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "runtime/reasoning/reconfigure/causal_order.hpp"
+#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+
+namespace rmpl::runtime {
+
+/// A mode of a component, one of a requirement's values.
+struct ModeRequirement {
+  automata::ComponentId component;
+  const Requirement* requirement;
+};
+
+/// A support that goes upstream.
+struct Way {
+  const Support* support;
+  std::vector<ModeRequirement> modes;  ///< in order of the support
+};
+
+/// Computed once: a planner looks at them in each step of each plan.
+class Ways {
+ public:
+  Ways(const automata::Plant& plant, const NominalGraph& graph, const CausalOrder& order);
+
+  /// Simplest supports first, as the transition has them.
+  [[nodiscard]] const std::vector<Way>& of(automata::ComponentId component, const NominalTransition& transition) const {
+    return ways_[component.index()][transition.id.index()];
+  }
+
+ private:
+  std::vector<std::vector<std::vector<Way>>> ways_;  ///< per component, per transition
+};
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,151 @@
+// Compiled documents: round trip, and what is refused with its path.
+// SPDX-License-Identifier: MIT
+#include "automata/json/document.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rmpl::automata {
+namespace {
+
+Document sample() {
+  Plant plant;
+  plant.name = "Sample";
+  const auto mode = plant.variables.add({"pump", {"off", "on", "broken"}});
+  const auto cmd = plant.variables.add({"pump.cmd", {"none", "start"}});
+  const auto flow = plant.variables.add({"pump.flow", {"no", "yes"}});
+  Component pump{"pump", "Pump", mode, {}, {0.5, 0.5, 0}, {}, {"a.tcca", 3, 1}};
+  pump.modes = {{"off", false, is(flow, ValueId(0)), 0, {"a.tcca", 4, 3}},
+                {"on", false, negation(is(flow, ValueId(0))), -1.5, {"a.tcca", 5, 3}},
+                {"broken", true, constant(true), -20, {"a.tcca", 6, 3}}};
+  const Timing timing{Ticks::of_seconds(1), Ticks::infinite(), {Density::Kind::normal, 4, 2}};
+  pump.transitions = {{ModeId(0), ModeId(1), is(cmd, ValueId(1)), timing, {}, 1, {"a.tcca", 7, 3}},
+                      {ModeId(1), ModeId(2), constant(true), {}, {Weight::Kind::rate, 1e-6}, 2, {"a.tcca", 8, 3}}};
+  plant.components.push_back(pump);
+  plant.interconnections.push_back(
+      implication(is(flow, ValueId(1)), disjunction({is(cmd, ValueId(0)), is(cmd, ValueId(1))})));
+  plant.controls.push_back({cmd, ValueId(0)});
+  plant.observables.push_back(flow);
+
+  Program program;
+  program.name = "Main";
+  program.variables = plant.variables;
+  program.clocks = {"t"};
+  program.locations.emplace_back().composite = true;
+  Location start;
+  start.parent = LocationId(0);
+  start.start = true;
+  start.goal = {{mode, ValueId(1)}};
+  start.clock_start = ClockId(0);
+  start.label = "pump = on";
+  start.arcs.push_back({{false, clock_bound(ClockId(0), Comparison::less, Ticks::of_seconds(9))}, LocationId(1)});
+  program.locations.push_back(start);
+
+  Scenario scenario;
+  scenario.name = "story";
+  scenario.truth = {{mode, ValueId(0)}};
+  scenario.forced.push_back({Ticks::of_seconds(5), ComponentId(0), ModeId(2), {"a.scn", 2, 1}});
+  scenario.overrides.push_back({Ticks{1}, Ticks::infinite(), {flow, ValueId(1)}, {}});
+  scenario.rules.push_back({Rule::Stream::command, is(cmd, ValueId(1)), 86, {}, {flow, ValueId(1)}, Ticks{5}, {}});
+  scenario.expectations.push_back({Expectation::Kind::eventually,
+                                   true,
+                                   is(mode, ValueId(1)),
+                                   is(mode, ValueId(0)),
+                                   Ticks::of_seconds(60),
+                                   "expect truth …",
+                                   {}});
+  return {{plant}, {program}, {scenario}};
+}
+
+TEST(Document, RoundTripKeepsEverythingAndEveryByte) {
+  const Document document = sample();
+  const std::string text = to_text(document);
+  const Document again = read_document(text, "x.json");
+  EXPECT_EQ(again, document);
+  EXPECT_EQ(to_text(again), text);
+}
+
+TEST(Document, WhatIsWrongIsNamedWithItsPath) {
+  const Json good = to_json(sample());
+  const auto refuses = [&](const std::string& pointer, const Json& value, const std::string& why) {
+    Json bad = good;
+    bad[Json::json_pointer(pointer)] = value;
+    try {
+      document_from_json(bad);
+      ADD_FAILURE() << "accepted " << value << " at " << pointer;
+    } catch (const base::InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(why)) << pointer;
+    }
+  };
+  refuses("/version", 2, "/version: expected 1");
+  refuses("/plants/0/components/0/initial/0", 1.5, "/plants/0/components/0/initial/0: expected a probability");
+  refuses("/plants/0/components/0/initial/0", 0.1, "sum to 1");
+  refuses("/plants/0/components/0/transitions/0/to", "onn", "not 'onn'");
+  refuses("/plants/0/components/0/transitions/0/timing/lower", "inf", "lower finite");
+  refuses("/plants/0/components/0/transitions/0/timing/lower", -5, "whole n");
+  refuses("/plants/0/variables/1/name", "pump", "a name that is new");
+  refuses("/plants/0/interconnections/0", Json::object(), "/plants/0/interconnections/0: expected a formula");
+  refuses("/plants/0/controls/0/variable", "pump", "attribute");
+  refuses("/programs/0/locations/1/arcs/0/target", 3, "below 3");
+  refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
+  refuses("/scenarios/0/plant", 1, "below 1");
+  refuses("/scenarios/0/cycle", 0, "above 0");
+  refuses("/scenarios/0/overrides/0/reading", {"pump", "on"}, "expected an observable and its value");
+  refuses("/scenarios/0/rules/0/reading", {"pump.cmd", "start"}, "expected an observable and its value");
+  refuses("/scenarios/0/rules/0/trigger", {{"variable", "pump.flow"}, {"in", {"yes"}}}, "expected values of controls");
+  refuses("/scenarios/0/rules/0/stream", "estimate", "expected modes of components");
+  refuses("/programs/0/clocks", {"t", "t"}, "/programs/0/clocks/1: expected a clock that is new");
+}
+
+TEST(Document, KeysThatItDoesNotHaveAreRefusedAnywhere) {
+  const Json good = to_json(sample());
+  std::size_t objects = 0;
+  const auto refuse_within = [&](const Json& part, const std::string& path, const auto& self) -> void {
+    if (part.is_object()) {
+      ++objects;
+      Json bad = good;
+      bad[Json::json_pointer(path)]["rewrad"] = 1;
+      try {
+        document_from_json(bad);
+        ADD_FAILURE() << "accepted at " << path;
+      } catch (const JsonError& error) {
+        EXPECT_EQ(error.path(), path + "/rewrad");
+        EXPECT_EQ(error.blame(), JsonError::Blame::key);
+        EXPECT_THAT(error.what(), testing::HasSubstr("unknown key 'rewrad'"));
+      }
+      for (const auto& [key, value] : part.items()) self(value, member_path(path, key), self);
+    } else if (part.is_array()) {
+      for (std::size_t i = 0; i < part.size(); ++i) self(part[i], path + "/" + std::to_string(i), self);
+    }
+  };
+  refuse_within(good, "", refuse_within);
+  EXPECT_GT(objects, 40U);
+}
+
+TEST(Document, TwoWeightsOfOneTransitionAreRefused) {
+  Json bad = to_json(sample());
+  bad["plants"][0]["components"][0]["transitions"][1]["probability"] = 0.5;
+  EXPECT_THROW(document_from_json(bad), JsonError);
+}
+
+TEST(Document, TextThatIsNoJsonIsRefusedWithTheFileName) {
+  for (const std::string text : {"", "{", "[]", "nul", "{\"format\": \"x\"}"}) {
+    try {
+      read_document(text, "x.json");
+      ADD_FAILURE() << "accepted " << text;
+    } catch (const base::InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith("x.json: "));
+    }
+  }
+}
+
+TEST(Document, DeepFormulasAreRefusedNotCrashedOn) {
+  Json deep = true;
+  for (int i = 0; i < 10000; ++i) deep = Json{{"not", std::move(deep)}};
+  Json bad = to_json(sample());
+  bad["plants"][0]["interconnections"][0] = std::move(deep);
+  EXPECT_THROW(document_from_json(bad), base::InputError);
+}
+
+}  // namespace
+}  // namespace rmpl::automata

@@ -1,0 +1,198 @@
+// Scenarios: verdicts with their times and reasons, the end of a run, the story, the trace as a log.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "runtime/executive/scenario/report.hpp"
+#include "runtime/executive/scenario/run.hpp"
+#include "runtime/executive/scenario/story.hpp"
+#include "runtime/executive/sequence/log_run.hpp"
+#include "runtime/executive/trace/trace_writer.hpp"
+#include "tests/unit/runtime/executive/cycle/heater.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+using namespace rmpl::automata;
+using namespace heater;
+using Kind = Expectation::Kind;
+using Verdict = Judgement::Verdict;
+
+ScenarioResult fly(const Scenario& scenario, const Document& document = heater::document(),
+                   std::vector<CycleObserver*> observers = {}) {
+  return run_scenario(document, scenario, {}, observers);
+}
+
+TEST(Scenario, EndsWithTheProgramWhenAllIsDecided) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::finished), expects(Kind::eventually, is(mode, ValueId(on.index()))),
+                           expects(Kind::never, is(mode, ValueId(broken.index())))};
+  scenario.expectations[0].within = Ticks::of_seconds(3);
+  const ScenarioResult result = fly(scenario);
+  EXPECT_EQ(result.verdict(), Verdict::met);
+  EXPECT_EQ(result.cycles, 5U);
+  EXPECT_EQ(result.ended, (Ticks{2'500'000'000}));
+  for (const Judgement& judgement : result.judgements) EXPECT_EQ(judgement.time, (Ticks{2'500'000'000}));
+}
+
+// The mode that is off at first is on where the program ends.
+TEST(Scenario, WhatAProgramIsToEndWithIsAskedThen) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::finished, is(mode, ValueId(on.index()))),
+                           expects(Kind::finished, is(mode, ValueId(off.index()))), expects(Kind::no_plan),
+                           expects(Kind::goal_conflict)};
+  const ScenarioResult result = fly(scenario);
+  EXPECT_EQ(result.judgements[0].verdict, Verdict::met);
+  EXPECT_EQ(result.judgements[1].verdict, Verdict::failed);
+  EXPECT_EQ(result.judgements[1].time, (Ticks{2'500'000'000}));
+  EXPECT_EQ(result.judgements[2].verdict, Verdict::met);
+  EXPECT_EQ(result.judgements[3].verdict, Verdict::met);
+}
+
+TEST(Scenario, TimesAreExact) {
+  Scenario scenario = heater::scenario();
+  Expectation warm = expects(Kind::eventually, is(temp, high));
+  warm.after = is(mode, ValueId(heating.index()));
+  warm.within = Ticks::of_seconds(2);
+  Expectation sooner = warm;
+  sooner.within = Ticks{1'999'999'999};
+  scenario.expectations = {warm, sooner};
+  const ScenarioResult result = fly(scenario);
+  EXPECT_EQ(result.judgements[0].verdict, Verdict::met);
+  EXPECT_EQ(result.judgements[0].time, (Ticks{2'500'000'000}));
+  EXPECT_EQ(result.judgements[1].verdict, Verdict::failed);
+  EXPECT_EQ(result.judgements[1].reason, "not by 2.499999999 s");
+  EXPECT_EQ(result.verdict(), Verdict::failed);
+}
+
+TEST(Scenario, TheTruthIsNotTheEstimate) {
+  Scenario scenario = heater::scenario();
+  scenario.truth = {in(on)};
+  Expectation truth = expects(Kind::never, is(mode, ValueId(off.index())));
+  truth.truth = true;
+  scenario.expectations = {truth, expects(Kind::never, is(mode, ValueId(off.index())))};
+  const ScenarioResult result = fly(scenario);
+  EXPECT_EQ(result.judgements[0].verdict, Verdict::met);
+  EXPECT_EQ(result.judgements[1].verdict, Verdict::failed);
+  EXPECT_EQ(result.judgements[1].time, Ticks{});
+}
+
+TEST(Scenario, ItsDurationEndsARunThatHasNoEnd) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::finished), expects(Kind::never, is(mode, ValueId(broken.index())))};
+  const ScenarioResult result = fly(scenario, heater::document(true));
+  EXPECT_EQ(result.time, Ticks::of_seconds(20));
+  EXPECT_FALSE(result.ended);
+  EXPECT_EQ(result.judgements[0].verdict, Verdict::failed);
+  EXPECT_EQ(result.judgements[1].verdict, Verdict::met);
+}
+
+// A fault that lies ahead may still violate a `never`.
+TEST(Scenario, GoesOnAfterTheProgramWhileSomethingIsInStore) {
+  Scenario scenario = heater::scenario();
+  scenario.forced = {{Ticks::of_seconds(10), component, broken, {}}};
+  EXPECT_EQ(fly(scenario).time, (Ticks{2'500'000'000}));
+  scenario.expectations = {expects(Kind::never, is(mode, ValueId(broken.index())))};
+  const ScenarioResult result = fly(scenario);
+  EXPECT_EQ(result.judgements[0].verdict, Verdict::failed);
+  EXPECT_EQ(result.judgements[0].time, Ticks::of_seconds(10));
+  EXPECT_EQ(result.time, Ticks::of_seconds(10));
+}
+
+TEST(Scenario, AnInterruptedRunIsUndecided) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::eventually, is(mode, ValueId(on.index())))};
+  ScenarioOptions options;
+  int cycles = 0;
+  options.interrupted = [&cycles] { return ++cycles > 2; };
+  const ScenarioResult result = run_scenario(heater::document(), scenario, options, {});
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_EQ(result.cycles, 2U);
+  EXPECT_EQ(result.verdict(), Verdict::undecided);
+  EXPECT_EQ(result.judgements[0].reason, "the run was interrupted at 1 s");
+}
+
+TEST(Scenario, RulesHaveNoTruthToSpeakOf) {
+  Scenario scenario = heater::scenario();
+  scenario.rules_only = true;
+  scenario.expectations = {expects(Kind::never, constant(false))};
+  scenario.expectations[0].truth = true;
+  EXPECT_THROW(fly(scenario), base::InputError);
+}
+
+TEST(Story, TellsWhatChanges) {
+  Scenario scenario = heater::scenario();
+  scenario.forced = {{Ticks::of_seconds(1), component, broken, {}}};
+  const Document document = heater::document();
+  std::string story;
+  Story teller(document.plants[0], {}, [&](const std::string& line) { story += line + "\n"; });
+  fly(scenario, document, {&teller});
+  EXPECT_EQ(story.substr(0, story.find("fault")),
+            "         0 s  goal      heater = on\n"
+            "         0 s  command   heater.cmd = on\n"
+            "       0.5 s  estimate  heater: off -> heating\n"
+            "         1 s  plant     heater = broken (the executive is not told)\n"
+            "       2.5 s  ");
+}
+
+TEST(Report, JsonHasTheVerdictsAndNothingThatChanges) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::finished)};
+  JsonLine first, second;
+  write_result(first, scenario, fly(scenario));
+  write_result(second, scenario, fly(scenario));
+  EXPECT_EQ(first.text(), second.text());
+  EXPECT_EQ(first.text(), R"({"scenario":"warm up","verdict":"met","seed":0,"cycles":5,"time":2.5,"ended":2.5,)"
+                          R"("expectations":[{"text":"…","verdict":"met","time":2.5,"file":"","line":0}]})");
+}
+
+/// A directory of one's own.
+class TraceFile : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(directory_); }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+  [[nodiscard]] std::string path() const { return (directory_ / "out.jsonl").string(); }
+  std::filesystem::path directory_ =
+      std::filesystem::path(::testing::TempDir()) / ("rmpl-trace-test-" + std::to_string(::getpid()));
+};
+
+TEST_F(TraceFile, RepeatsAsALogOfTheSequencer) {
+  const Document document = heater::document();
+  TraceWriter trace(document.plants[0], path());
+  fly(heater::scenario(), document, {&trace});
+  trace.keep();
+  std::ifstream file(path());
+  std::vector<nlohmann::json> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(nlohmann::json::parse(line));
+  ASSERT_EQ(lines.size(), 6U);
+  EXPECT_EQ(lines[0]["cycle"], 0);
+  EXPECT_EQ(lines[1]["time"], 0.5);
+  EXPECT_EQ(lines[1]["command"], nlohmann::json({{"heater.cmd", "on"}}));
+  EXPECT_EQ(lines[1]["belief"][0]["modes"]["heater"], "heating");
+  EXPECT_EQ(lines[5]["truth"], nlohmann::json({{"heater", "on"}}));
+
+  std::ifstream log(path());
+  std::istringstream sequence(sequence_log(document.programs[0], document.plants[0], log, "out.jsonl"));
+  std::size_t cycle = 0;
+  for (std::string line; std::getline(sequence, line);) {
+    const auto repeated = nlohmann::json::parse(line);
+    ++cycle;
+    EXPECT_EQ(repeated["marking"], lines[cycle]["marking"]);
+    EXPECT_EQ(repeated["goal"], lines[cycle]["goal"]);
+  }
+  EXPECT_EQ(cycle, 5U);
+}
+
+TEST_F(TraceFile, IsNotLeftBehindByARunThatFails) {
+  const Document document = heater::document();
+  { const TraceWriter trace(document.plants[0], path()); }
+  EXPECT_FALSE(std::filesystem::exists(path()));
+}
+
+}  // namespace
+}  // namespace rmpl::runtime

@@ -1,0 +1,79 @@
+// What replay lets pass, and what it does not.
+// SPDX-License-Identifier: MIT
+#include "verifier/witness/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/verifier/plants.hpp"
+#include "verifier/witness/schedule.hpp"
+
+namespace rmpl::verifier {
+namespace {
+
+using automata::ModeId;
+using automata::Ticks;
+using automata::ValueId;
+using test::seconds;
+
+class ReplayEngine : public testing::Test {
+ protected:
+  /// off at 0, heating at `heats`, standby at `ready`.
+  [[nodiscard]] static Trace trace(Ticks heats, Ticks ready) {
+    return {
+        {Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {heats, {ModeId(1)}, {ValueId(1)}}, {ready, {ModeId(2)}, {ValueId(0)}}};
+  }
+  std::optional<std::string> failure(const Trace& trace, const ReplayRules& rules) {
+    return replay(step_, trace, rules);
+  }
+
+  test::PlantBuilder engine_ = test::engine();
+  automata::PlantStep step_{engine_.plant};
+};
+
+TEST_F(ReplayEngine, DenseBoundsAreClosed) {
+  EXPECT_EQ(failure(trace(seconds(5), seconds(35)), {}), std::nullopt);
+  EXPECT_EQ(failure(trace(seconds(5), seconds(65)), {}), std::nullopt);
+  EXPECT_TRUE(failure(trace(seconds(5), seconds(35) - Ticks{1}), {}));
+  EXPECT_TRUE(failure(trace(seconds(5), seconds(65) + Ticks{1}), {}));
+}
+
+TEST_F(ReplayEngine, SampledStepsNeedAPositiveProbability) {
+  const ReplayRules rules{seconds(1), Commands::one, 0, {}};
+  EXPECT_TRUE(failure(trace(seconds(5), seconds(35)), rules));
+  EXPECT_EQ(failure(trace(seconds(5), seconds(36)), rules), std::nullopt);
+  EXPECT_EQ(failure(trace(seconds(5), seconds(65)), rules), std::nullopt);
+  EXPECT_TRUE(failure(trace(seconds(5), seconds(66)), rules));
+  EXPECT_TRUE(failure(trace(Ticks{500'000'000}, seconds(36)), rules));
+}
+
+TEST_F(ReplayEngine, CommandsAndFaultsAreCounted) {
+  EXPECT_TRUE(failure(trace(seconds(5), seconds(35)), {std::nullopt, Commands::none, 0, {}}));
+  const Trace broken = {{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {Ticks{0}, {ModeId(4)}, {ValueId(0)}}};
+  EXPECT_TRUE(failure(broken, {}));
+  EXPECT_EQ(failure(broken, {std::nullopt, Commands::none, 1, {}}), std::nullopt);
+}
+
+TEST_F(ReplayEngine, TheStartIsAnInitialState) {
+  const Trace standby = {{Ticks{0}, {ModeId(2)}, {ValueId(0)}}};
+  EXPECT_TRUE(failure(standby, {}));
+  const ReplayRules from{std::nullopt, Commands::one, 0, {{engine_.plant.components[0].mode, ValueId(2)}}};
+  EXPECT_EQ(failure(standby, from), std::nullopt);
+  EXPECT_TRUE(failure({}, {}));
+}
+
+TEST(Schedule, FindsTheEarliestTimesOrNone) {
+  Schedule schedule;
+  const auto a = schedule.add_point();
+  const auto b = schedule.add_point();
+  schedule.constrain(0, a, {2, 9});
+  schedule.constrain(a, b, {3, unbounded});
+  schedule.constrain(0, b, {7, 7});
+  EXPECT_EQ(schedule.solve(), (std::vector<Units>{0, 2, 7}));
+  schedule.constrain(a, b, {0, 4});
+  EXPECT_EQ(schedule.solve(), (std::vector<Units>{0, 3, 7}));
+  schedule.constrain(0, a, {0, 2});
+  EXPECT_EQ(schedule.solve(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace rmpl::verifier

@@ -1,0 +1,203 @@
+// rmpl-run plan: the goal state and the nominal command sequence that leads there.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "automata/step/plant_step.hpp"
+#include "automata/suggestion.hpp"
+#include "base/error.hpp"
+#include "runtime/executive/trace/json_line.hpp"
+#include "runtime/reasoning/reconfigure/one_step.hpp"
+#include "runtime/reasoning/reconfigure/plan.hpp"
+#include "tools/rmpl-run/command.hpp"
+#include "tools/rmpl-run/input.hpp"
+#include "tools/rmpl-run/policy_report.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+struct Options {
+  std::string plant;
+  std::string from;
+  std::string goal;
+  bool policy = false;
+  bool one_step = false;
+  std::string component;
+  Format format = Format::text;
+};
+
+constexpr const char* footer =
+    R"(The goal state is the best one, by reward, that entails the goal and can be reached; the commands are
+those that lead there if nothing fails, one a cycle. A wait is for a timed transition. Components that
+--from does not name are in their most likely initial mode.
+
+A policy says for each current and target mode of a component what to achieve next: modes of others and a
+command; 'idle' is to wait, 'failure' that no nominal transitions lead there.
+
+exit code: 0 there is a plan, or nothing to do; 1 there is no plan; 2 an input is wrong
+
+examples:
+  rmpl-run plan propulsion.tcca --from 'engine = off, pde = off' --goal 'engine = firing'
+  rmpl-run plan lander.tcca --from 'lander = unsuccessful-attempt' --goal 'lander = separated' --format json
+  rmpl-run plan propulsion.tcca --policy --component engine)";
+
+std::string_view name_of(Plan::Outcome outcome) {
+  switch (outcome) {
+    case Plan::Outcome::plan:
+      return "plan";
+    case Plan::Outcome::no_plan:
+      return "no-plan";
+    case Plan::Outcome::nothing_to_do:
+      return "nothing-to-do";
+  }
+  return {};
+}
+
+/// The most likely initial modes, ties to the first, with those that are given.
+automata::Modes modes_from(const automata::Plant& plant, const std::vector<automata::Assignment>& given) {
+  automata::Modes modes;
+  for (const automata::Component& component : plant.components) {
+    const auto best = std::max_element(component.initial.begin(), component.initial.end());
+    modes.emplace_back(static_cast<std::size_t>(best - component.initial.begin()));
+  }
+  for (const automata::Assignment& mode : given) {
+    const auto component = plant.component_of(mode.variable);
+    if (!component) {
+      throw base::InputError("--from: '" + plant.variables.name(mode.variable) + "' is no component of plant '" +
+                             plant.name + "'; expected modes of components");
+    }
+    modes[component->index()] = automata::ModeId(mode.value.index());
+  }
+  return modes;
+}
+
+void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan) {
+  json.open('{');
+  json.key("goal_state").modes(plan.goal_state.value_or(automata::Modes{}), plant);
+  json.key("commands").open('[');
+  for (const automata::ControlAction& action : plan.commands) {
+    json.assignments(automata::commanded(plant, action), plant.variables);
+  }
+  json.close(']').key("outcome").string(name_of(plan.outcome));
+  if (plan.component) json.key("component").string(plant[*plan.component].name);
+  if (!plan.reason.empty()) json.key("reason").string(plan.reason);
+  json.close('}');
+}
+
+std::string joined(const std::vector<automata::Assignment>& assignments, const automata::Variables& variables) {
+  std::string text;
+  for (const automata::Assignment& a : assignments) {
+    text += (text.empty() ? "" : ", ") + variables.name(a.variable) + " = " + variables.value(a);
+  }
+  return text;
+}
+
+std::string text_of(const automata::Plant& plant, const Plan& plan) {
+  std::string text;
+  switch (plan.outcome) {
+    case Plan::Outcome::no_plan:
+      text = "no plan";
+      if (plan.component) text += " for " + plant[*plan.component].name;
+      if (!plan.reason.empty()) text += ": " + plan.reason;
+      return text + "\n";
+    case Plan::Outcome::nothing_to_do:
+      text = "nothing to do: the goal is achieved\n";
+      break;
+    case Plan::Outcome::plan:
+      for (std::size_t i = 0; i < plan.commands.size(); ++i) {
+        const std::string command = joined(automata::commanded(plant, plan.commands[i]), plant.variables);
+        text += std::to_string(i + 1) + ". " + (command.empty() ? "wait" : command) + "\n";
+      }
+      break;
+  }
+  if (plan.goal_state) {
+    text += "goal state: " + joined(automata::assignments_of(plant, *plan.goal_state), plant.variables) + "\n";
+  }
+  return text;
+}
+
+std::vector<automata::ComponentId> components_named(const automata::Plant& plant, const std::string& name) {
+  std::vector<automata::ComponentId> result;
+  std::vector<std::string_view> names;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    names.emplace_back(plant.components[c].name);
+    if (name.empty() || plant.components[c].name == name) result.emplace_back(c);
+  }
+  if (result.empty()) {
+    throw base::InputError("--component: plant '" + plant.name + "' has no component '" + name + "'" +
+                           automata::suggestion(name, names));
+  }
+  return result;
+}
+
+Status print_policies(const Options& options, const automata::Plant& plant) {
+  const auto components = components_named(plant, options.component);
+  const NominalGraph graph(plant, Islands(plant));
+  if (options.format == Format::json) {
+    JsonLine json;
+    write_policies(json, plant, graph, components);
+    std::cout << json.text() << '\n';
+  } else {
+    std::cout << policy_text(plant, graph, components);
+  }
+  finish_output();
+  return Status::done;
+}
+
+Status run(const Options& options, const Common& common) {
+  const auto compilation = load({options.plant}, common);
+  if (!compilation) return Status::wrong;
+  const automata::Plant& plant = only_plant(compilation->document(), options.plant);
+  if (options.policy) return print_policies(options, plant);
+  if (options.goal.empty()) throw base::InputError("plan: expected --goal, or --policy");
+  std::optional<std::vector<automata::Assignment>> given{std::in_place};
+  if (!options.from.empty()) given = assignments_option(options.from, plant, "--from", common);
+  const auto goal = formula_option(options.goal, plant, "--goal", common);
+  if (!given || !goal) return Status::wrong;
+
+  automata::PlantStep step(plant);
+  const automata::Modes modes = modes_from(plant, *given);
+  if (!step.possible(modes)) {
+    throw base::InputError("--from: the plant cannot be in " +
+                           joined(automata::assignments_of(plant, modes), plant.variables) +
+                           ": the model forbids these modes together");
+  }
+  const auto reconfigurer = options.one_step ? make_one_step_reconfigurer(step) : make_reconfigurer(step);
+  const Plan plan =
+      options.one_step ? make_one_step_plan(*reconfigurer, modes, *goal) : make_plan(*reconfigurer, modes, *goal);
+  if (options.format == Format::json) {
+    JsonLine json;
+    write_json(json, plant, plan);
+    std::cout << json.text() << '\n';
+  } else {
+    std::cout << text_of(plant, plan);
+  }
+  finish_output();
+  return plan.outcome == Plan::Outcome::no_plan ? Status::failed : Status::done;
+}
+
+}  // namespace
+
+Subcommand plan_command(CLI::App& app, const Common& common) {
+  CLI::App* command = app.add_subcommand("plan", "find the commands that lead from a state to a goal");
+  const auto options = std::make_shared<Options>();
+  command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
+  command->add_option("--from", options->from, "the modes to start from")->option_text("'x = m, ...'");
+  auto* const goal = command->add_option("--goal", options->goal, "a constraint over modes and attributes")
+                         ->option_text("'constraint'");
+  add_choice<bool>(*command, "--reconfigurer", options->one_step, {{"planner", false}, {"one-step", true}},
+                   "a sequence of commands, or one control action that is enough (default: planner)");
+  auto* const policy =
+      command->add_flag("--policy", options->policy, "print the policy of each component instead of a plan")
+          ->excludes(goal);
+  command->add_option("--component", options->component, "with --policy: of this component only")
+      ->option_text("NAME")
+      ->needs(policy);
+  add_format(*command, options->format);
+  command->footer(footer);
+  return {command, [options, &common] { return run(*options, common); }};
+}
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,66 @@
+// rmpl-run sequence: state estimates in, markings and goals out.
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include "runtime/executive/sequence/log_run.hpp"
+#include "tools/rmpl-run/command.hpp"
+#include "tools/rmpl-run/input.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+struct Options {
+  std::string program;
+  std::string plant;
+  std::string log;
+  std::string main;
+};
+
+constexpr const char* footer =
+    R"(Line i of the log holds "time" and "estimate" (and, if there are any, "observations") at the start of
+cycle i; what line i + 1 holds is what cycle i reads back. So n + 1 lines are n cycles, and for each a
+line comes out: "cycle", "time", the "marking" with which it starts, its "goal", and the active "clocks".
+The run ends with the empty marking. With a plant its model says what follows from an estimate; without
+one, names are taken as they come. A trace of rmpl-run scenario is such a log.
+
+exit code: 0 done; 2 an input is wrong, and nothing was written
+
+examples:
+  rmpl-run sequence entry.rmpl --log estimates.jsonl
+  rmpl-run sequence entry.rmpl lander.tcca --log flight.jsonl)";
+
+Status run(const Options& options, const Common& common) {
+  std::vector<std::string> paths{options.program};
+  if (!options.plant.empty()) paths.push_back(options.plant);
+  check_standard_input({options.program, options.plant, options.log});
+  const auto compilation = load(paths, common, {options.main});
+  if (!compilation) return Status::wrong;
+  const automata::Document& document = compilation->document();
+  const automata::Program& program = only_program(document, options.program);
+  TextInput input(options.log);
+  const bool modelled = !options.plant.empty() || !document.plants.empty();
+  std::cout << (modelled ? sequence_log(program, only_plant(document, options.plant), input.stream(), input.name())
+                         : sequence_log(program, input.stream(), input.name()));
+  finish_output();
+  return Status::done;
+}
+
+}  // namespace
+
+Subcommand sequence_command(CLI::App& app, const Common& common) {
+  CLI::App* command = app.add_subcommand("sequence", "step a control program through a log of state estimates");
+  const auto options = std::make_shared<Options>();
+  command->add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json")->required();
+  command->add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json");
+  command->add_option("--log", options->log, "state estimates; - is standard input")
+      ->required()
+      ->option_text("IN.jsonl");
+  command->add_option("--main", options->main, "the definition to run, where several are called by no other")
+      ->option_text("NAME");
+  command->footer(footer);
+  return {command, [options, &common] { return run(*options, common); }};
+}
+
+}  // namespace rmpl::runtime

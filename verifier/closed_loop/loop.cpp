@@ -1,0 +1,291 @@
+// The closed loop of a program, a plant and the reconfigurer.
+// SPDX-License-Identifier: MIT
+#include "verifier/closed_loop/loop.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <tuple>
+
+namespace rmpl::verifier {
+
+using automata::Assignment;
+using automata::ClockId;
+using automata::Component;
+using automata::ComponentId;
+using automata::ModeId;
+using automata::Modes;
+using automata::Ticks;
+
+namespace {
+
+/// Twice so many at most are kept.
+constexpr std::size_t turns_remembered = 1u << 13;
+
+/// Every joint choice of all components within the budget of faults, depth first in declaration order.
+void for_each_joint(const std::vector<std::vector<Choice>>& choices, unsigned faults,
+                    const std::function<void(const Modes&, unsigned, const Box&)>& visit) {
+  Modes modes;
+  Box box;
+  const std::function<void(unsigned)> extend = [&](unsigned cost) {
+    if (modes.size() == choices.size()) return visit(modes, cost, box);
+    const ComponentId component(modes.size());
+    for (const Choice& choice : choices[component.index()]) {
+      if (cost + choice.faults > faults) continue;
+      const std::size_t bounds = box.size();
+      modes.push_back(choice.mode);
+      if (!choice.clock.is_trivial()) box.push_back({component, choice.clock});
+      extend(cost + choice.faults);
+      modes.pop_back();
+      box.resize(bounds);
+    }
+  };
+  extend(0);
+}
+
+/// Leaving without a fault, at any reading from some one on.
+bool leaves_for_sure(const Choice& choice, ModeId mode) {
+  return choice.faults == 0 && choice.mode != mode && choice.clock.upper == unbounded;
+}
+
+}  // namespace
+
+Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
+           const Reading& reading, unsigned faults, Meter& meter)
+    : program_(program),
+      step_(step),
+      reconfigurer_(reconfigurer),
+      reading_(reading),
+      faults_(faults),
+      meter_(meter),
+      cells_(program),
+      sequencer_(program, step.plant()),
+      explored_turns_(turns_remembered) {}
+
+std::vector<LoopState> Loop::initial(const std::vector<Assignment>& from) {
+  std::vector<std::vector<Choice>> all;
+  for (const Component& component : plant().components) {
+    auto& modes = all.emplace_back();
+    const auto given =
+        std::find_if(from.begin(), from.end(), [&](const Assignment& a) { return a.variable == component.mode; });
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      if (given == from.end() ? component.initial[m] > 0 : given->value.index() == m)
+        modes.push_back({ModeId(m), 0, {}});
+    }
+  }
+  sequencer_.reset();
+  std::vector<LoopState> result;
+  for_each_joint(all, 0, [&](const Modes& modes, unsigned, const Box&) {
+    meter_.poll();
+    if (step_.possible(modes)) result.push_back({sequencer_.marking(), modes, {}, {}});
+  });
+  return result;
+}
+
+LoopStateId Loop::number(const LoopState& state) {
+  const auto [at, fresh] = numbers_.try_emplace(state, states_.size());
+  if (fresh) states_.push_back(&at->first);
+  return at->second;
+}
+
+std::vector<ComponentId> Loop::live(const Modes& modes) const {
+  std::vector<ComponentId> result;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (plant().has_timed_exit(ComponentId(c), modes[c])) result.emplace_back(c);
+  }
+  return result;
+}
+
+std::shared_ptr<const Turn> Loop::turn(LoopStateId id, unsigned faults) {
+  const std::shared_ptr<Worked> worked = cycle(id, faults);
+  if (!worked->waits) {
+    worked->turn.waits = waits(id);
+    worked->waits = true;
+  }
+  return {worked, &worked->turn};
+}
+
+std::shared_ptr<Loop::Worked> Loop::known(LoopStateId id) {
+  if (const auto open = turns_.find(id); open != turns_.end()) return open->second;
+  const auto* explored = explored_turns_.find(id);
+  return explored != nullptr ? *explored : nullptr;
+}
+
+std::shared_ptr<Loop::Worked> Loop::cycle(LoopStateId id, unsigned faults) {
+  std::shared_ptr<Worked> worked = known(id);
+  if (!worked) {
+    worked = std::make_shared<Worked>(Worked{work_out(*states_[id.index()], faults), faults, false});
+    turns_.emplace(id, worked);
+  } else if (worked->faults < faults) {
+    worked->turn.outcomes = work_out(*states_[id.index()], faults).outcomes;
+    worked->faults = faults;
+  }
+  return worked;
+}
+
+void Loop::explored(LoopStateId id) {
+  const auto known = turns_.find(id);
+  if (known == turns_.end()) return;
+  explored_turns_.add(id, std::move(known->second));
+  turns_.erase(known);
+}
+
+std::vector<std::optional<Ticks>> Loop::started(const LoopState& state) const {
+  std::vector<std::optional<Ticks>> result(program_.clocks.size());
+  const auto reads = [&](ClockId clock, const Cell& cell) {
+    result[clock.index()] = Ticks{0} - cells_.nearest(cell, Ticks{0});
+  };
+  for (const ClockId clock : state.passed) {
+    const auto top = static_cast<std::uint32_t>(2 * cells_.constants().size());
+    reads(clock, {top, top});
+  }
+  for (const ClockGroup& group : state.groups) {
+    for (const ClockId clock : group.clocks) reads(clock, cell(group));
+  }
+  return result;
+}
+
+std::vector<Choice> Loop::choices_of(const LoopState& state, const Turn& turn, ComponentId component) {
+  const auto& enabled = step_.enabled(state.modes, turn.action);
+  return choices(plant()[component], state.modes[component.index()], enabled[component.index()], reading_);
+}
+
+Turn Loop::work_out(const LoopState& state, unsigned faults) {
+  Turn turn;
+  sequencer_.resume(state.marking, started(state));
+  const automata::Asserted& asserted = sequencer_.begin({automata::assignments_of(plant(), state.modes)}, Ticks{0});
+  turn.conflicts = asserted.conflicts;
+  if (turn.conflicts.empty()) turn.goal = asserted.goal;
+  turn.answer = reconfigurer_.next(state.modes, automata::conjunction_of(turn.goal));
+  turn.action = turn.answer.outcome == runtime::Reconfiguration::Outcome::command ? turn.answer.action
+                                                                                  : automata::idle_action(plant());
+  std::vector<std::vector<Choice>> all;
+  for (std::size_t c = 0; c < state.modes.size(); ++c) {
+    all.push_back(choices_of(state, turn, ComponentId(c)));
+    turn.overdue.push_back(std::any_of(all.back().begin(), all.back().end(),
+                                       [&](const Choice& choice) { return leaves_for_sure(choice, state.modes[c]); }));
+  }
+  std::set<std::tuple<Modes, unsigned, Box>> seen;
+  for_each_joint(all, faults, [&](const Modes& modes, unsigned cost, const Box& bounds) {
+    meter_.poll();
+    if (!seen.emplace(modes, cost, bounds).second || !step_.possible(modes)) return;
+    sequencer_.finish({automata::assignments_of(plant(), modes)});
+    Outcome outcome = follow(state, modes);
+    outcome.faults = cost;
+    outcome.bounds = bounds;
+    outcome.same = outcome.state == state;
+    turn.outcomes.push_back(std::move(outcome));
+  });
+  std::stable_sort(turn.outcomes.begin(), turn.outcomes.end(),
+                   [](const Outcome& a, const Outcome& b) { return a.faults < b.faults; });
+  return turn;
+}
+
+Outcome Loop::follow(const LoopState& state, const Modes& modes) const {
+  Outcome result;
+  result.state.marking = sequencer_.marking();
+  result.state.modes = modes;
+  const std::vector<bool> live = cells_.live(result.state.marking);
+  const auto& running = sequencer_.started();
+  std::vector<bool> known(live.size(), false);
+  const auto keep = [&](ClockGroup group, std::size_t source) {
+    std::erase_if(group.clocks, [&](ClockId clock) { return !live[clock.index()]; });
+    if (group.clocks.empty()) return;
+    const Cell now = cell(group);
+    if (cells_.is_last(now)) {
+      result.state.passed.insert(result.state.passed.end(), group.clocks.begin(), group.clocks.end());
+      return;
+    }
+    group.position = now.first;
+    result.state.groups.push_back(std::move(group));
+    result.sources.push_back(source);
+  };
+  for (const ClockId clock : state.passed) {
+    known[clock.index()] = true;
+    if (live[clock.index()]) result.state.passed.push_back(clock);
+  }
+  for (std::size_t g = 0; g < state.groups.size(); ++g) {
+    for (const ClockId clock : state.groups[g].clocks) known[clock.index()] = true;
+    keep(state.groups[g], g + 1);
+  }
+  ClockGroup fresh{{}, cells_.start()};
+  for (std::size_t c = 0; c < live.size(); ++c) {
+    if (running[c] && !known[c]) fresh.clocks.emplace_back(c);
+  }
+  keep(std::move(fresh), 0);
+  std::sort(result.state.passed.begin(), result.state.passed.end());
+  return result;
+}
+
+std::vector<LoopStateId> Loop::round(LoopStateId id) {
+  std::vector<LoopStateId> result;
+  for (LoopStateId at = id;;) {
+    result.push_back(at);
+    const LoopState& state = *states_[at.index()];
+    const std::shared_ptr<const Worked> worked = cycle(at);
+    const Turn& turn = worked->turn;
+    const auto stays = std::find_if(turn.outcomes.begin(), turn.outcomes.end(), [&](const Outcome& o) {
+      return o.faults == 0 && o.state.modes == state.modes && o.state.passed == state.passed &&
+             o.state.groups == state.groups;
+    });
+    if (stays == turn.outcomes.end() || (!stays->same && !reading_.is_dense())) return {};
+    at = number(stays->state);
+    if (at == id) return result;
+    if (std::find(result.begin(), result.end(), at) != result.end()) return {};
+  }
+}
+
+std::vector<Interval> Loop::stays(const std::vector<Choice>& choices, ModeId mode) const {
+  if (!reading_.is_dense()) return {Interval{}};
+  std::vector<Interval> result;
+  for (const Choice& choice : choices) {
+    if (choice.faults == 0 && choice.mode == mode) result.push_back(choice.clock);
+  }
+  result = merged(std::move(result));
+  for (Interval& stay : result) {
+    if (stay.upper != unbounded) ++stay.upper;
+  }
+  return result;
+}
+
+std::vector<Wait> Loop::waits(LoopStateId id) {
+  const std::vector<LoopStateId> states = round(id);
+  if (states.empty()) return {};
+  const LoopState& state = *states_[id.index()];
+  std::vector<Wait> result(1);
+  bool restless = state.marking.empty() || !state.groups.empty();
+  for (std::size_t c = 0; c < state.modes.size(); ++c) {
+    std::vector<Interval> intervals(1);
+    for (const LoopStateId at : states) {
+      const std::shared_ptr<const Worked> worked = cycle(at);
+      const Turn& turn = worked->turn;
+      std::vector<Interval> both;
+      const automata::AllEnabled enabled = step_.enabled(state.modes, turn.action);
+      for (const Interval& wait : verifier::waits(plant().components[c], state.modes[c], enabled[c], reading_)) {
+        for (const Interval& stay : stays(choices_of(state, turn, ComponentId(c)), state.modes[c])) {
+          for (const Interval& known : intervals) {
+            const Interval common = intersection(intersection(wait, stay), known);
+            if (!common.empty()) both.push_back(common);
+          }
+        }
+      }
+      intervals = std::move(both);
+      restless = restless || turn.overdue[c];
+    }
+    std::vector<Wait> longer;
+    for (const Wait& wait : result) {
+      for (const Interval& interval : intervals) {
+        longer.push_back(wait);
+        if (!interval.is_trivial()) longer.back().bounds.push_back({ComponentId(c), interval});
+      }
+    }
+    result = std::move(longer);
+  }
+  for (Wait& wait : result) {
+    wait.endless = !restless && std::all_of(wait.bounds.begin(), wait.bounds.end(),
+                                            [](const ClockBound& b) { return b.clock.upper == unbounded; });
+  }
+  return result;
+}
+
+}  // namespace rmpl::verifier

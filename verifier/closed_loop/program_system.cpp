@@ -1,0 +1,226 @@
+// The closed loop as a symbolic transition system.
+// SPDX-License-Identifier: MIT
+#include "verifier/closed_loop/program_system.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <memory>
+
+namespace rmpl::verifier {
+
+using automata::ComponentId;
+
+ProgramSystem::ProgramSystem(Loop& loop, const std::vector<LoopState>& start, const Quest& quest)
+    : loop_(loop), start_(start), quest_(quest) {}
+
+void ProgramSystem::initial(const Visit& visit) {
+  for (const LoopState& state : start_) {
+    const std::size_t clocks = extra() + state.groups.size() + loop_.live(state.modes).size();
+    std::vector<Cell> chosen;
+    choose_cells(state, chosen, Zone(clocks), {std::nullopt, 0, 0, {no_move, no_wait, false}}, visit);
+  }
+}
+
+void ProgramSystem::successors(const SymbolicState& state, const Visit& visit) {
+  const LoopStateId id = loop_state(state.discrete);
+  if (loop_[id].marking.empty() && quest_.aim != Quest::Aim::late) return;
+  const std::shared_ptr<const Turn> turn = loop_.turn(id, loop_.faults() - state.faults);
+  for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) step(state, *turn, move, visit);
+  loop_.explored(id);
+}
+
+bool ProgramSystem::is_filtered(const LoopState& from, const Outcome& outcome) const {
+  const auto& fault = quest_.filter.fault;
+  if (!fault || outcome.faults > 1) return true;
+  const std::size_t c = fault->component.index();
+  return from.modes[c] != fault->from || outcome.state.modes[c] != fault->to;
+}
+
+void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit) {
+  const LoopStateId id = loop_state(state.discrete);
+  const LoopState& from = loop_[id];
+  const Outcome& outcome = turn.outcomes[move];
+  Arrival arrival{outcome.same ? std::optional(id) : std::nullopt,
+                  state.faults + outcome.faults,
+                  state.discrete & happened_bit,
+                  {move, no_wait, outcome.same}};
+  if (arrival.faults > loop_.faults()) return;
+  if (quest_.filter.only && outcome.faults > 0) {
+    if (is_filtered(from, outcome)) return;
+    arrival.phase |= happened_bit;
+  }
+  // A program clock starts with the cycle, the clock of a component with its end.
+  const std::size_t old = state.zone.clocks();
+  std::vector<std::size_t> sources;
+  for (std::size_t clock = 1; clock <= old; ++clock) sources.push_back(clock);
+  sources.push_back(0);
+  Zone zone = state.zone.select(sources);
+  if (!loop_.reading().is_dense()) zone.tick();
+  for (const ClockBound& bound : outcome.bounds) {
+    const std::size_t clock = clock_of(bound.component, from);
+    if (!zone.constrain(clock, bound.clock)) return;
+  }
+  sources.clear();
+  for (std::size_t clock = 1; clock <= extra(); ++clock) sources.push_back(clock);
+  for (const std::size_t source : outcome.sources) sources.push_back(source == 0 ? old + 1 : extra() + source);
+  for (const ComponentId component : loop_.live(outcome.state.modes)) {
+    const bool kept = from.modes[component.index()] == outcome.state.modes[component.index()];
+    sources.push_back(kept ? clock_of(component, from) : 0);
+  }
+  const auto go_on = [&](const Zone& at_end) {
+    std::vector<Cell> chosen;
+    choose_cells(outcome.state, chosen, at_end.select(sources), arrival, visit);
+  };
+  if (!progress_clock()) return go_on(zone);
+  const std::size_t clock = extra();
+  Zone still = zone;
+  if (still.constrain(clock, {0, 0})) go_on(still);
+  if (!zone.constrain(clock, {1, unbounded})) return;
+  arrival.phase |= progressed_bit;
+  sources[clock - 1] = 0;
+  go_on(zone);
+}
+
+void ProgramSystem::choose_cells(const LoopState& state, std::vector<Cell>& chosen, const Zone& zone,
+                                 const Arrival& arrival, const Visit& visit) {
+  const ClockCells& cells = loop_.cells();
+  const std::size_t g = chosen.size();
+  if (g < state.groups.size()) {
+    for (Cell cell = loop_.cell(state.groups[g]);; cell = cells.around(state.groups[g].clocks, cell.last + 1)) {
+      const Interval readings = cells.units(cell, loop_.reading());
+      const bool ordered =
+          std::all_of(chosen.begin(), chosen.end(), [&](const Cell& earlier) { return cells.in_order(earlier, cell); });
+      Zone within = zone;
+      if (ordered && !readings.empty() && readings.lower != unbounded && within.constrain(extra() + g + 1, readings)) {
+        chosen.push_back(cell);
+        choose_cells(state, chosen, within, arrival, visit);
+        chosen.pop_back();
+      }
+      if (cells.is_last(cell)) return;
+    }
+  }
+  // A clock in its last cell need not be kept.
+  LoopState entered{state.marking, state.modes, state.passed, {}};
+  std::vector<std::size_t> sources;
+  for (std::size_t clock = 1; clock <= extra(); ++clock) sources.push_back(clock);
+  for (std::size_t i = 0; i < state.groups.size(); ++i) {
+    const auto& clocks = state.groups[i].clocks;
+    if (cells.is_last(chosen[i])) {
+      entered.passed.insert(entered.passed.end(), clocks.begin(), clocks.end());
+    } else {
+      entered.groups.push_back({clocks, chosen[i].first});
+      sources.push_back(extra() + i + 1);
+    }
+  }
+  std::sort(entered.passed.begin(), entered.passed.end());
+  for (std::size_t clock = extra() + state.groups.size() + 1; clock <= zone.clocks(); ++clock) sources.push_back(clock);
+  const LoopStateId id = loop_.number(entered);
+  if (arrival.from != id) enter(id, zone.select(sources), arrival, visit);
+}
+
+void ProgramSystem::enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit) {
+  const LoopState& state = loop_[id];
+  Zone now = zone;
+  if (stopwatch() && test(state.modes)) {
+    // The period that brings it may be the first one to end after the deadline: that is too late.
+    if (!now.constrain(1, {quest_.deadline, unbounded})) return;
+  }
+  const std::vector<ClockLimits> clocks = limits(state);
+  const std::uint64_t discrete = (std::uint64_t{id.value} << phase_bits) | arrival.phase;
+  Label label = arrival.label;
+  bool whole = false;
+  const std::shared_ptr<const Turn> turn = loop_.turn(id);
+  for (std::size_t w = 0; w < turn->waits.size(); ++w) {
+    Zone later = now;
+    if (!wait(later, turn->waits[w].bounds, id)) continue;
+    whole = whole || later.includes(now);
+    later.extrapolate(clocks);
+    label.wait = static_cast<std::uint32_t>(w);
+    visit({discrete, arrival.faults, std::move(later)}, label);
+  }
+  if (whole) return;
+  now.extrapolate(clocks);
+  label.wait = no_wait;
+  visit({discrete, arrival.faults, std::move(now)}, label);
+}
+
+bool ProgramSystem::wait(Zone& zone, const Box& box, LoopStateId id) const {
+  const LoopState& state = loop_[id];
+  for (const ClockBound& b : box) {
+    if (!zone.constrain(clock_of(b.component, state), b.clock)) return false;
+  }
+  zone.elapse();
+  for (const ClockBound& b : box) {
+    if (!zone.constrain(clock_of(b.component, state), {0, b.clock.upper})) return false;
+  }
+  for (std::size_t g = 0; g < state.groups.size(); ++g) {
+    const Interval cell = loop_.cells().units(loop_.cell(state.groups[g]), loop_.reading());
+    if (!zone.constrain(extra() + g + 1, {0, cell.upper})) return false;
+  }
+  return true;
+}
+
+bool ProgramSystem::accepts(const SymbolicState& state) const {
+  if (quest_.filter.fault && (state.discrete & happened_bit) == 0) return false;
+  const LoopStateId id = loop_state(state.discrete);
+  const LoopState& at = loop_[id];
+  switch (quest_.aim) {
+    case Quest::Aim::goal_conflict:
+      return !loop_.turn(id)->conflicts.empty();
+    case Quest::Aim::no_plan:
+      return loop_.turn(id)->answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
+    case Quest::Aim::endless_wait: {
+      const std::shared_ptr<const Turn> turn = loop_.turn(id);
+      return std::any_of(turn->waits.begin(), turn->waits.end(), [&](const Wait& w) {
+        Zone zone = state.zone;
+        return w.endless && wait(zone, w.bounds, id);
+      });
+    }
+    case Quest::Aim::holds:
+      return test(at.modes);
+    case Quest::Aim::late:
+      return state.zone.upper(1) >= quest_.deadline;
+    case Quest::Aim::ends_with:
+      return at.marking.empty() && test(at.modes);
+    case Quest::Aim::happens:
+      return true;
+    case Quest::Aim::nothing:
+      return false;
+  }
+  return false;
+}
+
+bool ProgramSystem::test(const automata::Modes& modes) const {
+  if (const auto known = answers_.find(modes); known != answers_.end()) return known->second;
+  return answers_.emplace(modes, quest_.test(modes)).first->second;
+}
+
+std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& state) const {
+  const std::vector<ComponentId> live = loop_.live(state.modes);
+  const auto at = std::lower_bound(live.begin(), live.end(), component);
+  assert(at != live.end() && *at == component);
+  return 1 + extra() + state.groups.size() + static_cast<std::size_t>(at - live.begin());
+}
+
+std::vector<ClockLimits> ProgramSystem::limits(const LoopState& state) const {
+  std::vector<ClockLimits> result;
+  if (stopwatch()) result.push_back({quest_.deadline, -1});
+  if (progress_clock()) result.push_back({1, 0});
+  for (const ClockGroup& group : state.groups) {
+    ClockLimits limits;
+    for (Cell cell = loop_.cell(group);; cell = loop_.cells().around(group.clocks, cell.last + 1)) {
+      const Interval readings = loop_.cells().units(cell, loop_.reading());
+      limits.lower = std::max(limits.lower, readings.lower);
+      if (loop_.cells().is_last(cell)) break;
+      limits.upper = std::max(limits.upper, readings.upper);
+    }
+    result.push_back(limits);
+  }
+  for (const ComponentId component : loop_.live(state.modes)) {
+    const std::size_t c = component.index();
+    result.push_back(clock_limits(loop_.plant().components[c], state.modes[c], loop_.reading()));
+  }
+  return result;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,105 @@
+// The closed loop, and what is looked for in it, as a symbolic transition system.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "verifier/closed_loop/loop.hpp"
+#include "verifier/search/system.hpp"
+
+namespace rmpl::verifier {
+
+/// A component going into a fault mode.
+struct FaultStep {
+  automata::ComponentId component;
+  automata::ModeId from, to;
+  auto operator<=>(const FaultStep&) const = default;
+};
+
+/// Which faults may happen, within the budget.
+struct FaultFilter {
+  bool only = false;               ///< none but `fault`
+  std::optional<FaultStep> fault;  ///< if there is one, what is looked for is looked for after it
+};
+
+/// What is looked for along the runs of the loop.
+struct Quest {
+  enum class Aim {
+    goal_conflict,  ///< a cycle whose goals contradict each other
+    no_plan,        ///< a cycle without a plan
+    endless_wait,   ///< a wait that may last for ever
+    holds,          ///< a state in which `test` holds, while the program runs or as it ends
+    late,           ///< `test` has not held when `deadline` is reached; such runs go on after the program's end
+    ends_with,      ///< the program's end in a state in which `test` holds
+    happens,        ///< the fault of the filter
+    nothing         ///< everything is seen
+  };
+  Aim aim = Aim::nothing;
+  std::function<bool(const automata::Modes&)> test = nullptr;
+  Units deadline = 0;
+  FaultFilter filter = {};
+  /// Dense time: keep a clock that tells whether time passes, and mark the states that it brings.
+  bool progress = false;
+};
+
+/// A state is the start of a cycle with the clocks in cells, closed under waiting. A cycle is a step, silent where
+/// nothing changes but the cells.
+///
+/// Clocks, in this order: the stopwatch of `late`, the clock of `progress`, the groups of program clocks, the clocks of
+/// the live components.
+class ProgramSystem : public TransitionSystem {
+ public:
+  /// Keeps references.
+  ProgramSystem(Loop& loop, const std::vector<LoopState>& start, const Quest& quest);
+
+  void initial(const Visit& visit) override;
+  void successors(const SymbolicState& state, const Visit& visit) override;
+  [[nodiscard]] bool accepts(const SymbolicState& state) const override;
+
+  /// A discrete part, taken apart.
+  static LoopStateId loop_state(std::uint64_t discrete) { return LoopStateId(discrete >> phase_bits); }
+  /// Whether time passed before the step that led here.
+  static bool progressed(std::uint64_t discrete) { return (discrete & progressed_bit) != 0; }
+
+  /// `Label::wait` of a state that has not waited; else it is a position in `Turn::waits`.
+  static constexpr std::uint32_t no_wait = UINT32_MAX;
+  /// `Label::move` of a state to start in; else it is a position in `Turn::outcomes`.
+  static constexpr std::uint32_t no_move = UINT32_MAX;
+
+ private:
+  static constexpr unsigned phase_bits = 2;
+  static constexpr std::uint64_t happened_bit = 1;
+  static constexpr std::uint64_t progressed_bit = 2;
+
+  /// Where a step comes from and what is true of it.
+  struct Arrival {
+    std::optional<LoopStateId> from;  ///< set where nothing changed: only other cells are new
+    unsigned faults = 0;
+    std::uint64_t phase = 0;
+    Label label;
+  };
+
+  [[nodiscard]] bool stopwatch() const { return quest_.aim == Quest::Aim::late; }
+  [[nodiscard]] bool progress_clock() const { return quest_.progress && loop_.reading().is_dense(); }
+  [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }
+  [[nodiscard]] bool is_filtered(const LoopState& from, const Outcome& outcome) const;
+  void step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit);
+  /// Enters a state in every choice of cells; the zone is over the clocks of `state` as it stands.
+  void choose_cells(const LoopState& state, std::vector<Cell>& chosen, const Zone& zone, const Arrival& arrival,
+                    const Visit& visit);
+  void enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit);
+  [[nodiscard]] bool wait(Zone& zone, const Box& box, LoopStateId id) const;
+  [[nodiscard]] std::size_t clock_of(automata::ComponentId component, const LoopState& state) const;
+  [[nodiscard]] std::vector<ClockLimits> limits(const LoopState& state) const;
+  [[nodiscard]] bool test(const automata::Modes& modes) const;
+
+  Loop& loop_;
+  const std::vector<LoopState>& start_;
+  const Quest& quest_;
+  mutable std::unordered_map<automata::Modes, bool, automata::ModesHash> answers_;  ///< of `test`
+};
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,84 @@
+// Behaviours: what each component may do next, looked up by the little that it depends on.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+#include "automata/store/memory.hpp"
+#include "verifier/plant/choices.hpp"
+
+namespace rmpl::verifier {
+
+/// What one component may do in one step, and how long it lets time pass. Numbered: equal numbers, equal behaviour.
+struct Behaviour {
+  std::vector<Choice> choices;  ///< see `choices` in choices.hpp
+  std::vector<Interval> waits;  ///< see `waits` there
+  bool changes = false;         ///< some choice is another mode
+  bool free_to_stay = false;    ///< it may stay whatever its clock reads
+};
+
+/// A position in `Behaviours`.
+using BehaviourId = automata::Id<struct BehaviourTag>;
+
+/// The behaviours of a plant in one reading of time. Keeps references to all but the reading.
+///
+/// What decides a guard is mostly far less than what could: a command that is not given refutes it whatever the rest of
+/// the plant does. Each answer is therefore remembered under its reason, the failed assumptions of its proof (which
+/// propagation finds, and mostly none could be spared); only where a guard is neither implied nor refuted is it
+/// remembered under all that could matter.
+class Behaviours {
+ public:
+  Behaviours(automata::PlantStep& step, const Reading& reading);
+
+  /// From here on all components but these, by component, stay as they are, whatever time passes; none: all move.
+  void freeze_all_but(std::vector<bool> moving) { moving_ = std::move(moving); }
+  void freeze_as(const Behaviours& other) { moving_ = other.moving_; }
+  [[nodiscard]] bool moves(automata::ComponentId component) const {
+    return moving_.empty() || moving_[component.index()];
+  }
+
+  [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return table_[id.index()]; }
+  /// Per component, in possible modes under a control action.
+  void read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
+  [[nodiscard]] automata::PlantStep& step() { return step_; }
+  [[nodiscard]] const Reading& reading() const { return reading_; }
+
+ private:
+  /// One assumption: a mode of a component, or the value of a control.
+  struct Premise {
+    std::uint32_t position;  ///< of the component, or of the control
+    std::uint32_t value;
+    auto operator<=>(const Premise&) const = default;
+  };
+  /// A behaviour and what is enough for it.
+  struct Reason {
+    std::vector<Premise> modes;
+    std::vector<Premise> controls;
+    BehaviourId behaviour;
+  };
+  struct Known {
+    std::vector<Reason> reasons;
+    automata::Memory<BehaviourId> rest;
+  };
+
+  BehaviourId number(automata::ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses);
+  BehaviourId number(automata::ComponentId component, automata::ModeId mode, const automata::Enabled& enabled);
+  BehaviourId look_up(automata::ComponentId component, const automata::Modes& modes,
+                      const automata::ControlAction& action);
+  [[nodiscard]] std::optional<Reason> reason(automata::ComponentId component, const automata::Modes& modes,
+                                             const automata::ControlAction& action);
+
+  automata::PlantStep& step_;
+  Reading reading_;
+  std::vector<bool> moving_;
+  std::deque<Behaviour> table_;
+  std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>>, BehaviourId> numbers_;
+  std::vector<std::vector<Known>> known_;  ///< per component, per mode
+};
+
+}  // namespace rmpl::verifier

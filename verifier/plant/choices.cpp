@@ -1,0 +1,209 @@
+// What one component may do in one step.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/choices.hpp"
+
+#include <algorithm>
+
+namespace rmpl::verifier {
+
+using automata::Component;
+using automata::Enabled;
+using automata::ModeId;
+using automata::Timing;
+using automata::Transition;
+using automata::TransitionId;
+
+namespace {
+
+/// Each mode's intervals with equal cost, those that overlap joined; sorted.
+std::vector<Choice> joined(std::vector<Choice> choices) {
+  std::sort(choices.begin(), choices.end());
+  std::vector<Choice> result;
+  for (const Choice& choice : choices) {
+    const bool joins = !result.empty() && result.back().mode == choice.mode && result.back().faults == choice.faults &&
+                       choice.clock.lower <= result.back().clock.upper;
+    if (joins) {
+      result.back().clock.upper = std::max(result.back().clock.upper, choice.clock.upper);
+    } else {
+      result.push_back(choice);
+    }
+  }
+  return result;
+}
+
+/// The choices of one component, as they are collected.
+class Collector {
+ public:
+  Collector(const Component& component, ModeId mode, const Enabled& enabled, const Reading& reading)
+      : component_(component), mode_(mode), enabled_(enabled), reading_(reading) {}
+
+  std::vector<Choice> collect() {
+    for (const TransitionId id : enabled_.faults) {
+      const Transition& t = component_.transitions[id.index()];
+      add(t.to, t.to == mode_ ? 0 : 1, within(t));
+    }
+    for (const Interval& share : nominal_share()) add_nominal(share);
+    return joined(std::move(result_));
+  }
+
+ private:
+  void add(ModeId to, unsigned faults, const Interval& clock) {
+    if (!clock.empty()) result_.push_back({to, faults, clock});
+  }
+
+  /// Where a fault transition is enabled.
+  [[nodiscard]] Interval within(const Transition& t) const {
+    if (!t.timing) return {};
+    return {reading_.at_least(t.timing->lower), reading_.at_most(t.timing->upper)};
+  }
+
+  /// The sum of the fault probabilities at a reading, in the order in which PlantStep adds them.
+  [[nodiscard]] double faulty(Units clock) const {
+    double sum = 0;
+    for (const TransitionId id : enabled_.faults) {
+      const Transition& t = component_.transitions[id.index()];
+      if (within(t).contains(clock))
+        sum += t.weight.fault_probability(reading_.is_dense() ? automata::Ticks{0} : reading_.unit());
+    }
+    return sum;
+  }
+
+  /// The readings at which the faults leave a nominal share. Between the bounds of timed faults the sum is constant, so
+  /// one look at each piece decides. Outside a certain fault's bounds is the one open condition there is: in dense time
+  /// it is taken at whole units.
+  [[nodiscard]] std::vector<Interval> nominal_share() const {
+    std::vector<Units> starts = {0};
+    for (const TransitionId id : enabled_.faults) {
+      const Interval clock = within(component_.transitions[id.index()]);
+      starts.push_back(clock.lower);
+      if (clock.upper != unbounded) starts.push_back(clock.upper + 1);
+    }
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    std::vector<Interval> pieces;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const Units end = i + 1 < starts.size() ? starts[i + 1] - 1 : unbounded;
+      if (faulty(starts[i]) < 1) pieces.push_back({starts[i], end});
+    }
+    return merged(std::move(pieces));
+  }
+
+  void add_nominal(const Interval& share) {
+    if (!enabled_.untimed.empty()) {
+      for (const TransitionId id : enabled_.untimed) add(component_.transitions[id.index()].to, 0, share);
+      return;
+    }
+    if (reading_.is_dense()) {
+      add(mode_, 0, share);
+      Units certain = unbounded;
+      for (const TransitionId id : enabled_.timed) {
+        certain = std::min(certain, reading_.at_most(component_.transitions[id.index()].timing->upper));
+      }
+      for (const TransitionId id : enabled_.timed) {
+        const Transition& t = component_.transitions[id.index()];
+        add(t.to, 0, intersection(share, {reading_.at_least(t.timing->lower), certain}));
+        if (t.timing->upper.is_infinite()) continue;
+        add(t.to, 0, intersection(share, {reading_.at_most(t.timing->upper), unbounded}));
+      }
+      return;
+    }
+    Units certain = unbounded;
+    for (const TransitionId id : enabled_.timed) {
+      certain = std::min(certain, reading_.at_least(component_.transitions[id.index()].timing->upper));
+    }
+    const Units before = certain == unbounded ? unbounded : certain - 1;
+    add(mode_, 0, intersection(share, {0, before}));
+    for (const TransitionId id : enabled_.timed) {
+      const Transition& t = component_.transitions[id.index()];
+      add(t.to, 0, intersection(share, {reading_.more_than(t.timing->lower), before}));
+      if (!t.timing->upper.is_infinite()) {
+        add(t.to, 0, intersection(share, {reading_.at_least(t.timing->upper), unbounded}));
+      }
+    }
+  }
+
+  const Component& component_;
+  ModeId mode_;
+  const Enabled& enabled_;
+  const Reading& reading_;
+  std::vector<Choice> result_;
+};
+
+}  // namespace
+
+std::vector<Choice> choices(const Component& component, ModeId mode, const Enabled& enabled, const Reading& reading) {
+  return Collector(component, mode, enabled, reading).collect();
+}
+
+std::vector<Interval> waits(const Component& component, ModeId mode, const Enabled& enabled, const Reading& reading) {
+  if (reading.is_dense()) {
+    const auto leaves = [&](TransitionId id) { return component.transitions[id.index()].to != mode; };
+    if (std::any_of(enabled.untimed.begin(), enabled.untimed.end(), leaves)) return {};
+    Interval wait;
+    if (!enabled.untimed.empty()) return {wait};
+    for (const TransitionId id : enabled.timed) {
+      if (!leaves(id)) continue;
+      wait.upper = std::min(wait.upper, reading.at_most(component.transitions[id.index()].timing->upper));
+    }
+    return {wait};
+  }
+  // A wait is a run of periods in each of which the component may stay; the first one ends a unit after it begins.
+  std::vector<Interval> stays;
+  for (const Choice& choice : choices(component, mode, enabled, reading)) {
+    if (choice.mode == mode && choice.faults == 0) stays.push_back(choice.clock);
+  }
+  stays = merged(std::move(stays));
+  for (Interval& stay : stays) stay.lower = std::max<Units>(stay.lower - 1, 0);
+  return stays;
+}
+
+namespace {
+
+/// Whether the faults that start in the mode can leave no nominal share.
+bool faults_can_be_certain(const Component& component, ModeId mode) {
+  double sum = 0;
+  for (const Transition& t : component.transitions) {
+    if (t.from != mode || !component.is_fault(t)) continue;
+    sum += t.weight.kind == automata::Weight::Kind::rate ? 0 : t.weight.value;
+  }
+  return sum >= 1;
+}
+
+/// In sampled time, and beside faults that can be certain, every bound cuts both ways: it ends one interval and begins
+/// the next.
+ClockLimits coarse_limits(const Component& component, ModeId mode, const Reading& reading) {
+  Units greatest = -1;
+  for (const Transition& t : component.transitions) {
+    if (t.from != mode || !t.timing) continue;
+    greatest = std::max(greatest, reading.more_than(t.timing->lower));
+    if (!t.timing->upper.is_infinite()) greatest = std::max(greatest, reading.more_than(t.timing->upper));
+  }
+  return {greatest, greatest};
+}
+
+}  // namespace
+
+ClockLimits clock_limits(const Component& component, ModeId mode, const Reading& reading,
+                         const std::vector<bool>& possible) {
+  if (!reading.is_dense() || faults_can_be_certain(component, mode)) return coarse_limits(component, mode, reading);
+  const auto exits =
+      std::count_if(component.transitions.begin(), component.transitions.end(),
+                    [&](const Transition& t) { return t.from == mode && t.timing && !component.is_fault(t); });
+  ClockLimits limits;
+  for (const Transition& t : component.transitions) {
+    if (t.from != mode || !t.timing) continue;
+    const bool finite = !t.timing->upper.is_infinite();
+    const Units lower = reading.at_least(t.timing->lower);
+    const Units upper = finite ? reading.at_most(t.timing->upper) : -1;
+    limits.upper = std::max(limits.upper, upper);
+    // What leads into an impossible mode is never taken: only time stops for it.
+    if (!possible.empty() && !possible[t.to.index()]) continue;
+    limits.lower = std::max(limits.lower, lower);
+    // Alone, an exit is possible from its lower bound on. Another may be certain between its bounds, and exclude it
+    // until its own upper bound.
+    if (exits > 1 && !component.is_fault(t)) limits.lower = std::max(limits.lower, upper);
+  }
+  return limits;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,50 @@
+// What one component may do in one step, and how long it lets time pass: semantics 3 and 7 as clock intervals.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+#include "verifier/plant/reading.hpp"
+#include "verifier/zone/zone.hpp"
+
+namespace rmpl::verifier {
+
+/// Going to `mode` (staying is going to its own mode) while the component's clock is within `clock`: in dense time at
+/// the instant of the step, in sampled time at the end of its period.
+struct Choice {
+  automata::ModeId mode;
+  unsigned faults = 0;  ///< 1 for a fault transition
+  Interval clock;
+  auto operator<=>(const Choice&) const = default;
+};
+
+/// Every choice of a component in `mode` for which `enabled` tells what the guards allow; ordered, each once.
+///
+/// Faults first: one with time bounds only within them. They leave a nominal share while their probabilities sum to
+/// less than 1. It goes to the untimed nominal transitions where there are any. Otherwise:
+/// - dense: a timed exit may be taken from its lower bound on, until an upper bound is passed (its guard having become
+///   true late): beside an exit that is certain only certain ones are possible. Staying is always possible, it is time
+///   that stops at the upper bound. A rate weighs nothing in an instant.
+/// - sampled: an exit whose upper bound is reached at the end of the period is certain; beside one only certain ones
+/// are
+///   possible. Before that, staying is possible, and each exit whose bounds the period has entered.
+/// A fault mode's transition to itself is staying there: no new fault.
+std::vector<Choice> choices(const automata::Component& component, automata::ModeId mode,
+                            const automata::Enabled& enabled, const Reading& reading);
+
+/// Where the clock may be for time to pass with nothing changing, when `enabled` is what the guards allow all the
+/// while: from the interval's lower bound on a wait may begin, at its upper bound it ends at the latest. Waits within
+/// different intervals do not join up. In dense time: none while an untimed nominal transition to another mode is
+/// enabled, else up to the least upper bound of the enabled timed exits. A transition to the same mode is staying: it
+/// stops no clock, and an untimed one leaves nothing to the timed exits while it is enabled.
+std::vector<Interval> waits(const automata::Component& component, automata::ModeId mode,
+                            const automata::Enabled& enabled, const Reading& reading);
+
+/// The greatest constants that the clock of this mode is compared with, in lower bounds and in upper ones, by whatever
+/// guards are enabled in it from some time on; `possible`, by mode, leaves out what is never gone to (none: all may
+/// be).
+ClockLimits clock_limits(const automata::Component& component, automata::ModeId mode, const Reading& reading,
+                         const std::vector<bool>& possible = {});
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,25 @@
+// Minimal cut sets: all smallest sets of faults that lead to what is looked for.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "verifier/plant/fault_sets.hpp"
+#include "verifier/plant/plant_system.hpp"
+#include "verifier/search/limits.hpp"
+#include "verifier/search/search.hpp"
+
+namespace rmpl::verifier {
+
+/// A set of faults with a path that has them and no others.
+struct CutSet {
+  FaultSet set;
+  std::vector<PathState> path;
+};
+
+/// Every minimal set of faults of the runs to an accepted state, within the system's budget; sorted by size, then by
+/// component and mode. One exploration: a state covers another that has had a superset of its faults, and what has had
+/// a superset of a set that was found is not followed. The system counts faults by these sets. Throws LimitReached.
+std::vector<CutSet> minimal_cut_sets(PlantSystem& system, const FaultSets& sets, Meter& meter);
+
+}  // namespace rmpl::verifier

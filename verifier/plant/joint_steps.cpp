@@ -1,0 +1,232 @@
+// Joint steps: what all components do at once.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/joint_steps.hpp"
+
+#include <algorithm>
+
+namespace rmpl::verifier {
+namespace {
+
+/// Stands for changing nothing.
+const Choice stays{};
+
+}  // namespace
+
+using automata::ComponentId;
+using automata::ControlAction;
+using automata::Modes;
+
+JointSteps::JointSteps(Behaviours& behaviours, unsigned faults, Meter& meter)
+    : behaviours_(behaviours),
+      nogoods_(behaviours.step()),
+      faults_(faults),
+      visible_(behaviours.step().plant().components.size(), false),
+      meter_(meter),
+      idle_(automata::idle_action(behaviours.step().plant())) {}
+
+void JointSteps::use(Steps steps, const std::vector<ComponentId>& visible) {
+  steps_ = steps;
+  visible_.assign(visible_.size(), false);
+  for (const ComponentId c : visible) visible_[c.index()] = true;
+}
+
+void JointSteps::use_as(const JointSteps& other) {
+  steps_ = other.steps_;
+  visible_ = other.visible_;
+  symmetry_ = other.symmetry_;
+}
+
+void JointSteps::enumerate(const Modes& modes, const ControlAction& action, const std::vector<BehaviourId>& idling,
+                           const std::vector<BehaviourId>& here, const Visit& visit) {
+  modes_ = modes;
+  action_ = action;
+  idling_ = idling;
+  here_ = here;
+  ahead_ = {modes, std::vector<bool>(modes.size(), true)};
+  return steps_ == Steps::all ? all(visit) : irreducible(visit);
+}
+
+/// Equal options in equal modes that have no clock: where an automorphism exchanges the two components
+/// and leaves all else as it is, it takes a step in which they have done the one thing and the other to that in which
+/// they have done it the other way round, and the present state to itself.
+std::vector<std::size_t> JointSteps::likes(const Options& options) const {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    result.push_back(i);
+    if (symmetry_ == nullptr) continue;
+    const auto component = [&](std::size_t k) { return options[k].front().component; };
+    const ComponentId own(component(i));
+    if (behaviours_.step().plant().has_timed_exit(own, modes_[own.index()])) continue;
+    const auto alike = [](const Option& a, const Option& b) { return *a.choice == *b.choice; };
+    for (std::size_t k = i; k-- > 0 && result[i] == i;) {
+      if (here_[component(k)] == here_[component(i)] && modes_[component(k)] == modes_[component(i)] &&
+          std::equal(options[k].begin(), options[k].end(), options[i].begin(), options[i].end(), alike) &&
+          symmetry_->exchanges(ComponentId(component(k)), own)) {
+        result[i] = k;
+      }
+    }
+  }
+  return result;
+}
+
+template <class Leaf>
+void JointSteps::product(const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf) {
+  const std::vector<std::size_t> like = likes(options);
+  std::vector<std::size_t> chosen(options.size());
+  const auto choose = [&](const auto& self, std::size_t position, unsigned so_far) -> void {
+    if (position == options.size()) return leaf();
+    meter_.poll();
+    for (std::size_t i = like[position] == position ? 0 : chosen[like[position]]; i < options[position].size(); ++i) {
+      const Option& option = options[position][i];
+      if (so_far + option.choice->faults > faults_) continue;
+      ahead_.modes[option.component] = option.choice == &stays ? modes_[option.component] : option.choice->mode;
+      if (nogoods_.refutes(ahead_, ComponentId(option.component))) continue;
+      chosen[position] = i;
+      ahead_.decided[option.component] = true;
+      taken.push_back(option);
+      self(self, position + 1, so_far + option.choice->faults);
+      taken.pop_back();
+      ahead_.decided[option.component] = false;
+    }
+  };
+  choose(choose, 0, faults);
+}
+
+const Modes& JointSteps::after(const std::vector<Option>& taken) {
+  next_ = modes_;
+  for (const Option& option : taken) next_[option.component] = option.choice->mode;
+  return next_;
+}
+
+unsigned JointSteps::faults_of(const std::vector<Option>& taken) {
+  unsigned faults = 0;
+  for (const Option& option : taken) faults += option.choice->faults;
+  return faults;
+}
+
+void JointSteps::emit(const std::vector<Option>& taken, const Visit& visit) {
+  if (after(taken) == modes_ || !nogoods_.possible(next_)) return;
+  box_.clear();
+  for (const Option& option : taken) {
+    if (!option.choice->clock.is_trivial()) box_.push_back({ComponentId(option.component), option.choice->clock});
+  }
+  std::sort(box_.begin(), box_.end());
+  visit(next_, faults_of(taken), box_);
+}
+
+void JointSteps::all(const Visit& visit) {
+  Options options;
+  for (std::size_t c = 0; c < modes_.size(); ++c) {
+    const Behaviour& behaviour = behaviours_[here_[c]];
+    if (!behaviour.changes && behaviour.free_to_stay) continue;
+    auto& own = options.emplace_back();
+    for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
+    ahead_.decided[c] = false;
+  }
+  std::vector<Option> taken;
+  product(options, 0, taken, [&] { emit(taken, visit); });
+}
+
+bool JointSteps::calm(const Modes& modes) {
+  if (!behaviours_.step().possible(modes) || !behaviours_.step().consistent(modes, idle_)) return false;
+  behaviours_.read(modes, idle_, there_);
+  return std::all_of(there_.begin(), there_.end(), [&](BehaviourId id) { return behaviours_[id].free_to_stay; });
+}
+
+/// Whether the change can be made a step earlier, under idle controls, and disturbs nothing of what remains: all others
+/// can do what they could, under idle controls and under the action, and all that cannot do a thing can still stay.
+bool JointSteps::goes_first(const Option& option) {
+  if (visible_[option.component]) return false;
+  const Modes next = after({option});
+  if (!calm(next) || !behaviours_.step().consistent(next, action_)) return false;
+  behaviours_.read(next, action_, there_commanded_);
+  for (std::size_t c = 0; c < next.size(); ++c) {
+    const Behaviour& commanded = behaviours_[there_commanded_[c]];
+    if (c == option.component) {
+      if (!commanded.free_to_stay) return false;
+      continue;
+    }
+    const bool same = there_[c] == idling_[c] && there_commanded_[c] == here_[c];
+    const bool active = behaviours_[here_[c]].changes || !behaviours_[here_[c]].free_to_stay;
+    if (!same && (active || !commanded.free_to_stay)) return false;
+  }
+  return true;
+}
+
+void JointSteps::irreducible(const Visit& visit) {
+  const bool is_idle = action_ == idle_;
+  calm_ = calm(modes_);
+  // The core takes part in every step: what the command concerns, and what cannot simply stay.
+  Options core;
+  Options changes(modes_.size());  // of those that may stay and that the command does not concern
+  for (std::size_t c = 0; c < modes_.size(); ++c) {
+    const Behaviour& behaviour = behaviours_[here_[c]];
+    const bool concerned = here_[c] != idling_[c];
+    if (concerned || !behaviour.free_to_stay) {
+      auto& own = core.emplace_back();
+      for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
+      ahead_.decided[c] = false;
+      continue;
+    }
+    for (const Choice& choice : behaviour.choices) {
+      if (choice.mode != modes_[c]) changes[c].push_back({c, &choice});
+    }
+  }
+  if (calm_) {
+    for (auto& own : changes) {
+      if (is_idle) {
+        for (const Option& option : own) emit({option}, visit);
+      }
+      std::erase_if(own, [&](const Option& option) { return goes_first(option); });
+    }
+  }
+  Options free;
+  for (auto& own : changes) {
+    if (own.empty()) continue;
+    ahead_.decided[own.front().component] = false;
+    free.push_back(std::move(own));
+  }
+  std::vector<Option> taken;
+  product(core, 0, taken, [&] {
+    // Where the core stays as it is, a step of the others is one under idle controls too.
+    if (!calm_ || is_idle || after(taken) != modes_) rest(taken, free, visit);
+  });
+}
+
+/// The steps in which these changes are made, alone or together with others that are free to be made.
+void JointSteps::rest(const std::vector<Option>& core, const Options& free, const Visit& visit) {
+  emit(core, visit);
+  const bool still = after(core) == modes_;
+  Options now = free;
+  Options later;
+  if (!still && calm(next_)) {
+    // What the core leaves alone can follow a step later; what it touches cannot wait.
+    const auto waits = [&](const std::vector<Option>& own) {
+      const std::size_t c = own.front().component;
+      return !visible_[c] && there_[c] == here_[c];
+    };
+    const auto middle = std::stable_partition(now.begin(), now.end(), [&](const auto& own) { return !waits(own); });
+    later.assign(middle, now.end());
+    now.erase(middle, now.end());
+  }
+  if (now.empty()) return;
+  for (auto& own : now) own.insert(own.begin(), Option{own.front().component, &stays});
+
+  std::vector<Option> others;
+  product(now, faults_of(core), others, [&] {
+    std::vector<Option> taken = core;
+    for (const Option& option : others) {
+      if (option.choice != &stays) taken.push_back(option);
+    }
+    const std::size_t more = taken.size() - core.size();
+    // One change alone, where all may stay, has been visited.
+    if (more == 0 || (more == 1 && still && calm_)) return;
+    if (later.empty()) {
+      emit(taken, visit);
+    } else {
+      rest(taken, later, visit);
+    }
+  });
+}
+
+}  // namespace rmpl::verifier

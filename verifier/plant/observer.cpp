@@ -1,0 +1,20 @@
+// Observers: what is looked for along a run.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/observer.hpp"
+
+namespace rmpl::verifier {
+
+Observer Observer::reach(Test target, std::optional<Interval> window) {
+  return {false, std::move(target), nullptr, window};
+}
+
+Observer Observer::miss(Test after, Test then, Units deadline) {
+  return {true, std::move(after), std::move(then), Interval{deadline, unbounded}};
+}
+
+Phase Observer::next(Phase phase, const automata::Modes& modes) const {
+  const bool open = phase == Phase::armed && response_;
+  return (open || trigger_(modes)) && !(response_ && release_(modes)) ? Phase::armed : Phase::searching;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,55 @@
+// Observers: what is looked for along a run, as an automaton beside the plant that reads nothing but modes.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "automata/state.hpp"
+#include "verifier/zone/interval.hpp"
+
+namespace rmpl::verifier {
+
+/// Where an observer is.
+enum class Phase : std::uint8_t {
+  searching,  ///< nothing yet, or answered
+  armed       ///< accepted, if the stopwatch reads right
+};
+
+/// One extra clock is kept where time matters: the stopwatch.
+class Observer {
+ public:
+  using Test = std::function<bool(const automata::Modes&)>;
+
+  /// Accepts where `target` holds while the absolute time is in `window`.
+  static Observer reach(Test target, std::optional<Interval> window);
+  /// Accepts where, after some time at which `after` held, `then` has not held up to and including `deadline` - 1 units
+  /// later. What answers the first of several such times that are open answers all.
+  static Observer miss(Test after, Test then, Units deadline);
+
+  [[nodiscard]] Phase start(const automata::Modes& modes) const { return next(Phase::searching, modes); }
+  /// The phase after a step into the modes.
+  [[nodiscard]] Phase next(Phase phase, const automata::Modes& modes) const;
+
+  /// Whether a step from one phase to another is the response that was waited for.
+  [[nodiscard]] bool answers(Phase from, Phase to) const {
+    return response_ && from == Phase::armed && to == Phase::searching;
+  }
+
+  /// Whether the stopwatch runs. It starts at 0 in the first phase in which it does.
+  [[nodiscard]] bool timed(Phase phase) const { return stopwatch_ && (!response_ || phase == Phase::armed); }
+  /// The readings at which an armed state is accepted.
+  [[nodiscard]] const std::optional<Interval>& accepted() const { return stopwatch_; }
+
+ private:
+  Observer(bool response, Test trigger, Test release, std::optional<Interval> stopwatch)
+      : response_(response), trigger_(std::move(trigger)), release_(std::move(release)), stopwatch_(stopwatch) {}
+
+  bool response_;
+  Test trigger_;
+  Test release_;
+  std::optional<Interval> stopwatch_;
+};
+
+}  // namespace rmpl::verifier

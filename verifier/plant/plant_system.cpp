@@ -1,0 +1,206 @@
+// A plant beside an observer, as a symbolic transition system.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/plant_system.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace rmpl::verifier {
+
+using automata::ComponentId;
+using automata::Modes;
+
+namespace {
+
+constexpr std::size_t stopwatch = 1;
+
+}  // namespace
+
+PlantSystem::PlantSystem(Situations& situations, const Observe& observe, const Symmetry& symmetry,
+                         const std::vector<Modes>& start)
+    : situations_(situations),
+      observe_(observe),
+      observer_(observe(situations.step())),
+      symmetry_(symmetry),
+      start_(start) {}
+
+void PlantSystem::initial(const Visit& visit) {
+  enumerate_initial([&](Entered&& entered) {
+    const Label label = entered.label;
+    visit(sorted(std::move(entered), nullptr), label);
+  });
+}
+
+void PlantSystem::successors(const SymbolicState& state, const Visit& visit) {
+  enumerate_successors(state, [&](Entered&& entered) {
+    const Label label = entered.label;
+    visit(sorted(std::move(entered), nullptr), label);
+  });
+}
+
+SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
+  if (!symmetry_.trivial()) {
+    auto& [modes, live, waits] = entered.situation;
+    const std::size_t others = observer_.timed(entered.phase) ? 1 : 0;
+    Permutation permutation = symmetry_.sort(modes, live, others, entered.zone, applied != nullptr);
+    if (applied != nullptr) *applied = std::move(permutation);
+  }
+  const SituationId id = situations_.number(entered.situation.modes);
+  return {discrete_of(id, entered.phase), entered.faults, std::move(entered.zone)};
+}
+
+void PlantSystem::enumerate_initial(const VisitEntered& visit) {
+  for (std::size_t s = 0; s < start_.size(); ++s) {
+    const Phase phase = observer_.start(start_[s]);
+    Situation situation = situations_.describe(start_[s]);
+    const Zone zone(situation.live.size() + (observer_.timed(phase) ? 1 : 0));
+    enter(std::move(situation), phase, 0, zone, {static_cast<std::uint32_t>(s), no_wait, false}, visit);
+  }
+}
+
+void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEntered& visit) {
+  const SituationId id = situation_of(state.discrete);
+  const Phase phase = phase_of(state.discrete);
+  const Situation here = situations_[id];
+  const Place place{here, observer_.timed(phase)};
+  const auto moves = situations_.moves(id);
+  for (std::size_t m = 0; m < moves->size(); ++m) {
+    const Move& move = (*moves)[m];
+    if (fault_count(state.faults) + move.faults > situations_.faults()) continue;
+    const unsigned faults = sets_ == nullptr
+                                ? state.faults + move.faults
+                                : sets_->after(state.faults, situations_.plant(), here.modes, move.target, move.faults);
+    Zone zone = state.zone;
+    if (move.hold) {
+      if (!wait(zone, move.bounds, place)) continue;
+    } else {
+      if (!situations_.reading().is_dense()) zone.tick();
+      if (!within(zone, move.bounds, place)) continue;
+    }
+    const auto step_into = [&](Phase next, const Zone& from) {
+      Situation target = situations_.describe(move.target);
+      std::vector<std::size_t> sources;
+      if (observer_.timed(next)) sources.push_back(observer_.timed(phase) ? stopwatch : 0);
+      for (const ComponentId component : target.live) {
+        const bool kept = here.modes[component.index()] == target.modes[component.index()];
+        sources.push_back(kept ? place.clock_of(component) : 0);
+      }
+      enter(std::move(target), next, faults, from.select(sources), {static_cast<std::uint32_t>(m), no_wait, move.hold},
+            visit);
+    };
+    const Phase next = observer_.next(phase, move.target);
+    if (observer_.answers(phase, next)) {
+      // The period that brings the response may be the first one to end after the deadline: that is too late.
+      Zone late = zone;
+      if (late.constrain(stopwatch, *observer_.accepted())) step_into(Phase::armed, late);
+    }
+    step_into(next, zone);
+  }
+}
+
+void PlantSystem::enter(Situation&& situation, Phase phase, unsigned faults, const Zone& zone, Label label,
+                        const VisitEntered& visit) const {
+  bool whole = false;
+  for (std::size_t w = 0; w < situation.waits.size(); ++w) {
+    Zone later = zone;
+    if (!wait(later, situation.waits[w], {situation, observer_.timed(phase)}) || !in_time(later, phase)) continue;
+    whole = whole || later.includes(zone);
+    label.wait = static_cast<std::uint32_t>(w);
+    if (whole && w + 1 == situation.waits.size()) {
+      visit({std::move(situation), phase, faults, std::move(later), label});
+      return;
+    }
+    visit({situation, phase, faults, std::move(later), label});
+  }
+  Zone now = zone;
+  if (whole || !in_time(now, phase)) return;
+  label.wait = no_wait;
+  visit({std::move(situation), phase, faults, std::move(now), label});
+}
+
+bool PlantSystem::accepts(const SymbolicState& state) const {
+  const Phase phase = phase_of(state.discrete);
+  if (phase != Phase::armed) return false;
+  if (!observer_.timed(phase)) return true;
+  const Interval& accepted = *observer_.accepted();
+  return state.zone.upper(stopwatch) >= accepted.lower && state.zone.lower(stopwatch) <= accepted.upper;
+}
+
+unsigned PlantSystem::fault_count(unsigned faults) const { return sets_ == nullptr ? faults : (*sets_)[faults].count; }
+
+bool PlantSystem::no_more_faults(unsigned a, unsigned b) const {
+  return fault_count(a) <= fault_count(b) && (sets_ == nullptr || subset((*sets_)[a], (*sets_)[b]));
+}
+
+bool PlantSystem::within(Zone& zone, const Box& box, const Place& place) {
+  return std::all_of(box.begin(), box.end(), [&](const ClockBound& bound) {
+    return zone.constrain(place.clock_of(bound.component), bound.clock);
+  });
+}
+
+bool PlantSystem::wait(Zone& zone, const Box& box, const Place& place) {
+  const auto clock = [&](const ClockBound& bound) { return place.clock_of(bound.component); };
+  const auto may_begin = [&](const ClockBound& b) { return zone.constrain(clock(b), b.clock); };
+  const auto ends = [&](const ClockBound& b) { return zone.constrain(clock(b), {0, b.clock.upper}); };
+  if (!std::all_of(box.begin(), box.end(), may_begin)) return false;
+  zone.elapse();
+  return std::all_of(box.begin(), box.end(), ends);
+}
+
+bool PlantSystem::in_time(Zone& zone, Phase phase) const {
+  return !observer_.timed(phase) || zone.constrain(stopwatch, {0, observer_.accepted()->upper});
+}
+
+void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& result) {
+  result.clear();
+  if (observer_.timed(phase_of(discrete))) {
+    const Interval& accepted = *observer_.accepted();
+    result.push_back({accepted.lower, accepted.upper == unbounded ? -1 : accepted.upper});
+  }
+  situations_.append_limits(situations_.modes(situation_of(discrete)), result);
+}
+
+namespace {
+
+/// A system with all that it refers to and that is not for other threads to touch.
+struct Parts {
+  Parts(const Situations& other, const Limits& limits)
+      : meter(limits), step(other.plant()), situations(other, step, meter) {}
+  Meter meter;
+  automata::PlantStep step;
+  Situations situations;
+};
+
+class Twin : private Parts, public PlantSystem {
+ public:
+  Twin(const Situations& other, const Limits& limits, const Observe& observe, const Symmetry& symmetry,
+       const std::vector<Modes>& start)
+      : Parts(other, limits), PlantSystem(Parts::situations, observe, symmetry, start) {}
+};
+
+}  // namespace
+
+std::unique_ptr<TransitionSystem> PlantSystem::twin(const Limits& limits) const {
+  return std::make_unique<Twin>(situations_, limits, observe_, symmetry_, start_);
+}
+
+TransitionSystem::Key PlantSystem::key(std::uint64_t discrete) const {
+  Key result = {static_cast<std::uint32_t>(phase_of(discrete))};
+  for (const automata::ModeId mode : situations_.modes(situation_of(discrete))) result.push_back(mode.value);
+  return result;
+}
+
+std::uint64_t PlantSystem::number(const Key& key) {
+  Modes modes;
+  for (std::size_t c = 1; c < key.size(); ++c) modes.emplace_back(key[c]);
+  return discrete_of(situations_.number(modes), static_cast<Phase>(key[0]));
+}
+
+std::size_t PlantSystem::Place::clock_of(ComponentId component) const {
+  const auto& live = situation.live;
+  const auto at = std::lower_bound(live.begin(), live.end(), component);
+  assert(at != live.end() && *at == component);
+  return 1 + static_cast<std::size_t>(at - live.begin()) + (timed ? 1 : 0);
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,95 @@
+// A plant beside an observer, as a symbolic transition system.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "verifier/plant/fault_sets.hpp"
+#include "verifier/plant/observer.hpp"
+#include "verifier/plant/situation.hpp"
+#include "verifier/plant/symmetry.hpp"
+#include "verifier/search/system.hpp"
+
+namespace rmpl::verifier {
+
+/// A state is what a step leads to, closed under waiting: every step starts from it at once. Where part of a zone may
+/// wait and part may not (a clock is already beyond an exit's upper bound), they are separate states. Of states that a
+/// symmetry makes alike, one is visited.
+///
+/// Clocks, in this order: the observer's stopwatch where it runs, then those of the live components.
+class PlantSystem : public TransitionSystem {
+ public:
+  /// An observer that asks a step function about modes. Called for twins from their threads.
+  using Observe = std::function<Observer(automata::PlantStep&)>;
+
+  /// Keeps references. `start` are the modes to start in.
+  PlantSystem(Situations& situations, const Observe& observe, const Symmetry& symmetry,
+              const std::vector<automata::Modes>& start);
+  /// From here on `SymbolicState::faults` is a number of these sets. There must be no symmetry.
+  void tell_faults_apart(FaultSets& sets) { sets_ = &sets; }
+
+  void initial(const Visit& visit) override;
+  void successors(const SymbolicState& state, const Visit& visit) override;
+  [[nodiscard]] bool accepts(const SymbolicState& state) const override;
+  [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override;
+  [[nodiscard]] unsigned fault_count(unsigned faults) const override;
+  void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override;
+  /// None where faults are told apart.
+  [[nodiscard]] bool has_twins() const override { return sets_ == nullptr; }
+  [[nodiscard]] std::unique_ptr<TransitionSystem> twin(const Limits& limits) const override;
+  /// The phase, then the modes.
+  [[nodiscard]] Key key(std::uint64_t discrete) const override;
+  [[nodiscard]] std::uint64_t number(const Key& key) override;
+
+  /// A discrete part, taken apart.
+  static SituationId situation_of(std::uint64_t discrete) { return SituationId(discrete >> phase_bits); }
+  static Phase phase_of(std::uint64_t discrete) { return static_cast<Phase>(discrete & ((1u << phase_bits) - 1)); }
+
+  /// `Label::wait` of a state that has not waited; else it is a position in `Situation::waits`. `Label::move` is a
+  /// position in the moves of the state it comes from, or, of an initial state, in the modes to start in.
+  static constexpr std::uint32_t no_wait = UINT32_MAX;
+
+  /// A state before symmetry is made use of.
+  struct Entered {
+    Situation situation;
+    Phase phase;
+    unsigned faults;
+    Zone zone;
+    Label label;
+  };
+  using VisitEntered = std::function<void(Entered&&)>;
+  void enumerate_initial(const VisitEntered& visit);
+  void enumerate_successors(const SymbolicState& state, const VisitEntered& visit);
+  /// The state that is visited in its place; `applied`, where wanted, becomes the permutation that leads there.
+  SymbolicState sorted(Entered&& entered, Permutation* applied);
+
+  [[nodiscard]] Situations& situations() { return situations_; }
+  [[nodiscard]] const Observer& observer() const { return observer_; }
+
+ private:
+  static constexpr unsigned phase_bits = 2;
+  static std::uint64_t discrete_of(SituationId situation, Phase phase) {
+    return (std::uint64_t{situation.value} << phase_bits) | static_cast<std::uint64_t>(phase);
+  }
+
+  /// The situation of a state with what is needed to speak of its clocks.
+  struct Place {
+    const Situation& situation;
+    bool timed;  ///< the stopwatch runs
+    [[nodiscard]] std::size_t clock_of(automata::ComponentId component) const;
+  };
+
+  /// Visits the state entered with `zone`, as it is when it has waited in each way that it can.
+  void enter(Situation&& situation, Phase phase, unsigned faults, const Zone& zone, Label label,
+             const VisitEntered& visit) const;
+  [[nodiscard]] static bool within(Zone& zone, const Box& box, const Place& place);
+  [[nodiscard]] static bool wait(Zone& zone, const Box& box, const Place& place);
+  [[nodiscard]] bool in_time(Zone& zone, Phase phase) const;
+
+  Situations& situations_;
+  const Observe& observe_;
+  Observer observer_;
+  const Symmetry& symmetry_;
+  FaultSets* sets_ = nullptr;  ///< none: faults are counted
+  const std::vector<automata::Modes>& start_;
+};
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,181 @@
+// Situations: a mode for every component, with all that may happen there.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/situation.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace rmpl::verifier {
+
+using automata::Assignment;
+using automata::Component;
+using automata::ComponentId;
+using automata::ControlAction;
+using automata::ModeId;
+using automata::Modes;
+
+namespace {
+
+/// Situations whose moves are remembered: those of one are wanted again when it is reached with other clocks.
+constexpr std::size_t remembered = 1u << 12;
+
+void add_bound(Box& box, ComponentId component, const Interval& clock) {
+  if (!clock.is_trivial()) box.push_back({component, clock});
+}
+
+}  // namespace
+
+Situations::Situations(automata::PlantStep& step, const Reading& reading, Commands commands, unsigned faults,
+                       Meter& meter)
+    : step_(step),
+      behaviours_(step, reading),
+      commands_(commands),
+      faults_(faults),
+      meter_(meter),
+      table_(step.plant()),
+      joint_steps_(behaviours_, faults, meter) {
+  for (std::size_t c = 0; c < plant().components.size(); ++c) {
+    auto& modes = limits_.emplace_back();
+    const Component& component = plant().components[c];
+    std::vector<bool> possible;
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      const Assignment assumed{component.mode, automata::ValueId(m)};
+      possible.push_back(step.theory().consistent({&assumed, 1}));
+    }
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      const bool live = plant().has_timed_exit(ComponentId(c), ModeId(m));
+      modes.push_back(live ? std::optional(clock_limits(component, ModeId(m), reading, possible)) : std::nullopt);
+    }
+  }
+  position_of(automata::idle_action(plant()));
+}
+
+Situations::Situations(const Situations& other, automata::PlantStep& step, Meter& meter)
+    : Situations(step, other.reading(), other.commands_, other.faults_, meter) {
+  behaviours_.freeze_as(other.behaviours_);
+  joint_steps_.use_as(other.joint_steps_);
+}
+
+std::uint32_t Situations::position_of(const ControlAction& action) {
+  const auto [at, fresh] = action_positions_.try_emplace(action, static_cast<std::uint32_t>(actions_.size()));
+  if (fresh) actions_.push_back(action);
+  return at->second;
+}
+
+void Situations::use(Steps steps, const std::vector<ComponentId>& visible) {
+  joint_steps_.use(steps, visible);
+  moves_.clear();
+}
+
+void Situations::up_to(const Symmetry& symmetry) {
+  joint_steps_.up_to(symmetry);
+  moves_.clear();
+}
+
+void Situations::freeze_all_but(std::vector<bool> moving) {
+  behaviours_.freeze_all_but(std::move(moving));
+  moves_.clear();
+}
+
+Modes Situations::modes(SituationId id) const {
+  Modes result;
+  table_.read(id.value, result);
+  return result;
+}
+
+Situation Situations::describe(const Modes& modes) {
+  behaviours_.read(modes, actions_.front(), behaviours_here_);
+  Situation result{modes, {}, waits(behaviours_here_)};
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (limits_[c][modes[c].index()] && behaviours_.moves(ComponentId(c))) result.live.emplace_back(c);
+  }
+  return result;
+}
+
+void Situations::append_limits(const Modes& modes, std::vector<ClockLimits>& result) const {
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const auto& limits = limits_[c][modes[c].index()];
+    if (limits && behaviours_.moves(ComponentId(c))) result.push_back(*limits);
+  }
+}
+
+std::vector<Box> Situations::waits(const std::vector<BehaviourId>& behaviours) const {
+  std::vector<Box> boxes = {{}};
+  for (std::size_t c = 0; c < behaviours.size(); ++c) {
+    const std::vector<Interval>& own = behaviours_[behaviours[c]].waits;
+    if (own.size() == 1) {
+      for (Box& box : boxes) add_bound(box, ComponentId(c), own.front());
+      continue;
+    }
+    std::vector<Box> longer;
+    for (const Interval& wait : own) {
+      for (Box box : boxes) {
+        add_bound(box, ComponentId(c), wait);
+        longer.push_back(std::move(box));
+      }
+    }
+    boxes = std::move(longer);
+  }
+  return boxes;
+}
+
+std::shared_ptr<const std::vector<Move>> Situations::moves(SituationId id) {
+  if (const auto known = moves_.find(id); known != moves_.end()) return known->second;
+  if (moves_.size() >= remembered) moves_.clear();
+  auto worked_out = std::make_shared<const std::vector<Move>>(work_out(modes(id)));
+  moves_.emplace(id, worked_out);
+  return worked_out;
+}
+
+std::vector<Move> Situations::work_out(const Modes& modes) {
+  std::vector<Move> result;
+  std::vector<BehaviourId> idling;
+  behaviours_.read(modes, actions_.front(), idling);
+  const std::vector<Box> idle_waits = waits(idling);
+  // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a
+  // step that two actions lead to is listed with the first.
+  std::set<std::vector<BehaviourId>> seen_behaviours;
+  std::set<std::tuple<Modes, unsigned, Box>> seen_moves;
+  for_each_action(plant(), commands_, [&](const ControlAction& action) {
+    meter_.poll();
+    behaviours_.read(modes, action, behaviours_here_);
+    if (!seen_behaviours.insert(behaviours_here_).second) return;
+    const auto add = [&](const Modes& target, unsigned faults, bool hold, const Box& bounds) {
+      if (!seen_moves.emplace(target, faults, bounds).second) return;
+      result.push_back({target, position_of(action), faults, hold, bounds});
+    };
+    if (!reading().is_dense()) {
+      for (const Box& box : waits(behaviours_here_)) {
+        // What waiting under idle controls allows needs no command.
+        if (std::count(idle_waits.begin(), idle_waits.end(), box) == 0) add(modes, 0, true, box);
+      }
+    }
+    joint_steps_.enumerate(modes, action, idling, behaviours_here_,
+                           [&](const Modes& next, unsigned faults, const Box& box) { add(next, faults, false, box); });
+  });
+  std::stable_partition(result.begin(), result.end(), [](const Move& m) { return m.hold; });
+  return result;
+}
+
+std::vector<Modes> Situations::initial(const std::vector<Assignment>& from) {
+  std::vector<Modes> result = {{}};
+  for (const Component& component : plant().components) {
+    const auto given =
+        std::find_if(from.begin(), from.end(), [&](const Assignment& a) { return a.variable == component.mode; });
+    std::vector<Modes> longer;
+    for (const Modes& modes : result) {
+      for (std::size_t m = 0; m < component.modes.size(); ++m) {
+        meter_.poll();
+        if (given == from.end() ? component.initial[m] <= 0 : given->value.index() != m) continue;
+        longer.push_back(modes);
+        longer.back().emplace_back(m);
+      }
+    }
+    result = std::move(longer);
+  }
+  std::erase_if(result, [&](const Modes& modes) { return !step_.possible(modes); });
+  return result;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,91 @@
+// Situations: a mode for every component, with all that may happen there.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "verifier/plant/joint_steps.hpp"
+#include "verifier/plant/modes_table.hpp"
+
+namespace rmpl::verifier {
+
+/// A position in `Situations`.
+using SituationId = automata::Id<struct SituationTag>;
+
+/// One joint step of all components, or, in sampled time, a hold: periods in which a command keeps everything from
+/// changing although it would under idle controls.
+struct Move {
+  automata::Modes target;
+  std::uint32_t action;  ///< position in `Situations::action`; the first one that enables it
+  unsigned faults = 0;
+  bool hold = false;  ///< `bounds` is then like a wait's
+  Box bounds;
+};
+
+/// What may happen in given modes. The clocks that matter are those of components whose mode has a timed exit.
+struct Situation {
+  automata::Modes modes;
+  std::vector<automata::ComponentId> live;  ///< ascending
+  std::vector<Box> waits;                   ///< see `waits` in choices.hpp; within one of these boxes time may pass
+};
+
+/// All situations met so far, by number, in the order in which they were met; what may happen in them is worked out
+/// again when it is asked for again. One table serves several searches.
+class Situations {
+ public:
+  /// Keeps references to the step function and the meter, which is polled while moves are worked out; it may throw.
+  Situations(automata::PlantStep& step, const Reading& reading, Commands commands, unsigned faults, Meter& meter);
+  /// The same situations with the same moves, none of them met yet, for a step function of the same plant.
+  Situations(const Situations& other, automata::PlantStep& step, Meter& meter);
+
+  [[nodiscard]] automata::PlantStep& step() { return step_; }
+  [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
+  [[nodiscard]] unsigned faults() const { return faults_; }
+  [[nodiscard]] const Reading& reading() const { return behaviours_.reading(); }
+  [[nodiscard]] const automata::ControlAction& action(std::uint32_t position) const { return actions_[position]; }
+  /// Which joint steps are moves, from here on (JointSteps); all of them to begin with.
+  void use(Steps steps, const std::vector<automata::ComponentId>& visible);
+
+  /// From here on moves are told up to the symmetry (JointSteps::up_to). Keeps a reference.
+  void up_to(const Symmetry& symmetry);
+  /// From here on all components but these, by component, are frozen (Behaviours); none: all move.
+  void freeze_all_but(std::vector<bool> moving);
+
+  /// The number of possible modes.
+  SituationId number(const automata::Modes& modes) { return SituationId(table_.intern(modes)); }
+  [[nodiscard]] automata::Modes modes(SituationId id) const;
+  [[nodiscard]] Situation describe(const automata::Modes& modes);
+  [[nodiscard]] Situation operator[](SituationId id) { return describe(modes(id)); }
+  /// Appends the greatest constants that each live clock is compared with.
+  void append_limits(const automata::Modes& modes, std::vector<ClockLimits>& result) const;
+  /// Every joint step that changes a mode with no more faults than `faults`; holds first. Always in the same order.
+  std::shared_ptr<const std::vector<Move>> moves(SituationId id);
+
+  /// The possible modes of the initial distribution, or with the given modes in its place for their components.
+  std::vector<automata::Modes> initial(const std::vector<automata::Assignment>& from);
+
+ private:
+  std::uint32_t position_of(const automata::ControlAction& action);
+  [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
+  [[nodiscard]] std::vector<Move> work_out(const automata::Modes& modes);
+
+  automata::PlantStep& step_;
+  Behaviours behaviours_;
+  Commands commands_;
+  unsigned faults_;
+  Meter& meter_;
+  ModesTable table_;
+  JointSteps joint_steps_;
+  std::vector<std::vector<std::optional<ClockLimits>>> limits_;  ///< per component, per mode: of its clock, if live
+  std::vector<automata::ControlAction> actions_;                 ///< those of moves, in the order in which they came up
+  std::map<automata::ControlAction, std::uint32_t> action_positions_;
+  std::vector<BehaviourId> behaviours_here_;
+  std::unordered_map<SituationId, std::shared_ptr<const std::vector<Move>>> moves_;  ///< a few of the last
+};
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,74 @@
+// What a search may cost, and what it has cost.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+namespace rmpl::verifier {
+
+/// What ended a search before its end.
+enum class Limit { states, time, memory, interrupt };
+
+/// How far a search is, or how far it got.
+struct Progress {
+  std::size_t states = 0;   ///< symbolic states found
+  std::size_t waiting = 0;  ///< of those, not yet explored
+  /// In order of steps: every state within so many has been found. In order of faults: nothing.
+  std::optional<std::size_t> steps;
+  unsigned level = 0;   ///< in order of faults: every run with fewer faults has been looked at
+  unsigned faults = 0;  ///< the most that an explored state has used
+  double seconds = 0;
+};
+
+/// What a search may cost; nothing set is no limit.
+struct Limits {
+  std::optional<std::size_t> states;
+  std::optional<std::chrono::duration<double>> time;
+  std::optional<std::size_t> bytes;                       ///< resident memory of the process, at its peak
+  const std::atomic<bool>* interrupted = nullptr;         ///< set from outside, as by a signal
+  std::function<void(const Progress&)> report = nullptr;  ///< called now and then, about twice a second
+};
+
+/// Thrown by `Meter` where a limit is reached; searches catch it and say so.
+struct LimitReached {
+  Limit limit;
+};
+
+/// The greatest resident memory of this process so far, in bytes.
+std::size_t peak_bytes();
+
+/// Watches one check against its limits.
+class Meter {
+ public:
+  explicit Meter(const Limits& limits) : limits_(limits) {}
+
+  /// To be called often. Throws LimitReached.
+  void poll();
+  /// One more symbolic state. Throws LimitReached.
+  void count_state();
+  /// A state with so many faults is explored.
+  void used_faults(unsigned faults);
+  /// Where a search is, for reports: how many states are not explored yet.
+  void at(std::size_t waiting);
+  /// Where a search in order of steps is.
+  void at_steps(std::size_t steps, std::size_t waiting);
+  /// Where a search in order of faults is.
+  void at_faults(unsigned faults, std::size_t waiting);
+
+  [[nodiscard]] Progress progress() const;
+
+ private:
+  [[nodiscard]] double seconds() const;
+
+  const Limits& limits_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::size_t polls_ = 0;
+  double last_report_ = 0;
+  Progress progress_;
+};
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,130 @@
+// The states that a search has found, packed.
+// SPDX-License-Identifier: MIT
+#include "verifier/search/passed.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "verifier/zone/covering.hpp"
+
+namespace rmpl::verifier {
+namespace {
+
+constexpr Units greatest_narrow = std::numeric_limits<std::int32_t>::max();
+
+bool fits(Units bound) { return bound == unbounded || (-greatest_narrow < bound && bound < greatest_narrow); }
+
+}  // namespace
+
+template <class Entry>
+std::uint64_t Passed::Arena<Entry>::add(std::span<const Units> matrix) {
+  assert(matrix.size() <= chunk);
+  if (used_ + matrix.size() > chunk) {
+    chunks_.push_back(std::make_unique_for_overwrite<Entry[]>(chunk));
+    used_ = 0;
+  }
+  Entry* to = &chunks_.back()[used_];
+  for (const Units bound : matrix) {
+    *to++ = bound == unbounded ? std::numeric_limits<Entry>::max() : static_cast<Entry>(bound);
+  }
+  const std::uint64_t position = (chunks_.size() - 1) * chunk + used_;
+  used_ += matrix.size();
+  return position;
+}
+
+Passed::Passed(TransitionSystem& system, bool steps_counted)
+    : system_(system), steps_counted_(steps_counted), slots_(1024, none) {}
+
+SymbolicState Passed::state(std::uint32_t number) const {
+  const Node& node = nodes_[number];
+  const std::size_t entries = std::size_t{node.dimension} * node.dimension;
+  std::vector<Units> matrix(entries);
+  if (node.wide) {
+    std::copy_n(wide_.at(node.zone), entries, matrix.begin());
+  } else {
+    std::transform(narrow_.at(node.zone), narrow_.at(node.zone) + entries, matrix.begin(),
+                   [](std::int32_t b) { return b == greatest_narrow ? unbounded : Units{b}; });
+  }
+  return {node.discrete, node.faults, Zone::of_matrix(std::move(matrix), node.dimension - 1u)};
+}
+
+bool Passed::covered_by(const Node& node, const SymbolicState& state, std::uint32_t steps) const {
+  if ((steps_counted_ && node.steps > steps) || !system_.no_more_faults(node.faults, state.faults)) return false;
+  const auto test = [&](const auto* matrix) {
+    const Units* own = state.zone.matrix().data();
+    return limits_.empty() ? verifier::includes(matrix, own, node.dimension)
+                           : verifier::covers(matrix, own, node.dimension, limits_);
+  };
+  return node.wide ? test(wide_.at(node.zone)) : test(narrow_.at(node.zone));
+}
+
+bool Passed::covers(const SymbolicState& state, const Node& node) const {
+  if (!system_.no_more_faults(state.faults, node.faults)) return false;
+  const auto test = [&](const auto* matrix) {
+    const Units* own = state.zone.matrix().data();
+    return limits_.empty() ? verifier::includes(own, matrix, node.dimension)
+                           : verifier::covers(own, matrix, node.dimension, limits_);
+  };
+  return node.wide ? test(wide_.at(node.zone)) : test(narrow_.at(node.zone));
+}
+
+std::uint32_t& Passed::first(std::uint64_t discrete) {
+  const auto slot_of = [this](std::uint64_t key) {
+    std::uint64_t hash = key * 0x9e3779b97f4a7c15u;
+    std::size_t slot = (hash ^ hash >> 32) & (slots_.size() - 1);
+    while (slots_[slot] != none && nodes_[slots_[slot]].discrete != key) slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  };
+  if (2 * discretes_ >= slots_.size()) {
+    const std::vector<std::uint32_t> old = std::move(slots_);
+    slots_.assign(old.size() * 2, none);
+    for (const std::uint32_t node : old) {
+      if (node != none) slots_[slot_of(nodes_[node].discrete)] = node;
+    }
+  }
+  return slots_[slot_of(discrete)];
+}
+
+std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
+  system_.limits(state.discrete, limits_);
+  std::uint32_t& head = first(state.discrete);
+  for (std::uint32_t n = head; n != none; n = nodes_[n].next) {
+    if (!nodes_[n].covered && covered_by(nodes_[n], state, steps)) return none;
+  }
+  // What is covered leaves the list, but for its first node, which the slot is found by.
+  std::uint32_t* link = &head;
+  for (std::uint32_t n = head; n != none; n = nodes_[n].next) {
+    if (!nodes_[n].covered && covers(state, nodes_[n])) nodes_[n].covered = true;
+    if (nodes_[n].covered && n != head) {
+      *link = nodes_[n].next;
+    } else {
+      link = &nodes_[n].next;
+    }
+  }
+  const std::span<const Units> matrix = state.zone.matrix();
+  const bool wide = !std::all_of(matrix.begin(), matrix.end(), fits);
+  assert(nodes_.size() < none && "more states than there are numbers");
+  const auto number = static_cast<std::uint32_t>(nodes_.size());
+  Node node{state.discrete, wide ? wide_.add(matrix) : narrow_.add(matrix),      label, parent, steps, state.faults,
+            none,           static_cast<std::uint16_t>(state.zone.clocks() + 1), wide};
+  if (head == none) {
+    ++discretes_;
+    head = number;
+  } else {
+    // Second in the list: the last one found covers most of what follows.
+    node.next = nodes_[head].next;
+    nodes_[head].next = number;
+  }
+  nodes_.push_back(node);
+  return number;
+}
+
+std::vector<PathState> Passed::path(std::uint32_t node) const {
+  std::vector<PathState> result;
+  for (; node != none; node = nodes_[node].parent) result.push_back({nodes_[node].discrete, nodes_[node].label});
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace rmpl::verifier

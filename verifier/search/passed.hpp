@@ -1,0 +1,76 @@
+// The states that a search has found: packed, and asked whether they cover a new one.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "verifier/search/system.hpp"
+
+namespace rmpl::verifier {
+
+/// One state on the way to an accepted one, with the label that led to it.
+struct PathState {
+  std::uint64_t discrete;
+  Label label;
+};
+
+/// Numbered states with how each came about. A zone takes four bytes an entry (eight, where a bound does not fit).
+class Passed {
+ public:
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  struct Node {
+    std::uint64_t discrete;
+    std::uint64_t zone;  ///< where its matrix begins
+    Label label;
+    std::uint32_t parent;
+    std::uint32_t steps;
+    std::uint32_t faults;
+    std::uint32_t next;  ///< another node of the same discrete part
+    std::uint16_t dimension;
+    bool wide;
+    bool covered = false;  ///< by a later one
+  };
+
+  /// Where steps are counted, a state with more steps does not cover one with fewer.
+  Passed(TransitionSystem& system, bool steps_counted);
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
+  [[nodiscard]] SymbolicState state(std::uint32_t node) const;
+  /// The number of the state, added unless one that was found before covers it: same discrete part, no more faults
+  /// and steps, and a zone that covers its zone. The nodes that it covers are marked so.
+  std::uint32_t add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps);
+  /// How the node came about, from an initial state on.
+  [[nodiscard]] std::vector<PathState> path(std::uint32_t node) const;
+
+ private:
+  template <class Entry>
+  class Arena {
+   public:
+    std::uint64_t add(std::span<const Units> matrix);
+    [[nodiscard]] const Entry* at(std::uint64_t position) const { return &chunks_[position / chunk][position % chunk]; }
+
+   private:
+    static constexpr std::uint64_t chunk = 1u << 18;
+    std::vector<std::unique_ptr<Entry[]>> chunks_;
+    std::uint64_t used_ = chunk;  ///< of the last one
+  };
+
+  [[nodiscard]] bool covered_by(const Node& node, const SymbolicState& state, std::uint32_t steps) const;
+  [[nodiscard]] bool covers(const SymbolicState& state, const Node& node) const;
+  std::uint32_t& first(std::uint64_t discrete);
+
+  TransitionSystem& system_;
+  bool steps_counted_;
+  std::vector<Node> nodes_;
+  Arena<std::int32_t> narrow_;
+  Arena<Units> wide_;
+  std::vector<std::uint32_t> slots_;  ///< the first node of a discrete part, by open addressing
+  std::size_t discretes_ = 0;
+  std::vector<ClockLimits> limits_;  ///< of the state at hand
+};
+
+}  // namespace rmpl::verifier

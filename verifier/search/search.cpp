@@ -1,0 +1,108 @@
+// Search with inclusion checking.
+// SPDX-License-Identifier: MIT
+#include "verifier/search/search.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+
+#include "verifier/search/lookahead.hpp"
+
+namespace rmpl::verifier {
+namespace {
+
+/// Searches that end sooner than this use one thread: a twin of the system has to learn first.
+constexpr double seconds_alone = 0.05;
+
+class Search {
+ public:
+  Search(TransitionSystem& system, SearchOrder order, unsigned threads, Meter& meter)
+      : system_(system),
+        order_(order),
+        threads_(threads),
+        meter_(meter),
+        passed_(system, order == SearchOrder::fewest_steps) {}
+
+  std::optional<std::vector<PathState>> run() {
+    system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
+    while (!found_ && !queues_.empty()) {
+      const auto queue = queues_.begin();
+      if (queue->second.empty()) {
+        queues_.erase(queue);
+        continue;
+      }
+      const std::uint32_t parent = queue->second.front();
+      queue->second.pop_front();
+      if (order_ == SearchOrder::covering && passed_[parent].covered) {
+        if (lookahead_) lookahead_->forget(parent);
+        continue;
+      }
+      const std::uint32_t steps = passed_[parent].steps;
+      if (order_ == SearchOrder::covering) {
+        meter_.at_faults(queue->first, queue->second.size());
+      } else {
+        meter_.at_steps(steps, queue->second.size());
+      }
+      meter_.used_faults(system_.fault_count(passed_[parent].faults));
+      meter_.poll();
+      announce(queue->second);
+      const auto visit = [&](SymbolicState&& next, const Label& label) {
+        if (!found_) add(next, label, parent, label.silent ? steps : steps + 1);
+      };
+      if (lookahead_) {
+        lookahead_->successors(parent, passed_.state(parent), visit);
+      } else {
+        system_.successors(passed_.state(parent), visit);
+      }
+    }
+    if (!found_) return std::nullopt;
+    return passed_.path(*found_);
+  }
+
+ private:
+  /// Tells the other threads what comes next in the queue.
+  void announce(const std::deque<std::uint32_t>& queue) {
+    if (threads_ > 1 && !lookahead_ && meter_.progress().seconds - begun_ > seconds_alone) {
+      lookahead_.emplace(system_, threads_, meter_);
+    }
+    if (!lookahead_ || !lookahead_->runs_dry()) return;
+    const std::size_t ahead = std::min(queue.size(), lookahead_->window());
+    for (std::size_t i = 0; i < ahead; ++i) {
+      if (order_ == SearchOrder::covering && passed_[queue[i]].covered) continue;
+      if (!lookahead_->knows(queue[i])) lookahead_->announce(queue[i], passed_.state(queue[i]));
+    }
+    lookahead_->begin();
+  }
+
+  void add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
+    const std::uint32_t number = passed_.add(state, label, parent, steps);
+    if (number == Passed::none) return;
+    meter_.count_state();
+    if (system_.accepts(state)) found_ = number;
+    auto& queue = queues_[order_ == SearchOrder::covering ? system_.fault_count(state.faults) : 0];
+    if (label.silent) {
+      queue.push_front(number);
+    } else {
+      queue.push_back(number);
+    }
+  }
+
+  TransitionSystem& system_;
+  SearchOrder order_;
+  unsigned threads_;
+  Meter& meter_;
+  double begun_ = meter_.progress().seconds;
+  Passed passed_;
+  std::map<unsigned, std::deque<std::uint32_t>> queues_;  ///< by number of faults where that is the order
+  std::optional<std::uint32_t> found_;
+  std::optional<Lookahead> lookahead_;
+};
+
+}  // namespace
+
+std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, unsigned threads,
+                                                Meter& meter) {
+  return Search(system, order, threads, meter).run();
+}
+
+}  // namespace rmpl::verifier

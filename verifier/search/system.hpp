@@ -1,0 +1,64 @@
+// The interface between what is explored and how: symbolic states, and the functions that enumerate them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "verifier/search/limits.hpp"
+#include "verifier/zone/zone.hpp"
+
+namespace rmpl::verifier {
+
+/// A set of states that agree on everything but clock readings.
+struct SymbolicState {
+  std::uint64_t discrete;  ///< what the system numbers as it likes; states with equal numbers have the same clocks
+  unsigned faults;  ///< used so far, as the system counts them: of two states otherwise alike, the one with no more can
+                    ///< do all that the other can
+  Zone zone;
+};
+
+/// How a state came about: numbers that mean something to its system alone.
+struct Label {
+  std::uint32_t move = 0;
+  std::uint32_t wait = 0;
+  bool silent = false;  ///< does not count as a step
+};
+
+/// A transition system over symbolic states, in the manner of TChecker. Every algorithm runs on any such system; the
+/// order in which states are visited is fixed, so that results repeat.
+class TransitionSystem {
+ public:
+  using Visit = std::function<void(SymbolicState&&, const Label&)>;
+
+  virtual ~TransitionSystem() = default;
+  virtual void initial(const Visit& visit) = 0;
+  virtual void successors(const SymbolicState& state, const Visit& visit) = 0;
+  /// Whether the state holds what is looked for.
+  [[nodiscard]] virtual bool accepts(const SymbolicState& state) const = 0;
+  /// Whether a state with faults `a` can do all that one with faults `b` can.
+  [[nodiscard]] virtual bool no_more_faults(unsigned a, unsigned b) const { return a <= b; }
+  /// The discrete part of a state in words that mean the same to every twin of the system.
+  using Key = std::vector<std::uint32_t>;
+
+  /// Whether there can be twins: systems that tell the same successors in the same order, and share nothing with this
+  /// one that either writes, so that each can be used from a thread of its own.
+  [[nodiscard]] virtual bool has_twins() const { return false; }
+  /// A twin that is held to the limits, to which it keeps a reference. May be called from another thread.
+  [[nodiscard]] virtual std::unique_ptr<TransitionSystem> twin([[maybe_unused]] const Limits& limits) const {
+    return nullptr;
+  }
+  [[nodiscard]] virtual Key key([[maybe_unused]] std::uint64_t discrete) const { return {}; }
+  /// The number of a key, a new one where it has none yet.
+  [[nodiscard]] virtual std::uint64_t number([[maybe_unused]] const Key& key) { return 0; }
+
+  /// How many faults that is.
+  [[nodiscard]] virtual unsigned fault_count(unsigned faults) const { return faults; }
+  /// The greatest constants that the clocks of states with this discrete part are compared with from there on. A search
+  /// takes one state to cover another up to what can be told apart by them. None: zones are compared as they are.
+  virtual void limits([[maybe_unused]] std::uint64_t discrete, std::vector<ClockLimits>& result) { result.clear(); }
+};
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,23 @@
+// Verdicts as JUnit XML, for continuous integration.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rmpl::verifier {
+
+struct TestCase {
+  enum class Outcome { success, failure, error };
+  std::string name;
+  std::string classname;
+  double seconds;
+  Outcome outcome;
+  std::string message;  ///< of a failure or an error
+  std::string text;     ///< what there is to show of it, lines ended
+};
+
+/// One suite, with how many of its cases have which outcome.
+std::string to_junit(const std::string& suite, const std::vector<TestCase>& cases);
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,32 @@
+// Replaying a trace on the step function of semantics 3, apart from all that found it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+#include "verifier/plant/commands.hpp"
+#include "verifier/witness/trace.hpp"
+
+namespace rmpl::verifier {
+
+/// Under which rules a trace is to be possible.
+struct ReplayRules {
+  std::optional<automata::Ticks> period;  ///< sampled time; none: dense
+  Commands commands = Commands::one;
+  unsigned faults = 0;
+  std::vector<automata::Assignment> from;  ///< modes to start in, in place of the initial distribution
+};
+
+/// Why the trace is not possible; nothing where it is.
+///
+/// Sampled: every period has a positive probability by `PlantStep`, and is possible by exact comparison of ticks. In a
+/// long wait only those periods are looked at in which a clock is near a bound of its mode: between them nothing
+/// differs. Where a density other than uniform takes part, probabilities far out in its tail are below what a double
+/// can tell from 0; there the exact comparison decides alone.
+/// Dense: waits and steps by exact comparison of ticks, guards by `PlantStep`.
+std::optional<std::string> replay(automata::PlantStep& step, const Trace& trace, const ReplayRules& rules);
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,81 @@
+// What one component may do, by exact comparison: the words of semantics 3 and 7, apart from all that searches.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+
+namespace rmpl::verifier {
+
+/// Decided for one reading of the component's clock.
+class Rules {
+ public:
+  /// `before` and `now` are clock readings; in dense time they are the same.
+  Rules(const automata::Component& component, const automata::Enabled& enabled, automata::Ticks before,
+        automata::Ticks now, std::optional<automata::Ticks> period)
+      : component_(component), enabled_(enabled), before_(before), now_(now), period_(period) {}
+
+  [[nodiscard]] bool allows(automata::ModeId from, automata::ModeId to) const {
+    double faulty = 0;
+    for (const automata::TransitionId id : enabled_.faults) {
+      const automata::Transition& t = transition(id);
+      if (t.timing && (now_ < t.timing->lower || now_ > t.timing->upper)) continue;
+      if (t.to == to) return true;
+      faulty += t.weight.fault_probability(period_.value_or(automata::Ticks{0}));
+    }
+    if (faulty >= 1) return false;
+    if (!enabled_.untimed.empty()) return leads(enabled_.untimed, to, [](const automata::Transition&) { return true; });
+    if (!period_) {
+      const bool some_passed =
+          std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
+                      [&](automata::TransitionId id) { return now_ > transition(id).timing->upper; });
+      return from == to || leads(enabled_.timed, to, [&](const automata::Transition& t) {
+               return now_ >= (some_passed ? t.timing->upper : t.timing->lower);
+             });
+    }
+    const auto certain = [&](const automata::Transition& t) { return now_ >= t.timing->upper; };
+    const bool some_certain = std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
+                                          [&](automata::TransitionId id) { return certain(transition(id)); });
+    if (some_certain) return leads(enabled_.timed, to, certain);
+    return from == to || leads(enabled_.timed, to, [&](const automata::Transition& t) {
+             return before_ < t.timing->upper && t.timing->lower < now_;
+           });
+  }
+
+  /// In dense time: whether time may have passed up to this reading in `mode`. Transitions to itself are staying.
+  [[nodiscard]] bool allows_time(automata::ModeId mode) const {
+    const auto stays = [&](automata::TransitionId id) { return transition(id).to == mode; };
+    if (!enabled_.untimed.empty()) return std::all_of(enabled_.untimed.begin(), enabled_.untimed.end(), stays);
+    return std::all_of(enabled_.timed.begin(), enabled_.timed.end(),
+                       [&](automata::TransitionId id) { return stays(id) || now_ <= transition(id).timing->upper; });
+  }
+
+  [[nodiscard]] bool has_tail() const {
+    return std::any_of(enabled_.timed.begin(), enabled_.timed.end(), [&](automata::TransitionId id) {
+      return transition(id).timing->density.kind != automata::Density::Kind::uniform;
+    });
+  }
+
+ private:
+  [[nodiscard]] const automata::Transition& transition(automata::TransitionId id) const {
+    return component_.transitions[id.index()];
+  }
+
+  template <class Condition>
+  [[nodiscard]] bool leads(const std::vector<automata::TransitionId>& transitions, automata::ModeId to,
+                           const Condition& condition) const {
+    return std::any_of(transitions.begin(), transitions.end(),
+                       [&](automata::TransitionId id) { return transition(id).to == to && condition(transition(id)); });
+  }
+
+  const automata::Component& component_;
+  const automata::Enabled& enabled_;
+  automata::Ticks before_;
+  automata::Ticks now_;
+  std::optional<automata::Ticks> period_;
+};
+
+}  // namespace rmpl::verifier
