@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "automata/json/parse.hpp"
-#include "automata/suggestion.hpp"
 #include "automata/time.hpp"
+#include "base/nearest.hpp"
 
 namespace rmpl::automata {
 
@@ -25,7 +25,7 @@ class Node {
     if (!json_->is_object()) fail("an object");
     for (const auto& [key, value] : json_->items()) {
       if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      throw JsonError(member_path(path_, key), "unknown key '" + key + "'" + suggestion(key, keys),
+      throw JsonError(member_path(path_, key), "unknown key '" + key + "'" + base::suggestion(key, keys),
                       JsonError::Blame::key);
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/check/vocabulary.hpp"
 
-#include "grammar/source/nearest.hpp"
+#include "base/nearest.hpp"
 
 namespace rmpl::compiler {
 
@@ -29,7 +29,7 @@ void suggest(grammar::Diagnostic& diagnostic, std::size_t errors_so_far, std::st
              const std::vector<std::string>& candidates) {
   constexpr std::size_t patience = 50;
   if (errors_so_far > patience) return;
-  if (const auto near = grammar::nearest(name, candidates))
+  if (const auto near = base::nearest(name, candidates))
     diagnostic.suggestion = "did you mean " + backquoted(*near) + "?";
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/session/compiler.hpp"
 
-#include <cassert>
 #include <cstdint>
 #include <filesystem>
 #include <utility>
 
+#include "base/check.hpp"
 #include "compiler/check/resolve.hpp"
 #include "compiler/lower/property.hpp"
 #include "compiler/session/files.hpp"
@@ -30,7 +30,7 @@ Compilation::~Compilation() = default;
 bool Compilation::ok() const { return !result_->diagnostics.has_errors(); }
 
 const automata::Document& Compilation::document() const {
-  assert(ok() && "a compilation with errors has no document");
+  CHECK(ok() && "a compilation with errors has no document");
   return result_->document;
 }
 

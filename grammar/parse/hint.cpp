@@ -7,8 +7,8 @@
 #include <cctype>
 #include <vector>
 
+#include "base/nearest.hpp"
 #include "grammar/parse/scan.hpp"
-#include "grammar/source/nearest.hpp"
 
 namespace rmpl::grammar {
 namespace {
@@ -144,7 +144,7 @@ std::optional<std::string> word_before_hint(const Unexpected& place) {
   if (!names || !is_word(place.found)) return std::nullopt;
   if (word == "while") return "`do … maintaining c` runs while c is entailed, `whenever c donext …` again and again";
   if (word == "eventually") return "`expect c` is met as soon as c holds, `expect c within 5 s` if that is in time";
-  if (const auto near = nearest(word, keywords)) return did_you_mean(*near);
+  if (const auto near = base::nearest(word, keywords)) return did_you_mean(*near);
   if (place.expected.starts_with("`:` and")) {
     return "an instance is written `" + std::string(place.found) + " : " + std::string(word) + "`";
   }
@@ -164,7 +164,7 @@ std::optional<std::string> keyword_hint(const Unexpected& place) {
       return did_you_mean(meant);
     }
   }
-  if (const auto near = nearest(place.found, keywords)) return did_you_mean(*near);
+  if (const auto near = base::nearest(place.found, keywords)) return did_you_mean(*near);
   constexpr std::size_t shortest = 3;
   for (const std::string& keyword : keywords) {
     if (place.found.size() >= shortest && keyword.starts_with(place.found)) return did_you_mean(keyword);

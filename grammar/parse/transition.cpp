@@ -1,7 +1,7 @@
 // The transitions of a component (language.md "Plant models").
 // SPDX-License-Identifier: MIT
+#include "base/nearest.hpp"
 #include "grammar/parse/rules.hpp"
-#include "grammar/source/nearest.hpp"
 
 namespace rmpl::grammar {
 namespace {
@@ -26,7 +26,7 @@ struct ArrowBehindSources : x3::parser<ArrowBehindSources> {
     static const std::vector<std::string> keywords = {"input", "output", "internal", "initial", "mode", "fault"};
     if (arrow.scan(first, state_of(context))) return true;
     const auto* named = std::get_if<NamedSources>(&text.sources.node);
-    if (named != nullptr && nearest(named->modes.front().text, keywords)) return false;
+    if (named != nullptr && base::nearest(named->modes.front().text, keywords)) return false;
     throw x3::expectation_failure<Iterator>(first, "`->`");
   }
 };

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <charconv>
 #include <cstdio>
 
+#include "base/check.hpp"
 #include "grammar/source/code_tables.hpp"
 
 namespace rmpl::grammar {
@@ -48,7 +48,7 @@ std::optional<Code> find_code(std::string_view text) {
 
 const CodeInfo& info(Code code) {
   const CodeInfo* found = look_up(code);
-  assert(found != nullptr && "every code has an entry in the registry");
+  CHECK(found != nullptr && "every code has an entry in the registry");
   return *found;
 }
 

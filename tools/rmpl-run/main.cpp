@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/out_of_memory.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
@@ -69,6 +70,9 @@ int main(int argc, char** argv) {
   } catch (const runtime::TooManyStates& error) {
     std::cerr << "rmpl-run: " << error.what() << '\n';
     return static_cast<int>(Status::undecided);
+  } catch (const base::InternalError& error) {
+    std::cerr << "rmpl-run: internal error, nothing is claimed: " << error.what() << '\n';
+    return 4;
   } catch (const std::bad_alloc&) {
     std::cerr << "rmpl-run: out of memory\n";
     return static_cast<int>(Status::undecided);

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "automata/step/plant_step.hpp"
-#include "automata/suggestion.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/reconfigure/one_step.hpp"
 #include "runtime/reasoning/reconfigure/plan.hpp"
@@ -127,7 +127,7 @@ std::vector<automata::ComponentId> components_named(const automata::Plant& plant
   }
   if (result.empty()) {
     throw base::InputError("--component: plant '" + plant.name + "' has no component '" + name + "'" +
-                           automata::suggestion(name, names));
+                           base::suggestion(name, names));
   }
   return result;
 }

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "automata/suggestion.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "runtime/executive/scenario/report.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/executive/scenario/story.hpp"
@@ -107,7 +107,7 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
   }
   if (result.empty()) {
     throw base::InputError(options.file + ": no scenario is called '" + options.only + "'" +
-                           automata::suggestion(options.only, names));
+                           base::suggestion(options.only, names));
   }
   if (result.size() > 1 && !options.trace.empty()) {
     throw base::InputError("--trace holds one scenario, and " + options.file + " has " + std::to_string(result.size()) +

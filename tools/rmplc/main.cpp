@@ -5,6 +5,7 @@
 #include <iostream>
 #include <new>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/out_of_memory.hpp"
 #include "tools/rmplc/command.hpp"
@@ -104,6 +105,9 @@ int main(int argc, char** argv) {
   } catch (const base::InputError& error) {
     std::cerr << "rmplc: " << error.what() << "\n";
     return compiler::wrong_input;
+  } catch (const base::InternalError& error) {
+    std::cerr << "rmplc: internal error, nothing is claimed: " << error.what() << "\n";
+    return 4;
   } catch (const std::bad_alloc&) {
     std::cerr << "rmplc: out of memory\n";
     return compiler::limit_hit;

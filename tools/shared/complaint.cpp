@@ -8,16 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "automata/suggestion.hpp"
+#include "base/nearest.hpp"
 
 namespace rmpl::automata {
 namespace {
 
 using Words = std::vector<std::string>;
 
-std::string nearest_of(const std::string& word, const Words& words) {
-  return suggestion(word, {words.begin(), words.end()});
-}
+std::string nearest_of(const std::string& word, const Words& words) { return base::suggestion(word, words); }
 
 /// `a, b or c`.
 std::string enumerated(const Words& words) {

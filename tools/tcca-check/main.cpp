@@ -9,6 +9,7 @@
 #include <iostream>
 #include <new>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/out_of_memory.hpp"
 #include "tools/tcca-check/check_command.hpp"
@@ -94,6 +95,9 @@ int main(int count, char** arguments) {
   } catch (const base::InputError& error) {
     std::cerr << "tcca-check: " << error.what() << '\n';
     return wrong_input;
+  } catch (const base::InternalError& error) {
+    std::cerr << "tcca-check: internal error, nothing is claimed: " << error.what() << '\n';
+    return 4;
   } catch (const std::bad_alloc&) {
     std::cerr << "tcca-check: out of memory\n";
     return status(verifier::Verdict::undecided);

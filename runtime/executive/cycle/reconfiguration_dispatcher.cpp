@@ -3,7 +3,8 @@
 #include "runtime/executive/cycle/reconfiguration_dispatcher.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -25,7 +26,7 @@ const automata::ControlAction& ReconfigurationDispatcher::command() const {
 void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.push_back(message.goal); }
 
 void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
-  assert(control_ != nullptr && "connected before the first request");
+  CHECK(control_ != nullptr && "connected before the first request");
   // 5. The request invokes MR with the configuration goal, 6. which returns the next command of a sequence.
   checked_ = 0;
   if (tracked_ != asked_states_ || goals_ != asked_goals_) {

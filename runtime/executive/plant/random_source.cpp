@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/plant/random_source.hpp"
 
-#include <cassert>
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -28,7 +28,7 @@ std::uint64_t RandomSource::next() {
 double RandomSource::uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
 
 std::size_t RandomSource::below(std::size_t count) {
-  assert(count > 0);
+  CHECK(count > 0);
   // The product is below count: uniform() is at most 1 - 2^-53, and count is far below 2^53.
   return static_cast<std::size_t>(uniform() * static_cast<double>(count));
 }

@@ -3,7 +3,8 @@
 #include "runtime/executive/plant/sensors.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -28,7 +29,7 @@ std::uint32_t Sensors::look(std::size_t depth) {
   const automata::VariableId variable = observables_[depth];
   automata::Theory& theory = step_.theory();
   [[maybe_unused]] const bool possible = theory.consistent(assumptions_);
-  assert(possible && "so far every reading was possible");
+  CHECK(possible && "so far every reading was possible");
   const automata::ValueId found = theory.value(variable);
   const bool entailed = theory.known_to_follow({variable, found});
   Prefix prefix;

@@ -3,9 +3,9 @@
 #include "runtime/executive/scenario/expectations.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 
 namespace rmpl::runtime {
@@ -45,7 +45,7 @@ std::string_view name_of(Verdict verdict) {
     case Verdict::undecided:
       return "undecided";
   }
-  assert(false && "every verdict has a name");
+  CHECK(false && "every verdict has a name");
   return {};
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/trace/event.hpp"
 
-#include <cassert>
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -21,7 +21,7 @@ std::string_view name_of(Event::Kind kind) {
     case Event::Kind::forced:
       return "forced";
   }
-  assert(false && "every kind of event has a name");
+  CHECK(false && "every kind of event has a name");
   return {};
 }
 

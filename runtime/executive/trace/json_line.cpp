@@ -3,9 +3,10 @@
 #include "runtime/executive/trace/json_line.hpp"
 
 #include <array>
-#include <cassert>
 #include <charconv>
 #include <cmath>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -66,7 +67,7 @@ JsonLine& JsonLine::string(std::string_view value) {
 }
 
 JsonLine& JsonLine::number(double value) {
-  assert(std::isfinite(value) && "JSON has finite numbers only");
+  CHECK(std::isfinite(value) && "JSON has finite numbers only");
   separate();
   std::array<char, 32> digits{};
   const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
@@ -75,7 +76,7 @@ JsonLine& JsonLine::number(double value) {
 }
 
 JsonLine& JsonLine::seconds(automata::Ticks value) {
-  assert(!value.is_infinite() && "a time that is written has come");
+  CHECK(!value.is_infinite() && "a time that is written has come");
   separate();
   text_ += automata::format_seconds(value);
   return *this;

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "automata/json/parse.hpp"
-#include "automata/suggestion.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -120,7 +120,8 @@ class LogReader {
       } else if (key == "checked" || key == "missing_mass") {
         expect(value.is_number(), key, "a number", value);
       } else {
-        throw base::InputError(" unknown key '" + key + "'" + automata::suggestion(key, {keys.begin(), keys.end()}));
+        throw base::InputError(" unknown key '" + key + "'" +
+                               base::suggestion(key, std::vector<std::string_view>(keys.begin(), keys.end())));
       }
     }
   }
@@ -195,13 +196,12 @@ Assignment resolve(const automata::Plant& plant, Role role, const std::string& n
   }
   if (!variable || !plays(plant, role, *variable)) {
     throw base::InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant.name + "'" +
-                           automata::suggestion(name, candidates(plant, role)));
+                           base::suggestion(name, candidates(plant, role)));
   }
   const automata::Variable& declared = plant.variables[*variable];
   const auto known = declared.find(value);
   if (!known) {
-    throw base::InputError(" '" + value + "' is no value of '" + name + "'" +
-                           automata::suggestion(value, {declared.values.begin(), declared.values.end()}));
+    throw base::InputError(" '" + value + "' is no value of '" + name + "'" + base::suggestion(value, declared.values));
   }
   return {*variable, *known};
 }

@@ -3,7 +3,8 @@
 #include "runtime/reasoning/diagnose/core_guided.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -23,7 +24,7 @@ bool CoreGuided::minimise() {
     // Asked again for the core alone, the solver often blames fewer. To leave out one after the other has it find a
     // model for each that is needed, which costs more than the smaller totalizer saves.
     const bool possible = sat_.solve(core);
-    assert(!possible && "a core is inconsistent");
+    CHECK(!possible && "a core is inconsistent");
     (void)possible;
     relax(core_of(core));
   }
@@ -63,7 +64,7 @@ void CoreGuided::bound(std::size_t totalizer, std::size_t limit) {
 }
 
 void CoreGuided::commit() {
-  assert(waiting_.empty() && "committed after minimising");
+  CHECK(waiting_.empty() && "committed after minimising");
   for (const Literal soft : active_) sat_.add({soft});
   active_.clear();
 }

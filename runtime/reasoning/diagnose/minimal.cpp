@@ -3,8 +3,8 @@
 #include "runtime/reasoning/diagnose/minimal.hpp"
 
 #include <algorithm>
-#include <cassert>
 
+#include "base/check.hpp"
 #include "runtime/reasoning/diagnose/core_guided.hpp"
 #include "runtime/reasoning/diagnose/encoding.hpp"
 
@@ -54,9 +54,9 @@ std::optional<MinimalDiagnoses> CircuitDiagnosis::solve(std::span<const automata
     for (const NetId net : demands) encoding.include(net);
     for (; included < encoding.healthy.size(); ++included) guided.keep(encoding.healthy[included]);
     [[maybe_unused]] const bool explained = guided.minimise();
-    assert(explained && "the gates that drive them explain all observed nets");
+    CHECK(explained && "the gates that drive them explain all observed nets");
     take_model();
-    assert(forced.size() == guided.cost() && "a model at the bound breaks as many soft literals as it costs");
+    CHECK(forced.size() == guided.cost() && "a model at the bound breaks as many soft literals as it costs");
   }
 
   MinimalDiagnoses result{guided.cost(), 1, encoding.sat.calls()};

@@ -3,11 +3,11 @@
 #include "runtime/reasoning/diagnose/snapshot.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <string>
 #include <utility>
 
 #include "automata/store/model.hpp"
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -137,7 +137,7 @@ std::optional<Conflict> Snapshot::refute(std::span<const std::uint32_t> candidat
 std::optional<std::vector<std::uint32_t>> Snapshot::at_most(std::size_t faults) {
   assumptions_.clear();
   if (!more_than_.empty()) {
-    assert(faults < more_than_.back().size());
+    CHECK(faults < more_than_.back().size());
     assumptions_.push_back({more_than_.back()[faults], no});
   }
   if (!theory_.consistent(assumptions_)) return std::nullopt;

@@ -3,14 +3,15 @@
 #include "runtime/reasoning/diagnose/totalizer.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
 using automata::Literal;
 
 Totalizer::Totalizer(std::span<const Literal> inputs) {
-  assert(!inputs.empty());
+  CHECK(!inputs.empty());
   nodes_.reserve(2 * inputs.size());
   build(inputs);
 }
@@ -27,7 +28,7 @@ std::size_t Totalizer::build(std::span<const Literal> inputs) {
 }
 
 Literal Totalizer::more_than(std::size_t count, automata::Sat& sat) {
-  assert(count < size());
+  CHECK(count < size());
   extend(nodes_.size() - 1, count + 1, sat);
   return nodes_.back().outputs[count];
 }

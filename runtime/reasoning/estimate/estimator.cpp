@@ -3,10 +3,10 @@
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <utility>
 
+#include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
 #include "runtime/reasoning/estimate/groups.hpp"
@@ -46,7 +46,7 @@ class FactoredEstimator final : public Estimator {
   }
 
   const Estimate& update(const ControlAction& action, const Observation& observation, Ticks now) override {
-    assert(now >= last_);
+    CHECK(now >= last_);
     Deadline deadline;
     if (options_.deadline) deadline = std::chrono::steady_clock::now() + *options_.deadline;
     if (parts_.size() > 1) {

@@ -3,10 +3,10 @@
 // The reference: every positive product of moves of every state is enumerated, so the cost is exponential in the
 // number of components.
 // SPDX-License-Identifier: MIT
-#include <cassert>
 #include <unordered_map>
 #include <utility>
 
+#include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
 
@@ -38,7 +38,7 @@ class Exact final : public Filter {
   }
 
   bool condition(const StepInput& input) override {
-    assert(input.now >= last_);
+    CHECK(input.now >= last_);
     targets_.clear();
     for (const BeliefEntry& entry : belief_) {
       spread(entry, step_.moves(entry.state, input.action, last_, input.now), input.now, targets_);

@@ -5,7 +5,6 @@
 // search; where one runs, no reading comes twice, and they are worked out anew in the memory of the last cycle.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,6 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
 #include "runtime/reasoning/estimate/trajectories.hpp"
@@ -77,7 +77,7 @@ class KBest final : public Filter {
         clocks_(step.plant(), options.live_clocks_only),
         table_(step.plant()),
         search_(clocks_, options_) {
-    assert(options.k > 0);
+    CHECK(options.k > 0);
     const std::size_t components = step.plant().components.size();
     const SystemState start{Modes(components), std::vector<Ticks>(components)};
     Extensions initial(context({}).evidence, step.initial_moves());
@@ -88,7 +88,7 @@ class KBest final : public Filter {
   }
 
   bool condition(const StepInput& input) override {
-    assert(input.now >= last_);
+    CHECK(input.now >= last_);
     bound_memory();
     table_.forget_timed();
     estimate_.checked = 0;

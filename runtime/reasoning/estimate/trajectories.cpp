@@ -3,9 +3,10 @@
 #include "runtime/reasoning/estimate/trajectories.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <functional>
 #include <iterator>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -20,7 +21,7 @@ constexpr std::size_t least_index = 256;
 
 void TrajectorySearch::run(std::span<const Source> sources, std::span<const Source> obligatory, automata::Ticks now,
                            std::size_t k, const Deadline& deadline) {
-  assert(k > 0);
+  CHECK(k > 0);
   // About as large as the last run wanted it.
   std::size_t slots = least_index;
   while (slots < 4 * count_) slots *= 2;

@@ -3,9 +3,10 @@
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -37,7 +38,7 @@ int exponent_of(double sum) { return sum > 0 ? std::ilogb(sum) + 1 - 62 : std::n
 
 OptimalSearch::Domain::Domain(std::span<const double> costs, int exponent) {
   for (const double cost : costs) {
-    assert(cost >= 0);
+    CHECK(cost >= 0);
     if (std::isfinite(cost)) greatest_ = std::max(greatest_, cost);
   }
   exponent_ = std::max(exponent, exponent_of(greatest_));
@@ -123,8 +124,8 @@ OptimalSearch::Outcome OptimalSearch::next(const Check& check) {
       split(node, decisions_);
       return Outcome::solution;
     }
-    assert(std::all_of(conflict->begin(), conflict->end(),
-                       [this](const Decision& d) { return candidate_[d.variable] == d.value; }));
+    CHECK(std::all_of(conflict->begin(), conflict->end(),
+                      [this](const Decision& d) { return candidate_[d.variable] == d.value; }));
     conflicts_->add(*conflict);
     if (conflict->empty()) {
       queue_.clear();

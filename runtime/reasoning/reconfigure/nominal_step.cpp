@@ -3,7 +3,8 @@
 #include "runtime/reasoning/reconfigure/nominal_step.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -27,7 +28,7 @@ double share(const automata::Transition& t) {
 
 const NominalTransition& NominalStep::nominal(ComponentId component, TransitionId id) const {
   const NominalTransition* const transition = graph_.find(component, id);
-  assert(transition != nullptr && "what is enabled in a consistent store can be brought about");
+  CHECK(transition != nullptr && "what is enabled in a consistent store can be brought about");
   return *transition;
 }
 

@@ -3,11 +3,11 @@
 #include "runtime/reasoning/reconfigure/one_step.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <set>
 #include <utility>
 
+#include "base/check.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
@@ -65,7 +65,7 @@ class OneStepReconfigurer final : public Reconfigurer {
     answer.checked = found.checked;
     switch (found.outcome) {
       case OptimalSearch::Outcome::solution:
-        assert(found.expected && "a feasible action leads somewhere");
+        CHECK(found.expected && "a feasible action leads somewhere");
         return describe(std::move(answer), found.action, tracked.front(), std::move(*found.expected));
       case OptimalSearch::Outcome::exhausted:
         return impossible(std::move(answer), tracked, goal);

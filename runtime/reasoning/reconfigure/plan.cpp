@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/reconfigure/plan.hpp"
 
-#include <cassert>
 #include <unordered_set>
 #include <utility>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -37,7 +38,7 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
         return no_plan(std::move(answer));
       case Reconfiguration::Outcome::command:
       case Reconfiguration::Outcome::wait:
-        assert(answer.expected && "a command and a wait lead somewhere");
+        CHECK(answer.expected && "a command and a wait lead somewhere");
         plan.goal_state = std::move(answer.goal_state);
         plan.commands.push_back(std::move(answer.action));
         current = std::move(*answer.expected);

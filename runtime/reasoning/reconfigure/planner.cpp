@@ -3,9 +3,10 @@
 #include "runtime/reasoning/reconfigure/planner.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <unordered_set>
 #include <utility>
+
+#include "base/check.hpp"
 
 namespace rmpl::runtime {
 
@@ -85,7 +86,7 @@ std::string Planner::name(ComponentId component, ModeId mode) const {
 }
 
 Planner::Choice Planner::next(const Modes& modes, const Objective& objective) {
-  assert(!arrived(modes, objective) && "there is something to do");
+  CHECK(!arrived(modes, objective) && "there is something to do");
   Choice choice = first_step(modes, objective);
   auto* const step = std::get_if<PlannedStep>(&choice);
   if (step == nullptr || nominal_.join_others(modes, step->action, objective.island, objective.named, step->outcome)) {
@@ -178,7 +179,7 @@ Planner::Choice Planner::advance(const Modes& modes, const Objective& objective,
     if (step != nullptr && !early) return choice;
     if (!first) first = std::move(choice);
   }
-  assert(first && "some component is astray");
+  CHECK(first && "some component is astray");
   return std::move(*first);
 }
 
@@ -307,7 +308,7 @@ Planner::Choice Planner::bring_about(const Modes& modes, const Objective& object
     if (std::holds_alternative<PlannedStep>(*choice)) return std::move(*choice);
     if (!obstacle) obstacle = std::get<Impasse>(std::move(*choice));
   }
-  assert(obstacle && "a transition in the graph has a support");
+  CHECK(obstacle && "a transition in the graph has a support");
   return *obstacle;
 }
 

@@ -8,6 +8,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/check.hpp"
+
 namespace rmpl::base {
 namespace {
 
@@ -20,6 +22,11 @@ void fail(const Error& error) noexcept {
 
 TEST(OutOfMemoryDeathTest, IsALimit) {
   EXPECT_EXIT(fail(std::bad_alloc()), testing::ExitedWithCode(3), "program: out of memory");
+}
+
+TEST(OutOfMemoryDeathTest, AFailedCheckIsAnInternalError) {
+  EXPECT_EXIT(fail(InternalError("base/x.cpp:1: expected order")), testing::ExitedWithCode(4),
+              "program: internal error, nothing is claimed: base/x.cpp:1: expected order");
 }
 
 TEST(OutOfMemoryDeathTest, AnythingElseIsOurFault) {

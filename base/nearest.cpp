@@ -1,12 +1,11 @@
 // Edit distance, and the nearest name by it.
 // SPDX-License-Identifier: MIT
-#include "grammar/source/nearest.hpp"
+#include "base/nearest.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <vector>
 
-namespace rmpl::grammar {
+namespace rmpl::base {
 namespace {
 
 bool same_but_for_case(std::string_view a, std::string_view b) {
@@ -39,21 +38,33 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
   return std::min(last[b.size()], limit + 1);
 }
 
-std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates) {
+std::optional<std::string> nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
   std::size_t limit = std::max<std::size_t>(1, (name.size() + 2) / 3);
-  const std::string* best = nullptr;
-  for (const std::string& candidate : candidates) {
+  std::optional<std::string> best;
+  for (const std::string_view candidate : candidates) {
     if (candidate == name) continue;
-    if (same_but_for_case(candidate, name)) return candidate;
+    if (same_but_for_case(candidate, name)) return std::string(candidate);
     // An edit of everything is no resemblance: one letter is near no other letter.
     const std::size_t distance = edit_distance(name, candidate, limit);
     if (distance > limit || distance >= std::max(name.size(), candidate.size())) continue;
-    if (best != nullptr && distance == limit) continue;
-    best = &candidate;
+    if (best && distance == limit) continue;
+    best = candidate;
     limit = distance;
   }
-  if (best == nullptr) return std::nullopt;
-  return *best;
+  return best;
 }
 
-}  // namespace rmpl::grammar
+std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates) {
+  return nearest(name, std::vector<std::string_view>(candidates.begin(), candidates.end()));
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates) {
+  const auto near = nearest(name, candidates);
+  return near ? "; did you mean '" + *near + "'?" : std::string();
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string>& candidates) {
+  return suggestion(name, std::vector<std::string_view>(candidates.begin(), candidates.end()));
+}
+
+}  // namespace rmpl::base

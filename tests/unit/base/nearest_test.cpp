@@ -1,12 +1,12 @@
 // Edit distance and the nearest name.
 // SPDX-License-Identifier: MIT
-#include "grammar/source/nearest.hpp"
+#include "base/nearest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace rmpl::grammar {
+namespace rmpl::base {
 namespace {
 
 TEST(EditDistance, CountsEdits) {
@@ -26,7 +26,7 @@ TEST(Nearest, FindsTypingErrorsOnly) {
   EXPECT_EQ(nearest("landr", names), "lander");
   EXPECT_EQ(nearest("parachute", names), std::nullopt);
   EXPECT_EQ(nearest("xy", names), std::nullopt);
-  EXPECT_EQ(nearest("engine", {}), std::nullopt);
+  EXPECT_EQ(nearest("engine", std::vector<std::string>{}), std::nullopt);
 }
 
 TEST(Nearest, TheFirstOfEqualsWins) {
@@ -34,5 +34,16 @@ TEST(Nearest, TheFirstOfEqualsWins) {
   EXPECT_EQ(nearest("valve3", names), "valve1");
 }
 
+TEST(Suggestion, NamesTheNearestOrNothing) {
+  const auto suggested = [](std::string_view name, const std::vector<std::string_view>& names) {
+    return suggestion(name, names);
+  };
+  EXPECT_EQ(suggested("standbi", {"off", "standby", "stand"}), "; did you mean 'standby'?");
+  EXPECT_EQ(suggested("paln", {"plan", "diagnose"}), "; did you mean 'plan'?");
+  EXPECT_EQ(suggested("engine", {"nav", "att"}), "");
+  EXPECT_EQ(suggested("x", {"y", "z"}), "") << "an edit of everything is no resemblance";
+  EXPECT_EQ(suggested("", {"a", ""}), "");
+}
+
 }  // namespace
-}  // namespace rmpl::grammar
+}  // namespace rmpl::base

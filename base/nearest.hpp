@@ -3,11 +3,11 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-namespace rmpl::grammar {
+namespace rmpl::base {
 
 /// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b` (optimal string
 /// alignment), or `limit + 1` where it is more than `limit`. O(|a| |b|).
@@ -15,6 +15,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 
 /// The candidate nearest to `name` that is within a third of its length (at least one edit), as clang judges typing
 /// errors; the first of equals; nothing where none is near. A candidate that differs in case only always counts.
-std::optional<std::string> nearest(std::string_view name, std::span<const std::string> candidates);
+std::optional<std::string> nearest(std::string_view name, const std::vector<std::string_view>& candidates);
+std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& candidates);
 
-}  // namespace rmpl::grammar
+/// `; did you mean 'engine'?` for the nearest candidate, to end a message with; empty where none is near.
+std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);
+std::string suggestion(std::string_view name, const std::vector<std::string>& candidates);
+
+}  // namespace rmpl::base
