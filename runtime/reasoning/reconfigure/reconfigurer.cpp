@@ -127,10 +127,29 @@ class PolicyReconfigurer : public Reconfigurer {
     result.goal_state = std::move(target);
     result.expected = std::move(chosen->outcome.modes);
     result.component = chosen->component;
+    result.why = reason_of(*chosen, *result.goal_state, asked.goal, modes);
     result.irreversible =
         !chosen->idle && std::any_of(chosen->outcome.moves.begin(), chosen->outcome.moves.end(),
                                      [](const NominalMove& move) { return !move.transition->reversible; });
     return result;
+  }
+
+  Reason reason_of(const PlannedStep& step, const Modes& target, const Goal& goal, const Modes& modes) {
+    Reason reason;
+    const std::vector<Formula> conjuncts = conjuncts_of(goal.formula());
+    const auto now = assignments_of(step_.plant(), modes);
+    reason.purpose = Reason::Purpose::reward;
+    for (std::uint32_t i = 0; i < conjuncts.size() && reason.purpose == Reason::Purpose::reward; ++i) {
+      if (step_.theory().entails(now, step_.theory().encode(conjuncts[i]))) continue;
+      reason.purpose = Reason::Purpose::goal;
+      reason.conjunct = i;
+    }
+    reason.component = step.component;
+    reason.aim = target[step.component.index()];
+    for (const NominalMove& move : step.outcome.moves) {
+      if (move.component == step.component) reason.step = TransitionOf{move.component, move.transition->id};
+    }
+    return reason;
   }
 
   automata::PlantStep& step_;

@@ -11,6 +11,7 @@
 #include "automata/logic/formula.hpp"
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/reason.hpp"
 
 namespace rmpl::runtime {
 
@@ -31,6 +32,7 @@ struct Reconfiguration {
   std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one;
                                                    ///< with `command` and `wait`: the one that is to change its mode
   std::string reason;                              ///< with `no_plan`: in words
+  Reason why;                                      ///< as data; of what the commands and waits serve, too
   std::size_t checked = 0;                         ///< candidates checked for this answer; 0 where it was remembered
   bool irreversible = false;                       ///< the command leads where no nominal sequence leads back from
 };

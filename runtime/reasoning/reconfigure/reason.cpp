@@ -1,0 +1,93 @@
+// Reasons in words.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/reconfigure/reason.hpp"
+
+#include <filesystem>
+
+namespace rmpl::runtime {
+
+using automata::Plant;
+
+namespace {
+
+const automata::Transition& transition(const Plant& plant, const TransitionOf& step) {
+  return plant[step.component].transitions[step.transition.index()];
+}
+
+std::string mode(const Plant& plant, automata::ComponentId component, automata::ModeId m) {
+  return "'" + plant[component].modes[m.index()].name + "'";
+}
+
+std::string line(const automata::Origin& origin) {
+  if (origin.line == 0) return "";
+  return " (" + std::filesystem::path(origin.file).filename().string() + ":" + std::to_string(origin.line) + ")";
+}
+
+std::string purpose(const Reason& reason, const Plant& plant, const automata::Formula& goal) {
+  switch (reason.purpose) {
+    case Reason::Purpose::none:
+      return "";
+    case Reason::Purpose::reward:
+      return "for reward";
+    case Reason::Purpose::model:
+      return "all controls idle would contradict the model";
+    case Reason::Purpose::goal:
+      break;
+  }
+  const auto conjuncts = conjuncts_of(goal);
+  const bool known = reason.conjunct && *reason.conjunct < conjuncts.size();
+  return "for " + to_text(known ? conjuncts[*reason.conjunct] : goal, plant.variables);
+}
+
+}  // namespace
+
+automata::Origin origin_of(const Plant& plant, const Reason& reason) {
+  if (reason.step) return transition(plant, *reason.step).origin;
+  if (reason.component && reason.aim) return plant[*reason.component].modes[reason.aim->index()].origin;
+  return {};
+}
+
+std::string to_text(const Reason& reason, const Plant& plant, const automata::Formula& goal) {
+  std::string text = purpose(reason, plant, goal);
+  if (text.empty() || (!reason.step && !reason.component)) return text;
+  if (reason.component && reason.aim &&
+      (!reason.step || reason.step->component != *reason.component ||
+       transition(plant, *reason.step).to != *reason.aim)) {
+    text += ", '" + plant[*reason.component].name + "' to " + mode(plant, *reason.component, *reason.aim);
+  }
+  if (reason.step) {
+    const auto& t = transition(plant, *reason.step);
+    text += ": '" + plant[reason.step->component].name + "' from " + mode(plant, reason.step->component, t.from) +
+            " to " + mode(plant, reason.step->component, t.to) + line(t.origin);
+  }
+  return text;
+}
+
+std::string remedy(const Reason& reason, const Plant& plant) {
+  const auto named = [&] {
+    const auto component = reason.step ? reason.step->component : *reason.component;
+    return plant.variables.name(plant[component].mode) + " = ";
+  };
+  switch (reason.obstacle) {
+    case Reason::Obstacle::none:
+    case Reason::Obstacle::not_found:
+    case Reason::Obstacle::excluded:
+      return "";
+    case Reason::Obstacle::missing:
+      if (!reason.component || !reason.aim) return "";
+      return "a nominal transition of '" + plant[*reason.component].name + "' towards " +
+             mode(plant, *reason.component, *reason.aim) + " would permit it";
+    case Reason::Obstacle::forbidden:
+      if (!reason.step) return "";
+      return "a goal that asks for " + named() +
+             plant[reason.step->component].modes[transition(plant, *reason.step).to.index()].name +
+             ", or a way back in the model, would permit it";
+    case Reason::Obstacle::unsupported:
+      return "a control or a mode that brings its guard about would permit it";
+    case Reason::Obstacle::side_effect:
+      return "a command that does this alone would permit it";
+  }
+  return "";
+}
+
+}  // namespace rmpl::runtime
