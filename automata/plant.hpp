@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "automata/density.hpp"
-#include "automata/ids.hpp"
 #include "automata/logic/formula.hpp"
+#include "automata/logic/ids.hpp"
 #include "automata/logic/variables.hpp"
 #include "automata/origin.hpp"
+#include "automata/time/density.hpp"
 
 namespace rmpl::automata {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "automata/ids.hpp"
 #include "automata/logic/formula.hpp"
+#include "automata/logic/ids.hpp"
 #include "automata/logic/variables.hpp"
 #include "automata/origin.hpp"
 #include "automata/plant.hpp"

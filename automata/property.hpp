@@ -9,7 +9,7 @@
 
 #include "automata/logic/formula.hpp"
 #include "automata/origin.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 namespace rmpl::automata {
 

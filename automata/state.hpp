@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "automata/plant.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 namespace rmpl::automata {
 

@@ -1,8 +1,13 @@
 #!/usr/bin/env python3
 # The arrow check: every #include of the tree against the arrows of docs/architecture.md.
 # SPDX-License-Identifier: MIT
-"""Usage: arrows.py ROOT. Prints one line a violation and exits 1 where there is any."""
+"""Usage: arrows.py ROOT [--draw DOT|--table]
 
+Libraries include only what ARROWS says; between folders, of any level, there is no circle. Prints a line for each
+violation and exits 1 where there is any. --draw writes the folders and their arrows for Graphviz, --table lists them.
+"""
+
+import argparse
 import pathlib
 import re
 import sys
@@ -10,17 +15,21 @@ import sys
 # What the files of a library may include, besides their own folder.
 ARROWS = {
     "base": (),
-    "automata": ("base/",),
-    "grammar": ("base/",),
-    "compiler": ("base/", "grammar/", "automata/"),
-    "runtime/reasoning": ("base/", "automata/"),
-    "runtime/executive": ("base/", "automata/", "runtime/reasoning/"),
-    "verifier": ("base/", "automata/", "runtime/reasoning/"),
-    "tools": ("base/", "automata/", "grammar/", "compiler/", "runtime/", "verifier/"),
+    "automata": ("base",),
+    "grammar": ("base",),
+    "compiler": ("base", "grammar", "automata"),
+    "runtime/reasoning": ("base", "automata"),
+    "runtime/executive": ("base", "automata", "runtime/reasoning"),
+    "verifier": ("base", "automata", "runtime/reasoning"),
+    "tools": ("base", "grammar", "automata", "compiler", "runtime/reasoning", "runtime/executive", "verifier"),
 }
-# Boost.Spirit X3 stays behind the parser: it is slow to compile.
-X3 = re.compile(r"^boost/spirit/")
-X3_USERS = re.compile(r"^grammar/parse/")
+# Libraries that are slow to compile, or that one room stands for: what includes them, and who may.
+GUARDED = {
+    re.compile(r"^boost/spirit/"): re.compile(r"^grammar/parse/"),
+    re.compile(r"^CLI/"): re.compile(r"^tools/"),
+    re.compile(r"^bliss/"): re.compile(r"^verifier/plant/"),
+    re.compile(r"^cadical\.hpp"): re.compile(r"^automata/logic/"),
+}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
@@ -29,13 +38,16 @@ def library(path: str) -> str | None:
     return next((name for name in ARROWS if path.startswith(name + "/")), None)
 
 
+def folder(path: str) -> str:
+    return path.rpartition("/")[0]
+
+
 def violation(user: str, kind: str, target: str, root: pathlib.Path) -> str | None:
     """Why the file `user` may not include `target`, or None where it may."""
-    folder = library(user)
-    owner = library(target)
-    if X3.match(target) and not X3_USERS.match(user):
-        return "only grammar/parse/ includes Boost.Spirit"
-    if owner is None and not target.startswith("tests/"):
+    for guarded, users in GUARDED.items():
+        if guarded.match(target):
+            return None if users.match(user) else f"only {users.pattern[1:]} includes it"
+    if library(target) is None and not target.startswith("tests/"):
         if kind == '"' and not (root / target).is_file():
             return "includes are written from the root of the tree"
         return None
@@ -43,26 +55,105 @@ def violation(user: str, kind: str, target: str, root: pathlib.Path) -> str | No
         return "own headers are included with quotes"
     if not (root / target).is_file():
         return "there is no such file"
-    if owner == folder or target.startswith(ARROWS[folder]):
+    own = library(user)
+    if library(target) in (own, *ARROWS[own]):
         return None
-    allowed = ", ".join((folder + "/",) + ARROWS[folder])
-    return f"{folder}/ may include only {allowed}"
+    return f"{own}/ may include only " + ", ".join(f"{name}/" for name in (own, *ARROWS[own]))
 
 
-def main(root: pathlib.Path) -> int:
-    found = 0
-    files = sorted(p for folder in ARROWS for p in (root / folder).rglob("*") if p.suffix in (".hpp", ".cpp"))
-    for path in files:
+def includes(root: pathlib.Path):
+    """Every include of the libraries and programs: file, line, quote, target."""
+    for path in sorted(p for name in ARROWS for p in (root / name).rglob("*") if p.suffix in (".hpp", ".cpp")):
         user = path.relative_to(root).as_posix()
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = INCLUDE.match(line)
-            reason = match and violation(user, match[1], match[2], root)
-            if reason:
-                found += 1
-                print(f"{user}:{number}: includes {match[2]}: {reason}")
-    print(f"{len(files)} files checked, {found} forbidden includes")
+            if match:
+                yield user, number, match[1], match[2]
+
+
+def circle(arrows: dict[str, dict[str, str]]) -> list[str]:
+    """Folders that lead back to the first, or none; `arrows` holds an example for each arrow."""
+    done: set[str] = set()
+
+    def walk(path: list[str]) -> list[str]:
+        for to in sorted(arrows.get(path[-1], {})):
+            if to in path:
+                return path[path.index(to):] + [to]
+            if to not in done:
+                found = walk([*path, to])
+                if found:
+                    return found
+        done.add(path[-1])
+        return []
+
+    for start in sorted(arrows):
+        found = [] if start in done else walk([start])
+        if found:
+            return found
+    return []
+
+
+def drawn(arrows: dict[str, dict[str, str]], folders: dict[str, int]) -> str:
+    """The folders as Graphviz draws them: a box a library, arrows that follow from others left out."""
+    def reach(start: str, without: str) -> set[str]:
+        seen, open_ = set(), [to for to in arrows.get(start, {}) if to != without]
+        while open_:
+            at = open_.pop()
+            if at not in seen:
+                seen.add(at)
+                open_ += arrows.get(at, {})
+        return seen
+
+    lines = ["// Made by tests/arrows.py --draw: the folders of the tree and who includes whom; arrows that others imply are left out.",
+             "digraph house {", '  rankdir=BT; compound=true; fontname="sans-serif"; node [shape=box, style=rounded, fontname="sans-serif"];']
+    for name in ARROWS:
+        lines.append(f'  subgraph "cluster_{name}" {{ label="{name}"; style=rounded;')
+        for place in sorted(folders):
+            if library(place + "/") == name:
+                label = place.removeprefix(name + "/") if place != name else name
+                lines.append(f'    "{place}" [label="{label}\\n{folders[place]} lines"];')
+        lines.append("  }")
+    for user in sorted(arrows):
+        lines += [f'  "{user}" -> "{to}";' for to in sorted(arrows[user]) if to not in reach(user, to)]
+    return "\n".join([*lines, "}", ""])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("--draw", type=pathlib.Path, help="write the folders and their arrows for Graphviz")
+    parser.add_argument("--table", action="store_true", help="list the folders, their lines and their arrows")
+    options = parser.parse_args()
+    root = options.root.resolve()
+
+    found, files = 0, set()
+    arrows: dict[str, dict[str, str]] = {}
+    for user, number, kind, target in includes(root):
+        files.add(user)
+        reason = violation(user, kind, target, root)
+        if reason:
+            found += 1
+            print(f"{user}:{number}: includes {target}: {reason}")
+        elif library(target) and folder(user) != folder(target):
+            arrows.setdefault(folder(user), {}).setdefault(folder(target), f"{user}:{number}")
+    closed = circle(arrows)
+    if closed:
+        found += 1
+        print("folders in a circle:")
+        for user, target in zip(closed, closed[1:]):
+            print(f"  {user} -> {target}, as in {arrows[user][target]}")
+
+    folders: dict[str, int] = {}
+    for file in files:
+        folders[folder(file)] = folders.get(folder(file), 0) + len((root / file).read_text(encoding="utf-8").splitlines())
+    if options.draw:
+        options.draw.write_text(drawn(arrows, folders), encoding="utf-8")
+    if options.table:
+        for place in sorted(folders):
+            print(f"{folders[place]:6} {place} -> {', '.join(sorted(arrows.get(place, {}))) or '.'}")
+    print(f"{len(files)} files in {len(folders)} folders checked, {found} forbidden arrows")
     return 1 if found or not files else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1]).resolve()))
+    sys.exit(main())

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "automata/json/parse.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 #include "base/nearest.hpp"
 
 namespace rmpl::automata {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "automata/ids.hpp"
+#include "automata/logic/ids.hpp"
 #include "automata/logic/variables.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 namespace rmpl::automata {
 

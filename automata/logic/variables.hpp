@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "automata/ids.hpp"
+#include "automata/logic/ids.hpp"
 
 namespace rmpl::automata {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "automata/plant.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/token.hpp"
 #include "grammar/source/diagnostic.hpp"

@@ -118,8 +118,8 @@ const auto negation_def = record[not_sign > append<&Negation::operands>[nested[u
 const auto negated_def = record[field<&Constraint::node>[negation]];
 const auto unary_def = negated | Parenthesised(nested[constraint]) | atom;
 
-constexpr Chain<Conjunction, decltype(unary), Symbol> conjunction(unary, and_sign);
-constexpr Chain<Disjunction, decltype(conjunction), Symbol> disjunction(conjunction, or_sign);
+const Chain<Conjunction, decltype(unary), Symbol> conjunction(unary, and_sign);
+const Chain<Disjunction, decltype(conjunction), Symbol> disjunction(conjunction, or_sign);
 
 /// `c -> d -> e`: to the right.
 struct ImplicationChain : x3::parser<ImplicationChain> {

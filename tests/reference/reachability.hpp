@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "automata/logic/formula.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 #include "tests/reference/step.hpp"
 
 namespace rmpl::reference {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 
 namespace rmpl::runtime {

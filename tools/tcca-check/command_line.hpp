@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 #include "verifier/closed_loop/program_check.hpp"
 #include "verifier/plant/commands.hpp"
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "automata/plant.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 #include "verifier/zone/interval.hpp"
 
 namespace rmpl::verifier {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <functional>
 
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 namespace rmpl::runtime {
 

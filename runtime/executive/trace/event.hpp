@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "automata/ids.hpp"
+#include "automata/logic/ids.hpp"
 
 namespace rmpl::runtime {
 

@@ -11,7 +11,7 @@
 #include "automata/logic/variables.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 namespace rmpl::runtime {

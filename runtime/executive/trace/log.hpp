@@ -10,7 +10,7 @@
 
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 namespace rmpl::runtime {
 

@@ -1,6 +1,6 @@
 // Durations are read and written without loss.
 // SPDX-License-Identifier: MIT
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 #include <gtest/gtest.h>
 

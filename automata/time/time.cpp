@@ -1,6 +1,6 @@
 // Time as integer ticks: reading and writing durations without loss.
 // SPDX-License-Identifier: MIT
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 #include <algorithm>
 #include <array>

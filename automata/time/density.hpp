@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "automata/time.hpp"
+#include "automata/time/time.hpp"
 
 namespace rmpl::automata {
 

@@ -1,6 +1,6 @@
 // Densities against the formulas of thesis 6.2.2, and far out in their tails.
 // SPDX-License-Identifier: MIT
-#include "automata/density.hpp"
+#include "automata/time/density.hpp"
 
 #include <gtest/gtest.h>
 

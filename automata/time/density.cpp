@@ -3,7 +3,7 @@
 // Everything is computed as a ratio of tails, 1 - G, never as a difference of values of G: far out in the tail of a
 // normal density G is 1 to the last bit long before the probability of the next step stops to matter.
 // SPDX-License-Identifier: MIT
-#include "automata/density.hpp"
+#include "automata/time/density.hpp"
 
 #include <algorithm>
 #include <cmath>
