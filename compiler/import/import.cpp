@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "compiler/session/files.hpp"
-#include "grammar/source/render.hpp"
 
 namespace rmpl::compiler {
 namespace {
@@ -24,16 +23,17 @@ bool is_catalogue(const std::string& path, std::string_view text) {
 
 }  // namespace
 
-ImportedCircuit import_circuit(const std::string& path, FaultModel faults, bool color) {
+ImportedCircuit import_circuit(const std::string& path, FaultModel faults) {
   if (path != "-") is_catalogue(path, {});  // a wrong name is told before the file is read
-  grammar::Sources sources;
-  grammar::Diagnostics diagnostics;
+  ImportedCircuit result;
+  auto& [sources, diagnostics] = result.findings;
   const std::uint32_t file = sources.add(path == "-" ? "<stdin>" : path, read_text(path));
   auto netlist = is_catalogue(path, sources[file].text()) ? read_catalogue(sources, file, diagnostics)
                                                           : read_bench(sources, file, diagnostics);
-  if (!netlist) return {std::nullopt, grammar::render_text(diagnostics.sorted(), sources, color)};
+  if (!netlist) return result;
   if (netlist->name.empty()) netlist->name = path == "-" ? "circuit" : std::filesystem::path(path).stem().string();
-  return {to_tcca(*netlist, faults), {}};
+  result.plant = to_tcca(*netlist, faults);
+  return result;
 }
 
 }  // namespace rmpl::compiler

@@ -12,13 +12,11 @@
 #include "compiler/session/files.hpp"
 #include "compiler/session/input_set.hpp"
 #include "grammar/parse/parse.hpp"
-#include "grammar/source/render.hpp"
 
 namespace rmpl::compiler {
 
 struct Compilation::Result {
-  grammar::Sources sources;
-  grammar::Diagnostics diagnostics;
+  grammar::Findings findings;
   automata::Document document;
 };
 
@@ -27,7 +25,7 @@ Compilation::Compilation(Compilation&&) noexcept = default;
 Compilation& Compilation::operator=(Compilation&&) noexcept = default;
 Compilation::~Compilation() = default;
 
-bool Compilation::ok() const { return !result_->diagnostics.has_errors(); }
+bool Compilation::ok() const { return !result_->findings.diagnostics.has_errors(); }
 
 const automata::Document& Compilation::document() const {
   CHECK(ok() && "a compilation with errors has no document");
@@ -35,88 +33,67 @@ const automata::Document& Compilation::document() const {
 }
 
 std::optional<std::string> Compilation::input_at(const std::string& output) const {
-  for (std::uint32_t file = 0; file < result_->sources.size(); ++file) {
-    const std::string& name = result_->sources[file].name();
+  const grammar::Sources& sources = result_->findings.sources;
+  for (std::uint32_t file = 0; file < sources.size(); ++file) {
+    const std::string& name = sources[file].name();
     std::error_code missing;
     if (std::filesystem::equivalent(output, name, missing)) return name;
   }
   return std::nullopt;
 }
 
-std::string Compilation::diagnostics(DiagnosticFormat format, bool color) const {
-  const auto sorted = result_->diagnostics.sorted();
-  if (sorted.empty()) return {};
-  switch (format) {
-    case DiagnosticFormat::text:
-      return grammar::render_text(sorted, result_->sources, color);
-    case DiagnosticFormat::json:
-      return grammar::render_json(sorted, result_->sources);
-  }
-  return {};
-}
+const grammar::Findings& Compilation::findings() const { return result_->findings; }
 
 Compilation compile(std::span<const std::string> paths, const Options& options) {
   auto result = std::make_unique<Compilation::Result>();
-  result->document = InputSet(result->sources, result->diagnostics).compile(paths, options);
+  result->document = InputSet(result->findings.sources, result->findings.diagnostics).compile(paths, options);
   return Compilation(std::move(result));
 }
 
 namespace {
 
-/// A text of the command line with its own sources, judged by a plant.
-struct Argument {
-  Argument(std::string_view text, const automata::Plant& plant, std::string_view where)
-      : file(sources.add(std::string(where), std::string(text))),
-        resolver({plant.variables, nullptr, "plant " + backquoted(plant.name), grammar::Code::unknown_name},
-                 diagnostics) {}
-
-  [[nodiscard]] std::string rendered(bool color) const {
-    return grammar::render_text(diagnostics.sorted(), sources, color);
-  }
-
-  grammar::Sources sources;
-  grammar::Diagnostics diagnostics;
-  std::uint32_t file;
-  Resolver resolver;
-};
+/// The resolver of a text of the command line, judged by a plant.
+Resolver resolver_of(const automata::Plant& plant, grammar::Findings& findings) {
+  return {{plant.variables, nullptr, "plant " + backquoted(plant.name), grammar::Code::unknown_name},
+          findings.diagnostics};
+}
 
 }  // namespace
 
-CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where,
-                                bool color) {
-  Argument argument(text, plant, where);
+CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where) {
   CompiledFormula result;
-  if (const auto constraint = grammar::parse_constraint(argument.sources, argument.file, argument.diagnostics)) {
-    result.formula = argument.resolver.resolve(*constraint);
+  auto& [sources, diagnostics] = result.findings;
+  const std::uint32_t file = sources.add(std::string(where), std::string(text));
+  if (const auto constraint = grammar::parse_constraint(sources, file, diagnostics)) {
+    result.formula = resolver_of(plant, result.findings).resolve(*constraint);
   }
-  if (argument.diagnostics.has_errors()) result = {std::nullopt, argument.rendered(color)};
+  if (diagnostics.has_errors()) result.formula.reset();
   return result;
 }
 
-CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where,
-                                        bool color) {
-  Argument argument(text, plant, where);
-  std::vector<automata::Assignment> assignments;
-  if (const auto texts = grammar::parse_assignments(argument.sources, argument.file, argument.diagnostics)) {
+CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where) {
+  CompiledAssignments result;
+  auto& [sources, diagnostics] = result.findings;
+  const std::uint32_t file = sources.add(std::string(where), std::string(text));
+  if (const auto texts = grammar::parse_assignments(sources, file, diagnostics)) {
+    Resolver resolver = resolver_of(plant, result.findings);
+    auto& assignments = result.assignments.emplace();
     for (const grammar::AssignmentText& one : *texts) {
-      if (const auto assignment = argument.resolver.assignment(one.variable, one.value)) {
-        assignments.push_back(*assignment);
-      }
+      if (const auto assignment = resolver.assignment(one.variable, one.value)) assignments.push_back(*assignment);
     }
   }
-  if (argument.diagnostics.has_errors()) return {std::nullopt, argument.rendered(color)};
-  return {std::move(assignments), {}};
+  if (diagnostics.has_errors()) result.assignments.reset();
+  return result;
 }
 
-CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool color) {
-  grammar::Sources sources;
-  grammar::Diagnostics diagnostics;
-  const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, read_text(path));
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant) {
   CompiledProperties result;
+  auto& [sources, diagnostics] = result.findings;
+  const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, read_text(path));
   if (const auto tree = grammar::parse_properties(sources, file, diagnostics)) {
     result.properties = lower_properties(sources, *tree, plant, diagnostics);
   }
-  if (diagnostics.has_errors()) return {std::nullopt, grammar::render_text(diagnostics.sorted(), sources, color)};
+  if (diagnostics.has_errors()) result.properties.reset();
   return result;
 }
 

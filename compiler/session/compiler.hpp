@@ -13,17 +13,15 @@
 #include "automata/plant.hpp"
 #include "automata/property.hpp"
 #include "automata/scenario.hpp"
+#include "grammar/source/findings.hpp"
 
 namespace rmpl::compiler {
-
-enum class DiagnosticFormat { text, json };
 
 struct Options {
   std::string main;  ///< the entry definition of the control program; empty: the one that no other calls
 };
 
-/// What came of compiling an input set: a document, or at least one error. Diagnostics (also warnings) are rendered on
-/// demand; nothing is printed here.
+/// What came of compiling an input set: a document, or at least one error. Nothing is rendered or printed here.
 class Compilation {
  public:
   Compilation(Compilation&&) noexcept;
@@ -36,8 +34,8 @@ class Compilation {
   /// The file that was read, as an argument, an import or what a scenario names, and that `output` leads to: writing
   /// there would destroy it.
   [[nodiscard]] std::optional<std::string> input_at(const std::string& output) const;
-  /// Every diagnostic, in order of file, then place; empty text where there is none.
-  [[nodiscard]] std::string diagnostics(DiagnosticFormat format, bool color) const;
+  /// Every diagnostic, warnings too, and the texts that they speak of.
+  [[nodiscard]] const grammar::Findings& findings() const;
 
  private:
   friend Compilation compile(std::span<const std::string> paths, const Options& options);
@@ -54,28 +52,26 @@ class Compilation {
 Compilation compile(std::span<const std::string> paths, const Options& options = {});
 
 /// A constraint from the command line, over a plant's modes and attributes. Where it is wrong, `formula` is empty and
-/// `diagnostics` says why, with carets under the text. `where` names the place, as in `--target`.
+/// `findings` says why. `where` names the place, as in `--target`.
 struct CompiledFormula {
   std::optional<automata::Formula> formula;
-  std::string diagnostics;
+  grammar::Findings findings;
 };
-CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where,
-                                bool color);
+CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where);
 
 /// A list of assignments from the command line, `x = v, y = w` or `x = v & y = w` (`--from`, `--observe`).
 struct CompiledAssignments {
   std::optional<std::vector<automata::Assignment>> assignments;
-  std::string diagnostics;
+  grammar::Findings findings;
 };
-CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where,
-                                        bool color);
+CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where);
 
 /// A file of properties (`.props`; `-` is standard input) over a plant. Where it is wrong, `properties` is empty and
-/// `diagnostics` says why. Throws base::InputError where the file cannot be read.
+/// `findings` says why. Throws base::InputError where the file cannot be read.
 struct CompiledProperties {
   std::optional<std::vector<automata::PlantProperty>> properties;
-  std::string diagnostics;
+  grammar::Findings findings;
 };
-CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool color);
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant);
 
 }  // namespace rmpl::compiler

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "grammar/source/diagnostic.hpp"
+#include "grammar/source/findings.hpp"
 #include "grammar/source/source_file.hpp"
 
 namespace rmpl::grammar {
@@ -19,5 +20,11 @@ std::string render_text(std::span<const Diagnostic> diagnostics, const Sources& 
 /// the place keys and message; `suggestion` is null where there is none. Lines and columns count from 1, columns in
 /// code points, the end is exclusive. Schema: grammar/schema/diagnostics.schema.json.
 std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& sources);
+
+/// All findings as text, sorted; empty where there are none.
+std::string render_text(const Findings& findings, bool color);
+
+/// All findings as JSON, sorted.
+std::string render_json(const Findings& findings);
 
 }  // namespace rmpl::grammar

@@ -44,4 +44,8 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& 
   return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string render_json(const Findings& findings) {
+  return render_json(findings.diagnostics.sorted(), findings.sources);
+}
+
 }  // namespace rmpl::grammar

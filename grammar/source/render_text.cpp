@@ -185,4 +185,8 @@ std::string render_text(std::span<const Diagnostic> diagnostics, const Sources& 
   return text.take();
 }
 
+std::string render_text(const Findings& findings, bool color) {
+  return render_text(findings.diagnostics.sorted(), findings.sources, color);
+}
+
 }  // namespace rmpl::grammar

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/session/compiler.hpp"
+#include "grammar/source/render.hpp"
 #include "tests/paths.hpp"
 
 namespace rmpl::bench {
@@ -24,7 +25,7 @@ inline std::vector<std::string> example_paths(std::initializer_list<const char*>
 inline automata::Document example(std::initializer_list<const char*> names) {
   const compiler::Compilation compilation = compiler::compile(example_paths(names));
   if (!compilation.ok()) {
-    std::fputs(compilation.diagnostics(compiler::DiagnosticFormat::text, false).c_str(), stderr);
+    std::fputs(grammar::render_text(compilation.findings(), false).c_str(), stderr);
     std::exit(EXIT_FAILURE);
   }
   return compilation.document();
@@ -32,7 +33,7 @@ inline automata::Document example(std::initializer_list<const char*> names) {
 
 /// A formula over a plant, as on the command line.
 inline automata::Formula formula(const char* text, const automata::Plant& plant) {
-  const auto compiled = compiler::compile_formula(text, plant, "benchmark", false);
+  const auto compiled = compiler::compile_formula(text, plant, "benchmark");
   if (!compiled.formula) {
     std::fputs(compiled.diagnostics.c_str(), stderr);
     std::exit(EXIT_FAILURE);

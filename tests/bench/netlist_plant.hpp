@@ -12,6 +12,7 @@
 
 #include "compiler/import/import.hpp"
 #include "compiler/session/compiler.hpp"
+#include "grammar/source/render.hpp"
 
 namespace rmpl::bench {
 
@@ -28,7 +29,7 @@ inline automata::Document imported(const std::filesystem::path& netlist, compile
   const compiler::Compilation compilation = compiler::compile(std::span(&path, 1));
   std::filesystem::remove(model);
   if (!compilation.ok()) {
-    std::fputs(compilation.diagnostics(compiler::DiagnosticFormat::text, false).c_str(), stderr);
+    std::fputs(grammar::render_text(compilation.findings(), false).c_str(), stderr);
     std::exit(EXIT_FAILURE);
   }
   return compilation.document();

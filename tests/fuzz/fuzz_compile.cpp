@@ -12,6 +12,7 @@
 
 #include "automata/json/document.hpp"
 #include "compiler/session/compiler.hpp"
+#include "grammar/source/render.hpp"
 
 using namespace rmpl;
 
@@ -28,8 +29,8 @@ void compile_as(const std::string& extension, const std::uint8_t* data, std::siz
   std::error_code ignored;
   std::filesystem::remove(paths[0], ignored);
   if (!result.ok()) {
-    if (result.diagnostics(compiler::DiagnosticFormat::text, false).empty()) std::abort();
-    if (result.diagnostics(compiler::DiagnosticFormat::json, false).empty()) std::abort();
+    if (grammar::render_text(result.findings(), false).empty()) std::abort();
+    if (grammar::render_json(result.findings()).empty()) std::abort();
     return;
   }
   const std::string text = automata::to_text(result.document());

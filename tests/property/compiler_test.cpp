@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "compiler/session/compiler.hpp"
+#include "grammar/source/render.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/models.hpp"
 
@@ -35,7 +36,7 @@ RC_GTEST_PROP(Compiler, LowersByTheTable, ()) {
   const Model model = *models();
   const RandomSource source = *sources(model.plant);
   const compiler::Compilation compilation = compile(source.text);
-  RC_LOG() << compilation.diagnostics(compiler::DiagnosticFormat::text, false);
+  RC_LOG() << grammar::render_text(compilation.findings(), false);
   RC_ASSERT(compilation.ok());
   RC_ASSERT(compilation.document().programs.size() == 1u);
   const automata::Program found = automata::bind(compilation.document().programs.front(), model.plant);

@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "base/error.hpp"
+#include "grammar/source/render.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -37,7 +38,7 @@ std::optional<compiler::Compilation> load(const std::vector<std::string>& paths,
                                           const compiler::Options& options) {
   compiler::Compilation compilation = compiler::compile(paths, options);
   if (!compilation.ok() || !common.quiet) {
-    std::cerr << compilation.diagnostics(compiler::DiagnosticFormat::text, common.color_errors());
+    std::cerr << grammar::render_text(compilation.findings(), common.color_errors());
   }
   if (!compilation.ok()) return std::nullopt;
   return compilation;
@@ -55,16 +56,16 @@ const automata::Program& only_program(const automata::Document& document, const 
 
 std::optional<automata::Formula> formula_option(const std::string& text, const automata::Plant& plant,
                                                 std::string_view where, const Common& common) {
-  auto compiled = compiler::compile_formula(text, plant, where, common.color_errors());
-  std::cerr << compiled.diagnostics;
+  auto compiled = compiler::compile_formula(text, plant, where);
+  std::cerr << grammar::render_text(compiled.findings, common.color_errors());
   return std::move(compiled.formula);
 }
 
 std::optional<std::vector<automata::Assignment>> assignments_option(const std::string& text,
                                                                     const automata::Plant& plant,
                                                                     std::string_view where, const Common& common) {
-  auto compiled = compiler::compile_assignments(text, plant, where, common.color_errors());
-  std::cerr << compiled.diagnostics;
+  auto compiled = compiler::compile_assignments(text, plant, where);
+  std::cerr << grammar::render_text(compiled.findings, common.color_errors());
   if (!compiled.assignments) return std::nullopt;
   auto& assignments = *compiled.assignments;
   std::sort(assignments.begin(), assignments.end());

@@ -15,6 +15,7 @@
 #include "base/output_file.hpp"
 #include "compiler/import/import.hpp"
 #include "grammar/source/codes.hpp"
+#include "grammar/source/render.hpp"
 
 namespace rmpl::compiler {
 namespace {
@@ -34,9 +35,14 @@ void write(const Settings& settings, const std::string& text) {
   finish_output();
 }
 
-}  // namespace
+/// Nothing where there is nothing to say, in JSON too.
+std::string rendered(const grammar::Findings& findings, const Settings& settings) {
+  if (findings.diagnostics.empty()) return {};
+  return settings.format == "json" ? grammar::render_json(findings)
+                                   : grammar::render_text(findings, settings.colored());
+}
 
-DiagnosticFormat Settings::style() const { return format == "json" ? DiagnosticFormat::json : DiagnosticFormat::text; }
+}  // namespace
 
 bool Settings::colored() const {
   if (color == "auto") return isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
@@ -45,8 +51,8 @@ bool Settings::colored() const {
 
 int run_import(const Settings& settings) {
   const auto faults = settings.faults == "strong" ? FaultModel::strong : FaultModel::weak;
-  const auto imported = import_circuit(settings.circuit, faults, settings.colored());
-  std::cerr << imported.diagnostics;
+  const auto imported = import_circuit(settings.circuit, faults);
+  std::cerr << grammar::render_text(imported.findings, settings.colored());
   if (!imported.plant) return wrong_input;
   std::error_code missing;
   if (std::filesystem::equivalent(settings.output, settings.circuit, missing)) refuse_to_overwrite(settings.circuit);
@@ -57,7 +63,7 @@ int run_import(const Settings& settings) {
 int run_compile(const Settings& settings) {
   const Compilation result = compile(settings.files, {settings.main});
   if (!result.ok() || !settings.quiet) {
-    std::cerr << result.diagnostics(settings.style(), settings.colored());
+    std::cerr << rendered(result.findings(), settings);
   }
   if (!result.ok()) return wrong_input;
   const automata::Document& document = result.document();

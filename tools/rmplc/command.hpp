@@ -27,7 +27,6 @@ struct Settings {
   bool quiet = false;
   bool verbose = false;
 
-  [[nodiscard]] DiagnosticFormat style() const;
   /// Whether diagnostics are coloured.
   [[nodiscard]] bool colored() const;
 };

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "base/error.hpp"
+#include "grammar/source/render.hpp"
 #include "tools/tcca-check/input.hpp"
 #include "tools/tcca-check/output.hpp"
 #include "verifier/property/table.hpp"
@@ -45,8 +46,8 @@ Property property_of(const PlantProperty& stated) {
 }
 
 std::vector<PlantProperty> read_properties(const CommandLine& line, const automata::Plant& plant) {
-  auto compiled = compiler::compile_properties(line.properties, plant, colored(line, STDERR_FILENO));
-  std::cerr << compiled.diagnostics;
+  auto compiled = compiler::compile_properties(line.properties, plant);
+  std::cerr << grammar::render_text(compiled.findings, colored(line, STDERR_FILENO));
   if (!compiled.properties) throw Rejected{};
   std::vector<PlantProperty> all = std::move(*compiled.properties);
   for (const std::string& name : line.only) {

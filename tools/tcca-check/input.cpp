@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "base/error.hpp"
+#include "grammar/source/render.hpp"
 
 namespace rmpl::verifier {
 
@@ -28,7 +29,7 @@ compiler::Compilation load(const CommandLine& line) {
   compiler::Compilation compilation = compiler::compile(line.models, options);
   const bool failed = !compilation.ok();
   if (failed || !line.quiet) {
-    std::cerr << compilation.diagnostics(compiler::DiagnosticFormat::text, colored(line, STDERR_FILENO));
+    std::cerr << grammar::render_text(compilation.findings(), colored(line, STDERR_FILENO));
   }
   if (failed) throw Rejected{};
   const std::size_t plants = compilation.document().plants.size();
@@ -42,17 +43,17 @@ compiler::Compilation load(const CommandLine& line) {
 
 automata::Formula formula(const std::string& text, const automata::Plant& plant, const char* option,
                           const CommandLine& line) {
-  auto compiled = compiler::compile_formula(text, plant, option, colored(line, STDERR_FILENO));
+  auto compiled = compiler::compile_formula(text, plant, option);
   if (compiled.formula) return *compiled.formula;
-  std::cerr << compiled.diagnostics;
+  std::cerr << grammar::render_text(compiled.findings, colored(line, STDERR_FILENO));
   throw Rejected{};
 }
 
 std::vector<automata::Assignment> starting_modes(const automata::Plant& plant, const CommandLine& line) {
   if (line.from.empty()) return {};
-  auto compiled = compiler::compile_assignments(line.from, plant, "--from", colored(line, STDERR_FILENO));
+  auto compiled = compiler::compile_assignments(line.from, plant, "--from");
   if (compiled.assignments) return std::move(*compiled.assignments);
-  std::cerr << compiled.diagnostics;
+  std::cerr << grammar::render_text(compiled.findings, colored(line, STDERR_FILENO));
   throw Rejected{};
 }
 

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "compiler/session/files.hpp"
+#include "grammar/source/render.hpp"
 #include "tests/unit/compiler/workspace.hpp"
 
 namespace rmpl::compiler {
@@ -140,23 +141,23 @@ TEST_F(InputFiles, ResultsAreWrittenWholeOrNotAtAll) {
 TEST_F(InputFiles, FormulasOfTheCommandLine) {
   const Compilation result = compile_text("p.tcca", plant_text);
   const automata::Plant& plant = result.document().plants.at(0);
-  const CompiledFormula formula = compile_formula("engine = on & engine.temp != high", plant, "--target", false);
+  const CompiledFormula formula = compile_formula("engine = on & engine.temp != high", plant, "--target");
   ASSERT_TRUE(formula.formula);
   EXPECT_EQ(automata::to_text(*formula.formula, plant.variables), "engine = on & engine.temp = low");
-  const CompiledFormula wrong = compile_formula("engine = of", plant, "--target", false);
+  const CompiledFormula wrong = compile_formula("engine = of", plant, "--target");
   EXPECT_FALSE(wrong.formula);
-  EXPECT_THAT(wrong.diagnostics, HasSubstr("--target:1:10"));
-  EXPECT_THAT(wrong.diagnostics, HasSubstr("did you mean `off`?"));
-  EXPECT_FALSE(compile_formula("engine =", plant, "--target", false).formula);
+  EXPECT_THAT(grammar::render_text(wrong.findings, false), HasSubstr("--target:1:10"));
+  EXPECT_THAT(grammar::render_text(wrong.findings, false), HasSubstr("did you mean `off`?"));
+  EXPECT_FALSE(compile_formula("engine =", plant, "--target").formula);
 }
 
 TEST_F(InputFiles, AssignmentsOfTheCommandLine) {
   const Compilation result = compile_text("p.tcca", plant_text);
   const automata::Plant& plant = result.document().plants.at(0);
-  EXPECT_THAT(*compile_assignments("engine = on, engine.temp = high", plant, "--from", false).assignments, SizeIs(2));
-  EXPECT_THAT(*compile_assignments("engine = on & engine.temp = high", plant, "--from", false).assignments, SizeIs(2));
-  EXPECT_THAT(*compile_assignments("", plant, "--from", false).assignments, IsEmpty());
-  EXPECT_FALSE(compile_assignments("engine = warm", plant, "--from", false).assignments);
+  EXPECT_THAT(*compile_assignments("engine = on, engine.temp = high", plant, "--from").assignments, SizeIs(2));
+  EXPECT_THAT(*compile_assignments("engine = on & engine.temp = high", plant, "--from").assignments, SizeIs(2));
+  EXPECT_THAT(*compile_assignments("", plant, "--from").assignments, IsEmpty());
+  EXPECT_FALSE(compile_assignments("engine = warm", plant, "--from").assignments);
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(Import, WhatIsWrittenCompiles) {
     std::ofstream(path) << to_tcca(bench(adder), faults);
     const std::vector<std::string> paths{path};
     const Compilation compiled = compile(paths);
-    ASSERT_TRUE(compiled.ok()) << compiled.diagnostics(DiagnosticFormat::text, false);
+    ASSERT_TRUE(compiled.ok()) << grammar::render_text(compiled.findings(), false);
     const automata::Plant& plant = compiled.document().plants.front();
     EXPECT_EQ(plant.components.size(), 2u);
     EXPECT_EQ(plant.observables.size(), 4u);
@@ -140,7 +140,7 @@ TEST(Import, AnInputThatIsAnOutputIsOneVariable) {
   std::ofstream(path) << to_tcca(bench("INPUT(a)\nOUTPUT(a)\nOUTPUT(b)\nb=NOT(a)\n"), FaultModel::weak);
   const std::vector<std::string> paths{path};
   const Compilation compiled = compile(paths);
-  ASSERT_TRUE(compiled.ok()) << compiled.diagnostics(DiagnosticFormat::text, false);
+  ASSERT_TRUE(compiled.ok()) << grammar::render_text(compiled.findings(), false);
   EXPECT_EQ(compiled.document().plants.front().observables.size(), 2u);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include "grammar/source/render.hpp"
 #include "tests/unit/compiler/workspace.hpp"
 
 namespace rmpl::compiler {
@@ -47,7 +48,7 @@ class Plants : public Workspace {
  protected:
   void SetUp() override {
     const Compilation result = compile_text("p.tcca", model);
-    ASSERT_THAT(result.diagnostics(DiagnosticFormat::text, false), IsEmpty());
+    ASSERT_THAT(grammar::render_text(result.findings(), false), IsEmpty());
     plant = result.document().plants.at(0);
   }
   [[nodiscard]] std::string text(const Formula& formula) const { return to_text(formula, plant.variables); }

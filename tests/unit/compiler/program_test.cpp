@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include "grammar/source/render.hpp"
 #include "tests/paths.hpp"
 #include "tests/unit/compiler/workspace.hpp"
 
@@ -41,7 +42,7 @@ class Programs : public Workspace {
  protected:
   std::vector<std::string> of(const std::string& source) {
     const Compilation result = compile_text("p.rmpl", source);
-    EXPECT_THAT(result.diagnostics(DiagnosticFormat::text, false), IsEmpty());
+    EXPECT_THAT(grammar::render_text(result.findings(), false), IsEmpty());
     return result.ok() ? lines(result.document().programs.at(0)) : Strings{};
   }
   std::vector<std::string> body(const std::string& source) { return of("P() :: { " + source + " }"); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include "grammar/source/render.hpp"
 #include "tests/unit/compiler/workspace.hpp"
 
 namespace rmpl::compiler {
@@ -46,7 +47,7 @@ TEST_F(Scenarios, AreLowered) {
 }
 scenario "two" { program "p.rmpl"; plant "p.tcca"; }
 )");
-  ASSERT_THAT(result.diagnostics(DiagnosticFormat::text, false), IsEmpty());
+  ASSERT_THAT(grammar::render_text(result.findings(), false), IsEmpty());
   const automata::Document& document = result.document();
   EXPECT_EQ(document.plants.size(), 1u);
   ASSERT_EQ(document.scenarios.size(), 2u);

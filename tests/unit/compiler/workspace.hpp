@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compiler/session/compiler.hpp"
+#include "grammar/source/render.hpp"
 
 namespace rmpl::compiler {
 
@@ -84,8 +85,7 @@ class Workspace : public ::testing::Test {
 
  private:
   static nlohmann::json parsed(const Compilation& compilation) {
-    const std::string text = compilation.diagnostics(DiagnosticFormat::json, false);
-    return text.empty() ? nlohmann::json::array() : nlohmann::json::parse(text);
+    return nlohmann::json::parse(grammar::render_json(compilation.findings()));
   }
 
   static std::string place(const nlohmann::json& item) {
