@@ -24,8 +24,8 @@ namespace {
 /// "take it or leave it", heaviest first; a branch ends where the rest cannot reach 1, or where the guards contradict.
 class Overfull {
  public:
-  Overfull(const Part& type, automata::ModeId mode, std::vector<std::size_t> faults)
-      : component_(type.plant.components.front()), theory_(type.plant.variables), faults_(std::move(faults)) {
+  Overfull(const automata::Plant& type, automata::ModeId mode, std::vector<std::size_t> faults)
+      : component_(type.components.front()), theory_(type.variables), faults_(std::move(faults)) {
     theory_.tell(component_.modes[mode.index()].constraint);
     std::stable_sort(faults_.begin(), faults_.end(),
                      [&](std::size_t a, std::size_t b) { return weight(a) > weight(b); });
@@ -94,9 +94,9 @@ void check_branch_sum(const grammar::TransitionText& text, grammar::Diagnostics&
                     "the probabilities of these targets sum to " + decimal(sum) + ", expected at most 1");
 }
 
-void check_fault_sums(const Part& type, const std::vector<grammar::Span>& spans,
+void check_fault_sums(const automata::Plant& type, const std::vector<grammar::Span>& spans,
                       const std::vector<grammar::Span>& modes, grammar::Diagnostics& diagnostics) {
-  const automata::Component& component = type.plant.components.front();
+  const automata::Component& component = type.components.front();
   std::vector<std::vector<std::size_t>> faults(component.modes.size());
   for (std::size_t t = 0; t < component.transitions.size(); ++t) {
     const Transition& transition = component.transitions[t];

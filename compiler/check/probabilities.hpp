@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/lower/part.hpp"
+#include "automata/plant.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/token.hpp"
 #include "grammar/source/diagnostic.hpp"
@@ -24,10 +24,10 @@ bool check_probability(const grammar::Number& probability, grammar::Diagnostics&
 /// Reports `-> { a with p, b with q }` where the probabilities sum above 1.
 void check_branch_sum(const grammar::TransitionText& text, grammar::Diagnostics& diagnostics);
 
-/// Reports each mode of a component type whose fault probabilities sum above 1, and whose guards can hold together
-/// under the mode's constraint: found by proof, so that exclusive guards are no error. `spans` has the place of each
-/// transition, `modes` of each mode.
-void check_fault_sums(const Part& type, const std::vector<grammar::Span>& spans,
+/// Reports each mode of a component type, a plant of one component, whose fault probabilities sum above 1, and whose
+/// guards can hold together under the mode's constraint: found by proof, so that exclusive guards are no error. `spans`
+/// has the place of each transition, `modes` of each mode.
+void check_fault_sums(const automata::Plant& type, const std::vector<grammar::Span>& spans,
                       const std::vector<grammar::Span>& modes, grammar::Diagnostics& diagnostics);
 
 }  // namespace rmpl::compiler

@@ -84,9 +84,10 @@ Formula Resolver::reference(const grammar::Reference& reference) {
 }
 
 Formula Resolver::clock(const grammar::ClockBound& bound) {
-  diagnostics_.error(
+  auto& error = diagnostics_.error(
       Code::clock_in_plant, bound.clock.span,
       "clock bound on " + backquoted(bound.clock.text) + " in " + vocabulary_.owner + ", where no clock can be read");
+  error.suggestion = "bound the transition by the time in its mode instead: `a -> b after 5 s`, `a -> b in [2 s, 5 s]`";
   return automata::constant(true);
 }
 

@@ -29,8 +29,11 @@ void suggest(grammar::Diagnostic& diagnostic, std::size_t errors_so_far, std::st
              const std::vector<std::string>& candidates) {
   constexpr std::size_t patience = 50;
   if (errors_so_far > patience) return;
-  if (const auto near = base::nearest(name, candidates))
-    diagnostic.suggestion = "did you mean " + backquoted(*near) + "?";
+  const auto near = base::nearest(name, candidates);
+  if (!near) return;
+  diagnostic.suggestion = "did you mean " + backquoted(*near) + "?";
+  // Only where the name itself is blamed: an argument of a call may be blamed for what it stands for.
+  if (diagnostic.span.end - diagnostic.span.begin == name.size()) diagnostic.fix = {{diagnostic.span, *near}};
 }
 
 std::vector<std::string> names_of(const automata::Variables& variables) {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "compiler/session/files.hpp"
+#include "compiler/session/provider.hpp"
 
 namespace rmpl::compiler {
 namespace {
@@ -27,7 +27,7 @@ ImportedCircuit import_circuit(const std::string& path, FaultModel faults) {
   if (path != "-") is_catalogue(path, {});  // a wrong name is told before the file is read
   ImportedCircuit result;
   auto& [sources, diagnostics] = result.findings;
-  const std::uint32_t file = sources.add(path == "-" ? "<stdin>" : path, read_text(path));
+  const std::uint32_t file = sources.add(path == "-" ? "<stdin>" : path, Disk().read(path));
   auto netlist = is_catalogue(path, sources[file].text()) ? read_catalogue(sources, file, diagnostics)
                                                           : read_bench(sources, file, diagnostics);
   if (!netlist) return result;

@@ -59,7 +59,7 @@ Part ComponentLowering::run(const grammar::ComponentDefinition& definition) {
   for (const grammar::ComponentItem& item : definition.items) {
     if (const auto* text = std::get_if<grammar::TransitionText>(&item)) add_transitions(*text, resolver);
   }
-  check_fault_sums(part_, transition_spans_, mode_names_, diagnostics_);
+  check_fault_sums(part_.plant, transition_spans_, mode_names_, diagnostics_);
   return std::move(part_);
 }
 

@@ -62,6 +62,7 @@ std::optional<Timing> timing_of(const grammar::TimingText& text, grammar::Diagno
                                     "the lower time bound " + automata::format_seconds(*lower) +
                                         " s is above the upper one, " + automata::format_seconds(*upper) + " s");
     error.suggestion = "exchange the bounds";
+    error.fix = {{text.lower.span, text.upper.text()}, {text.upper.span, text.lower.text()}};
     return std::nullopt;
   }
   if (lower->is_infinite()) {

@@ -11,6 +11,8 @@
 #include "compiler/lower/property.hpp"
 #include "compiler/session/files.hpp"
 #include "compiler/session/input_set.hpp"
+#include "compiler/session/names.hpp"
+#include "compiler/session/provider.hpp"
 #include "grammar/parse/parse.hpp"
 
 namespace rmpl::compiler {
@@ -18,6 +20,7 @@ namespace rmpl::compiler {
 struct Compilation::Result {
   grammar::Findings findings;
   automata::Document document;
+  std::vector<File> files;
 };
 
 Compilation::Compilation(std::unique_ptr<Result> result) : result_(std::move(result)) {}
@@ -44,9 +47,22 @@ std::optional<std::string> Compilation::input_at(const std::string& output) cons
 
 const grammar::Findings& Compilation::findings() const { return result_->findings; }
 
+NameIndex Compilation::names() const {
+  std::vector<const File*> files;
+  for (const File& file : result_->files) files.push_back(&file);
+  return index_names(files);
+}
+
 Compilation compile(std::span<const std::string> paths, const Options& options) {
+  Disk disk;
+  return compile(paths, options, disk);
+}
+
+Compilation compile(std::span<const std::string> paths, const Options& options, Provider& provider) {
   auto result = std::make_unique<Compilation::Result>();
-  result->document = InputSet(result->findings.sources, result->findings.diagnostics).compile(paths, options);
+  InputSet inputs(provider, result->findings.sources, result->findings.diagnostics);
+  result->document = inputs.compile(paths, options);
+  result->files = inputs.take_files();
   return Compilation(std::move(result));
 }
 
@@ -64,9 +80,8 @@ CompiledFormula compile_formula(std::string_view text, const automata::Plant& pl
   CompiledFormula result;
   auto& [sources, diagnostics] = result.findings;
   const std::uint32_t file = sources.add(std::string(where), std::string(text));
-  if (const auto constraint = grammar::parse_constraint(sources, file, diagnostics)) {
-    result.formula = resolver_of(plant, result.findings).resolve(*constraint);
-  }
+  const auto constraint = grammar::parse_constraint(sources, file, diagnostics);
+  if (constraint.whole) result.formula = resolver_of(plant, result.findings).resolve(constraint.tree);
   if (diagnostics.has_errors()) result.formula.reset();
   return result;
 }
@@ -75,10 +90,11 @@ CompiledAssignments compile_assignments(std::string_view text, const automata::P
   CompiledAssignments result;
   auto& [sources, diagnostics] = result.findings;
   const std::uint32_t file = sources.add(std::string(where), std::string(text));
-  if (const auto texts = grammar::parse_assignments(sources, file, diagnostics)) {
+  const auto texts = grammar::parse_assignments(sources, file, diagnostics);
+  if (texts.whole) {
     Resolver resolver = resolver_of(plant, result.findings);
     auto& assignments = result.assignments.emplace();
-    for (const grammar::AssignmentText& one : *texts) {
+    for (const grammar::AssignmentText& one : texts.tree) {
       if (const auto assignment = resolver.assignment(one.variable, one.value)) assignments.push_back(*assignment);
     }
   }
@@ -87,12 +103,16 @@ CompiledAssignments compile_assignments(std::string_view text, const automata::P
 }
 
 CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant) {
+  Disk disk;
+  return compile_properties(path, plant, disk);
+}
+
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, Provider& provider) {
   CompiledProperties result;
   auto& [sources, diagnostics] = result.findings;
-  const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, read_text(path));
-  if (const auto tree = grammar::parse_properties(sources, file, diagnostics)) {
-    result.properties = lower_properties(sources, *tree, plant, diagnostics);
-  }
+  const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, provider.read(path));
+  const auto properties = grammar::parse_properties(sources, file, diagnostics);
+  if (properties.whole) result.properties = lower_properties(sources, properties.tree, plant, diagnostics);
   if (diagnostics.has_errors()) result.properties.reset();
   return result;
 }

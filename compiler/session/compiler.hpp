@@ -17,6 +17,9 @@
 
 namespace rmpl::compiler {
 
+class NameIndex;
+class Provider;
+
 struct Options {
   std::string main;  ///< the entry definition of the control program; empty: the one that no other calls
 };
@@ -36,9 +39,11 @@ class Compilation {
   [[nodiscard]] std::optional<std::string> input_at(const std::string& output) const;
   /// Every diagnostic, warnings too, and the texts that they speak of.
   [[nodiscard]] const grammar::Findings& findings() const;
+  /// The names in all that was read, with or without errors (`compiler/session/names.hpp`).
+  [[nodiscard]] NameIndex names() const;
 
  private:
-  friend Compilation compile(std::span<const std::string> paths, const Options& options);
+  friend Compilation compile(std::span<const std::string> paths, const Options& options, Provider& provider);
   struct Result;
   explicit Compilation(std::unique_ptr<Result> result);
   std::unique_ptr<Result> result_;
@@ -50,6 +55,8 @@ class Compilation {
 /// and bound to it. Scenarios bring the program and plant that they name. Throws base::InputError where a file
 /// cannot be read.
 Compilation compile(std::span<const std::string> paths, const Options& options = {});
+/// The same with sources from elsewhere than the disk.
+Compilation compile(std::span<const std::string> paths, const Options& options, Provider& provider);
 
 /// A constraint from the command line, over a plant's modes and attributes. Where it is wrong, `formula` is empty and
 /// `findings` says why. `where` names the place, as in `--target`.
@@ -73,5 +80,6 @@ struct CompiledProperties {
   grammar::Findings findings;
 };
 CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant);
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, Provider& provider);
 
 }  // namespace rmpl::compiler

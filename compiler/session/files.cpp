@@ -3,12 +3,6 @@
 #include "compiler/session/files.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-#include <sstream>
 
 #include "automata/json/document.hpp"
 #include "base/error.hpp"
@@ -21,12 +15,6 @@ using base::InputError;
 using grammar::Code;
 
 namespace {
-
-std::string canonical(const std::string& path) {
-  std::error_code error;
-  const auto resolved = std::filesystem::weakly_canonical(path, error);
-  return error ? path : resolved.string();
-}
 
 const char* name_of(Kind kind) {
   switch (kind) {
@@ -63,28 +51,10 @@ struct Files::Importing {
   const grammar::Import* import;  ///< null for a root
 };
 
-std::string read_text(const std::string& path) {
-  if (path.empty()) throw base::InputError("'' is no name of a file");
-  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw base::InputError(path + ": is a directory, expected a file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw base::InputError(path + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read"));
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (file.bad() || text.bad()) throw base::InputError(path + ": cannot be read to its end");
-  return std::move(text).str();
-}
-
 const File& Files::open(const std::string& path) {
-  if (path == "-") {
-    if (const auto known = files_.find(path); known != files_.end()) return known->second;
-    return read(path, path, read_text(path));
-  }
-  const std::string id = canonical(path);
+  const std::string id = provider_.identity(path);
   if (const auto known = files_.find(id); known != files_.end()) return known->second;
-  return read(path, id, read_text(path));
+  return read(path, id, provider_.read(path));
 }
 
 const File* Files::open(const File& from, const grammar::String& path) {
@@ -108,19 +78,24 @@ const File& Files::read(const std::string& path, const std::string& id, std::str
   file.kind = *kind;
   file.directory = standard_input ? "" : std::filesystem::path(path).parent_path().string();
   const std::string name = standard_input ? "<stdin>" : path;
+  const auto keep = [&](auto parse, auto& tree) {
+    file.whole = parse.whole;
+    tree = std::move(parse.tree);
+  };
   file.index = sources_.add(name, std::move(text));
   switch (file.kind) {
     case Kind::program:
-      file.program = grammar::parse_program(sources_, file.index, diagnostics_);
+      keep(grammar::parse_program(sources_, file.index, diagnostics_), file.program);
       break;
     case Kind::plant:
-      file.plant = grammar::parse_plant(sources_, file.index, diagnostics_);
+      keep(grammar::parse_plant(sources_, file.index, diagnostics_), file.plant);
       break;
     case Kind::scenario:
-      file.scenarios = grammar::parse_scenarios(sources_, file.index, diagnostics_);
+      keep(grammar::parse_scenarios(sources_, file.index, diagnostics_), file.scenarios);
       break;
     case Kind::document:
       file.document = read_document(file.index);
+      file.whole = file.document.has_value();
       break;
   }
   return files_.emplace(id, std::move(file)).first->second;
@@ -153,9 +128,18 @@ FileSet Files::with_imports(const std::vector<const File*>& roots) {
   return set;
 }
 
+std::vector<File> Files::take() {
+  std::vector<File> files;
+  for (auto& [identity, file] : files_) files.push_back(std::move(file));
+  std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.index < b.index; });
+  files_.clear();
+  return files;
+}
+
 void Files::follow(const File& file, std::vector<Importing>& path, FileSet& set) {
   constexpr std::size_t depth_limit = 200;
-  if (!file.program && !file.plant && !file.document) set.complete = false;
+  if (file.kind == Kind::scenario || !file.whole) set.complete = false;
+  if (!file.whole) return;
   for (const grammar::Import* import : imports_of(file)) {
     const File* imported = open(file, import->path);
     if (imported == nullptr) {

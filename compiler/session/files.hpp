@@ -12,6 +12,7 @@
 
 #include "automata/scenario.hpp"
 #include "compiler/check/definitions.hpp"
+#include "compiler/session/provider.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
 #include "grammar/ast/scenario.hpp"
@@ -23,11 +24,12 @@ namespace rmpl::compiler {
 /// What a file holds, told by its extension; of standard input, by its content.
 enum class Kind { program, plant, scenario, document };
 
-/// One file: its text, and what it holds where it has no syntax errors.
+/// One file: its text, and what it holds; with syntax errors a part of that, for an index of names.
 struct File {
   std::uint32_t index = 0;  ///< in the sources; of a compiled document, too
   std::string directory;    ///< what its imports are relative to
   Kind kind = Kind::program;
+  bool whole = false;  ///< no syntax errors
   std::optional<grammar::ProgramFile> program;
   std::optional<grammar::PlantFile> plant;
   std::optional<grammar::ScenarioFile> scenarios;
@@ -41,13 +43,11 @@ struct FileSet {
   bool complete = true;   ///< false where a file is missing or has syntax errors; that has been reported
 };
 
-/// The whole text of a file; `-` is standard input. Throws base::InputError with the reason.
-std::string read_text(const std::string& path);
-
 /// Reads and parses; the same file once, however it is named.
 class Files {
  public:
-  Files(grammar::Sources& sources, grammar::Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {}
+  Files(Provider& provider, grammar::Sources& sources, grammar::Diagnostics& diagnostics)
+      : provider_(provider), sources_(sources), diagnostics_(diagnostics) {}
 
   /// A file that the user named. `-` is standard input. Throws base::InputError where it cannot be read, or has
   /// no known extension.
@@ -57,6 +57,8 @@ class Files {
   /// The named files with all that they import. Reports what is missing, what imports itself, and imports of a file of
   /// another kind.
   FileSet with_imports(const std::vector<const File*>& roots);
+  /// All that were opened, and what they hold, for good.
+  std::vector<File> take();
 
  private:
   struct Importing;
@@ -66,9 +68,10 @@ class Files {
   void follow(const File& file, std::vector<Importing>& path, FileSet& set);
   void report_cycle(const File& file, const std::vector<Importing>& path, grammar::Span span);
 
+  Provider& provider_;
   grammar::Sources& sources_;
   grammar::Diagnostics& diagnostics_;
-  std::map<std::string, File> files_;  ///< by canonical path; a map, for files are referred to
+  std::map<std::string, File> files_;  ///< by identity; a map, for files are referred to
 };
 
 /// The kind of a file by its extension: `.rmpl`, `.tcca`, `.scn`, `.json`. Nothing for any other.

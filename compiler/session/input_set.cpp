@@ -186,7 +186,7 @@ std::optional<automata::Program> InputSet::lower_program(const Roots& roots, con
 }
 
 void InputSet::scenarios(const File& file) {
-  if (!file.scenarios) return;
+  if (!file.whole) return;
   if (file.scenarios->scenarios.empty()) {
     auto& error = diagnostics_.error(Code::scenario_missing_part, {file.index, 0, 0}, "the file has no scenario");
     error.suggestion = "add `scenario \"name\" { … }`";

@@ -24,10 +24,12 @@ namespace rmpl::compiler {
 /// there are no errors.
 class InputSet {
  public:
-  InputSet(grammar::Sources& sources, grammar::Diagnostics& diagnostics)
-      : sources_(sources), diagnostics_(diagnostics), files_(sources, diagnostics) {}
+  InputSet(Provider& provider, grammar::Sources& sources, grammar::Diagnostics& diagnostics)
+      : sources_(sources), diagnostics_(diagnostics), files_(provider, sources, diagnostics) {}
 
   automata::Document compile(std::span<const std::string> paths, const Options& options);
+  /// What was read, once all is compiled.
+  std::vector<File> take_files() { return files_.take(); }
 
  private:
   using Roots = std::vector<const File*>;

@@ -22,12 +22,11 @@ const auto initial_mode_def =
 const auto initial_def = record[statement("initial") > comma_list(append<&Initial::modes>[initial_mode]) >
                                 named("a probability, `,` or `;`", semicolon)];
 
-const auto mode_def =
-    record[(set<&ModeDeclaration::fault, false>[statement("mode")] |
-            set<&ModeDeclaration::fault, true>[statement("fault")]) > field<&ModeDeclaration::name>[name] >>
-           -(open_brace > field<&ModeDeclaration::constraint>[constraint] > close_brace) >>
-           -(Keyword("reward") > field<&ModeDeclaration::reward>[signed_number]) >
-           named("`{`, `reward` or `;`", semicolon)];
+const auto mode_def = record
+    [(set<&ModeDeclaration::fault, false>[statement("mode")] | set<&ModeDeclaration::fault, true>[statement("fault")]) >
+     field<&ModeDeclaration::name>[name] >>
+     -((open_brace >> close_brace) | (open_brace > field<&ModeDeclaration::constraint>[constraint] > close_brace)) >>
+     -(Keyword("reward") > field<&ModeDeclaration::reward>[signed_number]) > named("`{`, `reward` or `;`", semicolon)];
 
 constexpr auto items = &ComponentDefinition::items;
 const auto component_def =

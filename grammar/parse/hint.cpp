@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/nearest.hpp"
@@ -13,7 +17,12 @@
 namespace rmpl::grammar {
 namespace {
 
-std::string did_you_mean(std::string_view word) { return "did you mean `" + std::string(word) + "`?"; }
+/// A habit that no replacement of one stretch of text puts right.
+Hint say(std::string suggestion) { return {std::move(suggestion), {}, {}}; }
+
+Hint did_you_mean(std::string_view word, std::string_view replaced) {
+  return {"did you mean `" + std::string(word) + "`?", replaced, std::string(word)};
+}
 
 /// The words between backquotes: the keywords that would have been right.
 std::vector<std::string> keywords_in(std::string_view expected) {
@@ -47,13 +56,19 @@ std::string_view last_word(std::string_view text) {
   return text.substr(begin);
 }
 
+constexpr std::string_view no_clock =
+    "a component's clock counts from when its mode was entered, and bounds transitions: `a -> b after 5 s`, `in [2 s, "
+    "5 s]`";
+
 struct Spelling {
   std::string_view found;
   std::string_view meant;
 };
 
 /// Words of other languages; `meant` counts where it is expected.
-constexpr std::array<Spelling, 12> words{{{"then", "thennext"},
+constexpr std::array<Spelling, 14> words{{{"then", "thennext"},
+                                          {"on", "when"},
+                                          {"otherwise", "elsenext"},
                                           {"do", "donext"},
                                           {"do", "thennext"},
                                           {"donext", "thennext"},
@@ -84,98 +99,212 @@ constexpr std::array<Spelling, 17> units{{{"usec", "us"},
                                           {"day", "d"},
                                           {"days", "d"}}};
 
+/// Numbers with units one behind the other, as in `5min30s`, in seconds; nothing where they are none, or not whole.
+std::optional<std::uint64_t> seconds_in(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::uint64_t>, 5> sizes{
+      {{"s", 1}, {"min", 60}, {"mins", 60}, {"h", 3600}, {"d", 86400}}};
+  std::uint64_t sum = 0;
+  while (!text.empty()) {
+    std::uint64_t number = 0;
+    const auto [behind, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc() || number > 1'000'000) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(behind - text.data()));
+    const std::string_view unit = text.substr(0, std::min(text.find_first_of("0123456789"), text.size()));
+    const auto* size = std::find_if(sizes.begin(), sizes.end(), [&](const auto& known) { return known.first == unit; });
+    if (size == sizes.end()) return std::nullopt;
+    sum += number * size->second;
+    text.remove_prefix(unit.size());
+  }
+  return sum;
+}
+
+std::string_view joined(std::string_view first, std::string_view last) {
+  return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
+}
+
+/// Times as clocks show them, `5min30s` and `00:05:00`; and rates that do not say per what.
+std::optional<Hint> time_hint(const Unexpected& place) {
+  const std::string_view number = last_word(place.before);
+  if (place.expected == "`/`" && !number.empty()) {
+    const std::string rate(number);
+    return say("a rate is per unit of time, `with rate " + rate + " /h`; a probability is `with " + rate + "`");
+  }
+  if (number.empty() || std::isdigit(static_cast<unsigned char>(number.front())) == 0) return std::nullopt;
+  if (place.before.ends_with(number) && place.found.find_first_of("0123456789") != std::string_view::npos) {
+    const std::string_view whole = joined(number, place.found);
+    if (const auto seconds = seconds_in(whole)) {
+      const std::string text = std::to_string(*seconds) + " s";
+      return Hint{"a duration has one unit: `" + text + "`", whole, text};
+    }
+  }
+  if (place.found != ":" || place.behind.empty() || std::isdigit(static_cast<unsigned char>(place.behind[0])) == 0) {
+    return std::nullopt;
+  }
+  const std::string_view rest = place.behind.substr(0, place.behind.find_first_not_of("0123456789:"));
+  const std::size_t colon = rest.find(':');
+  if (colon != std::string_view::npos) {
+    const auto seconds = seconds_in(std::string(number) + "h" + std::string(rest.substr(0, colon)) + "min" +
+                                    std::string(rest.substr(colon + 1)) + "s");
+    if (seconds) {
+      const std::string text = std::to_string(*seconds) + " s";
+      return Hint{"a time is a number and a unit: `" + text + "`", joined(number, rest), text};
+    }
+  }
+  return say("a time is a number and a unit, as in `5 min`");
+}
+
 /// A misspelled unit behind a number, or where a unit is needed.
-std::optional<std::string> unit_hint(const Unexpected& place) {
+std::optional<Hint> unit_hint(const Unexpected& place) {
   const std::string_view number = last_word(place.before);
   const bool measured = !number.empty() && std::isdigit(static_cast<unsigned char>(number.front())) != 0;
   if (!measured && !place.expected.starts_with("a unit")) return std::nullopt;
   for (const auto& [found, meant] : units) {
-    if (found == place.found) return did_you_mean(meant) + " Units of time are us, ms, s, min, h and d";
+    if (found != place.found) continue;
+    Hint unit = did_you_mean(meant, place.found);
+    unit.suggestion += " Units of time are us, ms, s, min, h and d";
+    return unit;
   }
   return std::nullopt;
 }
 
 /// Signs that other languages write otherwise.
-std::optional<std::string> sign_hint(const Unexpected& place) {
+std::optional<Hint> sign_hint(const Unexpected& place) {
+  if (place.found == "#") return say("a comment is written `// …` or `/* … */`");
   const auto after = [&](char c) { return place.before.ends_with(c); };
   if (after('=') && (place.found == "=" || place.found == ">")) {
-    return place.found == "=" ? "equality is written with one `=`" : "an arrow is written `->`";
+    return say(place.found == "=" ? "equality is written with one `=`" : "an arrow is written `->`");
   }
-  if (place.found == "=" && place.behind.starts_with(">")) return "an arrow is written `->`";
-  if (place.found == ":" && place.behind.starts_with("=")) return "equality is written `=`";
-  if (after('&') && place.found == "&") return "`and` is written with one `&`";
-  if (after('|') && place.found == "|") return "`or` is written with one `|`";
-  if (after('<') && place.found == ">") return "`different` is written `!=`";
-  if (place.found == "=" && place.expected.find("`default`") != std::string_view::npos) return did_you_mean("default");
-  if (place.found == "%") return "a probability is a number from 0 to 1";
+  if (place.found == "=" && place.behind.starts_with(">")) return say("an arrow is written `->`");
+  if (place.found == ":" && place.behind.starts_with("=")) return say("equality is written `=`");
+  if (after('&') && place.found == "&") return say("`and` is written with one `&`");
+  if (after('|') && place.found == "|") return say("`or` is written with one `|`");
+  if (after('<') && place.found == ">") return say("`different` is written `!=`");
+  if (place.found == "=" && place.expected.find("`default`") != std::string_view::npos)
+    return did_you_mean("default", place.found);
+  if (place.found == "%") return say("a probability is a number from 0 to 1");
   if (place.expected == "`::`" || (place.expected == "`(`" && place.found == "::")) {
-    return "a definition is written `Name() :: { … }`";
+    return say("a definition is written `Name() :: { … }`");
   }
   return std::nullopt;
 }
 
 /// What stands in the place of a value, a string or a bound.
-std::optional<std::string> value_hint(const Unexpected& place) {
+std::optional<Hint> value_hint(const Unexpected& place) {
   const bool number = std::isdigit(static_cast<unsigned char>(place.found.front())) != 0;
-  if (place.expected == "a value" && place.found == "0") return "a clock is started by a step of its own: `t = 0`";
-  if (place.expected == "a value" && number) return "a clock is compared with <, <=, > or >=";
-  if (place.expected == "a value" && place.found.front() == '"') return "a value is written without quotes";
+  if (place.expected == "a value" && place.found == "0") return say("a clock is started by a step of its own: `t = 0`");
+  if (place.expected == "a value" && number) return say("a clock is compared with <, <=, > or >=");
+  if (place.expected == "a value" && place.found.front() == '"') return say("a value is written without quotes");
   if (place.expected == "a duration" && is_word(place.found)) {
     const std::string_view before = without_blank_behind(place.before);
     const bool compared = before.ends_with('<') || before.ends_with('>') || before.ends_with('=');
-    if (compared) return "only clocks are compared with <, <=, > and >=";
+    if (compared) return say("only clocks are compared with <, <=, > and >=");
   }
   if (place.expected.starts_with("a string") && is_word(place.found)) {
-    return "write it between quotes: \"" + std::string(place.found) + "\"";
+    return Hint{"write it between quotes: \"" + std::string(place.found) + "\"", place.found,
+                '"' + std::string(place.found) + '"'};
+  }
+  return std::nullopt;
+}
+
+Hint reserved(std::string_view word) {
+  return say("`" + std::string(word) + "` is a reserved word and cannot be a name");
+}
+
+/// A reserved word where the signs behind it show that a name was meant.
+std::optional<Hint> reserved_hint(const Unexpected& place) {
+  if (!is_reserved(place.found) || place.found == "true" || place.found == "false") return std::nullopt;
+  const char* end = place.behind.data() + place.behind.size();
+  const char* next = skip_blank(place.behind.data(), end);
+  if (next == end) return std::nullopt;
+  const std::string_view sign = token_at(next, end);
+  const bool name = sign == ":" || sign == "=" || sign == "!=" || sign == "->" || sign == ";" || sign == ",";
+  return name ? std::optional(reserved(place.found)) : std::nullopt;
+}
+
+/// The first word of the statement that the place is in.
+std::string_view first_word(std::string_view before) {
+  const std::size_t end = before.find_last_of(";{},\n");
+  const std::string_view statement = end == std::string_view::npos ? before : before.substr(end + 1);
+  const char* behind = statement.data() + statement.size();
+  return identifier_at(skip_blank(statement.data(), behind), behind);
+}
+
+/// Statements of other languages, told by their first word.
+std::optional<Hint> statement_hint(const Unexpected& place) {
+  const std::string_view first = first_word(place.before);
+  if (first.empty()) return std::nullopt;
+  const bool steps = place.expected.starts_with("`=`, `!=`") || place.expected.starts_with("`;`, `,`");
+  const bool top = place.expected == "`(`" && is_word(place.found);
+  constexpr std::array<std::string_view, 8> definitions{"procedure", "proc",      "def",    "function",
+                                                        "program",   "algorithm", "method", "void"};
+  if (top && std::find(definitions.begin(), definitions.end(), first) != definitions.end()) {
+    return say("a definition is written `Name() :: { … }`");
+  }
+  if (first == "clock" && is_word(place.found) && place.expected.starts_with("`->`")) return say(std::string(no_clock));
+  if (!steps) return std::nullopt;
+  if (first == "while") {
+    return say("`do … maintaining c` runs while c is entailed, `whenever c donext …` again and again");
+  }
+  if (first == "wait") {
+    return say("a wait is a `when`: `when c donext …`; for a time, a clock: `t = 0; when t >= 5 s donext …`");
+  }
+  if (first == "on" || first == "upon") return did_you_mean("when", first);
+  if (first == "parallel" || first == "par") return say("steps between `,` run side by side: `{ a, b }`");
+  if (first == "sequence" || first == "seq") return say("steps between `;` follow each other: `{ a; b }`");
+  if (first == "loop" || first == "repeat" || first == "forever") {
+    return say("`always …` starts a step in every cycle; a definition repeats by calling itself as its last step");
   }
   return std::nullopt;
 }
 
 /// Where two words stand side by side, the first may be no name but a keyword misspelled.
-std::optional<std::string> word_before_hint(const Unexpected& place) {
+std::optional<Hint> word_before_hint(const Unexpected& place) {
   static const std::vector<std::string> keywords = {"if",       "unless", "when",     "whenever", "always", "next",
                                                     "do",       "choose", "observe",  "control",  "input",  "output",
                                                     "internal", "never",  "finished", "import",   "domain", "initial"};
   const std::string_view word = last_word(place.before);
   const bool relation = place.found == "=" || place.found == "!=" || place.found == "<" || place.found == ">" ||
                         place.found == "<=" || place.found == ">=";
-  if (relation && is_reserved(word)) return "`" + std::string(word) + "` is a reserved word and cannot be a name";
+  if (relation && is_reserved(word)) return reserved(word);
   const bool names = place.expected.starts_with("`=`, `!=`") || place.expected.starts_with("`:` and");
   if (!names || !is_word(place.found)) return std::nullopt;
-  if (word == "while") return "`do … maintaining c` runs while c is entailed, `whenever c donext …` again and again";
-  if (word == "eventually") return "`expect c` is met as soon as c holds, `expect c within 5 s` if that is in time";
-  if (const auto near = base::nearest(word, keywords)) return did_you_mean(*near);
+  if (word == "eventually")
+    return say("`expect c` is met as soon as c holds, `expect c within 5 s` if that is in time");
+  if (const auto near = base::nearest(word, keywords)) return did_you_mean(*near, word);
   if (place.expected.starts_with("`:` and")) {
-    return "an instance is written `" + std::string(place.found) + " : " + std::string(word) + "`";
+    return say("an instance is written `" + std::string(place.found) + " : " + std::string(word) + "`");
   }
   return std::nullopt;
 }
 
 /// A keyword that is misspelled, cut short, or another language's.
-std::optional<std::string> keyword_hint(const Unexpected& place) {
+std::optional<Hint> keyword_hint(const Unexpected& place) {
   if (!is_word(place.found)) return std::nullopt;
-  if (place.found == "else") return "did you mean `elsenext`? It belongs to `if … thennext …`";
-  if (place.found == "elseif" || place.found == "elif") return did_you_mean("elsenext if");
-  if (place.found == "AND") return did_you_mean("and");
-  if (place.found == "OR") return did_you_mean("or");
+  if (place.found == "else") {
+    return Hint{"did you mean `elsenext`? It belongs to `if … thennext …`", place.found, "elsenext"};
+  }
+  if (place.found == "elseif" || place.found == "elif") return did_you_mean("elsenext if", place.found);
+  if (place.found == "AND") return did_you_mean("and", place.found);
+  if (place.found == "OR") return did_you_mean("or", place.found);
   const auto keywords = keywords_in(place.expected);
   for (const auto& [found, meant] : words) {
     if (found == place.found && std::find(keywords.begin(), keywords.end(), meant) != keywords.end()) {
-      return did_you_mean(meant);
+      return did_you_mean(meant, place.found);
     }
   }
-  if (const auto near = base::nearest(place.found, keywords)) return did_you_mean(*near);
+  if (const auto near = base::nearest(place.found, keywords)) return did_you_mean(*near, place.found);
   constexpr std::size_t shortest = 3;
   for (const std::string& keyword : keywords) {
-    if (place.found.size() >= shortest && keyword.starts_with(place.found)) return did_you_mean(keyword);
+    if (place.found.size() >= shortest && keyword.starts_with(place.found)) return did_you_mean(keyword, place.found);
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::string> hint(const Unexpected& place) {
-  for (const auto& find : {unit_hint, sign_hint, value_hint, word_before_hint, keyword_hint}) {
+std::optional<Hint> hint(const Unexpected& place) {
+  for (const auto& find :
+       {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, statement_hint, word_before_hint, keyword_hint}) {
     if (auto found = find(place)) return found;
   }
   return std::nullopt;

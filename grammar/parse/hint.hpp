@@ -16,7 +16,14 @@ struct Unexpected {
   std::string_view expected;  ///< what could have stood there; keywords and signs between backquotes
 };
 
-/// What to do about it, as a sentence; nothing where nothing is near.
-std::optional<std::string> hint(const Unexpected& place);
+/// What to do about it.
+struct Hint {
+  std::string suggestion;     ///< as a sentence
+  std::string_view replaced;  ///< the part of the text that is to be replaced; empty where there is none
+  std::string text;           ///< by this
+};
+
+/// Nothing where nothing is near.
+std::optional<Hint> hint(const Unexpected& place);
 
 }  // namespace rmpl::grammar

@@ -7,16 +7,16 @@
 namespace rmpl::grammar {
 namespace {
 
-/// The tree of a whole text, or nothing where it has errors.
+/// The tree of a whole text, or of a part where it has errors.
 template <class Parser, class Tree>
-std::optional<Tree> parse_whole(const Parser& parser, Tree tree, const Sources& sources, std::uint32_t file,
-                                Diagnostics& diagnostics) {
+Parse<Tree> parse_whole(const Parser& parser, Tree tree, const Sources& sources, std::uint32_t file,
+                        Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
   if (sources[file].is_cut()) {
     diagnostics.error(Code::text_too_long, {file, 0, 0}, "text too long: at most 4 GiB were expected");
-    return std::nullopt;
+    return {std::move(tree), false};
   }
-  if (!check_encoding(sources, file, diagnostics)) return std::nullopt;
+  if (!check_encoding(sources, file, diagnostics)) return {std::move(tree), false};
   ParseState state(sources, file, diagnostics);
   const Context context = x3::make_context<StateTag>(state);
   Iterator first = state.begin();
@@ -26,39 +26,37 @@ std::optional<Tree> parse_whole(const Parser& parser, Tree tree, const Sources& 
     recovering<Resume::over_braces>[parser].parse(first, last, context, x3::unused, tree);
     recovering<Resume::over_braces>[end_of_text].parse(first, last, context, x3::unused, x3::unused);
   } catch (const Abandoned&) {
-    return std::nullopt;
+    return {std::move(tree), false};
   }
-  if (diagnostics.error_count() > errors_before) return std::nullopt;
-  return tree;
+  return {std::move(tree), diagnostics.error_count() == errors_before};
 }
 
 }  // namespace
 
-std::optional<ProgramFile> parse_program(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+Parse<ProgramFile> parse_program(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   return parse_whole(program_file, ProgramFile{}, sources, file, diagnostics);
 }
 
-std::optional<PlantFile> parse_plant(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+Parse<PlantFile> parse_plant(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   return parse_whole(plant_file, PlantFile{}, sources, file, diagnostics);
 }
 
-std::optional<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+Parse<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   return parse_whole(scenario_file, ScenarioFile{}, sources, file, diagnostics);
 }
 
-std::optional<PropertyFile> parse_properties(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+Parse<PropertyFile> parse_properties(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   return parse_whole(property_file, PropertyFile{}, sources, file, diagnostics);
 }
 
-std::optional<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+Parse<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   return parse_whole(constraint, Constraint{}, sources, file, diagnostics);
 }
 
-std::optional<std::vector<AssignmentText>> parse_assignments(const Sources& sources, std::uint32_t file,
-                                                             Diagnostics& diagnostics) {
+Parse<std::vector<AssignmentText>> parse_assignments(const Sources& sources, std::uint32_t file,
+                                                     Diagnostics& diagnostics) {
   auto list = parse_whole(assignment_list, AssignmentListText{}, sources, file, diagnostics);
-  if (!list) return std::nullopt;
-  return std::move(list->assignments);
+  return {std::move(list.tree.assignments), list.whole};
 }
 
 }  // namespace rmpl::grammar

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "grammar/ast/constraint.hpp"
@@ -19,18 +18,26 @@ namespace rmpl::grammar {
 /// How deep constraints and steps may nest: a limit that keeps every recursive pass far from the end of the stack.
 inline constexpr std::size_t nesting_limit = 400;
 
-// Each parses the whole text of `sources[file]`. Where the text has errors, all of them are reported (of one place only
-// the first, and at most a hundred), and there is no tree: nothing is half accepted. Linear in the length of the text.
+/// What became of a text.
+template <class Tree>
+struct Parse {
+  Tree tree;           ///< all of it, or where the text has errors what could be told: for editors, not for lowering
+  bool whole = false;  ///< the text has no errors
+};
 
-std::optional<ProgramFile> parse_program(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
-std::optional<PlantFile> parse_plant(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
-std::optional<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
-std::optional<PropertyFile> parse_properties(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+// Each parses the whole text of `sources[file]`. Where the text has errors, all of them are reported (of one place only
+// the first, and at most a hundred), and the tree is a part: what was passed over is missing, names in it may be empty.
+// Linear in the length of the text.
+
+Parse<ProgramFile> parse_program(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+Parse<PlantFile> parse_plant(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+Parse<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+Parse<PropertyFile> parse_properties(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
 
 /// A lone constraint, as on a command line.
-std::optional<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+Parse<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
 /// A lone list of assignments, `x = v, y = w` or `x = v & y = w`; an empty text is an empty list.
-std::optional<std::vector<AssignmentText>> parse_assignments(const Sources& sources, std::uint32_t file,
-                                                             Diagnostics& diagnostics);
+Parse<std::vector<AssignmentText>> parse_assignments(const Sources& sources, std::uint32_t file,
+                                                     Diagnostics& diagnostics);
 
 }  // namespace rmpl::grammar

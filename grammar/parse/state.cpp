@@ -70,11 +70,18 @@ void ParseState::report_token(const char* where, std::string_view found, const s
                          "expected " + expected + ", found " +
                              (word && is_reserved(found) ? "the reserved word `" : "`") + std::string(found) + "`");
   const char* behind = at + found.size();
-  error.suggestion = hint({std::string_view(begin(), static_cast<std::size_t>(at - begin())), found,
-                           std::string_view(behind, static_cast<std::size_t>(end() - behind)), expected});
+  const std::string_view before(begin(), static_cast<std::size_t>(at - begin()));
+  if (const auto found_hint = hint({before, found, {behind, static_cast<std::size_t>(end() - behind)}, expected})) {
+    error.suggestion = found_hint->suggestion;
+    const std::string_view replaced = found_hint->replaced;
+    if (!replaced.empty()) {
+      error.fix = {{span(replaced.data(), replaced.data() + replaced.size()), found_hint->text}};
+    }
+  }
   const char closed = opening(found);
   if (closed != '\0' && brackets_.open(closed, at) == nullptr) {
     error.suggestion = std::string("no `") + closed + "` is open here";
+    error.fix.clear();
   } else if (const char kind = expected_bracket(expected); kind != '\0') {
     note_unclosed(error, kind, at);
   }
@@ -82,6 +89,7 @@ void ParseState::report_token(const char* where, std::string_view found, const s
   const bool next_line = std::find(where, at, '\n') != at;
   if (next_line && !error.suggestion && expected.find("`;`") != std::string::npos) {
     error.notes.push_back({span(where, where), "is a `;` missing here?"});
+    error.fix = {{span(where, where), ";"}};
     if (word) next_statement_ = at;
   }
 }

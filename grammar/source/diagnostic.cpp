@@ -25,17 +25,17 @@ void Diagnostics::add(Diagnostic diagnostic) {
 }
 
 Diagnostic& Diagnostics::error(Code code, Span span, std::string message) {
-  add({code, Severity::error, span, std::move(message), {}, {}});
+  add({code, Severity::error, span, std::move(message), {}, {}, {}});
   return all_.back();
 }
 
 Diagnostic& Diagnostics::warning(Code code, Span span, std::string message) {
-  add({code, Severity::warning, span, std::move(message), {}, {}});
+  add({code, Severity::warning, span, std::move(message), {}, {}, {}});
   return all_.back();
 }
 
 Diagnostic& Diagnostics::note(Code code, Span span, std::string message) {
-  add({code, Severity::note, span, std::move(message), {}, {}});
+  add({code, Severity::note, span, std::move(message), {}, {}, {}});
   return all_.back();
 }
 

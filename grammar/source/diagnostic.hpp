@@ -25,6 +25,13 @@ struct Note {
   bool operator==(const Note&) const = default;
 };
 
+/// A stretch of text and what to put in its place; an empty stretch is a place to insert at.
+struct Edit {
+  Span span;
+  std::string text;
+  bool operator==(const Edit&) const = default;
+};
+
 /// One finding. Messages are lower case, name the thing and what was expected, and end without a full stop.
 struct Diagnostic {
   Code code = Code::syntax;
@@ -33,6 +40,7 @@ struct Diagnostic {
   std::string message;
   std::vector<Note> notes;
   std::optional<std::string> suggestion;  ///< the fix, as a sentence: "did you mean `engine`?"
+  std::vector<Edit> fix;                  ///< what does as the suggestion says, where that is certain; in order, apart
   bool operator==(const Diagnostic&) const = default;
 };
 

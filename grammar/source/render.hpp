@@ -16,9 +16,10 @@ namespace rmpl::grammar {
 /// tabs as four columns. One blank line after each. `color`: with ANSI escapes.
 std::string render_text(std::span<const Diagnostic> diagnostics, const Sources& sources, bool color);
 
-/// A JSON array of {code, severity, file, line, column, end_line, end_column, message, notes[], suggestion}; a note has
-/// the place keys and message; `suggestion` is null where there is none. Lines and columns count from 1, columns in
-/// code points, the end is exclusive. Schema: grammar/schema/diagnostics.schema.json.
+/// A JSON array of {code, severity, file, line, column, end_line, end_column, message, notes[], suggestion, fix[]}; a
+/// note has the place keys and message, an edit of a fix the place keys and text; `suggestion` is null where there is
+/// none. Lines and columns count from 1, columns in code points, the end is exclusive. Schema:
+/// grammar/schema/diagnostics.schema.json.
 std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& sources);
 
 /// All findings as text, sorted; empty where there are none.

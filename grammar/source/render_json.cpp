@@ -38,6 +38,13 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& 
       object["notes"].push_back(std::move(entry));
     }
     object["suggestion"] = diagnostic.suggestion ? Json(*diagnostic.suggestion) : Json(nullptr);
+    object["fix"] = Json::array();
+    for (const Edit& edit : diagnostic.fix) {
+      Json entry;
+      put_place(entry, edit.span, sources);
+      entry["text"] = edit.text;
+      object["fix"].push_back(std::move(entry));
+    }
     list.push_back(std::move(object));
   }
   // A file name or a message may hold any bytes: what is no UTF-8 is replaced.

@@ -18,6 +18,9 @@ constexpr std::size_t block_size = 1024;  // bytes between two entries of the ta
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
+/// Whether a byte begins a code point beyond U+FFFF, which takes two units in UTF-16.
+bool is_surrogate_pair(char c) { return static_cast<unsigned char>(c) >= 0xF0; }
+
 std::string hexadecimal(char c) {
   std::array<char, 5> text{};
   std::snprintf(text.data(), text.size(), "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
@@ -55,6 +58,26 @@ Place SourceFile::place(std::uint32_t offset) const {
   const auto line = static_cast<std::uint32_t>(next - line_starts_.begin());
   const std::size_t end = std::min<std::size_t>(offset, text_.size());
   return {line, code_points_before(end) - code_points_before(line_starts_[line - 1]) + 1};
+}
+
+Place SourceFile::place_utf16(std::uint32_t offset) const {
+  const Place place = this->place(offset);
+  const std::uint32_t start = line_starts_[place.line - 1];
+  const std::size_t end = std::min<std::size_t>(offset, text_.size());
+  const auto begins = text_.begin() + static_cast<std::ptrdiff_t>(start);
+  const auto pairs = std::count_if(begins, text_.begin() + static_cast<std::ptrdiff_t>(end), is_surrogate_pair);
+  return {place.line, place.column + static_cast<std::uint32_t>(pairs)};
+}
+
+std::uint32_t SourceFile::offset_utf16(Place place) const {
+  if (place.line > line_count()) return static_cast<std::uint32_t>(text_.size());
+  const std::string_view line = this->line(place.line);
+  std::size_t at = 0;
+  for (std::uint32_t units = 1; at < line.size() && units < place.column;) {
+    units += is_surrogate_pair(line[at]) ? 2 : 1;
+    for (++at; at < line.size() && is_continuation(line[at]);) ++at;
+  }
+  return line_starts_[place.line - 1] + static_cast<std::uint32_t>(at);
 }
 
 std::uint32_t SourceFile::code_points_before(std::size_t offset) const {

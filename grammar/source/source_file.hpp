@@ -40,6 +40,10 @@ class SourceFile {
   [[nodiscard]] std::uint32_t line_start(std::uint32_t number) const { return line_starts_[number - 1]; }
   /// The place of a byte offset in [0, size]. Costs a binary search, whatever the length of the line.
   [[nodiscard]] Place place(std::uint32_t offset) const;
+  /// The same with the column in UTF-16 code units, from 1: what editors count. Linear in the line up to the offset.
+  [[nodiscard]] Place place_utf16(std::uint32_t offset) const;
+  /// The byte offset of such a place; beyond the end of a line or of the text, that end.
+  [[nodiscard]] std::uint32_t offset_utf16(Place place) const;
 
  private:
   std::string name_;

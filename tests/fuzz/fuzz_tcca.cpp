@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   grammar::Diagnostics diagnostics;
   const auto file = sources.add("fuzz.tcca", std::string(data, data + size));
   const auto tree = grammar::parse_plant(sources, file, diagnostics);
-  if (tree.has_value() == diagnostics.has_errors()) std::abort();
+  if (tree.whole == diagnostics.has_errors()) std::abort();
   grammar::render_text(diagnostics.sorted(), sources, true);
   grammar::render_json(diagnostics.sorted(), sources);
   return 0;

@@ -57,10 +57,57 @@ TEST(Hint, UnitsAndValues) {
   EXPECT_EQ(in_program("next = b"), "`next` is a reserved word and cannot be a name");
 }
 
+TEST(Hint, StatementsOfOtherLanguages) {
+  const std::string during = "`do … maintaining c` runs while c is entailed, `whenever c donext …` again and again";
+  EXPECT_EQ(in_program("while a = b do c = d"), during);
+  EXPECT_EQ(in_program("while (a = b) { c = d }"), during);
+  const std::string wait =
+      "a wait is a `when`: `when c donext …`; for a time, a clock: `t = 0; when t >= 5 s donext …`";
+  EXPECT_EQ(in_program("wait 5 s; a = b"), wait);
+  EXPECT_EQ(in_program("wait until a = b; a = b"), wait);
+  EXPECT_EQ(in_program("on a = b donext c = d"), "did you mean `when`?");
+  EXPECT_EQ(in_program("parallel { a = b; c = d }"), "steps between `,` run side by side: `{ a, b }`");
+  EXPECT_EQ(in_program("a = b; # then"), "a comment is written `// …` or `/* … */`");
+  EXPECT_EQ(in_component("a -> b on c = d;"), "did you mean `when`?");
+  EXPECT_EQ(in_component("clock t;"),
+            "a component's clock counts from when its mode was entered, and bounds transitions: `a -> b after 5 s`, "
+            "`in [2 s, 5 s]`");
+  const test::Parsed<ProgramFile> procedure(parse_program, "procedure M() :: { a = b }");
+  EXPECT_EQ(procedure.diagnostics.all().at(0).suggestion, "a definition is written `Name() :: { … }`");
+}
+
+TEST(Hint, ReservedWordsAreNoNames) {
+  const std::string in = "`in` is a reserved word and cannot be a name";
+  EXPECT_EQ(in_component("input in : { a, b };"), in);
+  EXPECT_EQ(in_component("mode in;"), in);
+  EXPECT_EQ(in_component("in -> b;"), in);
+  EXPECT_EQ(in_component("a -> b when in = c;"), in);
+}
+
+TEST(Hint, TimesAsClocksShowThem) {
+  EXPECT_EQ(in_program("when t > 5min30s donext a = b"), "a duration has one unit: `330 s`");
+  EXPECT_EQ(in_component("a -> b in [1h5min, 2 h];"), "a duration has one unit: `3900 s`");
+  EXPECT_EQ(in_program("when t > 00:05:00 donext a = b"), "a time is a number and a unit: `300 s`");
+  EXPECT_EQ(in_component("a -> b after 5:00;"), "a time is a number and a unit, as in `5 min`");
+  EXPECT_EQ(in_component("any -> b with rate 0.001;"),
+            "a rate is per unit of time, `with rate 0.001 /h`; a probability is `with 0.001`");
+}
+
+TEST(Hint, FixesAreEdits) {
+  const test::Parsed<ProgramFile> result(parse_program, "M() :: { when t > 5min30s donext a = b }");
+  const Diagnostic& error = result.diagnostics.all().at(0);
+  ASSERT_EQ(error.fix.size(), 1u);
+  EXPECT_EQ(result.sources.text(error.fix[0].span), "5min30s");
+  EXPECT_EQ(error.fix[0].text, "330 s");
+  const test::Parsed<PlantFile> missing(parse_plant, "component E {\n  mode a\n  mode b;\n}");
+  EXPECT_EQ(missing.diagnostics.all().at(0).fix, (std::vector<Edit>{{{0, 22, 22}, ";"}}));
+}
+
 TEST(Hint, NothingWhereNothingIsNear) {
   EXPECT_EQ(in_program("a = b zzz"), "no hint");
   EXPECT_EQ(in_component("a -> b zzz;"), "no hint");
   EXPECT_FALSE(hint({"", "x", "", "a step"}));
+  EXPECT_EQ(in_component("mode b { };"), "no error");
 }
 
 }  // namespace

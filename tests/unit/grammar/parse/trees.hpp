@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "grammar/parse/parse.hpp"
 
@@ -92,10 +94,12 @@ template <class Tree>
 struct Parsed {
   Sources sources;
   Diagnostics diagnostics;
-  std::optional<Tree> tree;
+  std::optional<Tree> tree;  ///< the whole one
+  std::optional<Tree> part;  ///< what there is of it where there are errors
 
-  Parsed(std::optional<Tree> (*parse)(const Sources&, std::uint32_t, Diagnostics&), std::string text) {
-    tree = parse(sources, sources.add("test", std::move(text)), diagnostics);
+  Parsed(Parse<Tree> (*parse)(const Sources&, std::uint32_t, Diagnostics&), std::string text) {
+    auto result = parse(sources, sources.add("test", std::move(text)), diagnostics);
+    (result.whole ? tree : part) = std::move(result.tree);
   }
   /// `line:column message`, one a line.
   [[nodiscard]] std::string errors() const {

@@ -49,5 +49,15 @@ TEST(Encoding, ReportsRunsOfWrongBytesAndNotTooMany) {
   EXPECT_EQ(diagnostics.all()[1].span, (Span{1, 3, 5}));
 }
 
+TEST(SourceFile, ColumnsInUtf16) {
+  const SourceFile file("f", "a\nx\xC3\xA9\xF0\x9F\x9A\x80y\r\n");  // é takes one unit, a rocket two
+  EXPECT_EQ(file.place(9), (Place{2, 4}));
+  EXPECT_EQ(file.place_utf16(9), (Place{2, 5}));
+  for (const std::uint32_t offset : {0u, 2u, 3u, 5u, 9u})
+    EXPECT_EQ(file.offset_utf16(file.place_utf16(offset)), offset);
+  EXPECT_EQ(file.offset_utf16({2, 100}), 10u);
+  EXPECT_EQ(file.offset_utf16({9, 1}), 12u);
+}
+
 }  // namespace
 }  // namespace rmpl::grammar

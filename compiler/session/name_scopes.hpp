@@ -1,0 +1,58 @@
+// What names can be found in a model: domains, types with their members, the root; and in programs, definitions.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/session/names.hpp"
+
+namespace rmpl::compiler {
+
+/// A declared name.
+struct Declared {
+  grammar::Span span;
+  NameKind kind = NameKind::attribute;
+  const grammar::DomainRef* domain = nullptr;  ///< of attributes and variables
+  std::string type;                            ///< of instances
+};
+
+using Members = std::map<std::string, Declared, std::less<>>;
+
+/// The declarations of all files together; of two of one name, the first.
+class NameScopes {
+ public:
+  explicit NameScopes(std::span<const File* const> files);
+
+  [[nodiscard]] const Declared* domain(std::string_view name) const;
+  [[nodiscard]] const Declared* type(std::string_view name) const;
+  [[nodiscard]] const Declared* definition(std::string_view name) const;
+  /// A name within a type, `engine.thrust` through its instances. Null where there is none.
+  [[nodiscard]] const Declared* member(const std::string& type, std::string_view name) const;
+  /// A name that programs and scenarios may have: of a model program's variables, or of the plant.
+  [[nodiscard]] const Declared* visible(std::string_view name) const;
+  /// Where a value of a variable is declared; null where it has no such value.
+  [[nodiscard]] const Declared* value(const Declared& variable, std::string_view value) const;
+  /// The members of a type as declared; null where there is no such type.
+  [[nodiscard]] const Members* members(std::string_view type) const;
+
+ private:
+  void add(const grammar::ComponentDefinition& component);
+  void add(const grammar::ModuleDefinition& module);
+  void add(const grammar::Domain& domain);
+  void add(const grammar::ProgramFile& program);
+  static void add_attribute(const grammar::AttributeDeclaration& attribute, Members& members);
+
+  Members domains_;
+  Members types_;
+  Members definitions_;
+  Members variables_;                                    ///< of model programs
+  std::map<std::string, Members, std::less<>> members_;  ///< by type
+  std::map<std::string, Members, std::less<>> values_;   ///< of named domains, and modes of component types
+  std::map<grammar::Span, Members> values_in_place_;     ///< of domains without a name, by their place
+  std::string plant_;                                    ///< the first
+};
+
+}  // namespace rmpl::compiler
