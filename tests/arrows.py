@@ -27,7 +27,7 @@ ARROWS = {
 GUARDED = {
     re.compile(r"^boost/spirit/"): re.compile(r"^grammar/parse/"),
     re.compile(r"^CLI/"): re.compile(r"^tools/"),
-    re.compile(r"^bliss/"): re.compile(r"^verifier/plant/"),
+    re.compile(r"^bliss/"): re.compile(r"^verifier/symmetry/"),
     re.compile(r"^cadical\.hpp"): re.compile(r"^automata/logic/"),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/example.hpp"
-#include "verifier/property/property.hpp"
+#include "verifier/plant/check.hpp"
 
 using namespace rmpl;
 

@@ -11,7 +11,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "verifier/export/timed_automaton.hpp"
-#include "verifier/property/property.hpp"
+#include "verifier/plant/check.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -90,7 +90,7 @@ RC_GTEST_PROP(Export, ReachesWhatThePlantReaches, ()) {
   options.faults = question.faults;
   options.commands = question.commands;
   options.entailed = question.entailed;
-  const verifier::Result result =
+  const verifier::Answer result =
       verifier::check(step, verifier::Reachability{question.target, {}, false}, options, {});
   RC_ASSERT(Explorer(automaton).reaches_target() == (result.verdict == verifier::Verdict::holds));
 }

@@ -6,7 +6,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/closed_loop.hpp"
-#include "verifier/closed_loop/program_check.hpp"
+#include "verifier/closed_loop/check.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -46,23 +46,26 @@ void compare(std::optional<Ticks> period) {
   const reference::LoopAnswer expected = reference::explore_loop(program.program, slow, adviser, question);
   RC_PRE(!expected.too_many);
 
-  const std::vector<ProgramProperty> properties = {{Kind::goal_conflict},
-                                                   {Kind::no_plan},
-                                                   {Kind::endless_wait},
-                                                   {Kind::termination},
-                                                   {Kind::never, question.formula},
-                                                   {Kind::eventually, question.formula, question.within},
-                                                   {Kind::finally, question.formula}};
-  const verifier::ProgramResult found =
-      verifier::check(program.program, step, properties, {period, static_cast<unsigned>(question.faults)}, {});
+  const std::vector<verifier::Property> properties = {
+      ProgramProperty{Kind::goal_conflict},
+      ProgramProperty{Kind::no_plan},
+      ProgramProperty{Kind::endless_wait},
+      ProgramProperty{Kind::termination},
+      ProgramProperty{Kind::never, question.formula},
+      ProgramProperty{Kind::eventually, question.formula, question.within},
+      ProgramProperty{Kind::finally, question.formula}};
+  verifier::CheckOptions options;
+  options.period = period;
+  options.faults = static_cast<unsigned>(question.faults);
+  const std::vector<verifier::Answer> found = verifier::check(program.program, step, properties, options, {});
   const std::vector<bool> violated = {expected.conflict,      expected.no_plan, expected.waits_for_ever,
                                       expected.runs_for_ever, expected.holds,   expected.late,
                                       expected.ends_without};
   for (std::size_t p = 0; p < properties.size(); ++p) {
-    RC_LOG() << verifier::name_of(properties[p].kind) << " is " << (violated[p] ? "" : "not ")
+    RC_LOG() << verifier::name_of(properties[p]) << " is " << (violated[p] ? "" : "not ")
              << "violated tick by tick; formula " << automata::to_text(question.formula, model.plant.variables)
              << ", within " << question.within.count << ", faults " << question.faults << std::endl;
-    RC_ASSERT(found.answers[p].verdict == (violated[p] ? Verdict::violated : Verdict::holds));
+    RC_ASSERT(found[p].verdict == (violated[p] ? Verdict::violated : Verdict::holds));
   }
   RC_TAG(expected.runs_for_ever ? "endless" : "ends");
 }

@@ -6,7 +6,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/reachability.hpp"
-#include "verifier/property/property.hpp"
+#include "verifier/plant/check.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -40,22 +40,23 @@ Drawn draw_question(const automata::Plant& plant) {
   return drawn;
 }
 
-/// How many steps of a trace change a mode.
-std::size_t changes(const verifier::Trace& trace) {
+/// How many steps of a run change a mode.
+std::size_t changes(const verifier::Witness& witness) {
   std::size_t count = 0;
-  for (std::size_t i = 1; i < trace.size(); ++i) count += trace[i].modes != trace[i - 1].modes;
+  const std::vector<verifier::Event>& events = witness.events;
+  for (std::size_t i = 1; i < events.size(); ++i) count += events[i].modes != events[i - 1].modes;
   return count;
 }
 
 void compare(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& fewest) {
   automata::PlantStep step(model.plant);
-  const verifier::Result reached =
+  const verifier::Answer reached =
       verifier::check(step, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
   RC_ASSERT(reached.verdict == (fewest ? verifier::Verdict::holds : verifier::Verdict::violated));
-  RC_ASSERT(reached.trace.has_value() == fewest.has_value());
-  if (fewest) RC_ASSERT(changes(*reached.trace) == *fewest);
+  RC_ASSERT(reached.witness.has_value() == fewest.has_value());
+  if (fewest) RC_ASSERT(changes(*reached.witness) == *fewest);
 
-  const verifier::Result safe =
+  const verifier::Answer safe =
       verifier::check(step, verifier::Safety{.never = drawn.question.target, .window = {}}, drawn.options, {});
   RC_ASSERT(safe.verdict == (fewest ? verifier::Verdict::violated : verifier::Verdict::holds));
 }
@@ -63,7 +64,7 @@ void compare(const Model& model, const Drawn& drawn, const std::optional<std::si
 void compare_response(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& missed) {
   automata::PlantStep step(model.plant);
   const reference::Response& asked = *drawn.question.response;
-  const verifier::Result result =
+  const verifier::Answer result =
       verifier::check(step, verifier::Response{asked.after, asked.then, asked.within}, drawn.options, {});
   RC_ASSERT(result.verdict == (missed ? verifier::Verdict::violated : verifier::Verdict::holds));
 }
@@ -209,7 +210,7 @@ RC_GTEST_PROP(Reachability, FewestFaultsAreThoseOfTheLeastBudget, ()) {
                                : reference::fewest_steps_dense(slow, drawn.question, Ticks::of_seconds(1));
     if (!steps) continue;
     RC_ASSERT(result.fewest_faults == static_cast<unsigned>(drawn.question.faults));
-    RC_ASSERT(changes(*result.trace) == *steps);
+    RC_ASSERT(changes(*result.witness) == *steps);
     return;
   }
   RC_ASSERT(!result.fewest_faults || *result.fewest_faults >= 4);

@@ -5,7 +5,8 @@
 
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
-#include "verifier/property/check_all.hpp"
+#include "verifier/plant/check.hpp"
+#include "verifier/plant/check_all.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -35,10 +36,12 @@ verifier::Property draw_property(const automata::Plant& plant) {
   }
 }
 
-/// How many steps of a trace change a mode.
-std::size_t changes(const std::optional<verifier::Trace>& trace) {
+/// How many steps of a run change a mode.
+std::size_t changes(const std::optional<verifier::Witness>& witness) {
   std::size_t count = 0;
-  for (std::size_t i = 1; trace && i < trace->size(); ++i) count += (*trace)[i].modes != (*trace)[i - 1].modes;
+  if (!witness) return count;
+  const std::vector<verifier::Event>& events = witness->events;
+  for (std::size_t i = 1; i < events.size(); ++i) count += events[i].modes != events[i - 1].modes;
   return count;
 }
 
@@ -57,13 +60,13 @@ RC_GTEST_PROP(SeveralProperties, AreEachByItself, ()) {
     questions.push_back({draw_property(model.plant), options[up_to(0, 1)]});
   }
   automata::PlantStep step(model.plant);
-  const std::vector<verifier::Result> together = verifier::check_all(step, questions, {});
+  const std::vector<verifier::Answer> together = verifier::check_all(step, questions, {});
   RC_ASSERT(together.size() == questions.size());
   for (std::size_t q = 0; q < count; ++q) {
-    const verifier::Result single = verifier::check(step, questions[q].property, questions[q].options, {});
+    const verifier::Answer single = verifier::check(step, questions[q].property, questions[q].options, {});
     RC_ASSERT(together[q].verdict == single.verdict);
-    RC_ASSERT(together[q].trace.has_value() == single.trace.has_value());
-    if (!fastest(questions[q].property)) RC_ASSERT(changes(together[q].trace) == changes(single.trace));
+    RC_ASSERT(together[q].witness.has_value() == single.witness.has_value());
+    if (!fastest(questions[q].property)) RC_ASSERT(changes(together[q].witness) == changes(single.witness));
   }
 }
 

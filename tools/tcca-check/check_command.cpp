@@ -12,7 +12,8 @@
 #include "grammar/source/render.hpp"
 #include "tools/tcca-check/input.hpp"
 #include "tools/tcca-check/output.hpp"
-#include "verifier/property/table.hpp"
+#include "verifier/plant/check_all.hpp"
+#include "verifier/verdict/table.hpp"
 
 namespace rmpl::verifier {
 
@@ -83,20 +84,20 @@ Verdict run_check(const CommandLine& line, const Limits& limits) {
                           .from = p.from}});
   }
   automata::PlantStep step(plant);
-  std::vector<Result> results = check_all(step, questions, limits);
+  std::vector<Answer> answers = check_all(step, questions, limits);
   if (limits.report) std::fputs("\r\033[K", stderr);
-  if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.startless; })) {
+  if (std::any_of(answers.begin(), answers.end(), [](const Answer& a) { return a.startless; })) {
     warn_of_no_start("nothing is reachable");
   }
-  std::vector<Answer> answers;
+  std::vector<Claim> claims;
   for (std::size_t q = 0; q < stated.size(); ++q) {
-    answers.push_back({stated[q].name, std::move(questions[q]), stated[q].expect_violated, std::move(results[q])});
+    claims.push_back({stated[q].name, std::move(questions[q]), stated[q].expect_violated, std::move(answers[q])});
   }
   print(
-      line, [&] { return to_table(plant, answers, line.statistics, colored(line, STDOUT_FILENO)); },
-      [&] { return to_json(plant, answers); }, [&] { return to_junit(plant, answers); });
+      line, [&] { return to_table(plant, claims, line.statistics, colored(line, STDOUT_FILENO)); },
+      [&] { return to_json(plant, claims); }, [&] { return to_junit(plant, claims); });
   finish_output();
-  const Count found = count(answers);
+  const Count found = count(claims);
   if (found.unexpected > 0) return Verdict::violated;
   return found.undecided > 0 ? Verdict::undecided : Verdict::holds;
 }

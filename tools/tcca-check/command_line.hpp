@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "automata/time/time.hpp"
-#include "verifier/closed_loop/program_check.hpp"
-#include "verifier/plant/commands.hpp"
+#include "verifier/property/commands.hpp"
+#include "verifier/property/property.hpp"
 
 namespace rmpl::verifier {
 

@@ -10,7 +10,7 @@
 #include "tools/tcca-check/output.hpp"
 #include "verifier/export/prism.hpp"
 #include "verifier/export/write.hpp"
-#include "verifier/property/property.hpp"
+#include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tools/tcca-check/command_line.hpp"
-#include "verifier/property/property.hpp"
+#include "verifier/verdict/answer.hpp"
 
 namespace rmpl::verifier {
 

@@ -9,8 +9,10 @@
 
 #include "tools/tcca-check/input.hpp"
 #include "tools/tcca-check/output.hpp"
-#include "verifier/property/table.hpp"
-#include "verifier/witness/report.hpp"
+#include "verifier/plant/check.hpp"
+#include "verifier/verdict/report.hpp"
+#include "verifier/verdict/table.hpp"
+#include "verifier/verdict/wording.hpp"
 
 namespace rmpl::verifier {
 
@@ -69,18 +71,23 @@ Verdict run_property(const CommandLine& line, const Limits& limits) {
               << " components, " << plant.controls.size() << " controls\n";
   }
   automata::PlantStep step(plant);
-  const CheckOptions asked_for = options(plant, line);
-  const Result result = check(step, asked, asked_for, limits);
+  const Question question{asked, options(plant, line)};
+  const Answer answer = check(step, question.property, question.options, limits);
   if (limits.report) std::fputs("\r\033[K", stderr);
-  if (result.startless) warn_of_no_start("nothing is reachable");
+  if (answer.startless) warn_of_no_start("nothing is reachable");
+  const Subject subject{plant};
   print(
-      line, [&] { return to_text(plant, asked, asked_for, result, line.statistics, colored(line, STDOUT_FILENO)); },
-      [&] { return to_json(plant, asked, asked_for, result); },
+      line,
       [&] {
-        return to_junit(plant, {{title(line, asked), {asked, asked_for}, false, result}});
+        return to_text(subject, question, answer, colored(line, STDOUT_FILENO)) +
+               (line.statistics ? statistics_text(answer.progress) : "");
+      },
+      [&] { return to_json(subject, question, answer); },
+      [&] {
+        return to_junit(plant, {{title(line, asked), question, false, answer}});
       });
   finish_output();
-  return result.verdict;
+  return answer.verdict;
 }
 
 }  // namespace rmpl::verifier

@@ -116,13 +116,13 @@ Ticks ClockCells::above(std::uint32_t position) const {
   return position == top() ? Ticks::infinite() : constants_[position / 2];
 }
 
-Interval ClockCells::units(const Cell& cell, const Reading& reading) const {
-  const bool open_below = cell.first % 2 == 0 && !reading.is_dense();
-  const bool open_above = cell.last % 2 == 0 && !reading.is_dense();
+Interval ClockCells::units(const Cell& cell, const TimeModel& time) const {
+  const bool open_below = cell.first % 2 == 0 && !time.is_dense();
+  const bool open_above = cell.last % 2 == 0 && !time.is_dense();
   Interval result;
-  result.lower = open_below ? reading.more_than(below(cell.first)) : reading.at_least(below(cell.first));
+  result.lower = open_below ? time.more_than(below(cell.first)) : time.at_least(below(cell.first));
   const Ticks end = above(cell.last);
-  if (!end.is_infinite()) result.upper = open_above ? reading.at_least(end) - 1 : reading.at_most(end);
+  if (!end.is_infinite()) result.upper = open_above ? time.at_least(end) - 1 : time.at_most(end);
   return result;
 }
 

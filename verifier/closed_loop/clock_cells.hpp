@@ -8,7 +8,7 @@
 
 #include "automata/program.hpp"
 #include "automata/step/program_step.hpp"
-#include "verifier/plant/reading.hpp"
+#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::verifier {
 
@@ -35,7 +35,7 @@ class ClockCells {
 
   /// The readings of the cell in whole units. Sampled: exactly they. Dense: with both ends, as a cycle just before or
   /// after a constant happens, in the limit, at the constant.
-  [[nodiscard]] Interval units(const Cell& cell, const Reading& reading) const;
+  [[nodiscard]] Interval units(const Cell& cell, const TimeModel& time) const;
   /// The reading in the cell that is nearest to the one given.
   [[nodiscard]] automata::Ticks nearest(const Cell& cell, automata::Ticks reading) const;
   /// Whether a clock in `earlier` can read more than one in `later`.

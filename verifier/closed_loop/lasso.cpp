@@ -138,7 +138,7 @@ class Lassos {
   /// What a loop in the component must not leave out; nothing where no loop can last.
   std::optional<std::vector<Duty>> duties_of(const std::vector<Index>& members) {
     std::vector<Duty> duties;
-    const bool dense = loop_.reading().is_dense();
+    const bool dense = loop_.time().is_dense();
     duties.emplace_back([this, dense](Index, const Edge& edge) {
       return !dense || ProgramSystem::progressed(vertices_[edge.target].state.discrete);
     });

@@ -7,11 +7,12 @@
 #include <set>
 #include <tuple>
 
+#include "verifier/property/initial_modes.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Assignment;
 using automata::ClockId;
-using automata::Component;
 using automata::ComponentId;
 using automata::ModeId;
 using automata::Modes;
@@ -51,11 +52,11 @@ bool leaves_for_sure(const Choice& choice, ModeId mode) {
 }  // namespace
 
 Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
-           const Reading& reading, unsigned faults, Meter& meter)
+           const TimeModel& time, unsigned faults, Meter& meter)
     : program_(program),
       step_(step),
       reconfigurer_(reconfigurer),
-      reading_(reading),
+      time_(time),
       faults_(faults),
       meter_(meter),
       cells_(program),
@@ -64,14 +65,9 @@ Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime:
 
 std::vector<LoopState> Loop::initial(const std::vector<Assignment>& from) {
   std::vector<std::vector<Choice>> all;
-  for (const Component& component : plant().components) {
-    auto& modes = all.emplace_back();
-    const auto given =
-        std::find_if(from.begin(), from.end(), [&](const Assignment& a) { return a.variable == component.mode; });
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      if (given == from.end() ? component.initial[m] > 0 : given->value.index() == m)
-        modes.push_back({ModeId(m), 0, {}});
-    }
+  for (const std::vector<ModeId>& modes : initial_modes(plant(), from)) {
+    auto& choices = all.emplace_back();
+    for (const ModeId mode : modes) choices.push_back({mode, 0, {}});
   }
   sequencer_.reset();
   std::vector<LoopState> result;
@@ -147,7 +143,7 @@ std::vector<std::optional<Ticks>> Loop::started(const LoopState& state) const {
 
 std::vector<Choice> Loop::choices_of(const LoopState& state, const Turn& turn, ComponentId component) {
   const auto& enabled = step_.enabled(state.modes, turn.action);
-  return choices(plant()[component], state.modes[component.index()], enabled[component.index()], reading_);
+  return choices(plant()[component], state.modes[component.index()], enabled[component.index()], time_);
 }
 
 Turn Loop::work_out(const LoopState& state, unsigned faults) {
@@ -228,7 +224,7 @@ std::vector<LoopStateId> Loop::round(LoopStateId id) {
       return o.faults == 0 && o.state.modes == state.modes && o.state.passed == state.passed &&
              o.state.groups == state.groups;
     });
-    if (stays == turn.outcomes.end() || (!stays->same && !reading_.is_dense())) return {};
+    if (stays == turn.outcomes.end() || (!stays->same && !time_.is_dense())) return {};
     at = number(stays->state);
     if (at == id) return result;
     if (std::find(result.begin(), result.end(), at) != result.end()) return {};
@@ -236,7 +232,7 @@ std::vector<LoopStateId> Loop::round(LoopStateId id) {
 }
 
 std::vector<Interval> Loop::stays(const std::vector<Choice>& choices, ModeId mode) const {
-  if (!reading_.is_dense()) return {Interval{}};
+  if (!time_.is_dense()) return {Interval{}};
   std::vector<Interval> result;
   for (const Choice& choice : choices) {
     if (choice.faults == 0 && choice.mode == mode) result.push_back(choice.clock);
@@ -261,7 +257,7 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
       const Turn& turn = worked->turn;
       std::vector<Interval> both;
       const automata::AllEnabled enabled = step_.enabled(state.modes, turn.action);
-      for (const Interval& wait : verifier::waits(plant().components[c], state.modes[c], enabled[c], reading_)) {
+      for (const Interval& wait : verifier::waits(plant().components[c], state.modes[c], enabled[c], time_)) {
         for (const Interval& stay : stays(choices_of(state, turn, ComponentId(c)), state.modes[c])) {
           for (const Interval& known : intervals) {
             const Interval common = intersection(intersection(wait, stay), known);

@@ -69,11 +69,11 @@ class Loop {
  public:
   /// `program` is bound to the plant. Keeps references to all but `reading`.
   Loop(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
-       const Reading& reading, unsigned faults, Meter& meter);
+       const TimeModel& time, unsigned faults, Meter& meter);
 
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
   [[nodiscard]] const automata::Program& program() const { return program_; }
-  [[nodiscard]] const Reading& reading() const { return reading_; }
+  [[nodiscard]] const TimeModel& time() const { return time_; }
   [[nodiscard]] const ClockCells& cells() const { return cells_; }
   [[nodiscard]] unsigned faults() const { return faults_; }
 
@@ -121,7 +121,7 @@ class Loop {
   const automata::Program& program_;
   automata::PlantStep& step_;
   runtime::Reconfigurer& reconfigurer_;
-  Reading reading_;
+  TimeModel time_;
   unsigned faults_;
   Meter& meter_;
   ClockCells cells_;

@@ -55,7 +55,7 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
   for (std::size_t clock = 1; clock <= old; ++clock) sources.push_back(clock);
   sources.push_back(0);
   Zone zone = state.zone.select(sources);
-  if (!loop_.reading().is_dense()) zone.tick();
+  if (!loop_.time().is_dense()) zone.tick();
   for (const ClockBound& bound : outcome.bounds) {
     const std::size_t clock = clock_of(bound.component, from);
     if (!zone.constrain(clock, bound.clock)) return;
@@ -87,7 +87,7 @@ void ProgramSystem::choose_cells(const LoopState& state, std::vector<Cell>& chos
   const std::size_t g = chosen.size();
   if (g < state.groups.size()) {
     for (Cell cell = loop_.cell(state.groups[g]);; cell = cells.around(state.groups[g].clocks, cell.last + 1)) {
-      const Interval readings = cells.units(cell, loop_.reading());
+      const Interval readings = cells.units(cell, loop_.time());
       const bool ordered =
           std::all_of(chosen.begin(), chosen.end(), [&](const Cell& earlier) { return cells.in_order(earlier, cell); });
       Zone within = zone;
@@ -154,7 +154,7 @@ bool ProgramSystem::wait(Zone& zone, const Box& box, LoopStateId id) const {
     if (!zone.constrain(clock_of(b.component, state), {0, b.clock.upper})) return false;
   }
   for (std::size_t g = 0; g < state.groups.size(); ++g) {
-    const Interval cell = loop_.cells().units(loop_.cell(state.groups[g]), loop_.reading());
+    const Interval cell = loop_.cells().units(loop_.cell(state.groups[g]), loop_.time());
     if (!zone.constrain(extra() + g + 1, {0, cell.upper})) return false;
   }
   return true;
@@ -209,7 +209,7 @@ std::vector<ClockLimits> ProgramSystem::limits(const LoopState& state) const {
   for (const ClockGroup& group : state.groups) {
     ClockLimits limits;
     for (Cell cell = loop_.cell(group);; cell = loop_.cells().around(group.clocks, cell.last + 1)) {
-      const Interval readings = loop_.cells().units(cell, loop_.reading());
+      const Interval readings = loop_.cells().units(cell, loop_.time());
       limits.lower = std::max(limits.lower, readings.lower);
       if (loop_.cells().is_last(cell)) break;
       limits.upper = std::max(limits.upper, readings.upper);
@@ -218,7 +218,7 @@ std::vector<ClockLimits> ProgramSystem::limits(const LoopState& state) const {
   }
   for (const ComponentId component : loop_.live(state.modes)) {
     const std::size_t c = component.index();
-    result.push_back(clock_limits(loop_.plant().components[c], state.modes[c], loop_.reading()));
+    result.push_back(clock_limits(loop_.plant().components[c], state.modes[c], loop_.time()));
   }
   return result;
 }

@@ -8,16 +8,10 @@
 #include <vector>
 
 #include "verifier/closed_loop/loop.hpp"
+#include "verifier/property/fault.hpp"
 #include "verifier/search/system.hpp"
 
 namespace rmpl::verifier {
-
-/// A component going into a fault mode.
-struct FaultStep {
-  automata::ComponentId component;
-  automata::ModeId from, to;
-  auto operator<=>(const FaultStep&) const = default;
-};
 
 /// Which faults may happen, within the budget.
 struct FaultFilter {
@@ -83,7 +77,7 @@ class ProgramSystem : public TransitionSystem {
   };
 
   [[nodiscard]] bool stopwatch() const { return quest_.aim == Quest::Aim::late; }
-  [[nodiscard]] bool progress_clock() const { return quest_.progress && loop_.reading().is_dense(); }
+  [[nodiscard]] bool progress_clock() const { return quest_.progress && loop_.time().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }
   [[nodiscard]] bool is_filtered(const LoopState& from, const Outcome& outcome) const;
   void step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit);

@@ -15,7 +15,8 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "verifier/plant/reading.hpp"
+#include "verifier/property/initial_modes.hpp"
+#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::verifier {
 
@@ -85,7 +86,13 @@ class Writer {
  public:
   Writer(std::ostream& out, PlantStep& step, const ExportQuestion& question, automata::Ticks period,
          const Limits& limits)
-      : out_(out), step_(step), plant_(step.plant()), question_(question), period_(period), meter_(limits) {
+      : out_(out),
+        step_(step),
+        plant_(step.plant()),
+        question_(question),
+        period_(period),
+        meter_(limits),
+        initial_(initial_modes(plant_, question.from)) {
     for_each_action(plant_, question.commands, [this](const ControlAction& action) { actions_.push_back(action); });
     const auto drawn = [](const automata::Component& c) {
       return std::count_if(c.initial.begin(), c.initial.end(), [](double p) { return p > 0; }) > 1;
@@ -118,17 +125,6 @@ class Writer {
     return text.empty() ? "all controls idle" : text;
   }
 
-  [[nodiscard]] std::vector<ModeId> initial_modes(const automata::Component& component) const {
-    for (const automata::Assignment& a : question_.from) {
-      if (a.variable == component.mode) return {ModeId(a.value.index())};
-    }
-    std::vector<ModeId> modes;
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      if (component.initial[m] > 0) modes.emplace_back(m);
-    }
-    return modes;
-  }
-
   /// Visits every combination of one mode from each list.
   static void for_each_combination(const std::vector<std::vector<ModeId>>& lists,
                                    const std::function<void(const std::vector<ModeId>&)>& visit) {
@@ -159,8 +155,7 @@ class Writer {
       meter_.count_state();
       queue.push_back(modes);
     };
-    std::vector<std::vector<ModeId>> lists;
-    for (const automata::Component& component : plant_.components) lists.push_back(initial_modes(component));
+    std::vector<std::vector<ModeId>> lists = initial_;
     for_each_combination(lists, add);
     for (std::size_t next = 0; next < queue.size(); ++next) {
       const Modes modes = queue[next];
@@ -188,7 +183,7 @@ class Writer {
 
   /// The reading in periods from which on nothing depends on the clock any more.
   [[nodiscard]] Units last_reading(ComponentId component, ModeId mode) const {
-    const Reading reading = Reading::sampled(period_);
+    const TimeModel time = TimeModel::sampled(period_);
     Units last = 0;
     for (const automata::Transition& t : plant_[component].transitions) {
       if (t.from != mode || !t.timing) continue;
@@ -198,7 +193,7 @@ class Writer {
             "prism cannot say a hazard that goes on changing for ever: the normal density of a transition of " +
             plant_[component].name + " has no upper bound");
       }
-      last = std::max(last, reading.at_least(endless ? t.timing->lower : t.timing->upper));
+      last = std::max(last, time.at_least(endless ? t.timing->lower : t.timing->upper));
     }
     return last;
   }
@@ -215,7 +210,7 @@ class Writer {
     for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
       out_ << (mode == 0 ? "" : ", ") << mode << ' ' << component.modes[mode].name;
     }
-    const std::vector<ModeId> initial = initial_modes(component);
+    const std::vector<ModeId>& initial = initial_[id.index()];
     out_ << "\n  " << m << " : [" << (drawn_ ? "-1.." : "0..") << component.modes.size() - 1 << "] init "
          << (drawn_ ? "-1" : std::to_string(initial.front().value)) << ";\n";
     if (longest > 0) out_ << "  " << x << " : [0.." << longest << "] init 0; // periods in the mode\n";
@@ -338,6 +333,7 @@ class Writer {
   const ExportQuestion& question_;
   automata::Ticks period_;
   Meter meter_;
+  std::vector<std::vector<ModeId>> initial_;  ///< by component
   std::vector<ControlAction> actions_;
   bool drawn_ = false;  ///< the initial modes are drawn, in a step of its own
 };

@@ -68,7 +68,7 @@ std::string attributes_of(const Edge& edge, unsigned faults) {
 
 void write_tchecker(std::ostream& out, const automata::Plant& plant, const TimedAutomaton& automaton) {
   out << "# " << plant.name << ": is a location labelled `target` reachable?\n"
-      << "# 1 unit of time is " << automata::format_seconds(automaton.reading.unit()) << " s\n";
+      << "# 1 unit of time is " << automata::format_seconds(automaton.time.unit()) << " s\n";
   for (std::size_t c = 0; c < automaton.clocks.size(); ++c) {
     out << "# " << clock(c) << ": time since " << plant[automaton.clocks[c]].name << " entered its mode\n";
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "verifier/plant/choices.hpp"
+#include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {
 
@@ -48,7 +49,7 @@ class Unfolding {
         question_(question),
         target_(step.theory().encode(question.target)),
         meter_(limits),
-        result_{Reading::dense(plant_, {}), {}, {}, {}, {}, question.faults} {
+        result_{TimeModel::dense(plant_, {}), {}, {}, {}, {}, question.faults} {
     for (std::size_t c = 0; c < plant_.components.size(); ++c) {
       clocks_.push_back(result_.clocks.size());
       const auto& transitions = plant_.components[c].transitions;
@@ -86,14 +87,9 @@ class Unfolding {
 
   void start() {
     std::vector<std::vector<Choice>> all;
-    for (const automata::Component& component : plant_.components) {
-      auto& modes = all.emplace_back();
-      const auto given = std::find_if(question_.from.begin(), question_.from.end(),
-                                      [&](const auto& a) { return a.variable == component.mode; });
-      for (std::size_t m = 0; m < component.modes.size(); ++m) {
-        const bool possible = given == question_.from.end() ? component.initial[m] > 0 : given->value.index() == m;
-        if (possible) modes.push_back({automata::ModeId(m), 0, {}});
-      }
+    for (const std::vector<automata::ModeId>& modes : initial_modes(plant_, question_.from)) {
+      auto& choices = all.emplace_back();
+      for (const automata::ModeId mode : modes) choices.push_back({mode, 0, {}});
     }
     for_each_joint(all, [&](const Joint& joint) {
       if (const auto state = find(modes_of(joint))) result_.initial.push_back(location(*state, states_[*state].urgent));
@@ -114,7 +110,7 @@ class Unfolding {
     State& state = states_.emplace_back(State{modes, false, {}, {}, {}});
     const automata::AllEnabled& enabled = step_.enabled(modes, automata::idle_action(plant_));
     for (std::size_t c = 0; c < modes.size(); ++c) {
-      const auto waits = verifier::waits(plant_.components[c], modes[c], enabled[c], result_.reading);
+      const auto waits = verifier::waits(plant_.components[c], modes[c], enabled[c], result_.time);
       // In dense time there is one wait, from any reading on, or none.
       if (waits.empty()) {
         state.urgent = true;
@@ -151,7 +147,7 @@ class Unfolding {
       const automata::AllEnabled& enabled = step_.enabled(modes, action);
       std::vector<std::vector<Choice>> all;
       for (std::size_t c = 0; c < modes.size(); ++c) {
-        all.push_back(choices(plant_.components[c], modes[c], enabled[c], result_.reading));
+        all.push_back(choices(plant_.components[c], modes[c], enabled[c], result_.time));
       }
       if (!seen_choices.insert(all).second) return;
       for_each_joint(all, [&](const Joint& joint) {

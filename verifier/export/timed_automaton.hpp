@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
-#include "verifier/plant/commands.hpp"
-#include "verifier/plant/reading.hpp"
+#include "verifier/property/commands.hpp"
 #include "verifier/search/limits.hpp"
+#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::verifier {
 
@@ -34,10 +34,10 @@ struct Edge {
   unsigned faults = 0;
 };
 
-/// The reachable mode combinations as locations, joint steps as edges. Constants are multiples of `reading.unit()`. It
+/// The reachable mode combinations as locations, joint steps as edges. Constants are multiples of `time.unit()`. It
 /// reaches a target location exactly where the plant reaches the target in dense time (semantics 7).
 struct TimedAutomaton {
-  Reading reading;
+  TimeModel time;
   std::vector<automata::ComponentId> clocks;  ///< of which component each is
   std::vector<Location> locations;
   std::vector<Edge> edges;

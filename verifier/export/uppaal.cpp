@@ -93,8 +93,8 @@ void fill(pugi::xml_node process, const automata::Plant& plant, const TimedAutom
 }
 
 std::string declarations(const automata::Plant& plant, const TimedAutomaton& automaton) {
-  std::string result = "// " + plant.name + "; 1 unit of time is " +
-                       automata::format_seconds(automaton.reading.unit()) + " s\nbool reached = false;\n";
+  std::string result = "// " + plant.name + "; 1 unit of time is " + automata::format_seconds(automaton.time.unit()) +
+                       " s\nbool reached = false;\n";
   if (automaton.faults > 0) result += "int[0, " + std::to_string(automaton.faults) + "] faults = 0;\n";
   if (!automaton.clocks.empty()) result += "clock x[" + std::to_string(automaton.clocks.size()) + "];\n";
   for (std::size_t c = 0; c < automaton.clocks.size(); ++c) {

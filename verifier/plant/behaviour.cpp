@@ -23,7 +23,7 @@ constexpr std::size_t most_reasons = 512;
 
 }  // namespace
 
-Behaviours::Behaviours(automata::PlantStep& step, const Reading& reading) : step_(step), reading_(reading) {
+Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time) : step_(step), time_(time) {
   const automata::Plant& plant = step.plant();
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     auto& modes = known_.emplace_back();
@@ -47,7 +47,7 @@ BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector
 
 BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled& enabled) {
   const automata::Component& automaton = step_.plant()[component];
-  return number(mode, choices(automaton, mode, enabled, reading_), waits(automaton, mode, enabled, reading_));
+  return number(mode, choices(automaton, mode, enabled, time_), waits(automaton, mode, enabled, time_));
 }
 
 void Behaviours::read(const Modes& modes, const ControlAction& action, std::vector<BehaviourId>& result) {

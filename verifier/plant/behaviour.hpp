@@ -33,7 +33,7 @@ using BehaviourId = automata::Id<struct BehaviourTag>;
 /// remembered under all that could matter.
 class Behaviours {
  public:
-  Behaviours(automata::PlantStep& step, const Reading& reading);
+  Behaviours(automata::PlantStep& step, const TimeModel& time);
 
   /// From here on all components but these, by component, stay as they are, whatever time passes; none: all move.
   void freeze_all_but(std::vector<bool> moving) { moving_ = std::move(moving); }
@@ -46,7 +46,7 @@ class Behaviours {
   /// Per component, in possible modes under a control action.
   void read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
   [[nodiscard]] automata::PlantStep& step() { return step_; }
-  [[nodiscard]] const Reading& reading() const { return reading_; }
+  [[nodiscard]] const TimeModel& time() const { return time_; }
 
  private:
   /// One assumption: a mode of a component, or the value of a control.
@@ -74,7 +74,7 @@ class Behaviours {
                                              const automata::ControlAction& action);
 
   automata::PlantStep& step_;
-  Reading reading_;
+  TimeModel time_;
   std::vector<bool> moving_;
   std::deque<Behaviour> table_;
   std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>>, BehaviourId> numbers_;

@@ -34,8 +34,8 @@ std::vector<Choice> joined(std::vector<Choice> choices) {
 /// The choices of one component, as they are collected.
 class Collector {
  public:
-  Collector(const Component& component, ModeId mode, const Enabled& enabled, const Reading& reading)
-      : component_(component), mode_(mode), enabled_(enabled), reading_(reading) {}
+  Collector(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time)
+      : component_(component), mode_(mode), enabled_(enabled), time_(time) {}
 
   std::vector<Choice> collect() {
     for (const TransitionId id : enabled_.faults) {
@@ -54,7 +54,7 @@ class Collector {
   /// Where a fault transition is enabled.
   [[nodiscard]] Interval within(const Transition& t) const {
     if (!t.timing) return {};
-    return {reading_.at_least(t.timing->lower), reading_.at_most(t.timing->upper)};
+    return {time_.at_least(t.timing->lower), time_.at_most(t.timing->upper)};
   }
 
   /// The sum of the fault probabilities at a reading, in the order in which PlantStep adds them.
@@ -63,7 +63,7 @@ class Collector {
     for (const TransitionId id : enabled_.faults) {
       const Transition& t = component_.transitions[id.index()];
       if (within(t).contains(clock))
-        sum += t.weight.fault_probability(reading_.is_dense() ? automata::Ticks{0} : reading_.unit());
+        sum += t.weight.fault_probability(time_.is_dense() ? automata::Ticks{0} : time_.unit());
     }
     return sum;
   }
@@ -93,31 +93,31 @@ class Collector {
       for (const TransitionId id : enabled_.untimed) add(component_.transitions[id.index()].to, 0, share);
       return;
     }
-    if (reading_.is_dense()) {
+    if (time_.is_dense()) {
       add(mode_, 0, share);
       Units certain = unbounded;
       for (const TransitionId id : enabled_.timed) {
-        certain = std::min(certain, reading_.at_most(component_.transitions[id.index()].timing->upper));
+        certain = std::min(certain, time_.at_most(component_.transitions[id.index()].timing->upper));
       }
       for (const TransitionId id : enabled_.timed) {
         const Transition& t = component_.transitions[id.index()];
-        add(t.to, 0, intersection(share, {reading_.at_least(t.timing->lower), certain}));
+        add(t.to, 0, intersection(share, {time_.at_least(t.timing->lower), certain}));
         if (t.timing->upper.is_infinite()) continue;
-        add(t.to, 0, intersection(share, {reading_.at_most(t.timing->upper), unbounded}));
+        add(t.to, 0, intersection(share, {time_.at_most(t.timing->upper), unbounded}));
       }
       return;
     }
     Units certain = unbounded;
     for (const TransitionId id : enabled_.timed) {
-      certain = std::min(certain, reading_.at_least(component_.transitions[id.index()].timing->upper));
+      certain = std::min(certain, time_.at_least(component_.transitions[id.index()].timing->upper));
     }
     const Units before = certain == unbounded ? unbounded : certain - 1;
     add(mode_, 0, intersection(share, {0, before}));
     for (const TransitionId id : enabled_.timed) {
       const Transition& t = component_.transitions[id.index()];
-      add(t.to, 0, intersection(share, {reading_.more_than(t.timing->lower), before}));
+      add(t.to, 0, intersection(share, {time_.more_than(t.timing->lower), before}));
       if (!t.timing->upper.is_infinite()) {
-        add(t.to, 0, intersection(share, {reading_.at_least(t.timing->upper), unbounded}));
+        add(t.to, 0, intersection(share, {time_.at_least(t.timing->upper), unbounded}));
       }
     }
   }
@@ -125,31 +125,31 @@ class Collector {
   const Component& component_;
   ModeId mode_;
   const Enabled& enabled_;
-  const Reading& reading_;
+  const TimeModel& time_;
   std::vector<Choice> result_;
 };
 
 }  // namespace
 
-std::vector<Choice> choices(const Component& component, ModeId mode, const Enabled& enabled, const Reading& reading) {
-  return Collector(component, mode, enabled, reading).collect();
+std::vector<Choice> choices(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time) {
+  return Collector(component, mode, enabled, time).collect();
 }
 
-std::vector<Interval> waits(const Component& component, ModeId mode, const Enabled& enabled, const Reading& reading) {
-  if (reading.is_dense()) {
+std::vector<Interval> waits(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time) {
+  if (time.is_dense()) {
     const auto leaves = [&](TransitionId id) { return component.transitions[id.index()].to != mode; };
     if (std::any_of(enabled.untimed.begin(), enabled.untimed.end(), leaves)) return {};
     Interval wait;
     if (!enabled.untimed.empty()) return {wait};
     for (const TransitionId id : enabled.timed) {
       if (!leaves(id)) continue;
-      wait.upper = std::min(wait.upper, reading.at_most(component.transitions[id.index()].timing->upper));
+      wait.upper = std::min(wait.upper, time.at_most(component.transitions[id.index()].timing->upper));
     }
     return {wait};
   }
   // A wait is a run of periods in each of which the component may stay; the first one ends a unit after it begins.
   std::vector<Interval> stays;
-  for (const Choice& choice : choices(component, mode, enabled, reading)) {
+  for (const Choice& choice : choices(component, mode, enabled, time)) {
     if (choice.mode == mode && choice.faults == 0) stays.push_back(choice.clock);
   }
   stays = merged(std::move(stays));
@@ -171,21 +171,21 @@ bool faults_can_be_certain(const Component& component, ModeId mode) {
 
 /// In sampled time, and beside faults that can be certain, every bound cuts both ways: it ends one interval and begins
 /// the next.
-ClockLimits coarse_limits(const Component& component, ModeId mode, const Reading& reading) {
+ClockLimits coarse_limits(const Component& component, ModeId mode, const TimeModel& time) {
   Units greatest = -1;
   for (const Transition& t : component.transitions) {
     if (t.from != mode || !t.timing) continue;
-    greatest = std::max(greatest, reading.more_than(t.timing->lower));
-    if (!t.timing->upper.is_infinite()) greatest = std::max(greatest, reading.more_than(t.timing->upper));
+    greatest = std::max(greatest, time.more_than(t.timing->lower));
+    if (!t.timing->upper.is_infinite()) greatest = std::max(greatest, time.more_than(t.timing->upper));
   }
   return {greatest, greatest};
 }
 
 }  // namespace
 
-ClockLimits clock_limits(const Component& component, ModeId mode, const Reading& reading,
+ClockLimits clock_limits(const Component& component, ModeId mode, const TimeModel& time,
                          const std::vector<bool>& possible) {
-  if (!reading.is_dense() || faults_can_be_certain(component, mode)) return coarse_limits(component, mode, reading);
+  if (!time.is_dense() || faults_can_be_certain(component, mode)) return coarse_limits(component, mode, time);
   const auto exits =
       std::count_if(component.transitions.begin(), component.transitions.end(),
                     [&](const Transition& t) { return t.from == mode && t.timing && !component.is_fault(t); });
@@ -193,8 +193,8 @@ ClockLimits clock_limits(const Component& component, ModeId mode, const Reading&
   for (const Transition& t : component.transitions) {
     if (t.from != mode || !t.timing) continue;
     const bool finite = !t.timing->upper.is_infinite();
-    const Units lower = reading.at_least(t.timing->lower);
-    const Units upper = finite ? reading.at_most(t.timing->upper) : -1;
+    const Units lower = time.at_least(t.timing->lower);
+    const Units upper = finite ? time.at_most(t.timing->upper) : -1;
     limits.upper = std::max(limits.upper, upper);
     // What leads into an impossible mode is never taken: only time stops for it.
     if (!possible.empty() && !possible[t.to.index()]) continue;

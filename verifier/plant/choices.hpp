@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
-#include "verifier/plant/reading.hpp"
+#include "verifier/zone/time_model.hpp"
 #include "verifier/zone/zone.hpp"
 
 namespace rmpl::verifier {
@@ -31,7 +31,7 @@ struct Choice {
 ///   possible. Before that, staying is possible, and each exit whose bounds the period has entered.
 /// A fault mode's transition to itself is staying there: no new fault.
 std::vector<Choice> choices(const automata::Component& component, automata::ModeId mode,
-                            const automata::Enabled& enabled, const Reading& reading);
+                            const automata::Enabled& enabled, const TimeModel& time);
 
 /// Where the clock may be for time to pass with nothing changing, when `enabled` is what the guards allow all the
 /// while: from the interval's lower bound on a wait may begin, at its upper bound it ends at the latest. Waits within
@@ -39,12 +39,12 @@ std::vector<Choice> choices(const automata::Component& component, automata::Mode
 /// enabled, else up to the least upper bound of the enabled timed exits. A transition to the same mode is staying: it
 /// stops no clock, and an untimed one leaves nothing to the timed exits while it is enabled.
 std::vector<Interval> waits(const automata::Component& component, automata::ModeId mode,
-                            const automata::Enabled& enabled, const Reading& reading);
+                            const automata::Enabled& enabled, const TimeModel& time);
 
 /// The greatest constants that the clock of this mode is compared with, in lower bounds and in upper ones, by whatever
 /// guards are enabled in it from some time on; `possible`, by mode, leaves out what is never gone to (none: all may
 /// be).
-ClockLimits clock_limits(const automata::Component& component, automata::ModeId mode, const Reading& reading,
+ClockLimits clock_limits(const automata::Component& component, automata::ModeId mode, const TimeModel& time,
                          const std::vector<bool>& possible = {});
 
 }  // namespace rmpl::verifier

@@ -16,7 +16,7 @@ class Exploration {
   Exploration(PlantSystem& system, const FaultSets& sets, Meter& meter)
       : system_(system), sets_(sets), meter_(meter), passed_(system, false) {}
 
-  std::vector<CutSet> run() {
+  std::vector<CutPath> run() {
     system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
     // Levels are emptied in turn: what a level adds is on it or above it.
     while (!levels_.empty()) {
@@ -62,19 +62,20 @@ class Exploration {
   }
 
   [[nodiscard]] bool superfluous(unsigned faults) const {
-    return std::any_of(found_.begin(), found_.end(), [&](const CutSet& cut) { return subset(cut.set, sets_[faults]); });
+    return std::any_of(found_.begin(), found_.end(),
+                       [&](const CutPath& cut) { return subset(cut.set, sets_[faults]); });
   }
 
   /// A set found early can hold one that was found later, in a run on which a fault comes twice.
-  std::vector<CutSet> minimal() {
-    std::vector<CutSet> result;
-    for (const CutSet& cut : found_) {
-      const bool holds_another = std::any_of(found_.begin(), found_.end(), [&](const CutSet& other) {
+  std::vector<CutPath> minimal() {
+    std::vector<CutPath> result;
+    for (const CutPath& cut : found_) {
+      const bool holds_another = std::any_of(found_.begin(), found_.end(), [&](const CutPath& other) {
         return other.set.faults != cut.set.faults && subset(other.set, cut.set);
       });
       if (!holds_another) result.push_back(cut);
     }
-    std::sort(result.begin(), result.end(), [](const CutSet& a, const CutSet& b) {
+    std::sort(result.begin(), result.end(), [](const CutPath& a, const CutPath& b) {
       return std::pair(a.set.faults.size(), a.set.faults) < std::pair(b.set.faults.size(), b.set.faults);
     });
     return result;
@@ -85,12 +86,12 @@ class Exploration {
   Meter& meter_;
   Passed passed_;
   std::map<unsigned, std::deque<std::uint32_t>> levels_;  ///< by number of faults
-  std::vector<CutSet> found_;
+  std::vector<CutPath> found_;
 };
 
 }  // namespace
 
-std::vector<CutSet> minimal_cut_sets(PlantSystem& system, const FaultSets& sets, Meter& meter) {
+std::vector<CutPath> minimal_cut_sets(PlantSystem& system, const FaultSets& sets, Meter& meter) {
   return Exploration(system, sets, meter).run();
 }
 

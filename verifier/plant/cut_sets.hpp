@@ -12,7 +12,7 @@
 namespace rmpl::verifier {
 
 /// A set of faults with a path that has them and no others.
-struct CutSet {
+struct CutPath {
   FaultSet set;
   std::vector<PathState> path;
 };
@@ -20,6 +20,6 @@ struct CutSet {
 /// Every minimal set of faults of the runs to an accepted state, within the system's budget; sorted by size, then by
 /// component and mode. One exploration: a state covers another that has had a superset of its faults, and what has had
 /// a superset of a set that was found is not followed. The system counts faults by these sets. Throws LimitReached.
-std::vector<CutSet> minimal_cut_sets(PlantSystem& system, const FaultSets& sets, Meter& meter);
+std::vector<CutPath> minimal_cut_sets(PlantSystem& system, const FaultSets& sets, Meter& meter);
 
 }  // namespace rmpl::verifier

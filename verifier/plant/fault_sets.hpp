@@ -5,16 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "automata/state.hpp"
+#include "verifier/property/fault.hpp"
 
 namespace rmpl::verifier {
-
-/// A component goes into a fault mode.
-struct Fault {
-  automata::ComponentId component;
-  automata::ModeId mode;
-  auto operator<=>(const Fault&) const = default;
-};
 
 /// The faults of a run, sorted, each once; and how many there were, repetitions counted.
 struct FaultSet {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "verifier/plant/behaviour.hpp"
-#include "verifier/plant/commands.hpp"
 #include "verifier/plant/nogoods.hpp"
-#include "verifier/plant/symmetry.hpp"
+#include "verifier/property/commands.hpp"
 #include "verifier/search/limits.hpp"
+#include "verifier/symmetry/symmetry.hpp"
 
 namespace rmpl::verifier {
 

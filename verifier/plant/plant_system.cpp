@@ -65,7 +65,7 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
   const Place place{here, observer_.timed(phase)};
   const auto moves = situations_.moves(id);
   for (std::size_t m = 0; m < moves->size(); ++m) {
-    const Move& move = (*moves)[m];
+    const JointStep& move = (*moves)[m];
     if (fault_count(state.faults) + move.faults > situations_.faults()) continue;
     const unsigned faults = sets_ == nullptr
                                 ? state.faults + move.faults
@@ -74,7 +74,7 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
     if (move.hold) {
       if (!wait(zone, move.bounds, place)) continue;
     } else {
-      if (!situations_.reading().is_dense()) zone.tick();
+      if (!situations_.time().is_dense()) zone.tick();
       if (!within(zone, move.bounds, place)) continue;
     }
     const auto step_into = [&](Phase next, const Zone& from) {
@@ -171,17 +171,17 @@ struct Parts {
   Situations situations;
 };
 
-class Twin : private Parts, public PlantSystem {
+class Copy : private Parts, public PlantSystem {
  public:
-  Twin(const Situations& other, const Limits& limits, const Observe& observe, const Symmetry& symmetry,
+  Copy(const Situations& other, const Limits& limits, const Observe& observe, const Symmetry& symmetry,
        const std::vector<Modes>& start)
       : Parts(other, limits), PlantSystem(Parts::situations, observe, symmetry, start) {}
 };
 
 }  // namespace
 
-std::unique_ptr<TransitionSystem> PlantSystem::twin(const Limits& limits) const {
-  return std::make_unique<Twin>(situations_, limits, observe_, symmetry_, start_);
+std::unique_ptr<TransitionSystem> PlantSystem::copy(const Limits& limits) const {
+  return std::make_unique<Copy>(situations_, limits, observe_, symmetry_, start_);
 }
 
 TransitionSystem::Key PlantSystem::key(std::uint64_t discrete) const {

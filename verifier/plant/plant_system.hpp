@@ -5,8 +5,8 @@
 #include "verifier/plant/fault_sets.hpp"
 #include "verifier/plant/observer.hpp"
 #include "verifier/plant/situation.hpp"
-#include "verifier/plant/symmetry.hpp"
 #include "verifier/search/system.hpp"
+#include "verifier/symmetry/symmetry.hpp"
 
 namespace rmpl::verifier {
 
@@ -17,7 +17,7 @@ namespace rmpl::verifier {
 /// Clocks, in this order: the observer's stopwatch where it runs, then those of the live components.
 class PlantSystem : public TransitionSystem {
  public:
-  /// An observer that asks a step function about modes. Called for twins from their threads.
+  /// An observer that asks a step function about modes. Called for copies from their threads.
   using Observe = std::function<Observer(automata::PlantStep&)>;
 
   /// Keeps references. `start` are the modes to start in.
@@ -33,8 +33,8 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] unsigned fault_count(unsigned faults) const override;
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override;
   /// None where faults are told apart.
-  [[nodiscard]] bool has_twins() const override { return sets_ == nullptr; }
-  [[nodiscard]] std::unique_ptr<TransitionSystem> twin(const Limits& limits) const override;
+  [[nodiscard]] bool has_copies() const override { return sets_ == nullptr; }
+  [[nodiscard]] std::unique_ptr<TransitionSystem> copy(const Limits& limits) const override;
   /// The phase, then the modes.
   [[nodiscard]] Key key(std::uint64_t discrete) const override;
   [[nodiscard]] std::uint64_t number(const Key& key) override;

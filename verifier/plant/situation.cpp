@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include "verifier/property/initial_modes.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Assignment;
@@ -26,10 +28,10 @@ void add_bound(Box& box, ComponentId component, const Interval& clock) {
 
 }  // namespace
 
-Situations::Situations(automata::PlantStep& step, const Reading& reading, Commands commands, unsigned faults,
+Situations::Situations(automata::PlantStep& step, const TimeModel& time, Commands commands, unsigned faults,
                        Meter& meter)
     : step_(step),
-      behaviours_(step, reading),
+      behaviours_(step, time),
       commands_(commands),
       faults_(faults),
       meter_(meter),
@@ -45,14 +47,14 @@ Situations::Situations(automata::PlantStep& step, const Reading& reading, Comman
     }
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       const bool live = plant().has_timed_exit(ComponentId(c), ModeId(m));
-      modes.push_back(live ? std::optional(clock_limits(component, ModeId(m), reading, possible)) : std::nullopt);
+      modes.push_back(live ? std::optional(clock_limits(component, ModeId(m), time, possible)) : std::nullopt);
     }
   }
   position_of(automata::idle_action(plant()));
 }
 
 Situations::Situations(const Situations& other, automata::PlantStep& step, Meter& meter)
-    : Situations(step, other.reading(), other.commands_, other.faults_, meter) {
+    : Situations(step, other.time(), other.commands_, other.faults_, meter) {
   behaviours_.freeze_as(other.behaviours_);
   joint_steps_.use_as(other.joint_steps_);
 }
@@ -120,16 +122,16 @@ std::vector<Box> Situations::waits(const std::vector<BehaviourId>& behaviours) c
   return boxes;
 }
 
-std::shared_ptr<const std::vector<Move>> Situations::moves(SituationId id) {
+std::shared_ptr<const std::vector<JointStep>> Situations::moves(SituationId id) {
   if (const auto known = moves_.find(id); known != moves_.end()) return known->second;
   if (moves_.size() >= remembered) moves_.clear();
-  auto worked_out = std::make_shared<const std::vector<Move>>(work_out(modes(id)));
+  auto worked_out = std::make_shared<const std::vector<JointStep>>(work_out(modes(id)));
   moves_.emplace(id, worked_out);
   return worked_out;
 }
 
-std::vector<Move> Situations::work_out(const Modes& modes) {
-  std::vector<Move> result;
+std::vector<JointStep> Situations::work_out(const Modes& modes) {
+  std::vector<JointStep> result;
   std::vector<BehaviourId> idling;
   behaviours_.read(modes, actions_.front(), idling);
   const std::vector<Box> idle_waits = waits(idling);
@@ -145,7 +147,7 @@ std::vector<Move> Situations::work_out(const Modes& modes) {
       if (!seen_moves.emplace(target, faults, bounds).second) return;
       result.push_back({target, position_of(action), faults, hold, bounds});
     };
-    if (!reading().is_dense()) {
+    if (!time().is_dense()) {
       for (const Box& box : waits(behaviours_here_)) {
         // What waiting under idle controls allows needs no command.
         if (std::count(idle_waits.begin(), idle_waits.end(), box) == 0) add(modes, 0, true, box);
@@ -154,22 +156,19 @@ std::vector<Move> Situations::work_out(const Modes& modes) {
     joint_steps_.enumerate(modes, action, idling, behaviours_here_,
                            [&](const Modes& next, unsigned faults, const Box& box) { add(next, faults, false, box); });
   });
-  std::stable_partition(result.begin(), result.end(), [](const Move& m) { return m.hold; });
+  std::stable_partition(result.begin(), result.end(), [](const JointStep& m) { return m.hold; });
   return result;
 }
 
 std::vector<Modes> Situations::initial(const std::vector<Assignment>& from) {
   std::vector<Modes> result = {{}};
-  for (const Component& component : plant().components) {
-    const auto given =
-        std::find_if(from.begin(), from.end(), [&](const Assignment& a) { return a.variable == component.mode; });
+  for (const std::vector<ModeId>& own : initial_modes(plant(), from)) {
     std::vector<Modes> longer;
     for (const Modes& modes : result) {
-      for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      for (const ModeId mode : own) {
         meter_.poll();
-        if (given == from.end() ? component.initial[m] <= 0 : given->value.index() != m) continue;
         longer.push_back(modes);
-        longer.back().emplace_back(m);
+        longer.back().push_back(mode);
       }
     }
     result = std::move(longer);

@@ -19,7 +19,7 @@ using SituationId = automata::Id<struct SituationTag>;
 
 /// One joint step of all components, or, in sampled time, a hold: periods in which a command keeps everything from
 /// changing although it would under idle controls.
-struct Move {
+struct JointStep {
   automata::Modes target;
   std::uint32_t action;  ///< position in `Situations::action`; the first one that enables it
   unsigned faults = 0;
@@ -39,14 +39,14 @@ struct Situation {
 class Situations {
  public:
   /// Keeps references to the step function and the meter, which is polled while moves are worked out; it may throw.
-  Situations(automata::PlantStep& step, const Reading& reading, Commands commands, unsigned faults, Meter& meter);
+  Situations(automata::PlantStep& step, const TimeModel& time, Commands commands, unsigned faults, Meter& meter);
   /// The same situations with the same moves, none of them met yet, for a step function of the same plant.
   Situations(const Situations& other, automata::PlantStep& step, Meter& meter);
 
   [[nodiscard]] automata::PlantStep& step() { return step_; }
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
   [[nodiscard]] unsigned faults() const { return faults_; }
-  [[nodiscard]] const Reading& reading() const { return behaviours_.reading(); }
+  [[nodiscard]] const TimeModel& time() const { return behaviours_.time(); }
   [[nodiscard]] const automata::ControlAction& action(std::uint32_t position) const { return actions_[position]; }
   /// Which joint steps are moves, from here on (JointSteps); all of them to begin with.
   void use(Steps steps, const std::vector<automata::ComponentId>& visible);
@@ -64,7 +64,7 @@ class Situations {
   /// Appends the greatest constants that each live clock is compared with.
   void append_limits(const automata::Modes& modes, std::vector<ClockLimits>& result) const;
   /// Every joint step that changes a mode with no more faults than `faults`; holds first. Always in the same order.
-  std::shared_ptr<const std::vector<Move>> moves(SituationId id);
+  std::shared_ptr<const std::vector<JointStep>> moves(SituationId id);
 
   /// The possible modes of the initial distribution, or with the given modes in its place for their components.
   std::vector<automata::Modes> initial(const std::vector<automata::Assignment>& from);
@@ -72,7 +72,7 @@ class Situations {
  private:
   std::uint32_t position_of(const automata::ControlAction& action);
   [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
-  [[nodiscard]] std::vector<Move> work_out(const automata::Modes& modes);
+  [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes);
 
   automata::PlantStep& step_;
   Behaviours behaviours_;
@@ -85,7 +85,7 @@ class Situations {
   std::vector<automata::ControlAction> actions_;                 ///< those of moves, in the order in which they came up
   std::map<automata::ControlAction, std::uint32_t> action_positions_;
   std::vector<BehaviourId> behaviours_here_;
-  std::unordered_map<SituationId, std::shared_ptr<const std::vector<Move>>> moves_;  ///< a few of the last
+  std::unordered_map<SituationId, std::shared_ptr<const std::vector<JointStep>>> moves_;  ///< a few of the last
 };
 
 }  // namespace rmpl::verifier

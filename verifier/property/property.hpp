@@ -1,18 +1,16 @@
-// The properties that can be asked of a plant, and what is answered (semantics 7).
+// What can be asked of a plant, and of a program that controls one (semantics 7).
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "automata/logic/formula.hpp"
-#include "automata/step/plant_step.hpp"
-#include "verifier/plant/commands.hpp"
-#include "verifier/plant/fault_sets.hpp"
-#include "verifier/search/limits.hpp"
-#include "verifier/witness/trace.hpp"
+#include "automata/time/time.hpp"
+#include "verifier/property/commands.hpp"
 
 namespace rmpl::verifier {
 
@@ -44,22 +42,43 @@ struct Response {
   automata::Ticks within;
 };
 
-using Property = std::variant<Reachability, Safety, Response>;
+/// What is asked of a program.
+struct ProgramProperty {
+  enum class Kind {
+    goal_conflict,  ///< no cycle asserts goals that contradict each other
+    no_plan,        ///< no goal is without a plan
+    endless_wait,   ///< no wait lasts for ever
+    termination,    ///< the program ends on every run
+    never,          ///< `formula` does not hold while the program runs or as it ends
+    eventually,     ///< `formula` holds at some time up to `within`, on every run
+    finally         ///< `formula` holds where the program ends
+  };
+  Kind kind;
+  automata::Formula formula = automata::constant(true);
+  automata::Ticks within = {};
+  std::string text = {};  ///< the formula as written
+};
 
-/// `reachability`, `safety`, `response`.
+/// The last one is asked of a program with its plant, the others of a plant alone.
+using Property = std::variant<Reachability, Safety, Response, ProgramProperty>;
+
+/// `goal-conflict`, `no-plan`, `endless-wait`, `termination`, `never`, `eventually`, `finally`.
+std::string_view name_of(ProgramProperty::Kind kind);
+/// `reachability`, `safety`, `response`, or the name of what is asked of a program.
 std::string name_of(const Property& property);
 
 /// What is free in a check.
 struct CheckOptions {
   std::optional<automata::Ticks> period;  ///< sampled time, above 0; none: dense
   std::optional<unsigned> faults = 0;     ///< none only with `fewest_faults`
-  Commands commands = Commands::one;
+  Commands commands = Commands::one;      ///< of a plant alone: under a program they are the executive's
   /// A formula over attributes holds at a state where the store allows it; with this, where the store implies it. A
   /// response is then missed only where the store refutes `then`; otherwise already where it does not imply it.
   bool entailed = false;
-  /// With the least number of faults that leads to a trace; `faults` is then the most that is tried, none: any number.
+  /// With the least number of faults that leads to a witness; `faults` is then the most that is tried, none: any
+  /// number.
   bool fewest_faults = false;
-  /// All minimal sets of faults that lead to a trace, with no more than `faults` faults.
+  /// All minimal sets of faults that lead to a witness, with no more than `faults` faults.
   bool cut_sets = false;
   /// Of states that are alike but for the names of like components, one is explored. No verdict depends on it.
   bool symmetry = true;
@@ -69,33 +88,10 @@ struct CheckOptions {
   std::vector<automata::Assignment> from;
 };
 
-/// A minimal set of faults, with a trace that has them and no others.
-struct FaultTrace {
-  std::vector<Fault> faults;
-  Trace trace;
+/// A property with what is free in it.
+struct Question {
+  Property property;
+  CheckOptions options;
 };
-
-/// Throws base::InputError where `from` names what is no mode of a component, or one component twice.
-void demand_modes(const automata::Plant& plant, const std::vector<automata::Assignment>& from);
-/// Throws base::InputError: `from` gives modes in which no state to start in is possible.
-[[noreturn]] void refuse_start();
-
-enum class Verdict { holds, violated, undecided };
-
-struct Result {
-  Verdict verdict = Verdict::undecided;
-  std::optional<Trace> trace;             ///< a witness of reachability, a counterexample of the others
-  std::optional<unsigned> fewest_faults;  ///< those of the trace, where they were asked for and there is one
-  std::vector<FaultTrace> cut_sets;       ///< where they were asked for; smallest first
-  /// Why it is undecided; or, beside a trace, why a better one (fewer steps, or less time) may have been missed.
-  std::optional<Limit> limit;
-  /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
-  bool startless = false;
-  Progress progress;
-};
-
-/// Checks one property. Every trace has been replayed. Throws base::InputError where `from` names what is no mode,
-/// or contradicts itself, or gives modes in which no state to start in is possible.
-Result check(automata::PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits);
 
 }  // namespace rmpl::verifier

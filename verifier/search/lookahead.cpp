@@ -9,7 +9,7 @@ namespace rmpl::verifier {
 
 Lookahead::Lookahead(TransitionSystem& system, unsigned threads, Meter& meter) : system_(system), meter_(meter) {
   limits_.interrupted = &stopped_;
-  if (!system.has_twins()) return;
+  if (!system.has_copies()) return;
   for (unsigned t = 1; t < threads; ++t) workers_.emplace_back([this] { work(); });
 }
 
@@ -74,7 +74,7 @@ void Lookahead::successors(std::uint32_t node, const SymbolicState& state, const
 }
 
 void Lookahead::work() {
-  std::unique_ptr<TransitionSystem> twin;
+  std::unique_ptr<TransitionSystem> copy;
   while (true) {
     std::shared_ptr<Task> task;
     {
@@ -88,8 +88,8 @@ void Lookahead::work() {
       task->progress = Task::Progress::taken;
     }
     try {
-      if (!twin) twin = system_.twin(limits_);
-      work_out(*twin, *task);
+      if (!copy) copy = system_.copy(limits_);
+      work_out(*copy, *task);
     } catch (...) {
       task->failure = std::current_exception();
     }
@@ -101,10 +101,10 @@ void Lookahead::work() {
   }
 }
 
-void Lookahead::work_out(TransitionSystem& twin, Task& task) {
-  twin.successors({twin.number(task.key), task.faults, std::move(task.zone)},
+void Lookahead::work_out(TransitionSystem& copy, Task& task) {
+  copy.successors({copy.number(task.key), task.faults, std::move(task.zone)},
                   [&](SymbolicState&& next, const Label& label) {
-                    task.successors.push_back({twin.key(next.discrete), next.faults, std::move(next.zone), label});
+                    task.successors.push_back({copy.key(next.discrete), next.faults, std::move(next.zone), label});
                   });
 }
 

@@ -23,7 +23,7 @@ namespace rmpl::verifier {
 
 class Lookahead {
  public:
-  /// `threads` counts the caller's. Each of the others works with a twin of the system; none is started where the
+  /// `threads` counts the caller's. Each of the others works with a copy of the system; none is started where the
   /// system has none. Keeps references; the meter is polled, by the caller's thread alone.
   Lookahead(TransitionSystem& system, unsigned threads, Meter& meter);
   Lookahead(const Lookahead&) = delete;
@@ -63,12 +63,12 @@ class Lookahead {
   };
 
   void work();
-  void work_out(TransitionSystem& twin, Task& task);
+  void work_out(TransitionSystem& copy, Task& task);
 
   TransitionSystem& system_;
   Meter& meter_;
   std::atomic<bool> stopped_ = false;
-  Limits limits_;  ///< of the twins
+  Limits limits_;  ///< of the copies
   std::unordered_map<std::uint32_t, std::shared_ptr<Task>> tasks_;
   std::vector<std::shared_ptr<Task>> announced_;  ///< not yet in the queue
 

@@ -11,7 +11,7 @@
 namespace rmpl::verifier {
 namespace {
 
-/// Searches that end sooner than this use one thread: a twin of the system has to learn first.
+/// Searches that end sooner than this use one thread: a copy of the system has to learn first.
 constexpr double seconds_alone = 0.05;
 
 class Search {

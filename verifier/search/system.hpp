@@ -40,14 +40,14 @@ class TransitionSystem {
   [[nodiscard]] virtual bool accepts(const SymbolicState& state) const = 0;
   /// Whether a state with faults `a` can do all that one with faults `b` can.
   [[nodiscard]] virtual bool no_more_faults(unsigned a, unsigned b) const { return a <= b; }
-  /// The discrete part of a state in words that mean the same to every twin of the system.
+  /// The discrete part of a state in words that mean the same to every copy of the system.
   using Key = std::vector<std::uint32_t>;
 
-  /// Whether there can be twins: systems that tell the same successors in the same order, and share nothing with this
+  /// Whether there can be copies: systems that tell the same successors in the same order, and share nothing with this
   /// one that either writes, so that each can be used from a thread of its own.
-  [[nodiscard]] virtual bool has_twins() const { return false; }
-  /// A twin that is held to the limits, to which it keeps a reference. May be called from another thread.
-  [[nodiscard]] virtual std::unique_ptr<TransitionSystem> twin([[maybe_unused]] const Limits& limits) const {
+  [[nodiscard]] virtual bool has_copies() const { return false; }
+  /// A copy that is held to the limits, to which it keeps a reference. May be called from another thread.
+  [[nodiscard]] virtual std::unique_ptr<TransitionSystem> copy([[maybe_unused]] const Limits& limits) const {
     return nullptr;
   }
   [[nodiscard]] virtual Key key([[maybe_unused]] std::uint64_t discrete) const { return {}; }

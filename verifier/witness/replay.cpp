@@ -22,16 +22,16 @@ std::string at(Ticks time) { return " at " + automata::format_seconds(time) + " 
 
 class Replay {
  public:
-  Replay(automata::PlantStep& step, const Trace& trace, const ReplayRules& rules)
-      : step_(step), trace_(trace), rules_(rules), idle_(automata::idle_action(step.plant())) {}
+  Replay(automata::PlantStep& step, const Witness& witness, const ReplayRules& rules)
+      : step_(step), witness_(witness), rules_(rules), idle_(automata::idle_action(step.plant())) {}
 
   std::optional<std::string> run() {
-    if (trace_.empty()) return "it has no start";
+    if (witness_.events.empty()) return "it has no start";
     if (auto failure = start()) return failure;
-    for (std::size_t e = 1; e < trace_.size(); ++e) {
-      if (auto failure = event(trace_[e - 1].time, trace_[e])) return failure;
+    for (std::size_t e = 1; e < witness_.events.size(); ++e) {
+      if (auto failure = event(witness_.events[e - 1].time, witness_.events[e])) return failure;
     }
-    if (faults_in(plant(), trace_) > rules_.faults) return "it has more faults than the budget";
+    if (faults_in(plant(), witness_) > rules_.faults) return "it has more faults than the budget";
     return std::nullopt;
   }
 
@@ -39,7 +39,7 @@ class Replay {
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
 
   std::optional<std::string> start() {
-    const Modes& modes = trace_.front().modes;
+    const Modes& modes = witness_.events.front().modes;
     for (std::size_t c = 0; c < modes.size(); ++c) {
       const Component& component = plant().components[c];
       const auto given = std::find_if(rules_.from.begin(), rules_.from.end(),
@@ -49,7 +49,7 @@ class Replay {
       if (!right) return component.name + " does not start so";
     }
     if (!step_.possible(modes)) return "it starts in an impossible state";
-    if (trace_.front().time != Ticks{0}) return "it does not start at time 0";
+    if (witness_.events.front().time != Ticks{0}) return "it does not start at time 0";
     state_ = {modes, std::vector<Ticks>(modes.size(), Ticks{0})};
     return std::nullopt;
   }
@@ -137,7 +137,7 @@ class Replay {
   }
 
   automata::PlantStep& step_;
-  const Trace& trace_;
+  const Witness& witness_;
   const ReplayRules& rules_;
   ControlAction idle_;
   SystemState state_;
@@ -145,8 +145,8 @@ class Replay {
 
 }  // namespace
 
-std::optional<std::string> replay(automata::PlantStep& step, const Trace& trace, const ReplayRules& rules) {
-  return Replay(step, trace, rules).run();
+std::optional<std::string> replay(automata::PlantStep& step, const Witness& witness, const ReplayRules& rules) {
+  return Replay(step, witness, rules).run();
 }
 
 }  // namespace rmpl::verifier

@@ -1,4 +1,4 @@
-// Replaying a trace on the step function of semantics 3, apart from all that found it.
+// Replaying a run of a plant on the step function of semantics 3, apart from all that found it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
-#include "verifier/plant/commands.hpp"
-#include "verifier/witness/trace.hpp"
+#include "verifier/property/commands.hpp"
+#include "verifier/witness/witness.hpp"
 
 namespace rmpl::verifier {
 
-/// Under which rules a trace is to be possible.
+/// Under which rules a run is to be possible.
 struct ReplayRules {
   std::optional<automata::Ticks> period;  ///< sampled time; none: dense
   Commands commands = Commands::one;
@@ -20,13 +20,13 @@ struct ReplayRules {
   std::vector<automata::Assignment> from;  ///< modes to start in, in place of the initial distribution
 };
 
-/// Why the trace is not possible; nothing where it is.
+/// Why the run is not possible; nothing where it is.
 ///
 /// Sampled: every period has a positive probability by `PlantStep`, and is possible by exact comparison of ticks. In a
 /// long wait only those periods are looked at in which a clock is near a bound of its mode: between them nothing
 /// differs. Where a density other than uniform takes part, probabilities far out in its tail are below what a double
 /// can tell from 0; there the exact comparison decides alone.
 /// Dense: waits and steps by exact comparison of ticks, guards by `PlantStep`.
-std::optional<std::string> replay(automata::PlantStep& step, const Trace& trace, const ReplayRules& rules);
+std::optional<std::string> replay(automata::PlantStep& step, const Witness& witness, const ReplayRules& rules);
 
 }  // namespace rmpl::verifier

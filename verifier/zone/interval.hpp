@@ -8,7 +8,7 @@
 
 namespace rmpl::verifier {
 
-/// A number of time units: what one unit is, the reading of time says (explore/reading.hpp).
+/// A number of time units: what one unit is, the model of time says (zone/time_model.hpp).
 using Units = std::int64_t;
 
 /// No upper bound.

@@ -46,14 +46,14 @@ TEST(ClockCells, ShareOneScale) {
 
 TEST(ClockCells, AreClosedInDenseTimeAndExactInSampledTime) {
   const ClockCells cells(program());
-  const Reading dense = Reading::dense({}, cells.constants());
+  const TimeModel dense = TimeModel::dense({}, cells.constants());
   EXPECT_EQ(cells.units({0, 2}, dense), (Interval{0, 5}));
   EXPECT_EQ(cells.units({3, 4}, dense), (Interval{5, unbounded}));
-  const Reading sampled = Reading::sampled(Ticks::of_seconds(1));
+  const TimeModel sampled = TimeModel::sampled(Ticks::of_seconds(1));
   EXPECT_EQ(cells.units({0, 2}, sampled), (Interval{1, 4}));  // it is never read at 0
   EXPECT_EQ(cells.units({3, 4}, sampled), (Interval{5, unbounded}));
   EXPECT_EQ(cells.units({2, 4}, sampled), (Interval{4, unbounded}));  // y > 3 s
-  EXPECT_TRUE(cells.units({1, 1}, Reading::sampled(Ticks::of_seconds(2))).empty());
+  EXPECT_TRUE(cells.units({1, 1}, TimeModel::sampled(Ticks::of_seconds(2))).empty());
 }
 
 TEST(ClockCells, ReadTheNearest) {

@@ -47,11 +47,11 @@ TEST(Choices, SampledOnesAreThoseOfPositiveProbability) {
   automata::PlantStep step(b.plant);
   const auto enabled = step.enabled({ModeId(0)}, {}).front();
   for (const Ticks period : {seconds(1), seconds(3), Ticks{700'000'000}, seconds(20)}) {
-    const Reading reading = Reading::sampled(period);
-    const auto all = choices(b.plant.components[0], ModeId(0), enabled, reading);
+    const TimeModel time = TimeModel::sampled(period);
+    const auto all = choices(b.plant.components[0], ModeId(0), enabled, time);
     for (Units clock = 1; clock < 40; ++clock) {
       std::vector<ModeId> possible;
-      const Ticks now = reading.time(clock);
+      const Ticks now = time.ticks(clock);
       for (const auto& move : step.moves(automata::ComponentId(0), ModeId(0), enabled, Ticks{0}, now - period, now)) {
         possible.push_back(move.mode);
       }
@@ -64,15 +64,15 @@ TEST(Choices, DenseOnesLeaveStayingOpen) {
   const PlantBuilder b = contested();
   automata::PlantStep step(b.plant);
   const auto enabled = step.enabled({ModeId(0)}, {}).front();
-  const Reading reading = Reading::dense(b.plant, {});
-  EXPECT_EQ(reading.unit(), seconds(1));
-  const auto all = choices(b.plant.components[0], ModeId(0), enabled, reading);
+  const TimeModel time = TimeModel::dense(b.plant, {});
+  EXPECT_EQ(time.unit(), seconds(1));
+  const auto all = choices(b.plant.components[0], ModeId(0), enabled, time);
   const auto modes = [](std::initializer_list<std::size_t> ids) { return std::vector<ModeId>(ids.begin(), ids.end()); };
   EXPECT_EQ(chosen(all, 0), modes({0}));
   EXPECT_EQ(chosen(all, 2), modes({0, 1, 4}));
   EXPECT_EQ(chosen(all, 7), modes({4, 5}));
   EXPECT_EQ(chosen(all, 10), modes({0, 1, 2, 5}));
-  EXPECT_EQ(waits(b.plant.components[0], ModeId(0), enabled, reading), (std::vector<Interval>{{0, 10}}));
+  EXPECT_EQ(waits(b.plant.components[0], ModeId(0), enabled, time), (std::vector<Interval>{{0, 10}}));
 }
 
 TEST(Waits, EndWhereStayingDoes) {
@@ -80,16 +80,16 @@ TEST(Waits, EndWhereStayingDoes) {
   automata::PlantStep step(b.plant);
   const auto enabled = step.enabled({ModeId(0)}, {}).front();
   // Staying is possible in the periods that end at 1 … 5 s and at 9 s: not beside a certain fault or a certain exit.
-  EXPECT_EQ(waits(b.plant.components[0], ModeId(0), enabled, Reading::sampled(seconds(1))),
+  EXPECT_EQ(waits(b.plant.components[0], ModeId(0), enabled, TimeModel::sampled(seconds(1))),
             (std::vector<Interval>{{0, 5}, {8, 9}}));
 }
 
-TEST(Reading, RoundsOutwardsAndInwards) {
-  const Reading reading = Reading::sampled(seconds(2));
-  EXPECT_EQ(reading.at_least(seconds(5)), 3);
-  EXPECT_EQ(reading.at_most(seconds(5)), 2);
-  EXPECT_EQ(reading.more_than(seconds(4)), 3);
-  EXPECT_EQ(reading.at_least(Ticks::infinite()), unbounded);
+TEST(TimeModel, RoundsOutwardsAndInwards) {
+  const TimeModel time = TimeModel::sampled(seconds(2));
+  EXPECT_EQ(time.at_least(seconds(5)), 3);
+  EXPECT_EQ(time.at_most(seconds(5)), 2);
+  EXPECT_EQ(time.more_than(seconds(4)), 3);
+  EXPECT_EQ(time.at_least(Ticks::infinite()), unbounded);
 }
 
 }  // namespace

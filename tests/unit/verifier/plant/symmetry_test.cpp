@@ -1,6 +1,6 @@
 // Automorphisms of small plants, and states sorted by them.
 // SPDX-License-Identifier: MIT
-#include "verifier/plant/symmetry.hpp"
+#include "verifier/symmetry/symmetry.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "tests/unit/verifier/plants.hpp"
-#include "verifier/property/property.hpp"
+#include "verifier/plant/check.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -14,7 +14,7 @@ using test::PlantBuilder;
 using test::seconds;
 using test::within;
 
-Result ask(const PlantBuilder& b, const Property& property, const CheckOptions& options = {}) {
+Answer ask(const PlantBuilder& b, const Property& property, const CheckOptions& options = {}) {
   automata::PlantStep step(b.plant);
   return check(step, property, options, {});
 }
@@ -32,11 +32,11 @@ Window not_before(Ticks time) { return {time, std::nullopt}; }
 
 TEST(Engine, ReachesStandbyInTwoStepsAfterThirtySeconds) {
   const auto b = test::engine();
-  const Result result = ask(b, Reachability{b.is("engine", "standby"), {}, false});
+  const Answer result = ask(b, Reachability{b.is("engine", "standby"), {}, false});
   ASSERT_EQ(result.verdict, Verdict::holds);
-  ASSERT_EQ(result.trace->size(), 3u);
-  EXPECT_EQ((*result.trace)[1].time, seconds(0));
-  EXPECT_EQ((*result.trace)[2].time, seconds(30));
+  ASSERT_EQ(result.witness->events.size(), 3u);
+  EXPECT_EQ(result.witness->events[1].time, seconds(0));
+  EXPECT_EQ(result.witness->events[2].time, seconds(30));
 }
 
 TEST(Engine, DenseBoundsAreExact) {
@@ -74,17 +74,17 @@ TEST(Engine, FaultsNeedABudget) {
   CheckOptions one_fault;
   one_fault.faults = 1;
   EXPECT_EQ(ask(b, Safety{failed, {}, false}).verdict, Verdict::holds);
-  const Result broken = ask(b, Safety{failed, {}, false}, one_fault);
+  const Answer broken = ask(b, Safety{failed, {}, false}, one_fault);
   EXPECT_EQ(broken.verdict, Verdict::violated);
-  EXPECT_EQ(broken.trace->size(), 2u);
+  EXPECT_EQ(broken.witness->events.size(), 2u);
 }
 
 TEST(Engine, LongWaitsCostNothing) {
   const auto b = test::engine();
   for (const auto& options : {CheckOptions{}, sampled(half_second())}) {
-    const Result result = ask(b, Reachability{b.is("engine", "firing"), not_before(seconds(270 * 60)), false}, options);
+    const Answer result = ask(b, Reachability{b.is("engine", "firing"), not_before(seconds(270 * 60)), false}, options);
     EXPECT_EQ(result.verdict, Verdict::holds);
-    EXPECT_GE(result.trace->back().time, seconds(270 * 60));
+    EXPECT_GE(result.witness->events.back().time, seconds(270 * 60));
     EXPECT_LT(result.progress.states, 50u);
   }
 }
@@ -98,9 +98,9 @@ TEST(Engine, RespondsWithinItsUpperBound) {
     return Response{b.is("engine", "heating"), b.is("engine", "standby"), bound};
   };
   EXPECT_EQ(ask(b, response(seconds(60)), idle).verdict, Verdict::holds);
-  const Result missed = ask(b, response(seconds(59)), idle);
+  const Answer missed = ask(b, response(seconds(59)), idle);
   EXPECT_EQ(missed.verdict, Verdict::violated);
-  EXPECT_GT(missed.trace->back().time, seconds(59));
+  EXPECT_GT(missed.witness->events.back().time, seconds(59));
   // With commands, heating can be broken off.
   EXPECT_EQ(ask(b, response(seconds(60))).verdict, Verdict::violated);
 }
@@ -129,10 +129,10 @@ TEST(Fastest, TakesLessTimeInMoreSteps) {
   PlantBuilder::transition(c, 2, 3, automata::constant(true), within(3, 4));
   PlantBuilder::transition(c, 3, 4, automata::constant(true), within(3, 4));
   const auto end = b.is("c", "end");
-  EXPECT_EQ(ask(b, Reachability{end, {}, false}).trace->back().time, seconds(50));
-  const Result fastest = ask(b, Reachability{end, {}, true});
-  EXPECT_EQ(fastest.trace->back().time, seconds(6));
-  EXPECT_EQ(fastest.trace->size(), 4u);
+  EXPECT_EQ(ask(b, Reachability{end, {}, false}).witness->events.back().time, seconds(50));
+  const Answer fastest = ask(b, Reachability{end, {}, true});
+  EXPECT_EQ(fastest.witness->events.back().time, seconds(6));
+  EXPECT_EQ(fastest.witness->events.size(), 4u);
 }
 
 TEST(Commands, HoldingACommandBlocksAnIdleExit) {
@@ -169,7 +169,7 @@ TEST(Limits, AreSaid) {
   automata::PlantStep step(b.plant);
   Limits limits;
   limits.states = 1;
-  const Result result = check(step, Reachability{b.is("engine", "firing"), {}, false}, {}, limits);
+  const Answer result = check(step, Reachability{b.is("engine", "firing"), {}, false}, {}, limits);
   EXPECT_EQ(result.verdict, Verdict::undecided);
   EXPECT_EQ(result.limit, Limit::states);
   const std::atomic<bool> interrupted = true;

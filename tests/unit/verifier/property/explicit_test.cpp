@@ -10,7 +10,7 @@
 #include <set>
 
 #include "tests/unit/verifier/plants.hpp"
-#include "verifier/property/property.hpp"
+#include "verifier/plant/check.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -219,10 +219,11 @@ class Explicit {
   std::vector<State> starts_;
 };
 
-/// How many steps of a trace change a mode.
-int changes(const Trace& trace) {
+/// How many steps of a run change a mode.
+int changes(const Witness& witness) {
   int result = 0;
-  for (std::size_t e = 1; e < trace.size(); ++e) result += trace[e].modes == trace[e - 1].modes ? 0 : 1;
+  const std::vector<Event>& events = witness.events;
+  for (std::size_t e = 1; e < events.size(); ++e) result += events[e].modes == events[e - 1].modes ? 0 : 1;
   return result;
 }
 
@@ -256,10 +257,10 @@ void compare(std::optional<Ticks> period, unsigned rounds, unsigned seed) {
         if (in(mode)(state.modes)) fewest = std::min(fewest.value_or(steps), steps);
       }
       const auto target = automata::is(last.mode, automata::ValueId(mode));
-      const Result result = check(step, Reachability{target, {}, false}, options, {});
+      const Answer result = check(step, Reachability{target, {}, false}, options, {});
       ASSERT_EQ(result.verdict, fewest ? Verdict::holds : Verdict::violated) << mode;
       if (fewest) {
-        EXPECT_EQ(changes(*result.trace), *fewest) << mode;
+        EXPECT_EQ(changes(*result.witness), *fewest) << mode;
       }
       reached += fewest ? 1 : 0;
     }
@@ -273,9 +274,9 @@ void compare(std::optional<Ticks> period, unsigned rounds, unsigned seed) {
       }
       const auto target = automata::is(last.mode, automata::ValueId(mode));
       if (!times.empty()) {
-        const Result fastest = check(step, Reachability{target, {}, true}, options, {});
+        const Answer fastest = check(step, Reachability{target, {}, true}, options, {});
         ASSERT_EQ(fastest.verdict, Verdict::holds);
-        EXPECT_EQ(fastest.trace->back().time.count, *times.begin() * unit.count);
+        EXPECT_EQ(fastest.witness->events.back().time.count, *times.begin() * unit.count);
       }
       for (const auto& [from, to] : {std::pair<std::int64_t, std::int64_t>{0, 3}, {4, 6}, {9, 9}}) {
         const auto at = times.lower_bound(from);

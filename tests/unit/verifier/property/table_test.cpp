@@ -1,30 +1,31 @@
 // Answers to a file of properties: counts, and JUnit XML that a reader of XML takes.
 // SPDX-License-Identifier: MIT
-#include "verifier/property/table.hpp"
+#include "verifier/verdict/table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
 
 #include "tests/unit/verifier/plants.hpp"
+#include "verifier/plant/check_all.hpp"
 
 namespace rmpl::verifier {
 namespace {
 
-std::vector<Answer> answers(automata::PlantStep& step, const test::PlantBuilder& b, const Limits& limits) {
+std::vector<Claim> claims(automata::PlantStep& step, const test::PlantBuilder& b, const Limits& limits) {
   const Property standby = Reachability{b.is("engine", "standby"), {}, false};
   const Property never_standby = Safety{b.is("engine", "standby"), {}, false};
   const std::vector<Question> questions = {{standby, {}}, {never_standby, {}}, {never_standby, {}}};
-  const std::vector<Result> results = check_all(step, questions, limits);
-  return {{"can be <ready>", questions[0], false, results[0]},
-          {"never", questions[1], false, results[1]},
-          {"\"never\", expected not to", questions[2], true, results[2]}};
+  const std::vector<Answer> answers = check_all(step, questions, limits);
+  return {{"can be <ready>", questions[0], false, answers[0]},
+          {"never", questions[1], false, answers[1]},
+          {"\"never\", expected not to", questions[2], true, answers[2]}};
 }
 
 TEST(Table, CountsAgainstWhatIsExpected) {
   const auto b = test::engine();
   automata::PlantStep step(b.plant);
-  const Count found = count(answers(step, b, {}));
+  const Count found = count(claims(step, b, {}));
   EXPECT_EQ(found.expected, 2U);
   EXPECT_EQ(found.unexpected, 1U);
   EXPECT_EQ(found.undecided, 0U);
@@ -34,7 +35,7 @@ TEST(Table, JunitIsWellFormedAndCounts) {
   const auto b = test::engine();
   automata::PlantStep step(b.plant);
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(to_junit(b.plant, answers(step, b, {})).c_str()));
+  ASSERT_TRUE(document.load_string(to_junit(b.plant, claims(step, b, {})).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_EQ(suite.attribute("tests").as_int(), 3);
   EXPECT_EQ(suite.attribute("failures").as_int(), 1);
@@ -53,7 +54,7 @@ TEST(Table, WhatIsUndecidedIsAnErrorOfJunit) {
   Limits limits;
   limits.states = 1;
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(to_junit(b.plant, answers(step, b, limits)).c_str()));
+  ASSERT_TRUE(document.load_string(to_junit(b.plant, claims(step, b, limits)).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_EQ(suite.attribute("errors").as_int(), 3);
   EXPECT_TRUE(suite.first_child().child("error"));

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/verifier/plants.hpp"
-#include "verifier/witness/schedule.hpp"
+#include "verifier/zone/schedule.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -18,12 +18,13 @@ using test::seconds;
 class ReplayEngine : public testing::Test {
  protected:
   /// off at 0, heating at `heats`, standby at `ready`.
-  [[nodiscard]] static Trace trace(Ticks heats, Ticks ready) {
+  [[nodiscard]] static Witness run(Ticks heats, Ticks ready) {
     return {
-        {Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {heats, {ModeId(1)}, {ValueId(1)}}, {ready, {ModeId(2)}, {ValueId(0)}}};
+        {{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {heats, {ModeId(1)}, {ValueId(1)}}, {ready, {ModeId(2)}, {ValueId(0)}}},
+        std::nullopt};
   }
-  std::optional<std::string> failure(const Trace& trace, const ReplayRules& rules) {
-    return replay(step_, trace, rules);
+  std::optional<std::string> failure(const Witness& witness, const ReplayRules& rules) {
+    return replay(step_, witness, rules);
   }
 
   test::PlantBuilder engine_ = test::engine();
@@ -31,30 +32,30 @@ class ReplayEngine : public testing::Test {
 };
 
 TEST_F(ReplayEngine, DenseBoundsAreClosed) {
-  EXPECT_EQ(failure(trace(seconds(5), seconds(35)), {}), std::nullopt);
-  EXPECT_EQ(failure(trace(seconds(5), seconds(65)), {}), std::nullopt);
-  EXPECT_TRUE(failure(trace(seconds(5), seconds(35) - Ticks{1}), {}));
-  EXPECT_TRUE(failure(trace(seconds(5), seconds(65) + Ticks{1}), {}));
+  EXPECT_EQ(failure(run(seconds(5), seconds(35)), {}), std::nullopt);
+  EXPECT_EQ(failure(run(seconds(5), seconds(65)), {}), std::nullopt);
+  EXPECT_TRUE(failure(run(seconds(5), seconds(35) - Ticks{1}), {}));
+  EXPECT_TRUE(failure(run(seconds(5), seconds(65) + Ticks{1}), {}));
 }
 
 TEST_F(ReplayEngine, SampledStepsNeedAPositiveProbability) {
   const ReplayRules rules{seconds(1), Commands::one, 0, {}};
-  EXPECT_TRUE(failure(trace(seconds(5), seconds(35)), rules));
-  EXPECT_EQ(failure(trace(seconds(5), seconds(36)), rules), std::nullopt);
-  EXPECT_EQ(failure(trace(seconds(5), seconds(65)), rules), std::nullopt);
-  EXPECT_TRUE(failure(trace(seconds(5), seconds(66)), rules));
-  EXPECT_TRUE(failure(trace(Ticks{500'000'000}, seconds(36)), rules));
+  EXPECT_TRUE(failure(run(seconds(5), seconds(35)), rules));
+  EXPECT_EQ(failure(run(seconds(5), seconds(36)), rules), std::nullopt);
+  EXPECT_EQ(failure(run(seconds(5), seconds(65)), rules), std::nullopt);
+  EXPECT_TRUE(failure(run(seconds(5), seconds(66)), rules));
+  EXPECT_TRUE(failure(run(Ticks{500'000'000}, seconds(36)), rules));
 }
 
 TEST_F(ReplayEngine, CommandsAndFaultsAreCounted) {
-  EXPECT_TRUE(failure(trace(seconds(5), seconds(35)), {std::nullopt, Commands::none, 0, {}}));
-  const Trace broken = {{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {Ticks{0}, {ModeId(4)}, {ValueId(0)}}};
+  EXPECT_TRUE(failure(run(seconds(5), seconds(35)), {std::nullopt, Commands::none, 0, {}}));
+  const Witness broken{{{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {Ticks{0}, {ModeId(4)}, {ValueId(0)}}}, std::nullopt};
   EXPECT_TRUE(failure(broken, {}));
   EXPECT_EQ(failure(broken, {std::nullopt, Commands::none, 1, {}}), std::nullopt);
 }
 
 TEST_F(ReplayEngine, TheStartIsAnInitialState) {
-  const Trace standby = {{Ticks{0}, {ModeId(2)}, {ValueId(0)}}};
+  const Witness standby{{{Ticks{0}, {ModeId(2)}, {ValueId(0)}}}, std::nullopt};
   EXPECT_TRUE(failure(standby, {}));
   const ReplayRules from{std::nullopt, Commands::one, 0, {{engine_.plant.components[0].mode, ValueId(2)}}};
   EXPECT_EQ(failure(standby, from), std::nullopt);

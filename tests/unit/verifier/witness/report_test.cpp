@@ -1,10 +1,11 @@
 // Results as JSON and as text.
 // SPDX-License-Identifier: MIT
-#include "verifier/witness/report.hpp"
+#include "verifier/verdict/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/unit/verifier/plants.hpp"
+#include "verifier/plant/check.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -13,8 +14,8 @@ TEST(Report, TellsTheWitness) {
   const auto b = test::engine();
   automata::PlantStep step(b.plant);
   const Property property = Reachability{b.is("engine", "standby"), {}, false};
-  const Result result = check(step, property, {}, {});
-  const auto json = to_json(b.plant, property, {}, result);
+  const Answer result = check(step, property, {}, {});
+  const auto json = to_json(Subject{b.plant}, {property, {}}, result);
   EXPECT_EQ(json["property"], "reachability");
   EXPECT_EQ(json["verdict"], "holds");
   EXPECT_FALSE(json.contains("reason"));
@@ -23,7 +24,7 @@ TEST(Report, TellsTheWitness) {
       R"([{"time":0.0,"modes":{"engine":"off"},"command":{},"taken":{}},)"
       R"({"time":0.0,"modes":{"engine":"heating"},"command":{"cmd":"standby"},"taken":{"engine":{"from":"off","to":"heating"}}},)"
       R"({"time":30.0,"modes":{"engine":"standby"},"command":{},"taken":{"engine":{"from":"heating","to":"standby"}}}])");
-  EXPECT_EQ(to_text(b.plant, property, {}, result, false, false),
+  EXPECT_EQ(to_text({b.plant}, {property, {}}, result, false),
             "reachability: holds (the target is reachable)\n"
             "   0 s  engine = off\n"
             "   0 s  command cmd = standby: engine: off -> heating\n"
@@ -36,8 +37,8 @@ TEST(Report, TellsWhatCutItShort) {
   const Property property = Safety{b.is("engine", "failed"), {}, false};
   Limits limits;
   limits.states = 2;
-  const Result result = check(step, property, {}, limits);
-  const auto json = to_json(b.plant, property, {}, result);
+  const Answer result = check(step, property, {}, limits);
+  const auto json = to_json(Subject{b.plant}, {property, {}}, result);
   EXPECT_EQ(json["verdict"], "undecided");
   EXPECT_TRUE(json["trace"].empty());
   EXPECT_NE(json["reason"].get<std::string>().find("--max-states"), std::string::npos);

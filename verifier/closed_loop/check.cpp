@@ -1,0 +1,220 @@
+// Checking a program: a quest for each property, searches, the evidence.
+// SPDX-License-Identifier: MIT
+#include "verifier/closed_loop/check.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <set>
+
+#include "base/check.hpp"
+#include "verifier/closed_loop/lasso.hpp"
+#include "verifier/closed_loop/timetable.hpp"
+#include "verifier/property/initial_modes.hpp"
+#include "verifier/witness/loop_replay.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Formula;
+using automata::Modes;
+using automata::Ticks;
+using Aim = Quest::Aim;
+using Kind = ProgramProperty::Kind;
+
+namespace {
+
+std::vector<ProgramProperty> of_programs(const std::vector<Property>& properties) {
+  std::vector<ProgramProperty> result;
+  for (const Property& property : properties) {
+    const auto* asked = std::get_if<ProgramProperty>(&property);
+    if (asked == nullptr) throw base::InternalError(name_of(property) + " is asked of a plant alone");
+    result.push_back(*asked);
+  }
+  return result;
+}
+
+std::vector<Ticks> times_of(const automata::Program& program, const std::vector<ProgramProperty>& properties) {
+  std::vector<Ticks> times = ClockCells(program).constants();
+  for (const ProgramProperty& property : properties) {
+    if (property.kind == Kind::eventually && !property.within.is_infinite()) times.push_back(property.within);
+  }
+  return times;
+}
+
+class ProgramCheck {
+ public:
+  ProgramCheck(const automata::Program& program, automata::PlantStep& step, const std::vector<Property>& properties,
+               const CheckOptions& options, unsigned faults, const Limits& limits)
+      : program_(program),
+        step_(step),
+        properties_(of_programs(properties)),
+        options_(options),
+        meter_(limits),
+        reconfigurer_(runtime::make_reconfigurer(step)),
+        loop_(program, step, *reconfigurer_,
+              TimeModel::of(options.period, step.plant(), times_of(program, properties_)), faults, meter_) {}
+
+  std::vector<Answer> run() {
+    std::vector<Answer> answers(properties_.size());
+    std::size_t p = 0;
+    try {
+      start();
+      for (; p < properties_.size(); ++p) {
+        answers[p].witness = violation(properties_[p], {});
+        answers[p].verdict = answers[p].witness ? Verdict::violated : Verdict::holds;
+        answers[p].progress = meter_.progress();
+      }
+    } catch (const LimitReached& reached) {
+      for (; p < properties_.size(); ++p) {
+        answers[p].limit = reached.limit;
+        answers[p].progress = meter_.progress();
+      }
+    }
+    for (Answer& answer : answers) answer.startless = startless_;
+    return answers;
+  }
+
+  FaultTable table() {
+    FaultTable result;
+    std::vector<FaultStep> faults;
+    for (std::size_t c = 0; c < step_.plant().components.size(); ++c) {
+      const automata::Component& component = step_.plant().components[c];
+      for (const automata::Transition& t : component.transitions) {
+        if (!component.is_fault(t) || t.from == t.to || !(t.weight.value > 0)) continue;
+        const FaultStep fault{automata::ComponentId(c), t.from, t.to};
+        if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
+      }
+    }
+    std::sort(faults.begin(), faults.end());
+    result.rows.push_back({std::nullopt});
+    for (const FaultStep& fault : faults) result.rows.push_back({fault});
+    try {
+      start();
+      for (FaultOutcome& row : result.rows) fill(row);
+    } catch (const LimitReached& reached) {
+      result.limit = reached.limit;
+    }
+    result.progress = meter_.progress();
+    return result;
+  }
+
+ private:
+  void start() {
+    start_ = loop_.initial(options_.from);
+    startless_ = start_.empty();
+    if (startless_ && !options_.from.empty()) refuse_start();
+  }
+
+  void fill(FaultOutcome& row) {
+    const FaultFilter only{true, row.fault};
+    if (row.fault) row.happens = search({Aim::happens, nullptr, 0, only, false});
+    if (row.happens || !row.fault) {
+      row.success = search({Aim::ends_with, success(), 0, only, false});
+      for (const ProgramProperty& property : properties_) {
+        const bool mission =
+            property.kind == Kind::never || property.kind == Kind::eventually || property.kind == Kind::finally;
+        if (mission && !row.lost) row.lost = violation(property, only);
+      }
+      row.no_plan = search({Aim::no_plan, nullptr, 0, only, false});
+      row.waits = search({Aim::endless_wait, nullptr, 0, only, false});
+      row.goes_on = lasso(only);
+    }
+    row.decided = true;
+  }
+
+  /// Whether every `finally` holds.
+  std::function<bool(const Modes&)> success() {
+    std::vector<std::function<bool(const Modes&)>> all;
+    for (const ProgramProperty& property : properties_) {
+      if (property.kind == Kind::finally) all.push_back(holds(property.formula, !options_.entailed));
+    }
+    return [all](const Modes& modes) {
+      return std::all_of(all.begin(), all.end(), [&](const auto& test) { return test(modes); });
+    };
+  }
+
+  std::optional<Witness> violation(const ProgramProperty& property, const FaultFilter& only) {
+    const bool entailed = options_.entailed;
+    switch (property.kind) {
+      case Kind::goal_conflict:
+        return search({Aim::goal_conflict, nullptr, 0, only, false});
+      case Kind::no_plan:
+        return search({Aim::no_plan, nullptr, 0, only, false});
+      case Kind::endless_wait:
+        return search({Aim::endless_wait, nullptr, 0, only, false});
+      case Kind::termination: {
+        auto waiting = search({Aim::endless_wait, nullptr, 0, only, false});
+        return waiting ? std::move(waiting) : lasso(only);
+      }
+      case Kind::never:
+        return search({Aim::holds, holds(property.formula, entailed), 0, only, false});
+      case Kind::eventually:
+        if (property.within.is_infinite()) return std::nullopt;
+        return search(
+            {Aim::late, holds(property.formula, !entailed), loop_.time().more_than(property.within), only, false});
+      case Kind::finally: {
+        const auto right = holds(property.formula, !entailed);
+        return search({Aim::ends_with, [right](const Modes& modes) { return !right(modes); }, 0, only, false});
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it.
+  std::function<bool(const Modes&)> holds(const Formula& formula, bool certain) {
+    const automata::Theory::Handle handle = step_.theory().encode(formula);
+    return [this, handle, certain](const Modes& modes) {
+      const std::vector<automata::Assignment> store = automata::assignments_of(step_.plant(), modes);
+      return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
+    };
+  }
+
+  std::optional<Witness> search(const Quest& quest) {
+    ProgramSystem system(loop_, start_, quest);
+    const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
+    if (!path) return std::nullopt;
+    return replayed(earliest_witness(*path, loop_, quest), quest.aim == Aim::endless_wait);
+  }
+
+  std::optional<Witness> lasso(const FaultFilter& only) {
+    const Quest quest{Aim::nothing, nullptr, 0, only, true};
+    ProgramSystem system(loop_, start_, quest);
+    const auto found = find_lasso(system, loop_, only.fault.has_value(), meter_);
+    if (!found) return std::nullopt;
+    Witness witness = earliest_witness(found->path, loop_, quest);
+    witness.repeats_from = found->repeats_from + 1;
+    return replayed(std::move(witness), false);
+  }
+
+  Witness replayed(Witness witness, bool endless) {
+    const auto failure =
+        replay(program_, step_, *reconfigurer_, witness, {options_.period, loop_.faults(), options_.from, endless});
+    assert(!failure && "a witness cannot be replayed");
+    return witness;
+  }
+
+  const automata::Program& program_;
+  automata::PlantStep& step_;
+  std::vector<ProgramProperty> properties_;
+  const CheckOptions& options_;
+  Meter meter_;
+  std::unique_ptr<runtime::Reconfigurer> reconfigurer_;
+  Loop loop_;
+  std::vector<LoopState> start_;
+  bool startless_ = false;  ///< known to be
+};
+
+}  // namespace
+
+std::vector<Answer> check(const automata::Program& program, automata::PlantStep& step,
+                          const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits) {
+  return ProgramCheck(program, step, properties, options, options.faults.value(), limits).run();
+}
+
+FaultTable check_each_fault(const automata::Program& program, automata::PlantStep& step,
+                            const std::vector<Property>& properties, const CheckOptions& options,
+                            const Limits& limits) {
+  return ProgramCheck(program, step, properties, options, 1, limits).table();
+}
+
+}  // namespace rmpl::verifier

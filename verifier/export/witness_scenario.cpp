@@ -1,0 +1,181 @@
+// A witness as a scenario.
+// SPDX-License-Identifier: MIT
+#include "verifier/export/witness_scenario.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace rmpl::verifier {
+
+using automata::Assignment;
+using automata::Formula;
+using automata::Modes;
+using automata::Ticks;
+using automata::ValueId;
+using automata::VariableId;
+using Kind = ProgramProperty::Kind;
+
+namespace {
+
+/// What each sensor reads; one that is silent is absent.
+using Readings = std::map<VariableId, ValueId>;
+
+class Writer {
+ public:
+  Writer(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness, const ScenarioFrame& frame)
+      : step_(step), plant_(step.plant()), property_(property), witness_(witness), frame_(frame) {}
+
+  std::string write() {
+    std::string text = "// Written by tcca-check: " + std::string(name_of(property_.kind)) +
+                       " is violated, with the estimate taken as the truth.\n\nscenario \"" + frame_.name + "\" {\n";
+    text += "  program \"" + frame_.program + "\"" + (frame_.entry.empty() ? "" : " main " + frame_.entry) + ";\n";
+    text += "  plant   \"" + frame_.plant + "\" rules only;\n";
+    text += "  cycle   " + automata::format_seconds(frame_.cycle) + " s;\n";
+    text += "  duration " + automata::format_seconds(duration()) + " s;\n\n";
+    text += observations() + "\n" + expectation() + "}\n";
+    return text;
+  }
+
+ private:
+  /// A few cycles longer than the trace: what does not come is missed when the run is over.
+  [[nodiscard]] Ticks duration() const {
+    const std::int64_t after = property_.kind == Kind::endless_wait || property_.kind == Kind::termination ? 20 : 4;
+    return witness_.events.back().time + Ticks{after * frame_.cycle.count};
+  }
+
+  std::string observations() {
+    const std::vector<Event>& events = witness_.events;
+    // From when on there is which set of readings.
+    std::vector<std::pair<Ticks, Readings>> changes = {
+        {Ticks{0}, readings(events.front().modes, {}, events.size() == 2)}};
+    const Modes* before = &events.front().modes;
+    // What the last cycle leads to is not known.
+    for (std::size_t e = 1; e + 1 < events.size(); ++e) {
+      const bool last = e + 2 == events.size();
+      if (events[e].modes == *before && !last) continue;
+      changes.emplace_back(events[e].time, readings(events[e].modes, changes.back().second, last));
+      before = &events[e].modes;
+    }
+    std::string text;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      const auto& [time, now] = changes[i];
+      for (const auto& reading : now) {
+        const VariableId sensor = reading.first;
+        const ValueId value = reading.second;
+        if (i > 0 && reads(changes[i - 1].second, sensor) == value) continue;
+        text += "  at " + automata::format_seconds(time) + " s observe " + text_of({sensor, value});
+        // Until it falls silent; another reading replaces it anyway.
+        const auto silent = std::find_if(changes.begin() + static_cast<std::ptrdiff_t>(i), changes.end(),
+                                         [&](const auto& c) { return reads(c.second, sensor) != value; });
+        if (silent != changes.end() && !reads(silent->second, sensor)) {
+          text += " for " + automata::format_seconds(silent->first - time) + " s";
+        }
+        text += ";\n";
+      }
+    }
+    return text;
+  }
+
+  static std::optional<ValueId> reads(const Readings& readings, VariableId sensor) {
+    const auto at = readings.find(sensor);
+    return at == readings.end() ? std::nullopt : std::optional(at->second);
+  }
+
+  /// What the sensors read in a state. Those that the modes leave open: as before where that can be.
+  Readings readings(const Modes& modes, const Readings& before, bool last) {
+    std::vector<Assignment> store = automata::assignments_of(plant_, modes);
+    std::vector<std::vector<Assignment>> alternatives = others(modes);
+    const bool shown = last && property_.kind == Kind::never;
+    const std::vector<VariableId> asked = shown ? automata::variables_of(property_.formula) : std::vector<VariableId>{};
+    const Formula wanted = shown ? property_.formula : automata::constant(true);
+    const automata::Theory::Handle handle = step_.theory().encode(wanted);
+    Readings result;
+    for (const VariableId sensor : plant_.observables) {
+      std::vector<ValueId> candidates;
+      for (std::size_t v = 0; v < plant_.variables[sensor].values.size(); ++v) {
+        store.push_back({sensor, ValueId(v)});
+        if (step_.theory().allows(store, handle)) candidates.emplace_back(v);
+        store.pop_back();
+      }
+      if (candidates.empty()) continue;
+      const auto most = std::max_element(candidates.begin(), candidates.end(), [&](ValueId a, ValueId b) {
+        return refuted(alternatives, {sensor, a}) < refuted(alternatives, {sensor, b});
+      });
+      ValueId chosen = *most;
+      if (refuted(alternatives, {sensor, chosen}) == 0 && candidates.size() > 1) {
+        const auto known = before.find(sensor);
+        const bool stays =
+            known != before.end() && std::find(candidates.begin(), candidates.end(), known->second) != candidates.end();
+        if (!stays && std::find(asked.begin(), asked.end(), sensor) == asked.end()) continue;
+        if (stays) chosen = known->second;
+      }
+      result.emplace(sensor, chosen);
+      store.push_back({sensor, chosen});
+      for (auto& alternative : alternatives) alternative.push_back({sensor, chosen});
+    }
+    return result;
+  }
+
+  /// The states in which one component is not in its fault mode, but in another mode.
+  [[nodiscard]] std::vector<std::vector<Assignment>> others(const Modes& modes) const {
+    std::vector<std::vector<Assignment>> result;
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      const auto& all = plant_.components[c].modes;
+      if (!all[modes[c].index()].fault) continue;
+      for (std::size_t m = 0; m < all.size(); ++m) {
+        Modes other = modes;
+        other[c] = automata::ModeId(m);
+        if (m != modes[c].index()) result.push_back(automata::assignments_of(plant_, other));
+      }
+    }
+    return result;
+  }
+
+  /// How many of the alternatives that are still possible a reading rules out.
+  std::size_t refuted(const std::vector<std::vector<Assignment>>& alternatives, Assignment reading) {
+    return static_cast<std::size_t>(
+        std::count_if(alternatives.begin(), alternatives.end(), [&](std::vector<Assignment> alternative) {
+          if (!step_.theory().consistent(alternative)) return false;
+          alternative.push_back(reading);
+          return !step_.theory().consistent(alternative);
+        }));
+  }
+
+  [[nodiscard]] std::string text_of(Assignment a) const {
+    return plant_.variables.name(a.variable) + " = " + plant_.variables.value(a);
+  }
+
+  [[nodiscard]] std::string expectation() const {
+    switch (property_.kind) {
+      case Kind::goal_conflict:
+      case Kind::no_plan:
+        return "  expect never " + std::string(name_of(property_.kind)) + ";\n";
+      case Kind::endless_wait:
+      case Kind::termination:
+        return "  expect finished;\n";
+      case Kind::never:
+        return "  expect never " + property_.text + ";\n";
+      case Kind::eventually:
+        return "  expect " + property_.text + " within " + automata::format_seconds(property_.within) + " s;\n";
+      case Kind::finally:
+        return "  expect finished with " + property_.text + ";\n";
+    }
+    return "";
+  }
+
+  automata::PlantStep& step_;
+  const automata::Plant& plant_;
+  const ProgramProperty& property_;
+  const Witness& witness_;
+  const ScenarioFrame& frame_;
+};
+
+}  // namespace
+
+std::string scenario_text(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness,
+                          const ScenarioFrame& frame) {
+  return Writer(step, property, witness, frame).write();
+}
+
+}  // namespace rmpl::verifier

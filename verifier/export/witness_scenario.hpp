@@ -1,0 +1,26 @@
+// A witness as a scenario: the same readings for the executive, and an expectation that fails.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "automata/step/plant_step.hpp"
+#include "verifier/property/property.hpp"
+#include "verifier/witness/witness.hpp"
+
+namespace rmpl::verifier {
+
+struct ScenarioFrame {
+  std::string name;
+  std::string program, plant;  ///< paths, as the scenario is to name them
+  std::string entry;           ///< the definition to start with; empty: the one that no other calls
+  automata::Ticks cycle;
+};
+
+/// The text of a `.scn` file. `witness` violates `property` in cycles of the frame's length. The plant follows rules
+/// only: every sensor reads what the modes of the trace imply; where they leave it open, it reads what tells a fault
+/// from the other modes of its component, or is silent. What is expected is what the trace does not bring.
+std::string scenario_text(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness,
+                          const ScenarioFrame& frame);
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,277 @@
+// Checking a property of a plant: an observer for it, a search, the evidence.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/check.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <memory>
+
+#include "base/check.hpp"
+#include "base/overloaded.hpp"
+#include "verifier/plant/cut_sets.hpp"
+#include "verifier/plant/plant_system.hpp"
+#include "verifier/plant/timetable.hpp"
+#include "verifier/property/initial_modes.hpp"
+#include "verifier/slice/cone.hpp"
+#include "verifier/witness/replay.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Assignment;
+using automata::Formula;
+using automata::Modes;
+using automata::PlantStep;
+using automata::Theory;
+using automata::Ticks;
+
+namespace {
+
+/// What is looked for, whatever the property: a target to reach, or a response to miss.
+struct Target {
+  Formula formula;
+  Window window;
+  bool fastest = false;
+};
+using Wanted = std::variant<Target, Response>;
+
+Wanted wanted_of(const Property& property) {
+  return std::visit(base::Overloaded{[](const Reachability& p) {
+                                       return Wanted(Target{p.target, p.window, p.fastest});
+                                     },
+                                     [](const Safety& p) {
+                                       return Wanted(Target{p.never, p.window, p.fastest});
+                                     },
+                                     [](const Response& p) { return Wanted(p); },
+                                     [](const ProgramProperty& p) -> Wanted {
+                                       throw base::InternalError(std::string(name_of(p.kind)) +
+                                                                 " is asked of a program, not of a plant alone");
+                                     }},
+                    property);
+}
+
+std::vector<Formula> formulas_of(const Wanted& wanted) {
+  return std::visit(base::Overloaded{[](const Target& t) { return std::vector{t.formula}; },
+                                     [](const Response& r) {
+                                       return std::vector{r.after, r.then};
+                                     }},
+                    wanted);
+}
+
+std::vector<Ticks> times_of(const Wanted& wanted) {
+  std::vector<Ticks> times;
+  const auto add = [&](std::optional<Ticks> time) {
+    if (time && !time->is_infinite()) times.push_back(*time);
+  };
+  std::visit(base::Overloaded{[&](const Target& t) {
+                                add(t.window.not_before);
+                                add(t.window.by);
+                              },
+                              [&](const Response& r) { add(r.within); }},
+             wanted);
+  return times;
+}
+
+/// The components whose modes decide a formula.
+automata::Support support_of(const PlantStep& step, const Formula& formula) {
+  return {step.locality().support_of(formula).components, {}};
+}
+
+/// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it. Asked once for the modes
+/// that it can depend on.
+Observer::Test holds(PlantStep& step, const Formula& formula, bool certain) {
+  using Memory = automata::Memory<bool>;
+  const automata::Support support = support_of(step, formula);
+  const Theory::Handle handle = step.theory().encode(formula);
+  const auto memory = std::make_shared<Memory>(step.plant(), support);
+  return [&step, handle, certain, support, memory](const Modes& modes) {
+    return memory->find(modes, automata::ControlAction{}, [&] {
+      std::vector<Assignment> store;
+      for (const automata::ComponentId c : support.components) {
+        store.push_back({step.plant()[c].mode, automata::ValueId(modes[c.index()].index())});
+      }
+      return certain ? step.theory().entails(store, handle) : step.theory().allows(store, handle);
+    });
+  };
+}
+
+class Check {
+ public:
+  Check(PlantStep& step, const Property& property, const CheckOptions& options, unsigned faults, Meter& meter)
+      : step_(step),
+        options_(options),
+        faults_(faults),
+        reachability_(std::holds_alternative<Reachability>(property)),
+        wanted_(wanted_of(property)),
+        meter_(meter),
+        situations_(step, TimeModel::of(options.period, step.plant(), times_of(wanted_)), options.commands, faults,
+                    meter) {}
+
+  /// Any witness will do.
+  Answer run_for_any_witness() {
+    any_ = true;
+    return run();
+  }
+
+  Answer run() {
+    Answer result;
+    try {
+      start_ = situations_.initial(options_.from);
+      cone_ = cone_of_influence(step_, formulas_of(wanted_));
+      if (options_.symmetry && !options_.cut_sets) {
+        symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(wanted_), options_.from));
+        situations_.up_to(symmetry_);
+      }
+      result.startless = start_.empty();
+      if (result.startless && !options_.from.empty()) {
+        refuse_start();
+      }
+      std::visit([&](const auto& wanted) { look_for(wanted); }, wanted_);
+      result.limit = limit_;
+    } catch (const LimitReached& reached) {
+      result.limit = reached.limit;
+    }
+    if (witness_ || !result.limit) {
+      result.verdict = witness_.has_value() == reachability_ ? Verdict::holds : Verdict::violated;
+    }
+    result.witness = std::move(witness_);
+    result.cut_sets = std::move(cut_sets_);
+    result.progress = meter_.progress();
+    return result;
+  }
+
+ private:
+  using Observe = PlantSystem::Observe;
+
+  void look_for(const Target& target) {
+    const TimeModel& time = situations_.time();
+    const auto reach = [&](std::optional<Interval> window) -> Observe {
+      return [this, &target, window](PlantStep& step) {
+        return Observer::reach(holds(step, target.formula, options_.entailed), window);
+      };
+    };
+    Interval window;
+    if (target.window.not_before) window.lower = time.at_least(*target.window.not_before);
+    if (target.window.by) window.upper = time.at_most(*target.window.by);
+    const bool windowed = target.window.not_before || target.window.by;
+    witness_ = search(reach(windowed ? std::optional(window) : std::nullopt));
+    // Each round asks for less time than the best so far takes, until there is none.
+    while (target.fastest && witness_ && witness_->events.back().time > Ticks{0}) {
+      window.upper = time.at_most(witness_->events.back().time) - 1;
+      std::optional<Witness> faster = search(reach(window));
+      if (!faster) return;
+      witness_ = std::move(faster);
+    }
+  }
+
+  void look_for(const Response& response) {
+    if (response.within.is_infinite()) return;
+    automata::Support read = support_of(step_, response.after);
+    read.join(support_of(step_, response.then));
+    visible_ = read.components;
+    const Units deadline = situations_.time().more_than(response.within);
+    witness_ = search([this, &response, deadline](PlantStep& step) {
+      return Observer::miss(holds(step, response.after, options_.entailed),
+                            holds(step, response.then, !options_.entailed), deadline);
+    });
+  }
+
+  /// First the cone of influence alone: if it cannot reach the target, the plant cannot; and if the rest may stay as it
+  /// is all the while, a path with fewest steps of the cone is one of the plant.
+  std::optional<Witness> search(const Observe& observe) {
+    if (std::count(cone_.begin(), cone_.end(), false) > 0) {
+      situations_.freeze_all_but(cone_);
+      std::optional<Witness> witness = search_as_it_is(observe);
+      situations_.freeze_all_but({});
+      if (!witness || all_possible(*witness)) return witness;
+    }
+    std::optional<Witness> witness = search_as_it_is(observe);
+    assert((!witness || all_possible(*witness)) && "a witness cannot be replayed");
+    return witness;
+  }
+
+  /// Whether the run is one of the plant, and those of the cut sets are.
+  [[nodiscard]] bool all_possible(const Witness& witness) {
+    return possible(witness) &&
+           std::all_of(cut_sets_.begin(), cut_sets_.end(), [&](const CutSet& cut) { return possible(cut.witness); });
+  }
+
+  std::optional<Witness> search_cut_sets(PlantSystem& system) {
+    FaultSets sets;
+    system.tell_faults_apart(sets);
+    if (situations_.time().is_dense()) situations_.use(Steps::irreducible, visible_);
+    cut_sets_.clear();
+    for (const CutPath& cut : minimal_cut_sets(system, sets, meter_)) {
+      cut_sets_.push_back({cut.set.faults, earliest_witness(cut.path, system)});
+    }
+    situations_.use(Steps::all, {});
+    return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
+  }
+
+  /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
+  /// the fewest steps are looked for among all.
+  std::optional<Witness> search_as_it_is(const Observe& observe) {
+    PlantSystem system(situations_, observe, symmetry_, start_);
+    if (options_.cut_sets) return search_cut_sets(system);
+    std::optional<Witness> any;
+    if (situations_.time().is_dense() || options_.fewest_faults) {
+      if (situations_.time().is_dense()) situations_.use(Steps::irreducible, visible_);
+      const auto path = find_path(system, SearchOrder::covering, options_.threads, meter_);
+      if (path) any = earliest_witness(*path, system);
+      situations_.use(Steps::all, {});
+      if (!any || any_) return any;
+    }
+    try {
+      const auto path = find_path(system, SearchOrder::fewest_steps, options_.threads, meter_);
+      assert((path.has_value() || !any) && "fewer steps lead where all do not");
+      return path ? std::optional(earliest_witness(*path, system)) : std::nullopt;
+    } catch (const LimitReached& reached) {
+      if (!any) throw;
+      limit_ = reached.limit;
+      return any;
+    }
+  }
+
+  [[nodiscard]] bool possible(const Witness& witness) {
+    return !replay(step_, witness, {options_.period, options_.commands, faults_, options_.from});
+  }
+
+  PlantStep& step_;
+  const CheckOptions& options_;
+  unsigned faults_;
+  bool any_ = false;
+  bool reachability_;
+  Wanted wanted_;
+  Meter& meter_;
+  Situations situations_;
+  std::vector<bool> cone_;
+  Symmetry symmetry_;
+  std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way
+  std::vector<Modes> start_;
+  std::vector<CutSet> cut_sets_;
+  std::optional<Limit> limit_;      ///< what kept the best from being better
+  std::optional<Witness> witness_;  ///< the best so far
+};
+
+}  // namespace
+
+Answer check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {
+  demand_modes(step.plant(), options.from);
+  Meter meter(limits);
+  if (!options.fewest_faults) return Check(step, property, options, options.faults.value(), meter).run();
+  // Round by round one fault more. Where no state needs as many as there may be, more of them may still come together
+  // and lead somewhere: whether any number does is found out once, and then that is the answer, or the rounds will end.
+  const unsigned most = options.faults.value_or(std::numeric_limits<unsigned>::max());
+  bool reachable = false;
+  for (unsigned faults = 0;; ++faults) {
+    Answer result = Check(step, property, options, faults, meter).run();
+    if (result.witness) result.fewest_faults = faults;
+    if (result.witness || result.limit || faults == most) return result;
+    if (reachable || result.progress.faults == faults) continue;
+    Answer any = Check(step, property, options, most, meter).run_for_any_witness();
+    if (!any.witness) return any;
+    reachable = true;
+  }
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,134 @@
+// Several properties at once.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/check_all.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <span>
+#include <tuple>
+
+#include "verifier/plant/check.hpp"
+#include "verifier/slice/cone.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Formula;
+using automata::PlantStep;
+
+namespace {
+
+/// What a property looks for, where it may be looked for together with others.
+struct Target {
+  const Formula* formula;
+  const Window* window;
+  bool wanted;  ///< reachability: a witness makes it hold
+};
+
+std::optional<Target> target_of(const Question& question) {
+  const CheckOptions& options = question.options;
+  if (options.entailed || options.fewest_faults || options.cut_sets) return std::nullopt;
+  if (const auto* p = std::get_if<Reachability>(&question.property)) {
+    if (!p->fastest) return Target{&p->target, &p->window, true};
+  }
+  if (const auto* p = std::get_if<Safety>(&question.property)) {
+    if (!p->fastest) return Target{&p->never, &p->window, false};
+  }
+  return std::nullopt;
+}
+
+/// Whether two questions leave the same things free.
+bool alike(const Question& a, const Question& b) {
+  const auto key = [](const Question& q) {
+    const Window& window = *target_of(q)->window;
+    const CheckOptions& o = q.options;
+    return std::tie(o.period, o.faults, o.commands, o.from, window.not_before, window.by);
+  };
+  return key(a) == key(b);
+}
+
+class CheckAll {
+ public:
+  CheckAll(PlantStep& step, const std::vector<Question>& questions, const Limits& limits)
+      : step_(step), questions_(questions), limits_(limits), answers_(questions.size()) {}
+
+  std::vector<Answer> run() {
+    std::vector<bool> taken(questions_.size(), false);
+    for (std::size_t q = 0; q < questions_.size(); ++q) {
+      if (taken[q]) continue;
+      const auto target = target_of(questions_[q]);
+      if (!target) {
+        answers_[q] = check(step_, questions_[q].property, questions_[q].options, remaining());
+        spend(answers_[q]);
+        continue;
+      }
+      const std::vector<bool> cone = cone_of(*target);
+      std::vector<std::size_t> group;
+      for (std::size_t other = q; other < questions_.size(); ++other) {
+        const auto also = target_of(questions_[other]);
+        if (!also || taken[other] || !alike(questions_[q], questions_[other]) || cone_of(*also) != cone) continue;
+        taken[other] = true;
+        group.push_back(other);
+      }
+      look_for(group);
+    }
+    return std::move(answers_);
+  }
+
+ private:
+  std::vector<bool> cone_of(const Target& target) { return cone_of_influence(step_, std::span(target.formula, 1)); }
+
+  void look_for(std::vector<std::size_t> group) {
+    while (!group.empty()) {
+      std::vector<Formula> targets;
+      for (const std::size_t q : group) targets.push_back(*target_of(questions_[q])->formula);
+      const Question& first = questions_[group.front()];
+      const Reachability any{automata::disjunction(std::move(targets)), *target_of(first)->window, false};
+      const Answer found = check(step_, any, first.options, remaining());
+      spend(found);
+      const auto decided = std::stable_partition(group.begin(), group.end(), [&](std::size_t q) {
+        return found.witness && !holds_at_end(*target_of(questions_[q])->formula, *found.witness);
+      });
+      std::for_each(decided, group.end(), [&](std::size_t q) { answer(q, found); });
+      group.erase(decided, group.end());
+    }
+  }
+
+  void answer(std::size_t q, const Answer& found) {
+    answers_[q] = found;
+    if (found.verdict == Verdict::undecided) return;
+    const bool reached = found.witness.has_value();
+    answers_[q].verdict = reached == target_of(questions_[q])->wanted ? Verdict::holds : Verdict::violated;
+  }
+
+  bool holds_at_end(const Formula& formula, const Witness& witness) {
+    const auto store = automata::assignments_of(step_.plant(), witness.events.back().modes);
+    return step_.theory().allows(store, step_.theory().encode(formula));
+  }
+
+  [[nodiscard]] Limits remaining() const {
+    Limits rest = limits_;
+    if (rest.time) rest.time = std::max(*rest.time - spent_, std::chrono::duration<double>::zero());
+    if (rest.states) *rest.states -= std::min(*rest.states, states_);
+    return rest;
+  }
+  void spend(const Answer& result) {
+    spent_ += std::chrono::duration<double>(result.progress.seconds);
+    states_ += result.progress.states;
+  }
+
+  PlantStep& step_;
+  const std::vector<Question>& questions_;
+  const Limits& limits_;
+  std::vector<Answer> answers_;
+  std::chrono::duration<double> spent_ = std::chrono::duration<double>::zero();
+  std::size_t states_ = 0;
+};
+
+}  // namespace
+
+std::vector<Answer> check_all(PlantStep& step, const std::vector<Question>& questions, const Limits& limits) {
+  return CheckAll(step, questions, limits).run();
+}
+
+}  // namespace rmpl::verifier

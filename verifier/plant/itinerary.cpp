@@ -1,0 +1,76 @@
+// Itineraries: a symbolic path told in the names of the plant.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/itinerary.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace rmpl::verifier {
+
+using automata::ComponentId;
+using automata::Modes;
+
+namespace {
+
+Box renamed_box(const Box& box, const Permutation& permutation) {
+  Box result = box;
+  for (ClockBound& bound : result) {
+    const auto at = std::find_if(permutation.begin(), permutation.end(),
+                                 [&](const Renaming& r) { return r.component == bound.component.value; });
+    if (at != permutation.end()) bound.component = ComponentId(at->to);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The move from these modes that leads to the target in the same way.
+JointStep counterpart(const JointStep& move, const Permutation& names, const Modes& from, Situations& situations) {
+  const Modes target = renamed(move.target, names);
+  const Box bounds = renamed_box(move.bounds, names);
+  const auto moves = situations.moves(situations.number(from));
+  const auto found = std::find_if(moves->begin(), moves->end(), [&](const JointStep& m) {
+    return m.target == target && m.faults == move.faults && m.hold == move.hold && m.bounds == bounds;
+  });
+  assert(found != moves->end() && "what a permutation keeps is a move on both sides");
+  return *found;
+}
+
+}  // namespace
+
+std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& system) {
+  std::vector<Leg> legs;
+  Permutation names;  // from what was explored to the plant
+  std::optional<SymbolicState> state;
+  for (const PathState& next : path) {
+    std::optional<PlantSystem::Entered> entered;
+    const auto keep = [&](PlantSystem::Entered&& candidate) {
+      const bool same = candidate.label.move == next.label.move && candidate.label.wait == next.label.wait &&
+                        candidate.phase == PlantSystem::phase_of(next.discrete);
+      if (same) entered = std::move(candidate);
+    };
+    if (state) {
+      system.enumerate_successors(*state, keep);
+    } else {
+      system.enumerate_initial(keep);
+    }
+    assert(entered && "a path that the search found cannot be followed");
+
+    Leg leg{renamed(entered->situation.modes, names), entered->phase, std::nullopt, std::nullopt};
+    if (state) {
+      const auto moves = system.situations().moves(PlantSystem::situation_of(state->discrete));
+      leg.move = counterpart((*moves)[next.label.move], names, legs.back().modes, system.situations());
+    }
+    if (next.label.wait != PlantSystem::no_wait) {
+      leg.wait = renamed_box(entered->situation.waits[next.label.wait], names);
+    }
+    legs.push_back(std::move(leg));
+
+    Permutation applied;
+    state = system.sorted(std::move(*entered), &applied);
+    names = composed(inverse(applied), names);
+    assert(state->discrete == next.discrete && "a path that the search found leads elsewhere");
+  }
+  return legs;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,116 @@
+// Timetables: concrete times for a symbolic path of a plant.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/timetable.hpp"
+
+#include <cassert>
+
+#include "verifier/plant/itinerary.hpp"
+#include "verifier/zone/schedule.hpp"
+
+namespace rmpl::verifier {
+
+namespace {
+
+/// The points in time of one path: for each state when it is entered and when the wait in it ends.
+class Timetable {
+ public:
+  Timetable(std::vector<Leg> legs, PlantSystem& system)
+      : legs_(std::move(legs)), situations_(system.situations()), observer_(system.observer()) {}
+
+  Witness witness() {
+    begin();
+    for (std::size_t i = 1; i < legs_.size(); ++i) step(i);
+    accept();
+    const auto times = schedule_.solve();
+    assert(times && "a path that the search found has no times");
+    return events(*times);
+  }
+
+ private:
+  void begin() {
+    restarted_.assign(legs_[0].modes.size(), 0);
+    entered_.push_back(0);
+    wait(0);
+  }
+
+  /// From the end of the wait in state i - 1 to the end of the wait in state i.
+  void step(std::size_t i) {
+    const JointStep& taken = *legs_[i].move;
+    const Schedule::Point left = left_.back();
+    const Schedule::Point entered = schedule_.add_point();
+    if (taken.hold) {
+      pass(taken.bounds, left, entered);
+    } else {
+      schedule_.fix(left, entered, situations_.time().is_dense() ? 0 : 1);
+      for (const ClockBound& b : taken.bounds) schedule_.constrain(restarted(b), entered, b.clock);
+    }
+    entered_.push_back(entered);
+    for (std::size_t c = 0; c < legs_[i].modes.size(); ++c) {
+      if (legs_[i].modes[c] != legs_[i - 1].modes[c]) restarted_[c] = entered;
+    }
+    if (observer_.timed(legs_[i].phase) && !observer_.timed(legs_[i - 1].phase)) stopwatch_ = entered;
+    wait(i);
+  }
+
+  void wait(std::size_t i) {
+    const Schedule::Point left = schedule_.add_point();
+    if (legs_[i].wait) {
+      pass(*legs_[i].wait, entered_.back(), left);
+    } else {
+      schedule_.fix(entered_.back(), left, 0);
+    }
+    left_.push_back(left);
+  }
+
+  /// Time passes within a box of waits.
+  void pass(const Box& box, Schedule::Point from, Schedule::Point to) {
+    schedule_.constrain(from, to, {});
+    for (const ClockBound& b : box) {
+      schedule_.constrain(restarted(b), from, {b.clock.lower, unbounded});
+      schedule_.constrain(restarted(b), to, {0, b.clock.upper});
+    }
+  }
+
+  void accept() {
+    if (observer_.timed(legs_.back().phase)) schedule_.constrain(stopwatch_, left_.back(), *observer_.accepted());
+  }
+
+  [[nodiscard]] Schedule::Point restarted(const ClockBound& bound) const { return restarted_[bound.component.index()]; }
+
+  [[nodiscard]] Witness events(const std::vector<Units>& times) const {
+    const TimeModel& time = situations_.time();
+    Witness witness;
+    std::vector<Event>& result = witness.events;
+    result.push_back({automata::Ticks{0}, legs_[0].modes, automata::idle_action(situations_.plant())});
+    for (std::size_t i = 1; i < legs_.size(); ++i) {
+      const JointStep& taken = *legs_[i].move;
+      // A hold is as many steps as it has periods.
+      const Units first = taken.hold ? times[left_[i - 1]] + 1 : times[entered_[i]];
+      for (Units at = first; at <= times[entered_[i]]; ++at) {
+        result.push_back({time.ticks(at), legs_[i].modes, situations_.action(taken.action)});
+      }
+    }
+    const automata::Ticks end = time.ticks(times[left_.back()]);
+    if (end > result.back().time) {
+      result.push_back({end, result.back().modes, automata::idle_action(situations_.plant())});
+    }
+    return witness;
+  }
+
+  std::vector<Leg> legs_;
+  Situations& situations_;
+  const Observer& observer_;
+  Schedule schedule_;
+  std::vector<Schedule::Point> entered_;    ///< per state
+  std::vector<Schedule::Point> left_;       ///< per state
+  std::vector<Schedule::Point> restarted_;  ///< per component: when its clock was 0 last
+  Schedule::Point stopwatch_ = 0;           ///< when it was 0
+};
+
+}  // namespace
+
+Witness earliest_witness(const std::vector<PathState>& path, PlantSystem& system) {
+  return Timetable(itinerary(path, system), system).witness();
+}
+
+}  // namespace rmpl::verifier

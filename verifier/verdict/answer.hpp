@@ -1,0 +1,40 @@
+// Verdicts, and what they rest on.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "verifier/property/fault.hpp"
+#include "verifier/property/property.hpp"
+#include "verifier/search/limits.hpp"
+#include "verifier/witness/witness.hpp"
+
+namespace rmpl::verifier {
+
+enum class Verdict { holds, violated, undecided };
+
+/// A minimal set of faults, with a run that has them and no others.
+struct CutSet {
+  std::vector<Fault> faults;
+  Witness witness;
+};
+
+/// What became of a question.
+struct Answer {
+  Verdict verdict = Verdict::undecided;
+  std::optional<Witness> witness;         ///< of reachability that it holds, of all others that they are violated
+  std::optional<unsigned> fewest_faults;  ///< those of the witness, where they were asked for and there is one
+  std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first
+  /// Why it is undecided; or, beside a witness, why a better one (fewer steps, or less time) may have been missed.
+  std::optional<Limit> limit;
+  /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
+  bool startless = false;
+  /// Of the search that decided; questions that are decided together are counted together.
+  Progress progress;
+};
+
+/// Of all together: violated where one is, else undecided where one is.
+Verdict overall(const std::vector<Answer>& answers);
+
+}  // namespace rmpl::verifier

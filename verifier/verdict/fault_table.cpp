@@ -1,0 +1,125 @@
+// Every fault by itself: what may come of it, as text, as JSON and as JUnit XML.
+// SPDX-License-Identifier: MIT
+#include "verifier/verdict/fault_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "verifier/verdict/junit.hpp"
+#include "verifier/verdict/report.hpp"
+#include "verifier/verdict/trace.hpp"
+#include "verifier/verdict/wording.hpp"
+
+namespace rmpl::verifier {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* mission_lost = "mission lost";
+constexpr const char* waits_for_ever = "program waits for ever";
+constexpr const char* goes_on_for_ever = "program goes on for ever";
+
+/// `valve: open -> stuck`, or `none`.
+std::string name_of(const Subject& subject, const FaultOutcome& row) {
+  if (!row.fault) return "none";
+  const automata::Component& component = subject.plant[row.fault->component];
+  return component.name + ": " + component.modes[row.fault->from.index()].name + " -> " +
+         component.modes[row.fault->to.index()].name;
+}
+
+/// What can come of a fault, in words, best first; `undecided` where a limit was hit.
+std::vector<std::string> outcomes_of(const FaultOutcome& row) {
+  if (!row.decided) return {"undecided"};
+  if (row.fault && !row.happens) return {"cannot happen"};
+  std::vector<std::string> result;
+  if (row.success) result.emplace_back(row.fault ? "recovered" : "success");
+  if (row.lost) result.emplace_back(mission_lost);
+  if (row.waits) result.emplace_back(waits_for_ever);
+  if (row.goes_on) result.emplace_back(goes_on_for_ever);
+  return result;
+}
+
+std::string outcome_text(const FaultOutcome& row) {
+  std::string result;
+  for (const std::string& outcome : outcomes_of(row)) result += (result.empty() ? "" : ", ") + outcome;
+  return result;
+}
+
+/// The run on which the mission is lost, or else the program does not end; empty where there is none.
+std::string failure_text(const Subject& subject, const FaultOutcome& row) {
+  if (row.lost) return text_of(subject, *row.lost, mission_lost);
+  if (row.waits) return text_of(subject, *row.waits, waits_for_ever);
+  return row.goes_on ? text_of(subject, *row.goes_on, goes_on_for_ever) : "";
+}
+
+}  // namespace
+
+ordered_json to_json(const Subject& subject, const FaultTable& table) {
+  ordered_json json = {{"property", "each-fault"}, {"faults", ordered_json::array()}};
+  if (table.limit) json["reason"] = reason(table.limit, table.progress);
+  for (const FaultOutcome& row : table.rows) {
+    ordered_json entry = ordered_json::object();
+    if (row.fault) {
+      const automata::Component& component = subject.plant[row.fault->component];
+      entry = {{"component", component.name},
+               {"from", component.modes[row.fault->from.index()].name},
+               {"to", component.modes[row.fault->to.index()].name}};
+    }
+    entry["outcomes"] = outcomes_of(row);
+    if (row.decided) entry["no_plan"] = row.no_plan.has_value();
+    entry["traces"] = ordered_json::object();
+    const auto add = [&](const char* name, const std::optional<Witness>& witness) {
+      if (witness) entry["traces"][name] = json_of(subject, *witness);
+    };
+    add("happens", row.happens);
+    add("success", row.success);
+    add("lost", row.lost);
+    add("waits", row.waits);
+    add("goes_on", row.goes_on);
+    add("no_plan", row.no_plan);
+    json["faults"].push_back(std::move(entry));
+  }
+  json["statistics"] = statistics_of(table.progress);
+  return json;
+}
+
+std::string to_text(const Subject& subject, const FaultTable& table) {
+  std::vector<std::array<std::string, 3>> rows = {{"fault", "earliest", "what can come of it"}};
+  for (const FaultOutcome& row : table.rows) {
+    std::string outcome = outcome_text(row);
+    if (row.no_plan) outcome += " (no plan: " + row.no_plan->events.back().cycle->reason + ")";
+    const std::string earliest =
+        row.happens ? automata::format_seconds(row.happens->events.back().time) + " s" : std::string("-");
+    rows.push_back({name_of(subject, row), earliest, std::move(outcome)});
+  }
+  std::array<std::size_t, 2> widths{};
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    text += row[0] + std::string(widths[0] - row[0].size() + 2, ' ') + std::string(widths[1] - row[1].size(), ' ') +
+            row[1] + "  " + row[2] + "\n";
+  }
+  if (table.limit) text += reason(table.limit, table.progress) + "\n";
+  return text;
+}
+
+std::string to_junit(const Subject& subject, const FaultTable& table) {
+  using enum TestCase::Outcome;
+  std::vector<TestCase> cases;
+  for (const FaultOutcome& row : table.rows) {
+    cases.push_back({.name = name_of(subject, row),
+                     .classname = subject.plant.name + "." + subject.program->name,
+                     .seconds = cases.empty() ? table.progress.seconds : 0.0,
+                     .outcome = row.fails()    ? failure
+                                : !row.decided ? error
+                                               : success,
+                     .message = outcome_text(row),
+                     .text = failure_text(subject, row)});
+  }
+  return to_junit(title(subject), cases);
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,44 @@
+// JUnit XML: the subset that readers agree on.
+// SPDX-License-Identifier: MIT
+#include "verifier/verdict/junit.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <pugixml.hpp>
+#include <sstream>
+
+namespace rmpl::verifier {
+
+std::string to_junit(const std::string& suite, const std::vector<TestCase>& cases) {
+  using Outcome = TestCase::Outcome;
+  const auto count = [&](Outcome outcome) {
+    return std::count_if(cases.begin(), cases.end(), [&](const TestCase& c) { return c.outcome == outcome; });
+  };
+  pugi::xml_document document;
+  pugi::xml_node header = document.append_child(pugi::node_declaration);
+  header.append_attribute("version") = "1.0";
+  header.append_attribute("encoding") = "UTF-8";
+  pugi::xml_node node = document.append_child("testsuites").append_child("testsuite");
+  node.append_attribute("name") = suite.c_str();
+  node.append_attribute("tests") = cases.size();
+  node.append_attribute("failures") = count(Outcome::failure);
+  node.append_attribute("errors") = count(Outcome::error);
+  node.append_attribute("skipped") = 0;
+  for (const TestCase& one : cases) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.3f", one.seconds);
+    pugi::xml_node test = node.append_child("testcase");
+    test.append_attribute("name") = one.name.c_str();
+    test.append_attribute("classname") = one.classname.c_str();
+    test.append_attribute("time") = seconds;
+    if (one.outcome == Outcome::success) continue;
+    pugi::xml_node child = test.append_child(one.outcome == Outcome::failure ? "failure" : "error");
+    child.append_attribute("message") = one.message.c_str();
+    child.text().set(one.text.c_str());
+  }
+  std::ostringstream out;
+  document.save(out, "  ");
+  return std::move(out).str();
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,134 @@
+// Answers as text, as JSON and as JUnit XML.
+// SPDX-License-Identifier: MIT
+#include "verifier/verdict/report.hpp"
+
+#include <algorithm>
+
+#include "verifier/verdict/junit.hpp"
+#include "verifier/verdict/trace.hpp"
+#include "verifier/verdict/wording.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Plant;
+using nlohmann::ordered_json;
+
+namespace {
+
+const std::string& name_of(const Plant& plant, const Fault& fault) {
+  return plant[fault.component].modes[fault.mode.index()].name;
+}
+
+std::string text_of_cut_sets(const Subject& subject, const CheckOptions& options, const Answer& answer) {
+  if (answer.verdict == Verdict::undecided) return "";
+  const Plant& plant = subject.plant;
+  const std::string most = options.faults == 1U ? "1 fault" : std::to_string(options.faults.value()) + " faults";
+  std::string text = "minimal cut sets of up to " + most + ": " + std::to_string(answer.cut_sets.size()) + "\n";
+  for (const CutSet& cut : answer.cut_sets) {
+    text += "\ncut set:";
+    for (std::size_t f = 0; f < cut.faults.size(); ++f) {
+      text += (f == 0 ? " " : ", ") + plant[cut.faults[f].component].name + " = " + name_of(plant, cut.faults[f]);
+    }
+    text += (cut.faults.empty() ? " no fault is needed\n" : "\n") + text_of(subject, cut.witness, "");
+  }
+  return text;
+}
+
+ordered_json json_of_cut_sets(const Subject& subject, const Answer& answer) {
+  auto sets = ordered_json::array();
+  for (const CutSet& cut : answer.cut_sets) {
+    auto faults = ordered_json::array();
+    for (const Fault& f : cut.faults) {
+      faults.push_back({{"component", subject.plant[f.component].name}, {"mode", name_of(subject.plant, f)}});
+    }
+    sets.push_back({{"faults", std::move(faults)}, {"trace", json_of(subject, cut.witness)}});
+  }
+  return sets;
+}
+
+/// What is said of the last event of a run.
+std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
+  const auto* asked = std::get_if<ProgramProperty>(&property);
+  return asked != nullptr ? finding(subject, *asked, witness) : "";
+}
+
+ordered_json check_json(const Subject& subject, const Property& property, const Answer& answer) {
+  ordered_json check = {{"property", name_of(property)}, {"verdict", to_text(answer.verdict)}};
+  const auto* asked = std::get_if<ProgramProperty>(&property);
+  if (asked != nullptr && !asked->text.empty()) check["formula"] = asked->text;
+  if (asked != nullptr && asked->kind == ProgramProperty::Kind::eventually) check["within"] = asked->within.seconds();
+  if (!answer.witness) return check;
+  check["finding"] = end_of(subject, property, *answer.witness);
+  check["trace"] = json_of(subject, *answer.witness);
+  if (answer.witness->repeats_from) check["repeats_from"] = *answer.witness->repeats_from;
+  return check;
+}
+
+}  // namespace
+
+std::string to_text(const Subject& subject, const Question& question, const Answer& answer, bool color) {
+  std::string text = name_of(question.property) + ": " + painted(answer.verdict, color) + " (" +
+                     meaning(question.property, answer) + ")\n";
+  if (question.options.cut_sets) {
+    text += text_of_cut_sets(subject, question.options, answer);
+  } else if (answer.witness) {
+    if (answer.fewest_faults) text += "fewest faults: " + std::to_string(*answer.fewest_faults) + "\n";
+    text += text_of(subject, *answer.witness, end_of(subject, question.property, *answer.witness));
+  }
+  if (answer.witness && answer.limit) text += "a better trace may exist: " + reason(answer) + "\n";
+  return text;
+}
+
+ordered_json to_json(const Subject& subject, const Question& question, const Answer& answer) {
+  ordered_json json = {{"property", name_of(question.property)}, {"verdict", to_text(answer.verdict)}};
+  if (answer.limit) json["reason"] = reason(answer);
+  json["trace"] = answer.witness ? json_of(subject, *answer.witness) : ordered_json::array();
+  if (answer.fewest_faults) json["fewest_faults"] = *answer.fewest_faults;
+  if (question.options.cut_sets) json["cut_sets"] = json_of_cut_sets(subject, answer);
+  json["statistics"] = statistics_of(answer.progress);
+  return json;
+}
+
+ordered_json to_json(const Subject& subject, const std::vector<Property>& properties,
+                     const std::vector<Answer>& answers) {
+  ordered_json json = {{"property", "program"}, {"verdict", to_text(overall(answers))}};
+  const auto limited = std::find_if(answers.begin(), answers.end(), [](const Answer& a) { return a.limit; });
+  if (limited != answers.end()) json["reason"] = reason(*limited);
+  json["trace"] = ordered_json::array();
+  json["checks"] = ordered_json::array();
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    ordered_json check = check_json(subject, properties[p], answers[p]);
+    if (json["trace"].empty() && check.contains("trace")) json["trace"] = check["trace"];
+    json["checks"].push_back(std::move(check));
+  }
+  json["statistics"] = statistics_of(answers.back().progress);
+  return json;
+}
+
+std::string to_junit(const Subject& subject, const std::vector<Property>& properties,
+                     const std::vector<Answer>& answers) {
+  std::vector<TestCase> cases;
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    const Verdict verdict = answers[p].verdict;
+    const std::string report = to_text(subject, {properties[p], {}}, answers[p], false);
+    const auto headline = report.find('\n');
+    const auto* asked = std::get_if<ProgramProperty>(&properties[p]);
+    const std::string formula = asked != nullptr ? asked->text : "";
+    using enum TestCase::Outcome;
+    cases.push_back({.name = name_of(properties[p]) + (formula.empty() ? "" : " " + formula),
+                     .classname = subject.plant.name + "." + subject.program->name,
+                     .seconds = p == 0 ? answers.back().progress.seconds : 0.0,
+                     .outcome = verdict == Verdict::holds      ? success
+                                : verdict == Verdict::violated ? failure
+                                                               : error,
+                     .message = report.substr(0, headline),
+                     .text = report.substr(headline + 1)});
+  }
+  return to_junit(title(subject), cases);
+}
+
+ordered_json statistics_of(const Progress& progress) {
+  return {{"states", progress.states}, {"seconds", progress.seconds}, {"peak_bytes", peak_bytes()}};
+}
+
+}  // namespace rmpl::verifier

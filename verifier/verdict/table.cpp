@@ -1,0 +1,117 @@
+// The answers to a file of properties.
+// SPDX-License-Identifier: MIT
+#include "verifier/verdict/table.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "verifier/verdict/junit.hpp"
+#include "verifier/verdict/report.hpp"
+#include "verifier/verdict/wording.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Plant;
+using nlohmann::ordered_json;
+
+namespace {
+
+const char* color_of(const Claim& claim) {
+  if (!claim.decided()) return "\033[33m";
+  return claim.as_expected() ? "\033[32m" : "\033[31m";
+}
+
+/// What has to be said of a verdict beside its word.
+std::string remark(const Claim& claim) {
+  if (!claim.decided()) return reason(claim.answer);
+  if (claim.as_expected()) return claim.expect_violated ? "as expected" : "";
+  return claim.expect_violated ? "expected to be violated" : "";
+}
+
+std::string indented(const std::string& text, const char* margin) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) result += margin + line + "\n";
+  return result;
+}
+
+/// A trace for people, without the headline of a single result.
+std::string trace_of(const Plant& plant, const Claim& claim) {
+  if (!claim.answer.witness) return "";
+  const std::string text = to_text({plant}, claim.question, claim.answer, false);
+  return text.substr(text.find('\n') + 1);
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", seconds);
+  return text;
+}
+
+}  // namespace
+
+Count count(const std::vector<Claim>& claims) {
+  Count result;
+  for (const Claim& claim : claims) {
+    ++(!claim.decided() ? result.undecided : claim.as_expected() ? result.expected : result.unexpected);
+  }
+  return result;
+}
+
+std::string to_table(const Plant& plant, const std::vector<Claim>& claims, bool statistics, bool color) {
+  std::size_t width = 0;
+  for (const Claim& claim : claims) width = std::max(width, claim.name.size());
+  std::string text;
+  for (const Claim& claim : claims) {
+    const std::string verdict(to_text(claim.answer.verdict));
+    const std::string painted = color ? color_of(claim) + verdict + "\033[0m" : verdict;
+    std::string line = claim.name + std::string(width - claim.name.size() + 2, ' ') + painted;
+    std::string after = remark(claim);
+    if (statistics) {
+      after += (after.empty() ? "" : ", ") + std::to_string(claim.answer.progress.states) + " states, " +
+               seconds_text(claim.answer.progress.seconds) + " s";
+    }
+    if (!after.empty()) line += std::string(std::string_view("undecided").size() - verdict.size() + 2, ' ') + after;
+    text += line + "\n";
+    if (claim.decided() && !claim.as_expected()) text += indented(trace_of(plant, claim), "  ");
+  }
+  const Count found = count(claims);
+  text += std::to_string(found.expected) + " as expected, " + std::to_string(found.unexpected) + " not, " +
+          std::to_string(found.undecided) + " undecided\n";
+  return text;
+}
+
+ordered_json to_json(const Plant& plant, const std::vector<Claim>& claims) {
+  ordered_json properties = ordered_json::array();
+  for (const Claim& claim : claims) {
+    ordered_json one = {{"name", claim.name}, {"expected", claim.expect_violated ? "violated" : "holds"}};
+    one.update(to_json(Subject{plant}, claim.question, claim.answer));
+    properties.push_back(std::move(one));
+  }
+  const Count found = count(claims);
+  return {{"plant", plant.name},
+          {"properties", std::move(properties)},
+          {"as_expected", found.expected},
+          {"unexpected", found.unexpected},
+          {"undecided", found.undecided}};
+}
+
+std::string to_junit(const Plant& plant, const std::vector<Claim>& claims) {
+  std::vector<TestCase> cases;
+  for (const Claim& claim : claims) {
+    using Outcome = TestCase::Outcome;
+    const std::string after = remark(claim);
+    cases.push_back({.name = claim.name,
+                     .classname = plant.name + "." + name_of(claim.question.property),
+                     .seconds = claim.answer.progress.seconds,
+                     .outcome = claim.as_expected() ? Outcome::success
+                                : claim.decided()   ? Outcome::failure
+                                                    : Outcome::error,
+                     .message = std::string(to_text(claim.answer.verdict)) + (after.empty() ? "" : ": " + after),
+                     .text = trace_of(plant, claim)});
+  }
+  return to_junit(plant.name, cases);
+}
+
+}  // namespace rmpl::verifier

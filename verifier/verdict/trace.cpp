@@ -1,0 +1,182 @@
+// Witnesses as text and as JSON.
+// SPDX-License-Identifier: MIT
+#include "verifier/verdict/trace.hpp"
+
+#include <algorithm>
+
+namespace rmpl::verifier {
+
+using automata::Assignment;
+using automata::LocationId;
+using automata::Plant;
+using automata::Ticks;
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string place(const automata::Origin& origin) {
+  return origin.file + ":" + std::to_string(origin.line) + ":" + std::to_string(origin.column);
+}
+
+/// A component that an event moved.
+struct Taken {
+  const automata::Component& component;
+  const automata::Mode& from;
+  const automata::Mode& to;
+};
+
+std::vector<Taken> taken(const Plant& plant, const Event& before, const Event& event) {
+  std::vector<Taken> result;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    if (before.modes[c] == event.modes[c]) continue;
+    const automata::Component& component = plant.components[c];
+    result.push_back({component, component.modes[before.modes[c].index()], component.modes[event.modes[c].index()]});
+  }
+  return result;
+}
+
+/// The goals with the lines that assert them.
+std::string goal_text(const Subject& subject, const Cycle& cycle) {
+  std::string result;
+  for (const Assignment& goal : cycle.goal) {
+    const auto asserts = [&](LocationId id) {
+      const auto& own = subject.program->locations[id.index()].goal;
+      return std::find(own.begin(), own.end(), goal) != own.end();
+    };
+    const auto at = std::find_if(cycle.marking.begin(), cycle.marking.end(), asserts);
+    const std::string text = text_of(subject.plant, {goal});
+    const bool known = at != cycle.marking.end();
+    result += result.empty() ? "" : ", ";
+    result += known ? placed(text, subject.program->locations[at->index()].origin) : text;
+  }
+  return result;
+}
+
+std::string changes_text(const Plant& plant, const Event& before, const Event& event) {
+  std::string result;
+  for (const Taken& t : taken(plant, before, event)) {
+    result += (result.empty() ? "" : ", ") + t.component.name + ": " + t.from.name + " -> " + t.to.name;
+    if (t.to.fault) result += " (fault)";
+  }
+  return result;
+}
+
+/// The lines of a run: a time, and what there is to say.
+class Story {
+ public:
+  Story(const Subject& subject, const Witness& witness) : subject_(subject), witness_(witness) {}
+
+  std::string tell(const std::string& end) {
+    const std::vector<Event>& events = witness_.events;
+    line(Ticks{0}, text_of(subject_.plant, automata::assignments_of(subject_.plant, events.front().modes)));
+    for (std::size_t e = 1; e < events.size(); ++e) {
+      const Ticks since = events[e - 1].time;
+      if (witness_.repeats_from == e) line(since, "from here on it repeats:");
+      if (events[e].cycle) tell_goal(*events[e].cycle, since);
+      if (events[e].cycle && e + 1 == events.size()) {
+        line(events[e].time, end);
+      } else {
+        tell_step(events[e - 1], events[e]);
+      }
+    }
+    std::size_t width = 0;
+    for (const auto& [time, text] : lines_) width = std::max(width, time.size());
+    std::string result;
+    for (const auto& [time, text] : lines_) {
+      result.append(2 + width - time.size(), ' ');
+      result += time;
+      result += " s  ";
+      result += text;
+      result += '\n';
+    }
+    return result;
+  }
+
+ private:
+  void line(Ticks time, const std::string& text) { lines_.emplace_back(automata::format_seconds(time), text); }
+
+  /// `since`: the end of the cycle before. All from there on assert the same.
+  void tell_goal(const Cycle& cycle, Ticks since) {
+    if (cycle.goal == goal_) return;
+    goal_ = cycle.goal;
+    if (!goal_.empty()) line(since, "goal " + goal_text(subject_, cycle));
+  }
+
+  void tell_step(const Event& before, const Event& event) {
+    const std::string changes = changes_text(subject_.plant, before, event);
+    const std::string command = text_of(subject_.plant, automata::commanded(subject_.plant, event.action));
+    const bool repeated = changes.empty() && event.action == command_;
+    command_ = event.action;
+    if (event.cycle && ((changes.empty() && command.empty()) || repeated)) return;
+    line(event.time,
+         (command.empty() ? "" : "command " + command + ": ") + (changes.empty() ? "nothing changes" : changes));
+  }
+
+  const Subject& subject_;
+  const Witness& witness_;
+  std::vector<Assignment> goal_;
+  automata::ControlAction command_;
+  std::vector<std::pair<std::string, std::string>> lines_;
+};
+
+ordered_json json_of(const Plant& plant, const std::vector<Assignment>& assignments) {
+  ordered_json result = ordered_json::object();
+  for (const Assignment& a : assignments) result[plant.variables.name(a.variable)] = plant.variables.value(a);
+  return result;
+}
+
+ordered_json json_of(const automata::Program& program, const automata::Marking& marking) {
+  ordered_json result = ordered_json::array();
+  for (const LocationId id : marking) {
+    const automata::Location& location = program.locations[id.index()];
+    ordered_json entry = {{"location", id.index() + 1}, {"label", location.label}};
+    if (location.origin.line > 0) entry["place"] = place(location.origin);
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string text_of(const Plant& plant, const std::vector<Assignment>& assignments) {
+  std::string result;
+  for (const Assignment& a : assignments) {
+    result += (result.empty() ? "" : ", ") + plant.variables.name(a.variable) + " = " + plant.variables.value(a);
+  }
+  return result;
+}
+
+std::string placed(const std::string& text, const automata::Origin& origin) {
+  return origin.line == 0 ? text : text + " (" + place(origin) + ")";
+}
+
+std::string text_of(const Subject& subject, const Witness& witness, const std::string& end) {
+  return Story(subject, witness).tell(end);
+}
+
+ordered_json json_of(const Subject& subject, const Witness& witness) {
+  const Plant& plant = subject.plant;
+  const std::vector<Event>& events = witness.events;
+  ordered_json result = ordered_json::array();
+  for (std::size_t e = 0; e < events.size(); ++e) {
+    ordered_json moved = ordered_json::object();
+    for (const Taken& t : taken(plant, events[e == 0 ? 0 : e - 1], events[e])) {
+      moved[t.component.name] = {{"from", t.from.name}, {"to", t.to.name}};
+    }
+    ordered_json event = {{"time", events[e].time.seconds()},
+                          {"modes", json_of(plant, automata::assignments_of(plant, events[e].modes))},
+                          {"command", json_of(plant, automata::commanded(plant, events[e].action))},
+                          {"taken", std::move(moved)}};
+    if (subject.program != nullptr) {
+      // At the start nothing is asserted yet; the marking there is that of the first cycle.
+      const Cycle& cycle = *events[std::max<std::size_t>(e, 1)].cycle;
+      event["start"] = e == 0 ? 0.0 : cycle.begin.seconds();
+      event["marking"] = json_of(*subject.program, cycle.marking);
+      event["goal"] = e == 0 ? ordered_json::object() : json_of(plant, cycle.goal);
+    }
+    result.push_back(std::move(event));
+  }
+  return result;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,25 @@
+// Witnesses as text and as JSON.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "verifier/verdict/subject.hpp"
+#include "verifier/witness/witness.hpp"
+
+namespace rmpl::verifier {
+
+/// `valve = open, engine = off`.
+std::string text_of(const automata::Plant& plant, const std::vector<automata::Assignment>& assignments);
+/// `text (file:line:column)`, where there is a source.
+std::string placed(const std::string& text, const automata::Origin& origin);
+
+/// A line an event in which something happens: the time, right-aligned; the goals that are new; the command, if any;
+/// what changed. `end` is said of the last event of a program's run.
+std::string text_of(const Subject& subject, const Witness& witness, const std::string& end);
+
+/// The events, in order. Times are seconds.
+nlohmann::ordered_json json_of(const Subject& subject, const Witness& witness);
+
+}  // namespace rmpl::verifier

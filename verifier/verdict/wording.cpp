@@ -1,0 +1,154 @@
+// Verdicts in words.
+// SPDX-License-Identifier: MIT
+#include "verifier/verdict/wording.hpp"
+
+#include <cstdio>
+
+#include "base/overloaded.hpp"
+#include "verifier/verdict/trace.hpp"
+
+namespace rmpl::verifier {
+
+using automata::LocationId;
+using Kind = ProgramProperty::Kind;
+
+namespace {
+
+std::string_view limit_text(Limit limit) {
+  switch (limit) {
+    case Limit::states:
+      return "the limit of states (--max-states) was reached";
+    case Limit::time:
+      return "the limit of time (--timeout) was reached";
+    case Limit::memory:
+      return "the limit of memory (--max-memory) was reached";
+    case Limit::interrupt:
+      return "interrupted";
+  }
+  return "";
+}
+
+/// What a verdict about a program means.
+std::string meaning_of(const ProgramProperty& property, bool violated) {
+  switch (property.kind) {
+    case Kind::goal_conflict:
+      return violated ? "goals that contradict each other can be asserted together"
+                      : "goals that are asserted together never contradict each other";
+    case Kind::no_plan:
+      return violated ? "a goal can be without a plan" : "there is a plan for every goal";
+    case Kind::endless_wait:
+      return violated ? "the program can wait for ever" : "no wait lasts for ever";
+    case Kind::termination:
+      return violated ? "the program can go on for ever" : "the program ends on every run";
+    case Kind::never:
+      return "'" + property.text + "' " + (violated ? "can hold" : "never holds");
+    case Kind::eventually:
+      return "'" + property.text + "' " + (violated ? "can come too late, or never" : "always comes") + " within " +
+             automata::format_seconds(property.within) + " s";
+    case Kind::finally:
+      return violated ? "the program can end without '" + property.text + "'"
+                      : "'" + property.text + "' holds wherever the program ends";
+  }
+  return "";
+}
+
+/// The locations that a program waits at.
+std::string waiting_text(const Subject& subject, const automata::Marking& marking) {
+  std::string result;
+  for (const LocationId id : marking) {
+    const automata::Location& location = subject.program->locations[id.index()];
+    if (location.composite) continue;
+    result += (result.empty() ? "" : ", ") + placed("`" + location.label + "`", location.origin);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string title(const Subject& subject) {
+  return subject.program == nullptr ? subject.plant.name : subject.program->name + " on " + subject.plant.name;
+}
+
+std::string_view to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::holds:
+      return "holds";
+    case Verdict::violated:
+      return "violated";
+    case Verdict::undecided:
+      return "undecided";
+  }
+  return "";
+}
+
+std::string painted(Verdict verdict, bool color) {
+  const std::string text(to_text(verdict));
+  if (!color) return text;
+  const char* code = verdict == Verdict::holds ? "32" : verdict == Verdict::violated ? "31" : "33";
+  return "\033[1;" + std::string(code) + "m" + text + "\033[0m";
+}
+
+std::string reason(std::optional<Limit> limit, const Progress& p) {
+  if (!limit) return "";
+  std::string text = std::string(limit_text(*limit)) + " after " + std::to_string(p.states) + " states, " +
+                     std::to_string(p.waiting) + " of them unexplored";
+  if (p.steps) text += "; everything within " + std::to_string(*p.steps) + " steps was seen";
+  if (p.level > 0) text += "; every run with fewer than " + std::to_string(p.level) + " faults was seen";
+  return text;
+}
+
+std::string reason(const Answer& answer) { return reason(answer.limit, answer.progress); }
+
+std::string meaning(const Property& property, const Answer& answer) {
+  if (answer.verdict == Verdict::undecided) return reason(answer);
+  const bool found = answer.witness.has_value();
+  using std::string;
+  return std::visit(base::Overloaded{[&](const Reachability&) -> string {
+                                       return found ? "the target is reachable" : "the target is unreachable";
+                                     },
+                                     [&](const Safety&) -> string {
+                                       return found ? "what is never to hold can hold"
+                                                    : "what is never to hold cannot hold";
+                                     },
+                                     [&](const Response&) -> string {
+                                       return found ? "the response can be missed" : "the response is never missed";
+                                     },
+                                     [&](const ProgramProperty& p) { return meaning_of(p, found); }},
+                    property);
+}
+
+std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness) {
+  const Cycle& last = *witness.events.back().cycle;
+  const auto origin = [&](LocationId id) { return subject.program->locations[id.index()].origin; };
+  switch (property.kind) {
+    case Kind::goal_conflict: {
+      const automata::GoalConflict& conflict = last.conflicts.front();
+      return "goals contradict each other: " +
+             placed(text_of(subject.plant, {conflict.contradicted}), origin(conflict.first)) + " and " +
+             placed(text_of(subject.plant, {conflict.asserted}), origin(conflict.second));
+    }
+    case Kind::no_plan:
+      return "no plan: " + last.reason;
+    case Kind::termination:
+    case Kind::endless_wait:
+      if (witness.repeats_from) return "and so on, for ever";
+      return "nothing but a fault would change anything any more; the program waits at " +
+             waiting_text(subject, last.marking);
+    case Kind::never:
+      return "'" + property.text + "' can hold";
+    case Kind::eventually:
+      return "'" + property.text + "' has not held in time";
+    case Kind::finally:
+      return "the program has ended, and '" + property.text + "' need not hold";
+  }
+  return "";
+}
+
+std::string statistics_text(const Progress& progress) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%zu states, %.3f s, %.1f MiB\n", progress.states, progress.seconds,
+                static_cast<double>(peak_bytes()) / (1024 * 1024));
+  return text;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,33 @@
+// Verdicts in words.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "verifier/verdict/answer.hpp"
+#include "verifier/verdict/subject.hpp"
+
+namespace rmpl::verifier {
+
+/// `EntrySequence on MarsLander`; of a plant alone its name.
+std::string title(const Subject& subject);
+/// `holds`, `violated`, `undecided`.
+std::string_view to_text(Verdict verdict);
+/// The verdict, in its colour if asked for.
+std::string painted(Verdict verdict, bool color);
+
+/// Why a search found no answer, or perhaps not the best, and how far it got; empty where no limit was hit.
+std::string reason(std::optional<Limit> limit, const Progress& progress);
+/// The same of an answer.
+std::string reason(const Answer& answer);
+
+/// What an answer means: "the target is reachable", "there is a plan for every goal".
+std::string meaning(const Property& property, const Answer& answer);
+/// What a program's run has come to where it violates the property: the goals, the reason, the locations that wait.
+std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness);
+
+/// `12 states, 0.003 s, 6.5 MiB`.
+std::string statistics_text(const Progress& progress);
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,18 @@
+// Witnesses: timed runs.
+// SPDX-License-Identifier: MIT
+#include "verifier/witness/witness.hpp"
+
+namespace rmpl::verifier {
+
+std::size_t faults_in(const automata::Plant& plant, const Witness& witness) {
+  std::size_t faults = 0;
+  for (std::size_t e = 1; e < witness.events.size(); ++e) {
+    for (std::size_t c = 0; c < plant.components.size(); ++c) {
+      const automata::ModeId mode = witness.events[e].modes[c];
+      faults += mode != witness.events[e - 1].modes[c] && plant.components[c].modes[mode.index()].fault ? 1 : 0;
+    }
+  }
+  return faults;
+}
+
+}  // namespace rmpl::verifier

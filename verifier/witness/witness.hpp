@@ -1,0 +1,52 @@
+// Witnesses: timed runs, of a plant alone or under a program, that show what a verdict rests on.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/program_step.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
+
+namespace rmpl::verifier {
+
+/// What a program does in the cycle that leads to an event.
+struct Cycle {
+  automata::Ticks begin;                                 ///< in dense time the cycle takes no time
+  automata::Marking marking;                             ///< at its start
+  std::vector<std::optional<automata::Ticks>> readings;  ///< of the program clocks, as this cycle sees them; nothing
+                                                         ///< where a clock is not active or not read any more
+  std::vector<automata::Assignment> goal;                ///< that is acted on
+  std::vector<automata::GoalConflict> conflicts;
+  runtime::Reconfiguration::Outcome outcome = runtime::Reconfiguration::Outcome::nothing_to_do;
+  std::string reason;      ///< of a missing plan
+  automata::Marking next;  ///< at its end
+};
+
+/// The state that a step leads to, at the time of the step; the first event is the start, at time 0.
+struct Event {
+  automata::Ticks time;
+  automata::Modes modes;
+  automata::ControlAction action;             ///< in force for the step
+  std::optional<Cycle> cycle = std::nullopt;  ///< under a program; none at the start
+};
+
+/// From the start to what was looked for.
+///
+/// Of a plant alone: between two events all controls are idle and nothing changes. Where the modes are those of the
+/// event before, nothing changed: a command kept it so, or the last event is the time at which the target counts.
+///
+/// Under a program: between two events cycles run that change nothing; they assert and command what that of the later
+/// event does. The last event is the cycle that runs at the end: its command is known, what it leads to is not, and its
+/// time is its begin.
+struct Witness {
+  std::vector<Event> events;
+  std::optional<std::size_t> repeats_from;  ///< from this event to the last but one it goes round for ever
+};
+
+/// How many components went into a fault mode along the run.
+std::size_t faults_in(const automata::Plant& plant, const Witness& witness);
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,49 @@
+// The two models of time (semantics 7), both counted in whole units.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "automata/plant.hpp"
+#include "automata/time/time.hpp"
+#include "verifier/zone/interval.hpp"
+
+namespace rmpl::verifier {
+
+/// How time is read, and what one unit of it is.
+///
+/// Dense: the limit of ever shorter cycles. The unit is the greatest that divides every finite bound of the plant and
+/// of the question: as all bounds are weak, whatever is possible is possible at whole units (Henzinger, Manna, Pnueli:
+/// What good are digital clocks?, 1992). Sampled: one step at each multiple of the period, which is the unit.
+class TimeModel {
+ public:
+  /// `others` are the finite times of the question. Throws base::InputError where a bound is too many units long to add
+  /// up.
+  static TimeModel dense(const automata::Plant& plant, std::span<const automata::Ticks> others);
+  /// `period` is above 0.
+  static TimeModel sampled(automata::Ticks period);
+  /// Sampled where there is a period, else dense.
+  static TimeModel of(std::optional<automata::Ticks> period, const automata::Plant& plant,
+                      std::span<const automata::Ticks> others);
+
+  [[nodiscard]] bool is_dense() const { return dense_; }
+  [[nodiscard]] automata::Ticks unit() const { return unit_; }
+
+  /// The fewest units that are at least `time`; `unbounded` for an infinite one.
+  [[nodiscard]] Units at_least(automata::Ticks time) const;
+  /// The most units that are at most `time`; `unbounded` for an infinite one.
+  [[nodiscard]] Units at_most(automata::Ticks time) const;
+  /// The fewest units that are more than a finite `time`.
+  [[nodiscard]] Units more_than(automata::Ticks time) const { return at_most(time) + 1; }
+  /// Throws base::InputError where the time is beyond the range of Ticks.
+  [[nodiscard]] automata::Ticks ticks(Units units) const;
+
+ private:
+  TimeModel(bool dense, automata::Ticks unit) : dense_(dense), unit_(unit) {}
+
+  bool dense_;
+  automata::Ticks unit_;
+};
+
+}  // namespace rmpl::verifier
