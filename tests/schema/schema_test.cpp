@@ -127,6 +127,10 @@ const std::vector<Output> outputs = {
      "rmpl-run scenario {examples}/propulsion/burn.scn --only 'fire and stop' --trace trace.jsonl > story.txt; cat "
      "trace.jsonl",
      "trace", true},
+    {"TraceOfBeliefs",
+     "rmpl-run scenario {examples}/propulsion/burn.scn --only 'fire and stop' --trace trace.jsonl --trace-detail "
+     "beliefs > story.txt; cat trace.jsonl",
+     "trace", true},
     {"Beliefs",
      "echo '{\"time\": 1, \"command\": {\"pde.cmd\": \"on\"}}' | rmpl-run estimate "
      "{examples}/propulsion/propulsion.tcca --log -",

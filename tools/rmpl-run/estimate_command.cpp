@@ -149,17 +149,26 @@ Status run(const Options& options, const Common& common) {
   Account account;
   bool cut = false;
   std::size_t answered = 0;
+  const LogLine* before = nullptr;
   for (const LogLine& line : lines) {
     if (interrupted()) break;
     const bool start = line.cycle == 0 && line.time == automata::Ticks{};  // a trace begins with where it starts
     Belief belief;
     try {
       if (!start) {
-        const automata::ControlAction action = automata::action_from(plant, line.command);
-        const Stopwatch stopwatch;
-        estimator->update(action, line.observations, line.time);
-        account.latency.add(stopwatch.seconds());
+        const auto update = [&](const LogLine& told, automata::Ticks time) {
+          const automata::ControlAction action = automata::action_from(plant, told.command);
+          const Stopwatch stopwatch;
+          estimator->update(action, told.observations, time);
+          account.latency.add(stopwatch.seconds());
+        };
+        // Cycles that were left out went as the line before says.
+        for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) {
+          update(*before, line.time_of_unchanged(i));
+        }
+        update(line, line.time);
       }
+      before = &line;
       belief = listed(estimator->belief(), options);
     } catch (const TooManyStates& error) {
       throw TooManyStates(input.name() + ":" + std::to_string(line.number) + ": " + error.what() +

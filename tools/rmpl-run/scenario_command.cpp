@@ -32,6 +32,7 @@ struct Options {
   std::string file;
   std::string only;
   std::string trace;
+  TraceDetail detail = TraceDetail::changes;
   std::optional<std::uint64_t> seed;
   Format format = Format::text;
   Engine engine = Engine::k_best;
@@ -48,7 +49,7 @@ exit code: 0 all expectations are met; 1 one failed; 2 an input is wrong; 3 inte
 
 examples:
   rmpl-run scenario nominal.scn                    the story, and the verdicts
-  rmpl-run scenario nominal.scn --trace out.jsonl  every cycle, as JSON Lines
+  rmpl-run scenario nominal.scn --trace out.jsonl  what changes, as JSON Lines
   rmpl-run scenario faults.scn --only 'pde reset'  one scenario of several
   rmpl-run scenario dice.scn --seed 42             another draw of the same plant)";
 
@@ -139,7 +140,7 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
     observers.push_back(&story);
   }
   std::optional<TraceWriter> trace;
-  if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, options.trace));
+  if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, options.trace, options.detail));
   Progress progress(scenario.name, scenario.duration, !common.quiet && !live);
   observers.push_back(&progress);
   Account account;
@@ -217,7 +218,12 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "a .scn file, or a compiled .json")->required();
   command->add_option("--only", options->only, "run this scenario of the file only")->option_text("NAME");
-  command->add_option("--trace", options->trace, "write every cycle as a JSON line")->option_text("OUT.jsonl");
+  command->add_option("--trace", options->trace, "write what happens, as JSON Lines")->option_text("OUT.jsonl");
+  add_choice<TraceDetail>(
+      *command, "--trace-detail", options->detail,
+      {{"changes", TraceDetail::changes}, {"cycles", TraceDetail::cycles}, {"beliefs", TraceDetail::beliefs}},
+      "what the trace tells: cycles in which something changes, every cycle,\n"
+      "or every cycle with all states that are tracked (default: changes)");
   command->add_option("--seed", options->seed, "draw the plant with this seed instead of the scenario's")
       ->option_text("N")
       ->check(seed_error);

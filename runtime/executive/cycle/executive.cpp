@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/cycle/executive.hpp"
 
+#include <string>
+
+#include "automata/time/checked_ticks.hpp"
+#include "base/error.hpp"
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/sequence/goal_conflict.hpp"
 
@@ -37,6 +41,13 @@ Executive::Executive(const automata::Program& program, const automata::Plant& mo
   plant_.overhear(record_.estimate, record_.time);
 }
 
+automata::Ticks Executive::end_of(std::uint64_t cycle) const {
+  if (const auto end = automata::checked_product(cycle_, cycle)) return *end;
+  throw base::InputError("time ends " + automata::format_seconds({automata::Ticks::infinite().count - 1}) +
+                         " s after the start, and cycle " + std::to_string(cycle) + " of " +
+                         automata::format_seconds(cycle_) + " s would end later; expected a shorter duration");
+}
+
 const CycleRecord& Executive::run_cycle() {
   ++record_.cycle;
   record_.events.clear();
@@ -45,7 +56,7 @@ const CycleRecord& Executive::run_cycle() {
   record_.reconfiguration_seconds = timed([this] { reconfiguration_.dispatch(); });  // 4 to 8: MR's command is issued,
                                                                                      // and ME is told
   note_reconfiguration();
-  clock_.wait_until(automata::Ticks{cycle_.count * static_cast<std::int64_t>(record_.cycle)});
+  clock_.wait_until(end_of(record_.cycle));
   const automata::Observation& observations = monitor_.sample(clock_.now());  // 9
   control_.request_estimate();                                                // 10
   record_.estimation_seconds = timed([this] { estimation_.dispatch(); });     // 11 to 15

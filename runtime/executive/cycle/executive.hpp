@@ -26,12 +26,14 @@ class Executive {
 
   /// The state in which the run starts, as cycle 0; then what the last `run_cycle` did.
   [[nodiscard]] const CycleRecord& record() const { return record_; }
-  /// Runs one cycle. After the end of the program cycles go on, with no goal.
+  /// Runs one cycle. After the end of the program cycles go on, with no goal. Throws base::InputError where it would
+  /// last beyond the end of time, some 292 years.
   const CycleRecord& run_cycle();
   /// Whether the program has ended: no location is marked.
   [[nodiscard]] bool ended() const { return sequencer_.ended(); }
 
  private:
+  [[nodiscard]] automata::Ticks end_of(std::uint64_t cycle) const;
   void assert_goals();
   void note_reconfiguration();
   void read_back(const automata::Observation& observations);

@@ -5,23 +5,22 @@
 #include <algorithm>
 #include <tuple>
 
+#include "automata/time/checked_ticks.hpp"
+
 namespace rmpl::runtime {
 namespace {
 
 using automata::Ticks;
 
 /// Saturates: a reading "for ever" ends at infinity.
-Ticks later(Ticks time, Ticks by) {
-  return by.count > Ticks::infinite().count - time.count ? Ticks::infinite() : time + by;
-}
+Ticks later(Ticks time, Ticks by) { return automata::checked_sum(time, by).value_or(Ticks::infinite()); }
 
 /// From the trigger of a rule, at the start of a cycle, to its reading, at the end of that cycle or of a later one:
 /// nothing is read before. Saturates.
 Ticks delay_of(const automata::Rule& rule, Ticks cycle) {
   if (rule.delay) return *rule.delay;
-  const auto most = static_cast<std::uint64_t>(Ticks::infinite().count / cycle.count);
   const std::uint64_t cycles = std::max<std::uint64_t>(rule.delay_cycles, 1);
-  return cycles > most ? Ticks::infinite() : Ticks{cycle.count * static_cast<std::int64_t>(cycles)};
+  return automata::checked_product(cycle, cycles).value_or(Ticks::infinite());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "automata/time/checked_ticks.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
 
@@ -16,9 +17,10 @@ using automata::format_seconds;
 using automata::Ticks;
 using Verdict = Judgement::Verdict;
 
+/// Nothing where it lies beyond the end of time.
 std::optional<Ticks> deadline(const Expectation& expectation, std::optional<Ticks> since) {
-  if (!since || !expectation.within || expectation.within->is_infinite()) return std::nullopt;
-  return *since + *expectation.within;
+  if (!since || !expectation.within) return std::nullopt;
+  return automata::checked_sum(*since, *expectation.within);
 }
 
 }  // namespace

@@ -55,18 +55,22 @@ class LogRun {
 
   std::string run(const std::vector<LogLine>& lines, const std::vector<Reading>& readings) {
     std::string text;
+    std::uint64_t number = 0;
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-      cycle(i + 1, lines[i].time, readings[i]);
-      text += line_.text() + "\n";
-      if (step_.ended()) break;
-      step_.finish(readings[i + 1].knowledge);
+      const LogLine& next = lines[i + 1];
+      for (std::uint64_t left_out = 0; left_out <= next.unchanged; ++left_out) {
+        cycle(++number, left_out == 0 ? lines[i].time : next.time_of_unchanged(left_out), readings[i]);
+        text += line_.text() + "\n";
+        if (step_.ended()) return text;
+        step_.finish(readings[left_out == next.unchanged ? i + 1 : i].knowledge);
+      }
     }
     return text;
   }
 
  private:
   /// The first half of a cycle, and its line.
-  void cycle(std::size_t number, automata::Ticks now, const Reading& reading) {
+  void cycle(std::uint64_t number, automata::Ticks now, const Reading& reading) {
     line_.clear();
     line_.open('{').key("cycle").number(number).key("time").seconds(now).key("marking").open('[');
     for (const automata::LocationId location : step_.marking()) line_.number(location.index() + 1);

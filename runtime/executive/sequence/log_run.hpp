@@ -13,7 +13,8 @@
 namespace rmpl::runtime {
 
 /// Line i of a log holds time, estimate and observations at the start of cycle i, and those of line i + 1 are what its
-/// cycle reads back: n + 1 lines are n cycles. An estimate that a line lacks is that of the line before. Both answer
+/// cycle reads back: n + 1 lines are n cycles. Cycles that a line says were left out are run like the others, and
+/// answered. An estimate that a line lacks is that of the line before. Both answer
 /// one JSON object a cycle: `cycle`, `time`, `marking` at the start of the cycle, `goal`, `clocks` in seconds of the
 /// active ones, and `events` where goals contradict each other. A cycle that starts with the empty marking is the last.
 /// They throw base::InputError where the log is wrong; nothing is answered then.

@@ -10,8 +10,24 @@
 
 namespace rmpl::runtime {
 
-TraceWriter::TraceWriter(const automata::Plant& plant, std::string path)
-    : plant_(plant), path_(std::move(path)), file_(path_, std::ios::binary | std::ios::trunc) {
+TraceWriter::Told::Told(const CycleRecord& record)
+    : marking(record.marking),
+      goal(record.goal),
+      command(record.command),
+      observations(record.observations),
+      estimate(record.estimate),
+      events(record.events) {
+  if (record.truth != nullptr) truth = *record.truth;
+}
+
+bool TraceWriter::Told::still_true_of(const CycleRecord& record) const {
+  return observations == record.observations && estimate == record.estimate && command == record.command &&
+         goal == record.goal && marking == record.marking && events == record.events &&
+         (record.truth == nullptr || truth == *record.truth);
+}
+
+TraceWriter::TraceWriter(const automata::Plant& plant, std::string path, TraceDetail detail)
+    : plant_(plant), path_(std::move(path)), detail_(detail), file_(path_, std::ios::binary | std::ios::trunc) {
   if (!file_) throw base::InputError(path_ + ": cannot be written");
   for (std::size_t c = 0; c < plant_.components.size(); ++c) {
     auto& live = live_clocks_.emplace_back();
@@ -32,31 +48,53 @@ TraceWriter::~TraceWriter() {
 }
 
 void TraceWriter::observe(const CycleRecord& record) {
+  last_cycle_ = record.cycle;
+  last_time_ = record.time;
+  if (detail_ == TraceDetail::changes && told_ && told_->still_true_of(record)) {
+    ++unchanged_;
+    return;
+  }
+  told_.emplace(record);
+  if (detail_ == TraceDetail::beliefs) {
+    const Belief belief = record.estimator->belief();
+    write(record.cycle, record.time, *told_, &belief);
+  } else {
+    write(record.cycle, record.time, *told_, nullptr);
+  }
+  unchanged_ = 0;
+}
+
+void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& told, const Belief* belief) {
   line_.clear();
-  line_.open('{').key("cycle").number(record.cycle).key("time").seconds(record.time);
+  line_.open('{').key("cycle").number(cycle).key("time").seconds(time);
+  if (unchanged_ > 0) line_.key("unchanged").number(unchanged_);
   line_.key("marking").open('[');
-  for (const automata::LocationId location : record.marking) line_.number(location.index() + 1);
+  for (const automata::LocationId location : told.marking) line_.number(location.index() + 1);
   line_.close(']');
-  line_.key("goal").assignments(record.goal, plant_.variables);
+  line_.key("goal").assignments(told.goal, plant_.variables);
   line_.key("command").open('{');
-  for (std::size_t i = 0; i < record.command.size(); ++i) {
+  for (std::size_t i = 0; i < told.command.size(); ++i) {
     const automata::Control& control = plant_.controls[i];
-    if (record.command[i] == control.idle) continue;
+    if (told.command[i] == control.idle) continue;
     line_.key(plant_.variables.name(control.variable));
-    line_.string(plant_.variables.value({control.variable, record.command[i]}));
+    line_.string(plant_.variables.value({control.variable, told.command[i]}));
   }
   line_.close('}');
-  line_.key("observations").assignments(record.observations, plant_.variables);
-  line_.key("estimate").modes(record.estimate, plant_);
-  line_.key("belief").belief(record.estimator->belief(), plant_, record.time, &live_clocks_);
-  if (record.truth != nullptr) line_.key("truth").modes(*record.truth, plant_);
+  line_.key("observations").assignments(told.observations, plant_.variables);
+  line_.key("estimate").modes(told.estimate, plant_);
+  if (belief != nullptr) line_.key("belief").belief(*belief, plant_, time, &live_clocks_);
+  if (told.truth) line_.key("truth").modes(*told.truth, plant_);
   line_.key("events");
-  write_events(line_, record.events, &plant_);
+  write_events(line_, told.events, &plant_);
   line_.close('}');
   file_ << line_.text() << '\n';
 }
 
 void TraceWriter::keep() {
+  if (unchanged_ > 0) {
+    --unchanged_;  // the last cycle is told, so that a reader knows how long the run was
+    write(last_cycle_, last_time_, *told_, nullptr);
+  }
   file_.close();
   if (!file_) throw base::InputError(path_ + ": could not be written in full");
   kept_ = true;

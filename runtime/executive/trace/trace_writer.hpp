@@ -1,9 +1,12 @@
-// Writes a run as JSON Lines, one object a cycle; the file is complete or not there.
+// Writes a run as JSON Lines; the file is complete or not there.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "automata/plant.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
@@ -11,14 +14,22 @@
 
 namespace rmpl::runtime {
 
+/// How much of a run a trace tells; each can be read as a log.
+enum class TraceDetail {
+  changes,  ///< the cycles in which something but the time and the belief changed, and the last
+  cycles,   ///< every cycle, without the belief
+  beliefs   ///< every cycle, with all states that are tracked
+};
+
 /// A trace file (grammar/schema/trace.schema.json). Its first line has `cycle` 0 and states where the run starts; the
 /// line of cycle k then has the marking, goal and command with which the cycle started, and the observations and
 /// estimate that it read back at `time`. So a trace is a log: `rmpl-run estimate` and `rmpl-run sequence` repeat it.
+/// Where cycles were left out, the next line says how many.
 /// Unless `keep` is called the file is removed: a run that fails midway leaves none.
 class TraceWriter final : public CycleObserver {
  public:
   /// Throws base::InputError where the file cannot be written.
-  TraceWriter(const automata::Plant& plant, std::string path);
+  TraceWriter(const automata::Plant& plant, std::string path, TraceDetail detail = TraceDetail::changes);
   ~TraceWriter() override;
   TraceWriter(const TraceWriter&) = delete;
   TraceWriter& operator=(const TraceWriter&) = delete;
@@ -28,11 +39,32 @@ class TraceWriter final : public CycleObserver {
   void keep();
 
  private:
+  /// What a line is about besides cycle, time and belief.
+  struct Told {
+    automata::Marking marking;
+    std::vector<automata::Assignment> goal;
+    automata::ControlAction command;
+    automata::Observation observations;
+    automata::Modes estimate;
+    std::optional<automata::Modes> truth;
+    std::vector<Event> events;
+
+    explicit Told(const CycleRecord& record);
+    [[nodiscard]] bool still_true_of(const CycleRecord& record) const;
+  };
+
+  void write(std::uint64_t cycle, automata::Ticks time, const Told& told, const Belief* belief);
+
   const automata::Plant& plant_;
   std::string path_;
+  TraceDetail detail_;
   std::ofstream file_;
   JsonLine line_;
   ClockTable live_clocks_;  ///< the executive forgets the others
+  std::optional<Told> told_;
+  std::uint64_t unchanged_ = 0;  ///< cycles since the last line
+  std::uint64_t last_cycle_ = 0;
+  automata::Ticks last_time_;
   bool kept_ = false;
 };
 

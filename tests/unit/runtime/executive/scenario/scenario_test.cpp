@@ -70,6 +70,29 @@ TEST(Scenario, TimesAreExact) {
   EXPECT_EQ(result.verdict(), Verdict::failed);
 }
 
+TEST(Scenario, TimeEnds) {
+  Scenario scenario = heater::scenario();
+  scenario.cycle = Ticks::of_seconds(30'000 * std::int64_t{86'400});
+  scenario.duration = Ticks::of_seconds(100'000 * std::int64_t{86'400});
+  try {
+    fly(scenario, heater::document(true));
+    FAIL() << "flew beyond the end of time";
+  } catch (const base::InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "time ends 9223372036.854775806 s after the start, and cycle 4 of 2592000000 s would end later; "
+                 "expected a shorter duration");
+  }
+}
+
+TEST(Scenario, WhatMayTakeLongerThanTimeLastsHasNoDeadline) {
+  Scenario scenario = heater::scenario();
+  Expectation late = expects(Kind::eventually, is(mode, ValueId(on.index())));
+  late.after = is(mode, ValueId(heating.index()));
+  late.within = Ticks{Ticks::infinite().count - 1};
+  scenario.expectations = {late};
+  EXPECT_EQ(fly(scenario).judgements[0].time, (Ticks{2'500'000'000}));
+}
+
 TEST(Scenario, TheTruthIsNotTheEstimate) {
   Scenario scenario = heater::scenario();
   scenario.truth = {in(on)};
@@ -157,18 +180,23 @@ class TraceFile : public ::testing::Test {
   void SetUp() override { std::filesystem::create_directories(directory_); }
   void TearDown() override { std::filesystem::remove_all(directory_); }
   [[nodiscard]] std::string path() const { return (directory_ / "out.jsonl").string(); }
+  /// Flies, and answers the lines of the trace.
+  std::vector<nlohmann::json> fly_and_read(const Scenario& scenario, const Document& document, TraceDetail detail) {
+    TraceWriter trace(document.plants[0], path(), detail);
+    fly(scenario, document, {&trace});
+    trace.keep();
+    std::ifstream file(path());
+    std::vector<nlohmann::json> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(nlohmann::json::parse(line));
+    return lines;
+  }
   std::filesystem::path directory_ =
       std::filesystem::path(::testing::TempDir()) / ("rmpl-trace-test-" + std::to_string(::getpid()));
 };
 
 TEST_F(TraceFile, RepeatsAsALogOfTheSequencer) {
   const Document document = heater::document();
-  TraceWriter trace(document.plants[0], path());
-  fly(heater::scenario(), document, {&trace});
-  trace.keep();
-  std::ifstream file(path());
-  std::vector<nlohmann::json> lines;
-  for (std::string line; std::getline(file, line);) lines.push_back(nlohmann::json::parse(line));
+  const auto lines = fly_and_read(heater::scenario(), document, TraceDetail::beliefs);
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[0]["cycle"], 0);
   EXPECT_EQ(lines[1]["time"], 0.5);
@@ -186,6 +214,32 @@ TEST_F(TraceFile, RepeatsAsALogOfTheSequencer) {
     EXPECT_EQ(repeated["goal"], lines[cycle]["goal"]);
   }
   EXPECT_EQ(cycle, 5U);
+}
+
+// What a small trace leaves out is what was the case before: read as a log it is the whole flight.
+TEST_F(TraceFile, OfChangesIsTheSameLogAsThatOfAllCycles) {
+  const Document document = heater::document(true);
+  Scenario scenario = heater::scenario();
+  scenario.forced = {{Ticks::of_seconds(5), component, broken, {}}};
+  std::vector<std::string> repeated;
+  std::vector<std::size_t> lengths;
+  for (const TraceDetail detail : {TraceDetail::changes, TraceDetail::cycles, TraceDetail::beliefs}) {
+    const auto lines = fly_and_read(scenario, document, detail);
+    lengths.push_back(lines.size());
+    EXPECT_EQ(lines.back()["cycle"], 40);
+    EXPECT_EQ(lines.back()["time"], 20);
+    EXPECT_EQ(lines.back().contains("belief"), detail == TraceDetail::beliefs);
+    std::uint64_t cycles = 0;
+    for (const auto& line : lines) cycles += 1 + line.value("unchanged", 0U);
+    EXPECT_EQ(cycles, 41U);
+    std::ifstream log(path());
+    repeated.push_back(sequence_log(document.programs[0], document.plants[0], log, "out.jsonl"));
+  }
+  EXPECT_EQ(repeated[0], repeated[1]);
+  EXPECT_EQ(repeated[1], repeated[2]);
+  EXPECT_LT(lengths[0], 15U);
+  EXPECT_EQ(lengths[1], 41U);
+  EXPECT_EQ(lengths[2], 41U);
 }
 
 TEST_F(TraceFile, IsNotLeftBehindByARunThatFails) {

@@ -68,9 +68,11 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(error_of("{\"time\": NaN}"), "in.jsonl:1:10: not JSON; expected one object a line");
   EXPECT_EQ(error_of("{\"time\": 1e999}"), "in.jsonl:1: a number is out of range");
   EXPECT_EQ(error_of("{\"time\": -1}"),
-            "in.jsonl:1: 'time': expected seconds from 0 to 9.2e9, or a duration with a unit, not -1");
+            "in.jsonl:1: 'time': expected seconds from 0 to 9.2e9 in whole nanoseconds, or a duration with a unit, not "
+            "-1");
   EXPECT_EQ(error_of("{\"time\": 1e12}"),
-            "in.jsonl:1: 'time': expected seconds from 0 to 9.2e9, or a duration with a unit, not 1000000000000.0");
+            "in.jsonl:1: 'time': expected seconds from 0 to 9.2e9 in whole nanoseconds, or a duration with a unit, not "
+            "1e12");
   EXPECT_EQ(error_of("{\"time\": 1, \"time\": 2}"), "in.jsonl:1: /time: the key 'time' stands twice in one object");
   EXPECT_EQ(error_of("{\"command\": {\"lamp.cmd\": \"on\", \"lamp.cmd\": \"none\"}}"),
             "in.jsonl:1: /command/lamp.cmd: the key 'lamp.cmd' stands twice in one object");
@@ -91,6 +93,34 @@ TEST(Log, ErrorsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(error_of("{\"marking\": {}}"), "in.jsonl:1: 'marking': expected an array, not object");
   EXPECT_EQ(error_of("{\"estimate\": null}"),
             "in.jsonl:1: 'estimate': expected an object of names and values, not null");
+}
+
+// Where a double has not enough digits: each decimal is its tick, or an error.
+TEST(Log, TimesAreExact) {
+  for (const char* decimal : {"9007199.254740993", "0.000000001", "9223372036.854775806", "4e-9", "1.5e1"}) {
+    std::istringstream in("{\"cycle\": 1, \"time\": " + std::string(decimal) + "}");
+    EXPECT_EQ(read_log(in, "in.jsonl", lamp()).front().time, *parse_duration(decimal)) << decimal;
+  }
+  for (const char* decimal : {"1e-10", "0.0000000015", "9223372036.854775807", "1e-400", "-0.5"}) {
+    EXPECT_EQ(error_of("{\"time\": " + std::string(decimal) + "}"),
+              "in.jsonl:1: 'time': expected seconds from 0 to 9.2e9 in whole nanoseconds, or a duration with a unit, "
+              "not " +
+                  std::string(decimal));
+  }
+}
+
+TEST(Log, KnowsWhenTheCyclesWereThatALineLeavesOut) {
+  std::istringstream in("{\"cycle\": 3, \"time\": 1.5}\n{\"cycle\": 7, \"time\": 3.5, \"unchanged\": 3}\n");
+  const auto lines = read_log(in, "in.jsonl", lamp());
+  EXPECT_EQ(lines[0].unchanged, 0U);
+  EXPECT_EQ(lines[1].unchanged, 3U);
+  EXPECT_EQ(lines[1].time_of_unchanged(1), Ticks::of_seconds(2));
+  EXPECT_EQ(lines[1].time_of_unchanged(3), Ticks::of_seconds(3));
+  EXPECT_EQ(error_of("{\"unchanged\": 1}"),
+            "in.jsonl:1: 'unchanged': expected a line before it that the cycles left out are like");
+  EXPECT_EQ(error_of("{\"cycle\": 3}\n{\"cycle\": 5, \"unchanged\": 2}"),
+            "in.jsonl:2: 'unchanged': 2 cycles cannot have been left out between cycle 3 and cycle 5");
+  EXPECT_EQ(error_of("{}\n{\"unchanged\": 0.5}"), "in.jsonl:2: 'unchanged': expected a whole number, not 0.5");
 }
 
 TEST(Log, SurvivesHostileLines) {

@@ -1,0 +1,84 @@
+// Names in their roles, and what is said where they play none.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/trace/log_names.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+using automata::Assignment;
+using Role = LogReader::Role;
+
+/// The names that make sense in a role, in declaration order.
+std::vector<std::string_view> candidates(const automata::Plant& plant, Role role) {
+  std::vector<std::string_view> names;
+  switch (role) {
+    case Role::command:
+      for (const automata::Control& control : plant.controls)
+        names.emplace_back(plant.variables.name(control.variable));
+      break;
+    case Role::estimate:
+      for (const automata::Component& component : plant.components) names.emplace_back(component.name);
+      break;
+    case Role::observations:
+      for (const automata::Variable& variable : plant.variables) {
+        if (!plant.find_component(variable.name)) names.emplace_back(variable.name);
+      }
+      break;
+  }
+  return names;
+}
+
+std::string_view noun(Role role) {
+  switch (role) {
+    case Role::command:
+      return "control variable";
+    case Role::estimate:
+      return "component";
+    case Role::observations:
+      return "variable";
+  }
+  return {};
+}
+
+/// Whether a variable makes sense in a role.
+bool plays(const automata::Plant& plant, Role role, automata::VariableId variable) {
+  switch (role) {
+    case Role::command:
+      return std::any_of(plant.controls.begin(), plant.controls.end(),
+                         [&](const automata::Control& control) { return control.variable == variable; });
+    case Role::estimate:
+      return plant.component_of(variable).has_value();
+    case Role::observations:
+      return !plant.component_of(variable);
+  }
+  return false;
+}
+
+}  // namespace
+
+Assignment resolve(const automata::Plant& plant, LogReader::Role role, const std::string& name,
+                   const std::string& value) {
+  const auto variable = plant.variables.find(name);
+  if (role == Role::observations && variable && plant.component_of(*variable)) {
+    throw base::InputError(" '" + name + "' is a component: no sensor reads its mode; expected an attribute");
+  }
+  if (!variable || !plays(plant, role, *variable)) {
+    throw base::InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant.name + "'" +
+                           base::suggestion(name, candidates(plant, role)));
+  }
+  const automata::Variable& declared = plant.variables[*variable];
+  const auto known = declared.find(value);
+  if (!known) {
+    throw base::InputError(" '" + value + "' is no value of '" + name + "'" + base::suggestion(value, declared.values));
+  }
+  return {*variable, *known};
+}
+
+}  // namespace rmpl::runtime
