@@ -129,6 +129,7 @@ const Asserted& ProgramStep::begin(const Knowledge& knowledge, Ticks now) {
   next_started_ = started_;
   // 4. Set up the configuration goal.
   asserted_.goal.clear();
+  asserted_.by.clear();
   asserted_.conflicts.clear();
   std::map<VariableId, std::pair<ValueId, LocationId>> goals;
   for (const LocationId id : marking_) {
@@ -145,7 +146,10 @@ const Asserted& ProgramStep::begin(const Knowledge& knowledge, Ticks now) {
       }
     }
   }
-  for (const auto& [variable, asserted] : goals) asserted_.goal.push_back({variable, asserted.first});
+  for (const auto& [variable, asserted] : goals) {
+    asserted_.goal.push_back({variable, asserted.first});
+    asserted_.by.push_back(asserted.second);
+  }
   return asserted_;
 }
 

@@ -31,6 +31,7 @@ struct GoalConflict {
 /// The first half of a cycle, steps 1 to 4 of Fig. 5-3: what is asserted before the plant is acted on.
 struct Asserted {
   std::vector<Assignment> goal;         ///< the configuration goal, sorted by variable, each once
+  std::vector<LocationId> by;           ///< for each of the goal, the first location that asserts it
   std::vector<GoalConflict> conflicts;  ///< where not empty, the goal is not to be acted on
 };
 

@@ -1,5 +1,7 @@
 // rmpl-run scenario: flies scenarios, tells their stories and judges them.
 // SPDX-License-Identifier: MIT
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -33,6 +35,9 @@ struct Options {
   std::string only;
   std::string trace;
   TraceDetail detail = TraceDetail::changes;
+  std::vector<std::string> components;
+  automata::Ticks from;
+  automata::Ticks to = automata::Ticks::infinite();
   std::optional<std::uint64_t> seed;
   Format format = Format::text;
   Engine engine = Engine::k_best;
@@ -43,7 +48,7 @@ struct Options {
 };
 
 constexpr const char* footer = R"(A scenario names a control program, a plant, what happens and what is expected.
-By default it is told as a story, one line for each thing that changes.
+By default it is told as a story while it flies, one line for each thing that changes.
 
 exit code: 0 all expectations are met; 1 one failed; 2 an input is wrong; 3 interrupted
 
@@ -51,7 +56,8 @@ examples:
   rmpl-run scenario nominal.scn                    the story, and the verdicts
   rmpl-run scenario nominal.scn --trace out.jsonl  what changes, as JSON Lines
   rmpl-run scenario faults.scn --only 'pde reset'  one scenario of several
-  rmpl-run scenario dice.scn --seed 42             another draw of the same plant)";
+  rmpl-run scenario dice.scn --seed 42             another draw of the same plant
+  rmpl-run scenario landing.scn --only-component engine --from 4.5h --to 5h)";
 
 /// Adds up what the cycles of a flight cost.
 class Account : public CycleObserver {
@@ -120,28 +126,40 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
 /// What reconfiguration computes beforehand, once for each plant.
 using Graphs = std::map<std::size_t, std::shared_ptr<const NominalGraph>>;
 
-/// Flies one scenario. Its story goes to `text`, or in real time to standard output as it happens.
-ScenarioResult fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
-                   const Common& common, Graphs& graphs, std::string& text) {
-  const automata::Plant& plant = document.plants[scenario.plant];
-  const Style style{common.color_output()};
-  const bool live = options.real_time && options.format == Format::text;
-  const auto tell = [&](const std::string& part) {
-    if (live) {
-      std::cout << part << std::flush;
-    } else {
-      text += part;
+StoryFocus focus_of(const Options& options, const automata::Plant& plant) {
+  StoryFocus focus{{}, options.from, options.to};
+  std::vector<std::string_view> names;
+  for (const automata::Component& component : plant.components) names.emplace_back(component.name);
+  for (const std::string& name : options.components) {
+    const auto component = plant.find_component(name);
+    if (!component) {
+      throw base::InputError("--only-component: plant '" + plant.name + "' has no component '" + name + "'" +
+                             base::suggestion(name, names));
     }
-  };
+    focus.components.push_back(*component);
+  }
+  return focus;
+}
+
+/// Flies one scenario, and tells its story to standard output as it happens.
+ScenarioResult fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
+                   const Common& common, Graphs& graphs) {
+  const automata::Plant& plant = document.plants[scenario.plant];
+  const automata::Program& program = document.programs[scenario.program];
+  const Style style{common.color_output()};
+  const auto tell = [&](const std::string& line) { std::cout << line << std::endl; };
   std::vector<CycleObserver*> observers;
-  Story story(plant, style, [&](const std::string& line) { tell(line + "\n"); });
-  if (options.format == Format::text && !common.quiet) {
-    tell(heading(document, scenario, options.seed.value_or(scenario.seed), style) + "\n");
+  const MomentColumn column(scenario.duration, options.real_time ? automata::Ticks{1} : scenario.cycle);
+  Story story(plant, program, column, style, focus_of(options, plant), tell);
+  const bool told = options.format == Format::text && !common.quiet;
+  if (told) {
+    tell(heading(document, scenario, options.seed.value_or(scenario.seed), style));
     observers.push_back(&story);
   }
   std::optional<TraceWriter> trace;
-  if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, options.trace, options.detail));
-  Progress progress(scenario.name, scenario.duration, !common.quiet && !live);
+  if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, program, options.trace, options.detail));
+  // A story on the terminal is its own progress.
+  Progress progress(scenario.name, scenario.duration, !common.quiet && !(told && isatty(STDOUT_FILENO) != 0));
   observers.push_back(&progress);
   Account account;
   observers.push_back(&account);
@@ -161,10 +179,22 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   if (options.stats || common.verbose) account.report(scenario.name, seconds_since(begin));
   if (trace) trace->keep();
   if (options.format == Format::text) {
-    const std::string gap = common.quiet ? scenario.name + ": " : "\n";
-    tell(gap + summary(scenario, result, style));
+    std::cout << (common.quiet ? scenario.name + ": " : "\n") << summary(scenario, result, style) << std::flush;
   }
   return result;
+}
+
+/// An option that takes a time of the flight.
+void add_time(CLI::App& app, const std::string& name, automata::Ticks& time, const std::string& description) {
+  const auto take = [name, &time](const std::string& text) {
+    const auto parsed = automata::parse_duration(text);
+    if (!parsed) {
+      throw CLI::ValidationError(
+          name, "expected seconds or a duration in us, ms, s, min, h or d, as in 4.5h, not '" + text + "'");
+    }
+    time = *parsed;
+  };
+  app.add_option_function<std::string>(name, take, description)->option_text("TIME");
 }
 
 Status status_of(Judgement::Verdict verdict) {
@@ -194,19 +224,20 @@ Status run(const Options& options, const Common& common) {
   }
   watch_for_interruption();
   Status status = Status::done;
-  std::string text;
   Graphs graphs;
   JsonLine json;
   json.open('{').key("scenarios").open('[');
+  bool told_before = false;
   for (const automata::Scenario* scenario : selected(document, options)) {
-    if (!text.empty() && !common.quiet) text += "\n";
-    const ScenarioResult result = fly(document, *scenario, options, common, graphs, text);
+    if (told_before && !common.quiet && options.format == Format::text) std::cout << '\n';
+    told_before = true;
+    const ScenarioResult result = fly(document, *scenario, options, common, graphs);
     write_result(json, *scenario, result);
     status = worse(status, status_of(result.verdict()));
     if (result.interrupted) break;
   }
   json.close(']').close('}');
-  std::cout << (options.format == Format::json ? json.text() + "\n" : text);
+  if (options.format == Format::json) std::cout << json.text() << '\n';
   finish_output();
   return status;
 }
@@ -224,6 +255,13 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
       {{"changes", TraceDetail::changes}, {"cycles", TraceDetail::cycles}, {"beliefs", TraceDetail::beliefs}},
       "what the trace tells: cycles in which something changes, every cycle,\n"
       "or every cycle with all states that are tracked (default: changes)");
+  command
+      ->add_option("--only-component", options->components,
+                   "tell only what is about this component; may be given several times")
+      ->option_text("NAME")
+      ->take_all();
+  add_time(*command, "--from", options->from, "tell the story from this time on");
+  add_time(*command, "--to", options->to, "tell the story up to this time");
   command->add_option("--seed", options->seed, "draw the plant with this seed instead of the scenario's")
       ->option_text("N")
       ->check(seed_error);

@@ -7,8 +7,13 @@
 namespace rmpl::runtime {
 
 EstimationDispatcher::EstimationDispatcher(const automata::Plant& plant, Estimator& estimator, const Clock& clock,
+                                           MessageQueue<EstimationMessage>& queue,
                                            MessageQueue<ReconfigurationMessage>& reconfiguration)
-    : estimator_(estimator), clock_(clock), reconfiguration_(reconfiguration), action_(automata::idle_action(plant)) {
+    : estimator_(estimator),
+      clock_(clock),
+      queue_(queue),
+      reconfiguration_(reconfiguration),
+      action_(automata::idle_action(plant)) {
   reconfiguration_.push(StateEstimated{estimator_.estimate().modes, &estimator_});
 }
 

@@ -1,4 +1,4 @@
-// The ME side of the RTAPI: a queue, and the dispatcher that empties it (thesis 7.1.1).
+// The ME side of the RTAPI: the dispatcher that empties its queue (thesis 7.1.1).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,10 +13,10 @@ namespace rmpl::runtime {
 /// Collects commands and observations, and estimates when asked to.
 class EstimationDispatcher {
  public:
+  /// Messages come in `queue`, states go to `reconfiguration`. Keeps references to all but `plant`.
   EstimationDispatcher(const automata::Plant& plant, Estimator& estimator, const Clock& clock,
-                       MessageQueue<ReconfigurationMessage>& reconfiguration);
+                       MessageQueue<EstimationMessage>& queue, MessageQueue<ReconfigurationMessage>& reconfiguration);
 
-  MessageQueue<EstimationMessage>& queue() { return queue_; }
   /// Steps 11 to 15: dequeues all there is. A request makes an estimate as of the clock's time, sends it to MR, and
   /// leaves it in `estimate()` for the sequencer.
   void dispatch();
@@ -31,8 +31,8 @@ class EstimationDispatcher {
 
   Estimator& estimator_;
   const Clock& clock_;
+  MessageQueue<EstimationMessage>& queue_;
   MessageQueue<ReconfigurationMessage>& reconfiguration_;
-  MessageQueue<EstimationMessage> queue_;
   automata::ControlAction action_;     ///< of the last command message
   automata::Observation observation_;  ///< since the last request; a later reading of a variable replaces an earlier
   automata::Ticks time_;

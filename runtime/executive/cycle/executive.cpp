@@ -30,11 +30,10 @@ Executive::Executive(const automata::Program& program, const automata::Plant& mo
       cycle_(cycle),
       estimator_(estimator),
       sequencer_(program, model),
-      reconfiguration_(model, reconfigurer, clock),
-      estimation_(model, estimator, clock, reconfiguration_.queue()),
-      control_(plant, estimation_.queue()),
-      monitor_(plant, estimation_.queue()) {
-  reconfiguration_.connect(control_);
+      control_(plant, to_estimation_),
+      monitor_(plant, to_estimation_),
+      reconfiguration_(model, reconfigurer, clock, to_reconfiguration_, control_),
+      estimation_(model, estimator, clock, to_estimation_, to_reconfiguration_) {
   record_.marking = sequencer_.marking();
   record_.command = automata::idle_action(model);
   read_back({});
@@ -71,20 +70,26 @@ void Executive::assert_goals() {
   record_.start = clock_.now();
   const automata::Asserted& asserted = sequencer_.begin(knowledge_, record_.start);
   record_.goal.clear();
+  record_.asserted_by.clear();
   for (const automata::GoalConflict& conflict : asserted.conflicts) {
     record_.events.push_back(describe(conflict, program_, model_.variables));
   }
   // Goals that contradict each other are not acted on (semantics 2): MR is asked with none, and stays idle.
-  if (asserted.conflicts.empty()) record_.goal = asserted.goal;
+  if (asserted.conflicts.empty()) {
+    record_.goal = asserted.goal;
+    record_.asserted_by = asserted.by;
+  }
   // 2. It pushes the goals, one at a time, 3. and then the request.
-  for (const automata::Assignment& goal : record_.goal) reconfiguration_.queue().push(GoalAsserted{goal});
-  reconfiguration_.queue().push(ReconfigurationRequested{});
+  for (const automata::Assignment& goal : record_.goal) to_reconfiguration_.push(GoalAsserted{goal});
+  to_reconfiguration_.push(ReconfigurationRequested{});
 }
 
 void Executive::note_reconfiguration() {
   const Reconfiguration& answer = reconfiguration_.answer();
   record_.command = reconfiguration_.command();
   record_.considered = reconfiguration_.checked();
+  record_.outcome = answer.outcome;
+  record_.why = answer.why;
   switch (answer.outcome) {
     case Reconfiguration::Outcome::no_plan:
       record_.events.push_back({Event::Kind::no_plan, answer.reason, answer.component, std::nullopt});

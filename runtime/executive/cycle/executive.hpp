@@ -4,9 +4,12 @@
 
 #include "automata/program.hpp"
 #include "automata/step/program_step.hpp"
-#include "runtime/executive/cycle/adapters.hpp"
 #include "runtime/executive/cycle/clock.hpp"
+#include "runtime/executive/cycle/control_adapter.hpp"
 #include "runtime/executive/cycle/estimation_dispatcher.hpp"
+#include "runtime/executive/cycle/message.hpp"
+#include "runtime/executive/cycle/message_queue.hpp"
+#include "runtime/executive/cycle/monitor_adapter.hpp"
 #include "runtime/executive/cycle/reconfiguration_dispatcher.hpp"
 #include "runtime/executive/plant/plant_interface.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
@@ -45,10 +48,12 @@ class Executive {
   const automata::Ticks cycle_;
   Estimator& estimator_;
   automata::ProgramStep sequencer_;
-  ReconfigurationDispatcher reconfiguration_;
-  EstimationDispatcher estimation_;
+  MessageQueue<EstimationMessage> to_estimation_;
+  MessageQueue<ReconfigurationMessage> to_reconfiguration_;
   ControlAdapter control_;
   MonitorAdapter monitor_;
+  ReconfigurationDispatcher reconfiguration_;
+  EstimationDispatcher estimation_;
   automata::Knowledge knowledge_;  ///< of the sequencer: the last estimate, and the observations that it explains
   CycleRecord record_;
 };

@@ -39,12 +39,4 @@ struct StateEstimated {
 
 using ReconfigurationMessage = std::variant<GoalAsserted, ReconfigurationRequested, StateEstimated>;
 
-/// Makes one visitor of several lambdas.
-template <class... Cases>
-struct Match : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Match(Cases...) -> Match<Cases...>;
-
 }  // namespace rmpl::runtime

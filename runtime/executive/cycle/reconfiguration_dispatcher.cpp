@@ -4,13 +4,16 @@
 
 #include <algorithm>
 
-#include "base/check.hpp"
-
 namespace rmpl::runtime {
 
 ReconfigurationDispatcher::ReconfigurationDispatcher(const automata::Plant& plant, Reconfigurer& reconfigurer,
-                                                     const Clock& clock)
-    : reconfigurer_(reconfigurer), clock_(clock), idle_(automata::idle_action(plant)) {}
+                                                     const Clock& clock, MessageQueue<ReconfigurationMessage>& queue,
+                                                     ControlAdapter& control)
+    : reconfigurer_(reconfigurer),
+      clock_(clock),
+      queue_(queue),
+      control_(control),
+      idle_(automata::idle_action(plant)) {}
 
 void ReconfigurationDispatcher::dispatch() {
   while (const auto message = queue_.pop()) {
@@ -26,7 +29,6 @@ const automata::ControlAction& ReconfigurationDispatcher::command() const {
 void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.push_back(message.goal); }
 
 void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
-  CHECK(control_ != nullptr && "connected before the first request");
   // 5. The request invokes MR with the configuration goal, 6. which returns the next command of a sequence.
   checked_ = 0;
   if (tracked_ != asked_states_ || goals_ != asked_goals_) {
@@ -37,7 +39,7 @@ void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
   }
   goals_.clear();
   // 7. It goes to the control adapter.
-  control_->issue(command(), clock_.now());
+  control_.issue(command(), clock_.now());
 }
 
 void ReconfigurationDispatcher::handle(const StateEstimated& message) {

@@ -1,11 +1,12 @@
-// The MR side of the RTAPI: a queue, and the dispatcher that empties it (thesis 7.1.1).
+// The MR side of the RTAPI: the dispatcher that empties its queue (thesis 7.1.1).
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "automata/state.hpp"
-#include "runtime/executive/cycle/adapters.hpp"
+#include "runtime/executive/cycle/clock.hpp"
+#include "runtime/executive/cycle/control_adapter.hpp"
 #include "runtime/executive/cycle/message.hpp"
 #include "runtime/executive/cycle/message_queue.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
@@ -15,11 +16,10 @@ namespace rmpl::runtime {
 /// Conjoins goals, and has a command issued when asked to.
 class ReconfigurationDispatcher {
  public:
-  ReconfigurationDispatcher(const automata::Plant& plant, Reconfigurer& reconfigurer, const Clock& clock);
+  /// Messages come in `queue`, commands go to `control`. Keeps references to all.
+  ReconfigurationDispatcher(const automata::Plant& plant, Reconfigurer& reconfigurer, const Clock& clock,
+                            MessageQueue<ReconfigurationMessage>& queue, ControlAdapter& control);
 
-  MessageQueue<ReconfigurationMessage>& queue() { return queue_; }
-  /// Where commands go; ME's queue has to be there first, so it is told after construction.
-  void connect(ControlAdapter& control) { control_ = &control; }
   /// Steps 4 to 7: dequeues all there is. A request issues one command, idle unless there is something to do.
   void dispatch();
   /// What MR answered to the last request.
@@ -36,8 +36,8 @@ class ReconfigurationDispatcher {
 
   Reconfigurer& reconfigurer_;
   const Clock& clock_;
-  ControlAdapter* control_ = nullptr;
-  MessageQueue<ReconfigurationMessage> queue_;
+  MessageQueue<ReconfigurationMessage>& queue_;
+  ControlAdapter& control_;
   std::vector<automata::Modes> tracked_;  ///< the most likely first; it alone where MR does not look at the others
   std::vector<automata::Assignment> goals_;
   const automata::ControlAction idle_;

@@ -8,12 +8,13 @@
 #include "automata/time/checked_ticks.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "runtime/executive/scenario/circumstances.hpp"
+#include "runtime/executive/scenario/moment.hpp"
 
 namespace rmpl::runtime {
 namespace {
 
 using automata::Expectation;
-using automata::format_seconds;
 using automata::Ticks;
 using Verdict = Judgement::Verdict;
 
@@ -21,6 +22,13 @@ using Verdict = Judgement::Verdict;
 std::optional<Ticks> deadline(const Expectation& expectation, std::optional<Ticks> since) {
   if (!since || !expectation.within) return std::nullopt;
   return automata::checked_sum(*since, *expectation.within);
+}
+
+/// The first event of a kind, or null.
+const Event* find(const CycleRecord& record, Event::Kind kind) {
+  const auto at =
+      std::find_if(record.events.begin(), record.events.end(), [&](const auto& e) { return e.kind == kind; });
+  return at == record.events.end() ? nullptr : &*at;
 }
 
 }  // namespace
@@ -51,8 +59,9 @@ std::string_view name_of(Verdict verdict) {
   return {};
 }
 
-Expectations::Expectations(automata::PlantStep& step, const automata::Scenario& scenario)
-    : step_(step), judgements_(scenario.expectations.size()) {
+Expectations::Expectations(automata::PlantStep& step, const automata::Program& program,
+                           const automata::Scenario& scenario)
+    : step_(step), program_(program), judgements_(scenario.expectations.size()) {
   for (const Expectation& expectation : scenario.expectations) {
     if (expectation.truth && scenario.rules_only) {
       throw base::InputError(expectation.origin.file + ":" + std::to_string(expectation.origin.line) + ":" +
@@ -104,15 +113,12 @@ void Expectations::observe(const CycleRecord& record, bool ended) {
   for (std::size_t i = 0; i < watches_.size(); ++i) judge(watches_[i], judgements_[i], record, ended);
 }
 
-void Expectations::decide(Judgement& judgement, Verdict verdict, Ticks now, std::string reason) {
-  judgement = {verdict, now, std::move(reason)};
+std::string Expectations::evidence(const Expectation& expectation, const CycleRecord& record) const {
+  return circumstances(expectation.condition, record, step_.plant(), expectation.truth);
 }
 
 void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& record, bool ended) {
   const Ticks now = record.time;
-  const auto happened = [&](Event::Kind kind) {
-    return std::any_of(record.events.begin(), record.events.end(), [&](const Event& e) { return e.kind == kind; });
-  };
   const Expectation& expectation = *watch.expectation;
   const Side& side = expectation.truth ? truth_ : estimate_;
   // Both are asked in every cycle, also when decided: an answer is renewed only in the cycle in which knowledge
@@ -128,49 +134,59 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
     case Expectation::Kind::finished: {
       const bool finished = expectation.kind == Expectation::Kind::finished;
       if (finished && ended && !condition) {
-        decide(judgement, Verdict::failed, now, "the program ended without it");
+        judgement = {Verdict::failed, now, "the program ended without it", evidence(expectation, record)};
       } else if (watch.since && (finished ? ended : condition) && !late) {
-        decide(judgement, Verdict::met, now);
+        judgement = {Verdict::met, now, {}, {}};
       } else if (late || (due && now == *due)) {
-        decide(judgement, Verdict::failed, now, "not by " + format_seconds(*due) + " s");
+        judgement = {Verdict::failed, now, "not by " + moment(*due),
+                     finished ? places(record.marking, program_) : evidence(expectation, record)};
       }
       break;
     }
     case Expectation::Kind::never:
-      if (watch.since && condition && !late) decide(judgement, Verdict::failed, now, "it came true");
+      if (watch.since && condition && !late) {
+        judgement = {Verdict::failed, now, "it came true", evidence(expectation, record)};
+      }
       break;
     case Expectation::Kind::goal_conflict:
-      if (happened(Event::Kind::goal_conflict)) decide(judgement, Verdict::failed, record.start, "there was one");
+      if (const Event* event = find(record, Event::Kind::goal_conflict)) {
+        judgement = {Verdict::failed, record.start, "there was one", event->message};
+      }
       break;
     case Expectation::Kind::no_plan:
-      if (happened(Event::Kind::no_plan)) decide(judgement, Verdict::failed, record.start, "a goal was without a plan");
+      if (const Event* event = find(record, Event::Kind::no_plan)) {
+        judgement = {Verdict::failed, record.start, "a goal was without a plan",
+                     (event->component ? step_.plant()[*event->component].name + ": " : "") + event->message};
+      }
       break;
   }
 }
 
-void Expectations::close(Ticks time, bool interrupted) {
+Judgement Expectations::at_the_end(const Watch& watch, const CycleRecord& last) const {
+  switch (watch.expectation->kind) {
+    case Expectation::Kind::never:
+    case Expectation::Kind::goal_conflict:
+    case Expectation::Kind::no_plan:
+      return {Verdict::met, last.time, {}, {}};
+    case Expectation::Kind::finished:
+      return {Verdict::failed, last.time, "the program had not ended when the run was over",
+              places(last.marking, program_)};
+    case Expectation::Kind::eventually:
+      if (!watch.since) return {Verdict::failed, last.time, "what it waits for after 'after' never came true", {}};
+      return {Verdict::failed, last.time, "it did not come true before the run was over",
+              evidence(*watch.expectation, last)};
+  }
+  return {};
+}
+
+void Expectations::close(const CycleRecord& last, bool interrupted) {
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     Judgement& judgement = judgements_[i];
     if (judgement.verdict != Verdict::undecided) continue;
-    const Expectation& expectation = *watches_[i].expectation;
     if (interrupted) {
-      judgement.reason = "the run was interrupted at " + format_seconds(time) + " s";
-      continue;
-    }
-    switch (expectation.kind) {
-      case Expectation::Kind::never:
-      case Expectation::Kind::goal_conflict:
-      case Expectation::Kind::no_plan:
-        decide(judgement, Verdict::met, time);
-        break;
-      case Expectation::Kind::finished:
-        decide(judgement, Verdict::failed, time, "the program had not ended when the run was over");
-        break;
-      case Expectation::Kind::eventually:
-        decide(judgement, Verdict::failed, time,
-               watches_[i].since ? "it did not come true before the run was over"
-                                 : "what it waits for after 'after' never came true");
-        break;
+      judgement.reason = "the run was interrupted at " + moment(last.time);
+    } else {
+      judgement = at_the_end(watches_[i], last);
     }
   }
 }

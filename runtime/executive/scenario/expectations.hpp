@@ -21,6 +21,7 @@ struct Judgement {
   Verdict verdict = Verdict::undecided;
   std::optional<automata::Ticks> time;  ///< when it was decided
   std::string reason;                   ///< where it failed or is undecided: why
+  std::string evidence;                 ///< where it failed: what was the case then; may be empty
 };
 
 /// `met`, `failed`, `undecided`.
@@ -30,14 +31,14 @@ std::string_view name_of(Judgement::Verdict verdict);
 /// observations that it explains, or the true modes.
 class Expectations {
  public:
-  /// Keeps references to both. Throws base::InputError where an expectation speaks of the truth and nothing is
+  /// Keeps references to all. Throws base::InputError where an expectation speaks of the truth and nothing is
   /// simulated.
-  Expectations(automata::PlantStep& step, const automata::Scenario& scenario);
+  Expectations(automata::PlantStep& step, const automata::Program& program, const automata::Scenario& scenario);
 
   /// Looks at a cycle; `ended` says that the program has ended in it.
   void observe(const CycleRecord& record, bool ended);
-  /// The run is over: what is open is decided; or, where it was `interrupted`, stays undecided.
-  void close(automata::Ticks time, bool interrupted);
+  /// The run is over, with its last cycle: what is open is decided; or, where it was `interrupted`, stays undecided.
+  void close(const CycleRecord& last, bool interrupted);
   /// Whether some expectation is open that more cycles may still meet or fail, aside from what is never to be: that
   /// lasts to the end.
   [[nodiscard]] bool waiting() const;
@@ -71,9 +72,11 @@ class Expectations {
   void know(const CycleRecord& record);
   bool holds(Question& question, const Side& side);
   void judge(Watch& watch, Judgement& judgement, const CycleRecord& record, bool ended);
-  void decide(Judgement& judgement, Judgement::Verdict verdict, automata::Ticks now, std::string reason = {});
+  [[nodiscard]] Judgement at_the_end(const Watch& watch, const CycleRecord& last) const;
+  [[nodiscard]] std::string evidence(const automata::Expectation& expectation, const CycleRecord& record) const;
 
   automata::PlantStep& step_;
+  const automata::Program& program_;
   Side estimate_, truth_;
   std::vector<Watch> watches_;
   std::vector<Judgement> judgements_;

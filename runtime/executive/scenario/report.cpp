@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/scenario/report.hpp"
 
+#include "runtime/executive/scenario/moment.hpp"
+
 namespace rmpl::runtime {
 namespace {
 
@@ -31,11 +33,11 @@ std::string heading(const automata::Document& document, const automata::Scenario
 std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, Style style) {
   std::string text;
   if (result.ended) {
-    text += "the program ended at " + format_seconds(*result.ended) + " s";
+    text += "the program ended at " + moment(*result.ended);
   } else if (result.interrupted) {
-    text += "interrupted at " + format_seconds(result.time) + " s";
+    text += "interrupted at " + moment(result.time);
   } else {
-    text += "the program had not ended after " + format_seconds(result.time) + " s";
+    text += "the program had not ended after " + moment(result.time);
   }
   text += "; " + std::to_string(result.cycles) + (result.cycles == 1 ? " cycle\n" : " cycles\n");
   for (std::size_t i = 0; i < result.judgements.size(); ++i) {
@@ -43,15 +45,10 @@ std::string summary(const automata::Scenario& scenario, const ScenarioResult& re
     const Judgement& judgement = result.judgements[i];
     text += "  " + verdict_word(judgement.verdict, style) + "  " + expectation.text;
     const bool awaited = !lasts_to_the_end(expectation);
-    if (judgement.time && awaited) {
-      text += style.quiet("  at " + format_seconds(*judgement.time) + " s");
-    }
-    if (!judgement.reason.empty()) {
-      text += ": " + judgement.reason;
-      if (judgement.time && !awaited) {
-        text += " at " + format_seconds(*judgement.time) + " s";
-      }
-    }
+    const std::string at = judgement.time ? " at " + moment(*judgement.time) : "";
+    if (awaited && judgement.verdict == Judgement::Verdict::met) text += style.quiet(" " + at);
+    if (!judgement.reason.empty()) text += ": " + judgement.reason + (awaited ? "" : at);
+    if (!judgement.evidence.empty()) text += ": " + judgement.evidence;
     text += "\n";
   }
   return text;
@@ -68,6 +65,7 @@ void write_result(JsonLine& json, const automata::Scenario& scenario, const Scen
     json.open('{').key("text").string(expectation.text).key("verdict").string(name_of(judgement.verdict));
     if (judgement.time) json.key("time").seconds(*judgement.time);
     if (!judgement.reason.empty()) json.key("reason").string(judgement.reason);
+    if (!judgement.evidence.empty()) json.key("evidence").string(judgement.evidence);
     json.key("file").string(expectation.origin.file).key("line").number(expectation.origin.line);
     json.close('}');
   }

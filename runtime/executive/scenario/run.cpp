@@ -74,7 +74,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
   const auto reconfigurer = make_recovery(step, options);
   const auto plant = make_plant(model, scenario, result.seed);
   const auto clock = make_clock(options);
-  Expectations expectations(step, scenario);
+  Expectations expectations(step, program, scenario);
   Executive executive(program, model, *estimator, *reconfigurer, *plant, *clock, scenario.cycle);
 
   const auto look = [&](const CycleRecord& record) {
@@ -93,7 +93,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
   }
   result.cycles = executive.record().cycle;
   result.time = executive.record().time;
-  expectations.close(result.time, result.interrupted);
+  expectations.close(executive.record(), result.interrupted);
   result.judgements = expectations.judgements();
   return result;
 }

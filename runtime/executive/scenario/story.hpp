@@ -1,4 +1,4 @@
-// Tells a run to people: a line where something changes, nothing where all goes on.
+// Tells a run to people while it goes on: a line where something changes, nothing where all goes on.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,35 +8,56 @@
 #include <vector>
 
 #include "automata/program.hpp"
+#include "automata/scenario.hpp"
+#include "runtime/executive/scenario/moment.hpp"
 #include "runtime/executive/scenario/style.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 
 namespace rmpl::runtime {
 
-/// New goals, commands, changes of the estimated modes with faults as such, what happens to the plant, and events.
-/// What repeats in the next cycle is not told again.
+/// What of a run is told.
+struct StoryFocus {
+  std::vector<automata::ComponentId> components;  ///< what is about these, and what is about none; empty: all
+  automata::Ticks from;                           ///< both inclusive
+  automata::Ticks to = automata::Ticks::infinite();
+};
+
+/// Goals that come and go with the lines that assert them, commands and waits with their reasons, changes of the
+/// estimated modes with faults as such, what happens to the plant, and events. What repeats in the next cycle is not
+/// told again, but for a command that goes on: once.
 class Story final : public CycleObserver {
  public:
   using Tell = std::function<void(const std::string& line)>;
 
-  Story(const automata::Plant& plant, Style style, Tell tell);
+  /// Keeps references to the plant and the program.
+  Story(const automata::Plant& plant, const automata::Program& program, MomentColumn column, Style style,
+        StoryFocus focus, Tell tell);
 
   void observe(const CycleRecord& record) override;
 
  private:
-  void line(automata::Ticks time, std::string_view what, const std::string& text);
-  void tell_goal(const CycleRecord& record);
-  void tell_command(const CycleRecord& record);
+  using Component = std::optional<automata::ComponentId>;
+
+  void tell_goals(const CycleRecord& record);
+  void tell_action(const CycleRecord& record);
   void tell_events(const CycleRecord& record);
   void tell_estimate(const CycleRecord& record);
+  void line(automata::Ticks time, std::string_view what, const std::string& text, Component about);
+  [[nodiscard]] bool is_told(Component about) const;
   [[nodiscard]] std::string text_of(automata::Assignment assignment) const;
+  [[nodiscard]] Component component_of(automata::VariableId variable) const;
 
   const automata::Plant& plant_;
+  const automata::Program& program_;
+  MomentColumn column_;
   Style style_;
+  StoryFocus focus_;
   Tell tell_;
   // As of the cycle before:
   std::vector<automata::Assignment> goal_;
   automata::ControlAction command_;
+  bool told_again_ = false;  ///< that the command goes on
+  Reason waits_;             ///< of the wait that was told, if the cycle before waited
   automata::Modes estimate_;
   std::vector<Event> events_;
 };

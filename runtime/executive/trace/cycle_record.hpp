@@ -9,6 +9,7 @@
 #include "automata/step/program_step.hpp"
 #include "runtime/executive/trace/event.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 
 namespace rmpl::runtime {
 
@@ -18,11 +19,14 @@ struct CycleRecord {
   automata::Ticks start;      ///< when the sequencer asserted the goal and the command was issued
   automata::Ticks time;       ///< when the observations were read and the estimate was made; the next cycle's start
   automata::Marking marking;  ///< at `start`
-  std::vector<automata::Assignment> goal;  ///< empty where nothing is asserted, or goals contradict each other
-  automata::ControlAction command;         ///< in force from `start` to `time`
-  automata::Observation observations;      ///< at `time`
-  automata::Modes estimate;                ///< at `time`
-  double probability = 0;                  ///< of the estimate
+  std::vector<automata::Assignment> goal;         ///< empty where nothing is asserted, or goals contradict each other
+  std::vector<automata::LocationId> asserted_by;  ///< for each of the goal, the first location that asserts it
+  automata::ControlAction command;                ///< in force from `start` to `time`
+  Reconfiguration::Outcome outcome = Reconfiguration::Outcome::nothing_to_do;  ///< what reconfiguration answered
+  Reason why;                                                                  ///< it answered that
+  automata::Observation observations;                                          ///< at `time`
+  automata::Modes estimate;                                                    ///< at `time`
+  double probability = 0;                                                      ///< of the estimate
   bool consistent = true;                  ///< whether the estimate explains the observations
   const Estimator* estimator = nullptr;    ///< whose belief is that at `time`; never null while an observer looks
   const automata::Modes* truth = nullptr;  ///< at `time`; null where the plant is not simulated

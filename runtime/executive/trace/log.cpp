@@ -144,7 +144,7 @@ void LogReader::interpret(const std::string& text, LogLine& line) const {
       line.observations = assignments(Role::observations, key, value);
     } else if (key == "estimate") {
       line.estimate = assignments(Role::estimate, key, value);
-    } else if (key == "goal" || key == "truth" || key == "clocks") {
+    } else if (key == "goal" || key == "asserted_by" || key == "reason" || key == "truth" || key == "clocks") {
       expect(value.is_object(), key, "an object", value);
     } else if (key == "marking" || key == "belief" || key == "events") {
       expect(value.is_array(), key, "an array", value);

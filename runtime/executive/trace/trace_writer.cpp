@@ -7,13 +7,17 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "runtime/executive/trace/place.hpp"
+#include "runtime/executive/trace/reasons.hpp"
 
 namespace rmpl::runtime {
-
 TraceWriter::Told::Told(const CycleRecord& record)
     : marking(record.marking),
       goal(record.goal),
+      asserted_by(record.asserted_by),
       command(record.command),
+      outcome(record.outcome),
+      why(record.why),
       observations(record.observations),
       estimate(record.estimate),
       events(record.events) {
@@ -22,12 +26,18 @@ TraceWriter::Told::Told(const CycleRecord& record)
 
 bool TraceWriter::Told::still_true_of(const CycleRecord& record) const {
   return observations == record.observations && estimate == record.estimate && command == record.command &&
-         goal == record.goal && marking == record.marking && events == record.events &&
+         goal == record.goal && asserted_by == record.asserted_by && marking == record.marking &&
+         outcome == record.outcome && why == record.why && events == record.events &&
          (record.truth == nullptr || truth == *record.truth);
 }
 
-TraceWriter::TraceWriter(const automata::Plant& plant, std::string path, TraceDetail detail)
-    : plant_(plant), path_(std::move(path)), detail_(detail), file_(path_, std::ios::binary | std::ios::trunc) {
+TraceWriter::TraceWriter(const automata::Plant& plant, const automata::Program& program, std::string path,
+                         TraceDetail detail)
+    : plant_(plant),
+      program_(program),
+      path_(std::move(path)),
+      detail_(detail),
+      file_(path_, std::ios::binary | std::ios::trunc) {
   if (!file_) throw base::InputError(path_ + ": cannot be written");
   for (std::size_t c = 0; c < plant_.components.size(); ++c) {
     auto& live = live_clocks_.emplace_back();
@@ -71,7 +81,7 @@ void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& t
   line_.key("marking").open('[');
   for (const automata::LocationId location : told.marking) line_.number(location.index() + 1);
   line_.close(']');
-  line_.key("goal").assignments(told.goal, plant_.variables);
+  write_goal(told);
   line_.key("command").open('{');
   for (std::size_t i = 0; i < told.command.size(); ++i) {
     const automata::Control& control = plant_.controls[i];
@@ -80,6 +90,7 @@ void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& t
     line_.string(plant_.variables.value({control.variable, told.command[i]}));
   }
   line_.close('}');
+  write_reason(line_, told.outcome, told.why, told.goal, plant_);
   line_.key("observations").assignments(told.observations, plant_.variables);
   line_.key("estimate").modes(told.estimate, plant_);
   if (belief != nullptr) line_.key("belief").belief(*belief, plant_, time, &live_clocks_);
@@ -88,6 +99,19 @@ void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& t
   write_events(line_, told.events, &plant_);
   line_.close('}');
   file_ << line_.text() << '\n';
+}
+
+void TraceWriter::write_goal(const Told& told) {
+  line_.key("goal").assignments(told.goal, plant_.variables);
+  if (told.goal.empty()) return;
+  line_.key("asserted_by").open('{');
+  for (std::size_t i = 0; i < told.goal.size(); ++i) {
+    const automata::LocationId location = told.asserted_by[i];
+    line_.key(plant_.variables.name(told.goal[i].variable)).open('{').key("location").number(location.index() + 1);
+    write_place(line_, program_.locations[location.index()].origin);
+    line_.close('}');
+  }
+  line_.close('}');
 }
 
 void TraceWriter::keep() {

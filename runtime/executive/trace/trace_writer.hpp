@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "automata/plant.hpp"
+#include "automata/program.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 
@@ -29,7 +30,8 @@ enum class TraceDetail {
 class TraceWriter final : public CycleObserver {
  public:
   /// Throws base::InputError where the file cannot be written.
-  TraceWriter(const automata::Plant& plant, std::string path, TraceDetail detail = TraceDetail::changes);
+  TraceWriter(const automata::Plant& plant, const automata::Program& program, std::string path,
+              TraceDetail detail = TraceDetail::changes);
   ~TraceWriter() override;
   TraceWriter(const TraceWriter&) = delete;
   TraceWriter& operator=(const TraceWriter&) = delete;
@@ -43,7 +45,10 @@ class TraceWriter final : public CycleObserver {
   struct Told {
     automata::Marking marking;
     std::vector<automata::Assignment> goal;
+    std::vector<automata::LocationId> asserted_by;
     automata::ControlAction command;
+    Reconfiguration::Outcome outcome;
+    Reason why;
     automata::Observation observations;
     automata::Modes estimate;
     std::optional<automata::Modes> truth;
@@ -54,8 +59,10 @@ class TraceWriter final : public CycleObserver {
   };
 
   void write(std::uint64_t cycle, automata::Ticks time, const Told& told, const Belief* belief);
+  void write_goal(const Told& told);
 
   const automata::Plant& plant_;
+  const automata::Program& program_;
   std::string path_;
   TraceDetail detail_;
   std::ofstream file_;

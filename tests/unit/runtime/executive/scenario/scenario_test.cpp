@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "runtime/executive/scenario/moment.hpp"
 #include "runtime/executive/scenario/report.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/executive/scenario/story.hpp"
@@ -153,14 +154,74 @@ TEST(Story, TellsWhatChanges) {
   scenario.forced = {{Ticks::of_seconds(1), component, broken, {}}};
   const Document document = heater::document();
   std::string story;
-  Story teller(document.plants[0], {}, [&](const std::string& line) { story += line + "\n"; });
+  Story teller(document.plants[0], document.programs[0], MomentColumn(scenario.duration, scenario.cycle), {}, {},
+               [&](const std::string& line) { story += line + "\n"; });
   fly(scenario, document, {&teller});
   EXPECT_EQ(story.substr(0, story.find("fault")),
-            "         0 s  goal      heater = on\n"
-            "         0 s  command   heater.cmd = on\n"
-            "       0.5 s  estimate  heater: off -> heating\n"
-            "         1 s  plant     heater = broken (the executive is not told)\n"
-            "       2.5 s  ");
+            "     0 s  goal      + heater = on\n"
+            "     0 s  command   heater.cmd = on for heater = on, 'heater' to 'on': 'heater' from 'off' to 'heating'\n"
+            "   0.5 s  estimate  heater: off -> heating\n"
+            "   0.5 s  wait      for heater = on: 'heater' from 'heating' to 'on'\n"
+            "     1 s  plant     heater = broken (the executive is not told)\n"
+            "   2.5 s  ");
+}
+
+TEST(Story, KeepsToItsFocus) {
+  const Document document = heater::document();
+  const auto told = [&](const StoryFocus& focus) {
+    std::vector<std::string> lines;
+    Story teller(document.plants[0], document.programs[0], MomentColumn({}, {}), {}, focus,
+                 [&](const std::string& line) { lines.push_back(line); });
+    fly(heater::scenario(), document, {&teller});
+    return lines;
+  };
+  EXPECT_EQ(told({}), told({{component}, {}, Ticks::infinite()}));
+  EXPECT_EQ(told({{ComponentId(7)}, {}, Ticks::infinite()}), std::vector<std::string>{});
+  EXPECT_EQ(told({{}, Ticks{2'500'000'000}, Ticks{2'500'000'000}}),
+            std::vector<std::string>{"  2.5 s  estimate  heater: heating -> on"});
+}
+
+/// What is commanded, cycle by cycle, to an actuator that starts when it likes.
+TEST(Story, ACommandThatGoesOnIsToldAgainOnce) {
+  const Document document = heater::document();
+  std::string story;
+  Story teller(document.plants[0], document.programs[0], MomentColumn({}, {}), {}, {},
+               [&](const std::string& line) { story += line + "\n"; });
+  CycleRecord record;
+  record.estimate = {off};
+  for (const ValueId command : {none, turn_on, turn_on, turn_on, none, turn_on, turn_off}) {
+    record.start = record.time;
+    record.time = Ticks::of_seconds(static_cast<std::int64_t>(record.cycle));
+    record.command = {command};
+    teller.observe(record);
+    ++record.cycle;
+  }
+  EXPECT_EQ(story,
+            "  0 s  command   heater.cmd = on\n"
+            "  1 s  command   heater.cmd = on (again)\n"
+            "  4 s  command   heater.cmd = on\n"
+            "  5 s  command   heater.cmd = off\n");
+}
+
+TEST(Moment, IsInSecondsAndFromAMinuteOnInHours) {
+  EXPECT_EQ(moment(Ticks{43'500'000'000}), "43.5 s");
+  EXPECT_EQ(moment(Ticks::of_seconds(60)), "60 s (0:01:00)");
+  EXPECT_EQ(moment(Ticks{16'244'500'000'000}), "16244.5 s (4:30:44.5)");
+  const MomentColumn column(Ticks::of_seconds(18'000), Ticks{Ticks::per_second / 2});
+  EXPECT_EQ(column.text(Ticks{}), "      0 s           ");
+  EXPECT_EQ(column.text(Ticks{16'244'500'000'000}), "16244.5 s  4:30:44.5");
+  EXPECT_EQ(column.text(Ticks::of_seconds(3600)), "   3600 s    1:00:00");
+}
+
+TEST(Scenario, WhatFailsSaysWhatWasTheCase) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::never, is(mode, ValueId(heating.index()))),
+                           expects(Kind::eventually, is(mode, ValueId(broken.index()))), expects(Kind::finished)};
+  scenario.expectations[2].within = Ticks::of_seconds(1);
+  const ScenarioResult result = fly(scenario);
+  EXPECT_EQ(result.judgements[0].evidence, "heater = heating, heater.temp = low");
+  EXPECT_EQ(result.judgements[1].evidence, "heater = on, heater.temp = high");
+  EXPECT_EQ(result.judgements[2].reason, "not by 1 s");
 }
 
 TEST(Report, JsonHasTheVerdictsAndNothingThatChanges) {
@@ -182,7 +243,7 @@ class TraceFile : public ::testing::Test {
   [[nodiscard]] std::string path() const { return (directory_ / "out.jsonl").string(); }
   /// Flies, and answers the lines of the trace.
   std::vector<nlohmann::json> fly_and_read(const Scenario& scenario, const Document& document, TraceDetail detail) {
-    TraceWriter trace(document.plants[0], path(), detail);
+    TraceWriter trace(document.plants[0], document.programs[0], path(), detail);
     fly(scenario, document, {&trace});
     trace.keep();
     std::ifstream file(path());
@@ -244,7 +305,7 @@ TEST_F(TraceFile, OfChangesIsTheSameLogAsThatOfAllCycles) {
 
 TEST_F(TraceFile, IsNotLeftBehindByARunThatFails) {
   const Document document = heater::document();
-  { const TraceWriter trace(document.plants[0], path()); }
+  { const TraceWriter trace(document.plants[0], document.programs[0], path()); }
   EXPECT_FALSE(std::filesystem::exists(path()));
 }
 

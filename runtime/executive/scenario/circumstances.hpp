@@ -1,0 +1,20 @@
+// What was the case when an expectation failed, in a few words.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "automata/program.hpp"
+#include "runtime/executive/trace/cycle_record.hpp"
+
+namespace rmpl::runtime {
+
+/// What a cycle has of the variables that a formula mentions: their modes, as estimated or true, and what was read of
+/// them and of these components; no more than four. `engine = heating, engine.temp = low`.
+std::string circumstances(const automata::Formula& formula, const CycleRecord& record, const automata::Plant& plant,
+                          bool truth);
+
+/// Where a program is: its marked primitive locations, no more than two. `when t >= 10 s (entry.rmpl:12)`.
+std::string places(const automata::Marking& marking, const automata::Program& program);
+
+}  // namespace rmpl::runtime

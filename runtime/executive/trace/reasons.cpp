@@ -1,0 +1,88 @@
+// The keys of a reason.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/trace/reasons.hpp"
+
+#include <string_view>
+
+#include "runtime/executive/trace/place.hpp"
+
+namespace rmpl::runtime {
+namespace {
+
+std::string_view name_of(Reconfiguration::Outcome outcome) {
+  switch (outcome) {
+    case Reconfiguration::Outcome::command:
+      return "command";
+    case Reconfiguration::Outcome::wait:
+      return "wait";
+    case Reconfiguration::Outcome::no_plan:
+      return "no-plan";
+    case Reconfiguration::Outcome::nothing_to_do:
+      return "nothing-to-do";
+  }
+  return {};
+}
+
+std::string_view name_of(Reason::Purpose purpose) {
+  switch (purpose) {
+    case Reason::Purpose::none:
+      return "none";
+    case Reason::Purpose::goal:
+      return "goal";
+    case Reason::Purpose::reward:
+      return "reward";
+    case Reason::Purpose::model:
+      return "model";
+  }
+  return {};
+}
+
+std::string_view name_of(Reason::Obstacle obstacle) {
+  switch (obstacle) {
+    case Reason::Obstacle::none:
+      return "none";
+    case Reason::Obstacle::missing:
+      return "missing";
+    case Reason::Obstacle::forbidden:
+      return "forbidden";
+    case Reason::Obstacle::unsupported:
+      return "unsupported";
+    case Reason::Obstacle::side_effect:
+      return "side-effect";
+    case Reason::Obstacle::excluded:
+      return "excluded";
+    case Reason::Obstacle::not_found:
+      return "not-found";
+  }
+  return {};
+}
+
+}  // namespace
+
+void write_reason(JsonLine& line, Reconfiguration::Outcome outcome, const Reason& why,
+                  const std::vector<automata::Assignment>& goal, const automata::Plant& plant) {
+  if (outcome == Reconfiguration::Outcome::nothing_to_do) return;
+  line.key("reason").open('{').key("outcome").string(name_of(outcome));
+  if (why.purpose != Reason::Purpose::none) line.key("purpose").string(name_of(why.purpose));
+  if (why.conjunct) line.key("goal").assignments({&goal[*why.conjunct], 1}, plant.variables);
+  if (why.component) {
+    line.key("component").string(plant[*why.component].name);
+    if (why.aim) line.key("aim").string(plant[*why.component].modes[why.aim->index()].name);
+  }
+  if (why.step) {
+    const automata::Component& component = plant[why.step->component];
+    const automata::Transition& transition = component.transitions[why.step->transition.index()];
+    line.key("transition").open('{').key("component").string(component.name);
+    line.key("from").string(component.modes[transition.from.index()].name);
+    line.key("to").string(component.modes[transition.to.index()].name);
+    write_place(line, transition.origin);
+    line.close('}');
+  }
+  if (why.obstacle != Reason::Obstacle::none) {
+    line.key("obstacle").string(name_of(why.obstacle));
+    if (const std::string way_out = remedy(why, plant); !way_out.empty()) line.key("remedy").string(way_out);
+  }
+  line.close('}');
+}
+
+}  // namespace rmpl::runtime
