@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
+#include "automata/step/transition_rules.hpp"
 #include "automata/store/model.hpp"
 
 namespace rmpl::automata {
@@ -19,36 +19,6 @@ std::size_t states_remembered(const Plant& plant) {
 }
 
 std::size_t combine(std::size_t hash, std::size_t value) { return (hash ^ value) * 0x100000001b3u; }
-
-/// The share of a nominal transition among those that take the nominal share together.
-double share_weight(const Weight& weight) { return weight.kind == Weight::Kind::none ? 1.0 : weight.value; }
-
-/// The list of enabled transitions that one belongs to.
-std::vector<TransitionId>& kind_of(Enabled& enabled, const Component& component, TransitionId id) {
-  const Transition& t = component.transitions[id.index()];
-  return component.is_fault(t) ? enabled.faults : t.timing ? enabled.timed : enabled.untimed;
-}
-
-/// Adds up probabilities by target mode, in order of mode.
-class Moves {
- public:
-  void add(ModeId mode, double probability) {
-    const auto at = std::lower_bound(moves_.begin(), moves_.end(), mode,
-                                     [](const Move& move, ModeId other) { return move.mode < other; });
-    if (at != moves_.end() && at->mode == mode) {
-      at->probability += probability;
-    } else {
-      moves_.insert(at, {mode, probability});
-    }
-  }
-  [[nodiscard]] std::vector<Move> positive() {
-    std::erase_if(moves_, [](const Move& move) { return !(move.probability > 0); });
-    return std::move(moves_);
-  }
-
- private:
-  std::vector<Move> moves_;
-};
 
 }  // namespace
 
@@ -85,8 +55,7 @@ PlantStep::PlantStep(const Plant& plant)
       const Support support = locality_.support_of(t.guard);
       supports[t.from.index()].join(support);
       all.join(support);
-      const bool weightless = t.weight.kind != Weight::Kind::none && !(t.weight.value > 0);
-      if (weightless) continue;
+      if (!can_ever_be_taken(t)) continue;
       Exit& exit = exits[t.from.index()].all.emplace_back();
       exit.transition = TransitionId(handles.size() - 1);
       for (const Formula& conjunct : conjuncts_of(t.guard)) {
@@ -161,7 +130,7 @@ const Enabled& PlantStep::sort_out(ComponentId id, ModeId mode, const Implied& i
   for (std::size_t i = 0; fresh && i < exits.all.size(); ++i) {
     if ((found_[i / 64] >> (i % 64) & 1) == 0) continue;
     const TransitionId transition = exits.all[i].transition;
-    kind_of(at->second, plant_[id], transition).push_back(transition);
+    add_enabled(at->second, plant_[id], transition);
   }
   return at->second;
 }
@@ -215,72 +184,7 @@ bool PlantStep::permits(const Modes& modes, const ControlAction& action) { retur
 
 std::vector<Move> PlantStep::moves(ComponentId id, ModeId mode, const Enabled& enabled, Ticks clock_start, Ticks before,
                                    Ticks now) const {
-  const Component& component = plant_[id];
-  const auto transition = [&](TransitionId t) -> const Transition& { return component.transitions[t.index()]; };
-  const Ticks from = before - clock_start;
-  const Ticks to = now - clock_start;
-  Moves result;
-
-  double faulty = 0;
-  for (const TransitionId t : enabled.faults) {
-    const auto& timing = transition(t).timing;
-    if (timing && (to < timing->lower || to > timing->upper)) continue;
-    const double probability = transition(t).weight.fault_probability(now - before);
-    faulty += probability;
-    result.add(transition(t).to, probability);
-  }
-  const double nominal = std::max(0.0, 1.0 - faulty);
-
-  // Untimed nominal transitions leave nothing to wait for.
-  if (!enabled.untimed.empty()) {
-    double total = 0;
-    for (const TransitionId t : enabled.untimed) total += share_weight(transition(t).weight);
-    for (const TransitionId t : enabled.untimed) {
-      result.add(transition(t).to, nominal * share_weight(transition(t).weight) / total);
-    }
-    return result.positive();
-  }
-
-  // Timed ones compete as independent risks; the members of one branch are one risk, shared by their weights.
-  struct Risk {
-    std::uint32_t branch;
-    double hazard;
-    double weight;
-  };
-  std::vector<Risk> risks;
-  for (const TransitionId t : enabled.timed) {
-    const double weight = share_weight(transition(t).weight);
-    const auto known =
-        std::find_if(risks.begin(), risks.end(), [&](const Risk& r) { return r.branch == transition(t).branch; });
-    if (known != risks.end()) {
-      known->weight += weight;
-    } else {
-      risks.push_back({transition(t).branch, transition(t).timing->step_hazard(from, to), weight});
-    }
-  }
-  double total = 0;
-  std::size_t certain = 0;
-  for (const Risk& risk : risks) {
-    if (std::isinf(risk.hazard)) {
-      ++certain;
-    } else {
-      total += risk.hazard;
-    }
-  }
-  const double fires = certain > 0 ? 1.0 : -std::expm1(-total);
-  for (const TransitionId t : enabled.timed) {
-    const auto risk =
-        std::find_if(risks.begin(), risks.end(), [&](const Risk& r) { return r.branch == transition(t).branch; });
-    double share = 0;
-    if (certain > 0) {
-      share = std::isinf(risk->hazard) ? 1.0 / static_cast<double>(certain) : 0.0;
-    } else if (total > 0) {
-      share = risk->hazard / total;
-    }
-    result.add(transition(t).to, nominal * fires * share * share_weight(transition(t).weight) / risk->weight);
-  }
-  if (certain == 0) result.add(mode, nominal * std::exp(-total));
-  return result.positive();
+  return moves_of(plant_[id], mode, enabled, now - clock_start, now - before);
 }
 
 std::vector<std::vector<Move>> PlantStep::moves(const SystemState& state, const ControlAction& action, Ticks before,
@@ -306,11 +210,7 @@ double PlantStep::probability(const SystemState& state, const ControlAction& act
 }
 
 SystemState PlantStep::advance(const SystemState& state, const Modes& next, Ticks now) {
-  SystemState result{next, state.clock_starts};
-  for (std::size_t c = 0; c < next.size(); ++c) {
-    if (next[c] != state.modes[c]) result.clock_starts[c] = now;
-  }
-  return result;
+  return automata::advance(state, next, now);
 }
 
 void PlantStep::observe(const Observation& observation) {
@@ -364,12 +264,7 @@ bool PlantStep::explains(const Modes& modes, const Observation& observation) {
 
 std::vector<std::vector<Move>> PlantStep::initial_moves() const {
   std::vector<std::vector<Move>> all;
-  for (const Component& component : plant_.components) {
-    auto& moves = all.emplace_back();
-    for (std::size_t m = 0; m < component.initial.size(); ++m) {
-      if (component.initial[m] > 0) moves.push_back({ModeId(m), component.initial[m]});
-    }
-  }
+  for (const Component& component : plant_.components) all.push_back(initial_moves_of(component));
   return all;
 }
 

@@ -1,7 +1,8 @@
-// Distributions of transition times, by their survival functions.
+// Distributions of transition times, by the masses of intervals.
 //
-// Everything is computed as a ratio of tails, 1 - G, never as a difference of values of G: far out in the tail of a
-// normal density G is 1 to the last bit long before the probability of the next step stops to matter.
+// Everything is a ratio of masses to the right of the clock, never a difference of values of G: far out in a tail G is
+// 1 to the last bit, and 1 - G is less than any double, long before the next step stops to matter. Masses are kept with
+// the logarithm of their scale, lengths are subtracted as ticks.
 // SPDX-License-Identifier: MIT
 #include "automata/time/density.hpp"
 
@@ -9,57 +10,79 @@
 #include <cmath>
 #include <limits>
 
+#include "automata/time/firing.hpp"
+#include "automata/time/normal.hpp"
+
 namespace rmpl::automata {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The probability that an untruncated draw falls between `from` and `to` seconds.
-double mass(const Density& density, double from, double to) {
+/// A length of time in units of a parameter of the density, which is in seconds.
+double in_units_of(double parameter, Ticks from, Ticks to) { return (to - from).seconds() / parameter; }
+
+/// The probability of firing while the clock goes from `from`, within the bounds, to `to`, before the upper one.
+double fires(const Timing& timing, Ticks from, Ticks to) {
+  const Density& density = timing.density;
   switch (density.kind) {
     case Density::Kind::uniform:
-      return to - from;
-    case Density::Kind::exponential:
-      // Relative to the tail at `from`, which all ratios have in common: exp never underflows for long waits.
-      return -std::expm1(-(to - from) / density.mean);
+      return (to - from).seconds() / (timing.upper - from).seconds();
+    case Density::Kind::exponential: {
+      const double part = -std::expm1(-in_units_of(density.mean, from, to));
+      return timing.upper.is_infinite() ? part : part / -std::expm1(-in_units_of(density.mean, from, timing.upper));
+    }
     case Density::Kind::normal: {
-      const double scale = density.standard_deviation * std::sqrt(2.0);
-      const double a = (from - density.mean) / scale;
-      const double b = (to - density.mean) / scale;
-      // Subtract on the side where the tails are small.
-      return a > 0 ? 0.5 * (std::erfc(a) - std::erfc(b)) : 0.5 * (std::erfc(-b) - std::erfc(-a));
+      const StandardNormal normal(density.mean, density.standard_deviation);
+      const NormalMass rest = normal.mass(from, timing.upper);
+      const NormalMass part = normal.mass(from, to);
+      return std::min(part.mantissa / rest.mantissa * std::exp(-normal.scale_between(rest, part)), 1.0);
     }
   }
   return 0;
 }
 
-}  // namespace
-
-double Timing::survival(Ticks at) const {
-  if (at >= upper) return 0;
-  if (at <= lower) return 1;
-  const double l = lower.seconds();
-  const double u = upper.seconds();
-  const double t = at.seconds();
-  const double whole = mass(density, l, u);
-  if (!(whole > 0)) return 0;  // the density has no weight between the bounds: it fires at the lower bound
-  double rest = mass(density, t, u);
-  if (density.kind == Density::Kind::exponential) rest *= std::exp(-(t - l) / density.mean);
-  return std::clamp(rest / whole, 0.0, 1.0);
+/// -ln of the probability of not firing meanwhile: sums of what is positive; for steps that mostly fire.
+double hazard(const Timing& timing, Ticks from, Ticks to) {
+  const Density& density = timing.density;
+  switch (density.kind) {
+    case Density::Kind::uniform:
+      return std::log((timing.upper - from).seconds() / (timing.upper - to).seconds());
+    case Density::Kind::exponential: {
+      const double step = in_units_of(density.mean, from, to);
+      if (timing.upper.is_infinite()) return step;
+      return step + std::log(std::expm1(-in_units_of(density.mean, from, timing.upper)) /
+                             std::expm1(-in_units_of(density.mean, to, timing.upper)));
+    }
+    case Density::Kind::normal: {
+      const StandardNormal normal(density.mean, density.standard_deviation);
+      const NormalMass before = normal.mass(from, timing.upper);
+      const NormalMass after = normal.mass(to, timing.upper);
+      return std::log(before.mantissa / after.mantissa) + normal.scale_between(before, after);
+    }
+  }
+  return 0;
 }
 
+/// Up to here the complement of a probability of firing is as good as the probability itself.
+constexpr double seldom = 0.5;
+
+}  // namespace
+
+double Timing::survival(Ticks at) const { return step_survival(lower, at); }
+
 double Timing::step_survival(Ticks from, Ticks to) const {
-  if (to >= upper) return 0;
-  const double before = survival(from);
-  if (before <= 0) return 0;
-  return std::clamp(survival(to) / before, 0.0, 1.0);
+  if (const Firing bounds = firing(*this, from, to); bounds != Firing::possible)
+    return bounds == Firing::certain ? 0 : 1;
+  const double leaves = fires(*this, std::max(from, lower), to);
+  return leaves < seldom ? 1 - leaves : std::exp(-hazard(*this, std::max(from, lower), to));
 }
 
 double Timing::step_hazard(Ticks from, Ticks to) const {
-  if (to <= lower || to <= from) return survival(from) > 0 && to < upper ? 0 : infinity;
-  const double left = step_survival(from, to);
-  if (left <= 0) return infinity;
-  return -std::log(left);
+  if (const Firing bounds = firing(*this, from, to); bounds != Firing::possible) {
+    return bounds == Firing::certain ? infinity : 0;
+  }
+  const double leaves = fires(*this, std::max(from, lower), to);
+  return leaves < seldom ? -std::log1p(-leaves) : hazard(*this, std::max(from, lower), to);
 }
 
 }  // namespace rmpl::automata

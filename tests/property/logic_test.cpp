@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "automata/logic/theory.hpp"
+#include "automata/step/plain_step.hpp"
 #include "automata/step/plant_step.hpp"
 #include "automata/store/relevance.hpp"
 #include "tests/property/draw.hpp"
@@ -69,13 +70,23 @@ RC_GTEST_PROP(Logic, MaintainedTheoryIsEnumeration, ()) {
   compare_with_enumeration(automata::Theory::Upkeep::maintained, 24);
 }
 
+bool same(const std::vector<std::vector<automata::Move>>& one, const std::vector<std::vector<automata::Move>>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& a, const auto& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const automata::Move& m, const automata::Move& n) {
+      return m.mode == n.mode && m.probability == n.probability;
+    });
+  });
+}
+
 RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {
   const Model model = *models();
   automata::PlantStep fast(model.plant);
+  automata::PlainStep plain(model.plant);
   const reference::Step slow(model.plant);
   for (int question = 0; question < 6; ++question) {
     automata::SystemState state{*modes_of(model.plant), {}};
     RC_ASSERT(fast.possible(state.modes) == slow.possible(state.modes));
+    RC_ASSERT(plain.possible(state.modes) == slow.possible(state.modes));
     if (!slow.possible(state.modes)) continue;
     const auto half_seconds = [](std::size_t n) { return Ticks{static_cast<std::int64_t>(n) * Ticks::per_second / 2}; };
     const Ticks before = half_seconds(up_to(0, 12));
@@ -85,6 +96,7 @@ RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {
           half_seconds(up_to(0, static_cast<std::size_t>(before.count / (Ticks::per_second / 2)))));
     const auto action = *actions_of(model.plant);
     const auto moves = fast.moves(state, action, before, now);
+    RC_ASSERT(same(moves, plain.moves(state, action, before, now)));
     for (std::size_t i = 0; i < state.modes.size(); ++i) {
       const auto expected = slow.distribution(i, state, action, before, now);
       std::vector<double> found(expected.size(), 0.0);
@@ -98,6 +110,7 @@ RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {
     automata::Observation observation;
     for (Assignment a : *partial_assignments(model.plant.variables))
       if (!model.plant.component_of(a.variable)) observation.push_back(a);
+    RC_ASSERT(plain.store().explains(state.modes, observation) == slow.explains(state.modes, observation));
     RC_ASSERT(fast.explains(state.modes, observation) == slow.explains(state.modes, observation));
     RC_ASSERT(std::abs(fast.observation_factor(state.modes, observation) -
                        slow.observation_factor(state.modes, observation)) < 1e-12);

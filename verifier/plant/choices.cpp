@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "automata/step/transition_rules.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Component;
@@ -57,15 +59,10 @@ class Collector {
     return {time_.at_least(t.timing->lower), time_.at_most(t.timing->upper)};
   }
 
-  /// The sum of the fault probabilities at a reading, in the order in which PlantStep adds them.
-  [[nodiscard]] double faulty(Units clock) const {
-    double sum = 0;
-    for (const TransitionId id : enabled_.faults) {
-      const Transition& t = component_.transitions[id.index()];
-      if (within(t).contains(clock))
-        sum += t.weight.fault_probability(time_.is_dense() ? automata::Ticks{0} : time_.unit());
-    }
-    return sum;
+  [[nodiscard]] bool leaves_a_share(Units clock) const {
+    const automata::Ticks unit = time_.unit();
+    const automata::Ticks step = time_.is_dense() ? automata::Ticks{0} : unit;
+    return automata::nominal_share(component_, enabled_, automata::Ticks{clock * unit.count}, step) > 0;
   }
 
   /// The readings at which the faults leave a nominal share. Between the bounds of timed faults the sum is constant, so
@@ -83,7 +80,7 @@ class Collector {
     std::vector<Interval> pieces;
     for (std::size_t i = 0; i < starts.size(); ++i) {
       const Units end = i + 1 < starts.size() ? starts[i + 1] - 1 : unbounded;
-      if (faulty(starts[i]) < 1) pieces.push_back({starts[i], end});
+      if (leaves_a_share(starts[i])) pieces.push_back({starts[i], end});
     }
     return merged(std::move(pieces));
   }

@@ -154,16 +154,13 @@ class LoopReplay {
 
   bool possible(Ticks before, Ticks now, const Modes& next) {
     if (!step_.possible(next)) return false;
-    bool tail = false;
     const auto& enabled = step_.enabled(state_.modes, action_);
     for (std::size_t c = 0; c < enabled.size(); ++c) {
       const Ticks start = state_.clock_starts[c];
       const Rules rules(plant().components[c], enabled[c], before - start, now - start, rules_.period);
       if (!rules.allows(state_.modes[c], next[c])) return false;
-      tail = tail || rules.has_tail();
     }
-    // Far out in the tail of a density probabilities are below what a double can tell from 0.
-    return !rules_.period || tail || step_.probability(state_, action_, before, now, next) > 0;
+    return !rules_.period || automata::lead(step_.moves(state_, action_, before, now), next);
   }
 
   bool time_may_pass_up_to(Ticks now) {

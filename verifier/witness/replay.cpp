@@ -130,10 +130,7 @@ class Replay {
   }
 
   bool positive(const ControlAction& action, Ticks before, Ticks now, const Modes& next) {
-    if (!possible(action, before, now, next)) return false;
-    if (step_.probability(state_, action, before, now, next) > 0) return true;
-    return !every_component(action, before, now,
-                            [](const Rules& rules, automata::ComponentId) { return !rules.has_tail(); });
+    return possible(action, before, now, next) && automata::lead(step_.moves(state_, action, before, now), next);
   }
 
   automata::PlantStep& step_;

@@ -24,8 +24,7 @@ struct ReplayRules {
 ///
 /// Sampled: every period has a positive probability by `PlantStep`, and is possible by exact comparison of ticks. In a
 /// long wait only those periods are looked at in which a clock is near a bound of its mode: between them nothing
-/// differs. Where a density other than uniform takes part, probabilities far out in its tail are below what a double
-/// can tell from 0; there the exact comparison decides alone.
+/// differs.
 /// Dense: waits and steps by exact comparison of ticks, guards by `PlantStep`.
 std::optional<std::string> replay(automata::PlantStep& step, const Witness& witness, const ReplayRules& rules);
 

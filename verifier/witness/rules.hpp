@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "automata/step/plant_step.hpp"
+#include "automata/step/transition_rules.hpp"
 
 namespace rmpl::verifier {
 
@@ -19,14 +19,12 @@ class Rules {
       : component_(component), enabled_(enabled), before_(before), now_(now), period_(period) {}
 
   [[nodiscard]] bool allows(automata::ModeId from, automata::ModeId to) const {
-    double faulty = 0;
     for (const automata::TransitionId id : enabled_.faults) {
       const automata::Transition& t = transition(id);
       if (t.timing && (now_ < t.timing->lower || now_ > t.timing->upper)) continue;
       if (t.to == to) return true;
-      faulty += t.weight.fault_probability(period_.value_or(automata::Ticks{0}));
     }
-    if (faulty >= 1) return false;
+    if (automata::nominal_share(component_, enabled_, now_, period_.value_or(automata::Ticks{0})) == 0) return false;
     if (!enabled_.untimed.empty()) return leads(enabled_.untimed, to, [](const automata::Transition&) { return true; });
     if (!period_) {
       const bool some_passed =
@@ -51,12 +49,6 @@ class Rules {
     if (!enabled_.untimed.empty()) return std::all_of(enabled_.untimed.begin(), enabled_.untimed.end(), stays);
     return std::all_of(enabled_.timed.begin(), enabled_.timed.end(),
                        [&](automata::TransitionId id) { return stays(id) || now_ <= transition(id).timing->upper; });
-  }
-
-  [[nodiscard]] bool has_tail() const {
-    return std::any_of(enabled_.timed.begin(), enabled_.timed.end(), [&](automata::TransitionId id) {
-      return transition(id).timing->density.kind != automata::Density::Kind::uniform;
-    });
   }
 
  private:

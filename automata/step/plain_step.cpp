@@ -1,0 +1,28 @@
+// The rules over a plain store.
+// SPDX-License-Identifier: MIT
+#include "automata/step/plain_step.hpp"
+
+namespace rmpl::automata {
+
+std::vector<Enabled> PlainStep::enabled(const Modes& modes, const ControlAction& action) {
+  std::vector<Enabled> all;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    all.push_back(enabled_in(plant()[ComponentId(c)], modes[c], [&](TransitionId transition) {
+      return store_.implies_guard(ComponentId(c), transition, modes, action);
+    }));
+  }
+  return all;
+}
+
+std::vector<std::vector<Move>> PlainStep::moves(const SystemState& state, const ControlAction& action, Ticks before,
+                                                Ticks now) {
+  const std::vector<Enabled> allowed = enabled(state.modes, action);
+  std::vector<std::vector<Move>> all;
+  for (std::size_t c = 0; c < allowed.size(); ++c) {
+    all.push_back(
+        moves_of(plant()[ComponentId(c)], state.modes[c], allowed[c], now - state.clock_starts[c], now - before));
+  }
+  return all;
+}
+
+}  // namespace rmpl::automata
