@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/hash.hpp"
+
 namespace rmpl::automata {
 
 Theory::Theory(const Variables& variables, Upkeep upkeep) {
@@ -84,18 +86,26 @@ void require(Literal unless, const Formula& formula, const std::vector<std::vect
   }
 }
 
+std::size_t hash_of(const Formula& formula) {
+  std::uint64_t hash = base::mix(base::hash_seed, static_cast<std::uint64_t>(formula.kind) * 2 + formula.truth);
+  hash = base::mix(hash, std::uint64_t{formula.variable.value} << 32 | formula.other.value);
+  for (const ValueId value : formula.values) hash = base::mix(hash, value.value);
+  for (const Formula& operand : formula.operands) hash = base::mix(hash, hash_of(operand));
+  return hash;
+}
+
 }  // namespace
 
 void Theory::tell(const Formula& formula) {
   require(
       -true_, formula, literals_, [this](const std::vector<Literal>& clause) { add(clause); },
-      [this](const Formula& part) { return encode(part).literal; });
+      [this](const Formula& part) { return encode_anew(part).literal; });
 }
 
 void Theory::tell_if(Assignment condition, const Formula& formula) {
   require(
       -literal(condition), formula, literals_, [this](const std::vector<Literal>& clause) { add(clause); },
-      [this](const Formula& part) { return encode(part).literal; });
+      [this](const Formula& part) { return encode_anew(part).literal; });
 }
 
 Literal Theory::encode_gate(const Formula& formula, bool conjunctive) {
@@ -104,7 +114,7 @@ Literal Theory::encode_gate(const Formula& formula, bool conjunctive) {
   const Literal gate = fresh();
   std::vector<Literal> closing{gate};
   for (const Formula& operand : formula.operands) {
-    const Literal input = sign * encode(operand).literal;
+    const Literal input = sign * encode_anew(operand).literal;
     add({-gate, input});
     closing.push_back(-input);
   }
@@ -113,6 +123,16 @@ Literal Theory::encode_gate(const Formula& formula, bool conjunctive) {
 }
 
 Theory::Handle Theory::encode(const Formula& formula) {
+  auto& known = encoded_[hash_of(formula)];
+  for (const auto& [asked, handle] : known) {
+    if (asked == formula) return handle;
+  }
+  const Handle handle = encode_anew(formula);
+  known.emplace_back(formula, handle);
+  return handle;
+}
+
+Theory::Handle Theory::encode_anew(const Formula& formula) {
   switch (formula.kind) {
     case Formula::Kind::constant:
       return {formula.truth ? true_ : -true_};
@@ -145,14 +165,14 @@ Theory::Handle Theory::encode(const Formula& formula) {
       assert(false && "clock atoms are replaced before encoding");
       return {-true_};
     case Formula::Kind::negation:
-      return {-encode(formula.operands[0]).literal};
+      return {-encode_anew(formula.operands[0]).literal};
     case Formula::Kind::conjunction:
       return {encode_gate(formula, true)};
     case Formula::Kind::disjunction:
       return {encode_gate(formula, false)};
     case Formula::Kind::implication: {
-      const Literal premise = encode(formula.operands[0]).literal;
-      const Literal conclusion = encode(formula.operands[1]).literal;
+      const Literal premise = encode_anew(formula.operands[0]).literal;
+      const Literal conclusion = encode_anew(formula.operands[1]).literal;
       const Literal gate = fresh();
       add({-gate, -premise, conclusion});
       add({gate, premise});
@@ -160,8 +180,8 @@ Theory::Handle Theory::encode(const Formula& formula) {
       return {gate};
     }
     case Formula::Kind::equivalence: {
-      const Literal left = encode(formula.operands[0]).literal;
-      const Literal right = encode(formula.operands[1]).literal;
+      const Literal left = encode_anew(formula.operands[0]).literal;
+      const Literal right = encode_anew(formula.operands[1]).literal;
       const Literal gate = fresh();
       add({-gate, -left, right});
       add({-gate, left, -right});
@@ -226,7 +246,7 @@ bool Theory::solve(std::span<const Assignment> assumptions, Literal extra) {
     blame(assumptions, solver);
     return false;
   }
-  if (maintenance_) maintenance_->adopt(assumed_, [&solver](Literal l) { return solver.value(l); });
+  if (maintenance_) maintenance_->adopt(assumed_, solver);
   return true;
 }
 

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <span>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "automata/logic/formula.hpp"
@@ -34,7 +36,8 @@ class Theory {
   void tell(const Formula& formula);
   /// Adds `condition -> formula` as a permanent constraint.
   void tell_if(Assignment condition, const Formula& formula);
-  /// Encodes a formula (equivalence with a fresh literal), once; keep the handle. No clock atoms.
+  /// Encodes a formula (equivalence with a fresh literal), once: asked again it is the same handle, so that a theory
+  /// grows with the number of different formulas that it is asked, whatever the number of questions. No clock atoms.
   Handle encode(const Formula& formula);
 
   /// Its negation.
@@ -85,6 +88,7 @@ class Theory {
     return maintenance_ ? maintenance_->value(literal) : sat_->value(literal);
   }
   Literal literal(Assignment assignment) const;
+  Handle encode_anew(const Formula& formula);
   Literal encode_gate(const Formula& formula, bool conjunctive);
 
   /// The solver, told of all there is. A maintained theory may never need one, and makes it only then.
@@ -97,6 +101,7 @@ class Theory {
   std::size_t questions_ = 0;
   std::vector<std::vector<Literal>> literals_;  ///< per variable, per value
   Literal true_;
+  std::unordered_map<std::size_t, std::vector<std::pair<Formula, Handle>>> encoded_;  ///< by hash; never iterated
   std::vector<Literal> assumed_;
   std::vector<Assignment> conflict_;
 };

@@ -273,11 +273,11 @@ TruthMaintenance::Answer TruthMaintenance::ask(std::span<const Literal> assumpti
   return complete();
 }
 
-void TruthMaintenance::adopt(std::span<const Literal> assumptions, const std::function<bool(Literal)>& model) {
+void TruthMaintenance::adopt(std::span<const Literal> assumptions, const Sat& solver) {
   for (Variable v = 1; v < values_.size(); ++v) {
     if (reasons_[v] == Reason::guess) retract(v);
   }
-  for (Variable v = 1; v < values_.size(); ++v) phases_[v] = model(static_cast<Literal>(v)) ? 1 : -1;
+  for (Variable v = 1; v < values_.size(); ++v) phases_[v] = solver.value(static_cast<Literal>(v)) ? 1 : -1;
   patience_ = 0;
   Answer answer = Answer::consistent;
   for (const Literal literal : assumptions) {

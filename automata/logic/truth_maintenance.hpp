@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,8 +33,8 @@ class TruthMaintenance {
   void add(std::span<const Literal> clause);
   /// Whether the clauses can hold together with the assumptions.
   Answer ask(std::span<const Literal> assumptions);
-  /// After `ask` left it open: takes over a model of the clauses and of the same assumptions.
-  void adopt(std::span<const Literal> assumptions, const std::function<bool(Literal)>& model);
+  /// After `ask` left it open: takes over the model that a solver of the same clauses found under the same assumptions.
+  void adopt(std::span<const Literal> assumptions, const Sat& solver);
 
   /// After `ask` answered consistent, or `adopt`: whether the literal is true in the model.
   [[nodiscard]] bool value(Literal literal) const { return values_[variable(literal)] == sign(literal); }

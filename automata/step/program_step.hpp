@@ -1,4 +1,4 @@
-// One step of a THCA: the ten steps of thesis Fig. 5-3 (semantics 2).
+// One step of a THCA: the ten steps of thesis Fig. 5-3 (semantics 2), the rules over what a program knows.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,11 +10,9 @@
 #include "automata/plant.hpp"
 #include "automata/program.hpp"
 #include "automata/state.hpp"
+#include "automata/step/program_rules.hpp"
 
 namespace rmpl::automata {
-
-/// Marked locations, ascending. Empty: the program has ended.
-using Marking = std::vector<LocationId>;
 
 /// What the sequencer knows of the plant at one time: the estimated modes and the observations of that cycle, both as
 /// assignments over the program's variables.
@@ -22,20 +20,9 @@ struct Knowledge {
   std::vector<Assignment> assignments;
 };
 
-/// Two locations that assert different modes of one component in the same cycle (semantics 2).
-struct GoalConflict {
-  LocationId first, second;
-  Assignment asserted, contradicted;
-};
-
-/// The first half of a cycle, steps 1 to 4 of Fig. 5-3: what is asserted before the plant is acted on.
-struct Asserted {
-  std::vector<Assignment> goal;         ///< the configuration goal, sorted by variable, each once
-  std::vector<LocationId> by;           ///< for each of the goal, the first location that asserts it
-  std::vector<GoalConflict> conflicts;  ///< where not empty, the goal is not to be acted on
-};
-
-/// A THCA that is being executed. The second half of a cycle (steps 7 to 10) needs the estimate read back in step 6.
+/// A THCA that is being executed: the rules (program_rules.hpp), with a theory of its own that answers them. Another
+/// one beside it shares nothing with it. The second half of a cycle (steps 7 to 10) needs the estimate read back in
+/// step 6.
 class ProgramStep {
  public:
   /// For a program bound to a plant: entailment by the plant's model. Keeps references to both.
@@ -46,10 +33,10 @@ class ProgramStep {
   /// m_F of the program; all clocks inactive.
   void reset();
   /// Takes up a run elsewhere: this marking, and when the active clocks started, by `ClockId`.
-  void resume(Marking marking, std::vector<std::optional<Ticks>> started);
+  void resume(Marking marking, ClockTimes started);
   [[nodiscard]] const Marking& marking() const { return marking_; }
   /// When the active clocks started, by `ClockId`, those of the last cycle included.
-  [[nodiscard]] const std::vector<std::optional<Ticks>>& started() const { return started_; }
+  [[nodiscard]] const ClockTimes& started() const { return started_; }
   [[nodiscard]] bool ended() const { return marking_.empty(); }
 
   /// Steps 1 to 4 at absolute time `now`, with the knowledge at the start of the cycle.
@@ -59,7 +46,7 @@ class ProgramStep {
   void finish(const Knowledge& knowledge);
 
   /// The readings of the active clocks as of the last `begin`, by `ClockId`; nothing where inactive.
-  [[nodiscard]] const std::vector<std::optional<Ticks>>& clocks() const { return readings_; }
+  [[nodiscard]] const ClockTimes& clocks() const { return readings_; }
 
  private:
   /// A question about a formula without clocks; its answer is remembered while the knowledge stays the same.
@@ -67,12 +54,14 @@ class ProgramStep {
     Theory::Handle handle;
     std::optional<bool> entailed;
   };
-  /// A condition, compiled: one question, or, where clocks occur, one for each formula that their readings leave.
+  /// A condition, compiled: one question, or, where clocks occur, one for each formula that their readings leave: no
+  /// more than there are ways to cut the clocks at the bounds that they are compared with.
   struct Compiled {
     const Condition* condition;
     std::optional<std::size_t> question;
     std::vector<std::pair<Formula, std::size_t>> variants;
   };
+  class Answers;
 
   void initialise();
   std::size_t question(const Formula& formula);
@@ -80,12 +69,9 @@ class ProgramStep {
   void know(const Knowledge& knowledge);
   bool entailed(std::size_t question);
   bool holds(Compiled& condition);
-  void mark_fully(LocationId location, std::vector<bool>& marked) const;
-  [[nodiscard]] bool achieved(LocationId location);
 
-  const Program& program_;
+  ProgramRules rules_;
   Theory theory_;
-  std::vector<std::vector<LocationId>> children_;
   std::vector<Question> questions_;
   std::vector<Compiled> maintenance_;          ///< per location
   std::vector<std::vector<Compiled>> guards_;  ///< per location, per arc
@@ -93,12 +79,9 @@ class ProgramStep {
   std::vector<Assignment> known_;              ///< the knowledge that the remembered answers are about
 
   Marking marking_;
-  std::vector<std::optional<Ticks>> started_;
-  std::vector<std::optional<Ticks>> readings_;
-  // Between begin and finish:
-  std::vector<bool> working_;   ///< m(i) after step 2
-  std::vector<bool> violated_;  ///< per location: its own maintenance constraint was violated
-  std::vector<std::optional<Ticks>> next_started_;
+  ClockTimes started_;
+  ClockTimes readings_;
+  HalfCycle half_;  ///< between begin and finish
   Asserted asserted_;
 };
 

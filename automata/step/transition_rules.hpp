@@ -6,9 +6,21 @@
 
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "automata/step/plant_step.hpp"
 
 namespace rmpl::automata {
+
+/// What one component may do in one step: go to `mode` (staying is going to its own mode) with `probability` > 0.
+struct Move {
+  ModeId mode;
+  double probability;
+};
+
+/// The transitions of one component that its mode and the guards allow; time bounds are not looked at yet.
+struct Enabled {
+  std::vector<TransitionId> faults;   ///< guard holds, weight above zero
+  std::vector<TransitionId> untimed;  ///< nominal, without time bounds, weight above zero
+  std::vector<TransitionId> timed;    ///< nominal, with time bounds
+};
 
 /// One more enabled transition, to its place. Those for which `can_ever_be_taken` is false have none.
 void add_enabled(Enabled& enabled, const Component& component, TransitionId transition);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "automata/store/model.hpp"
+#include "automata/dependencies/constraints.hpp"
 
 namespace rmpl::automata {
 

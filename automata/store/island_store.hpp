@@ -27,7 +27,7 @@ struct Refutation {
 /// Keeps references to the plant and to the island, which must outlive it.
 class IslandStore {
  public:
-  IslandStore(const Plant& plant, const Locality::Island& island);
+  IslandStore(const Plant& plant, const Island& island);
 
   /// Whether there are modes and controls that the constraints exclude, as far as can be seen.
   [[nodiscard]] bool excludes() const { return excludes_; }
@@ -73,7 +73,7 @@ class IslandStore {
   [[nodiscard]] std::vector<Assignment> assumptions(const Modes& modes, const ControlAction& action) const;
 
   const Plant* plant_;
-  const Locality::Island* island_;
+  const Island* island_;
   bool excludes_;
   std::vector<Formula> watched_;
   std::vector<Theory::Handle> handles_;  ///< of what is watched

@@ -2,25 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "automata/store/model.hpp"
 
-#include <utility>
-
 namespace rmpl::automata {
-
-std::vector<Constraint> constraints_of(const Plant& plant) {
-  std::vector<Constraint> result;
-  const auto tell = [&](std::optional<Assignment> under, const Formula& formula) {
-    for (Formula& conjunct : conjuncts_of(formula)) {
-      if (!conjunct.is_true()) result.push_back({under, std::move(conjunct)});
-    }
-  };
-  for (const Formula& q : plant.interconnections) tell(std::nullopt, q);
-  for (const Component& component : plant.components) {
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      tell(Assignment{component.mode, ValueId(m)}, component.modes[m].constraint);
-    }
-  }
-  return result;
-}
 
 void tell_model(Theory& theory, const Plant& plant) {
   for (const Formula& q : plant.interconnections) theory.tell(q);

@@ -2,22 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
 
 namespace rmpl::automata {
-
-/// A conjunct of Q, or of a mode's constraint: then under that mode.
-struct Constraint {
-  std::optional<Assignment> under;
-  Formula formula;
-};
-
-/// All conjuncts but those that are true: those of Q, then those of the modes.
-std::vector<Constraint> constraints_of(const Plant& plant);
 
 /// Tells a theory, whose variables begin with the plant's, the interconnections, and M(x = v) wherever x = v is
 /// assumed.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "automata/store/plain_store.hpp"
 
-#include <algorithm>
-
 #include "automata/store/model.hpp"
 
 namespace rmpl::automata {
@@ -37,22 +35,15 @@ bool PlainStore::implies_guard(ComponentId component, TransitionId transition, c
 }
 
 bool PlainStore::implies(const Formula& formula, const Modes& modes) {
-  return theory_.entails(assumptions(plant_, modes), handle(formula));
+  return theory_.entails(assumptions(plant_, modes), theory_.encode(formula));
 }
 
 bool PlainStore::allows(const Formula& formula, const Modes& modes) {
-  return theory_.allows(assumptions(plant_, modes), handle(formula));
+  return theory_.allows(assumptions(plant_, modes), theory_.encode(formula));
 }
 
 bool PlainStore::explains(const Modes& modes, const Observation& observation) {
   return theory_.consistent(assumptions(plant_, modes, observation));
-}
-
-Theory::Handle PlainStore::handle(const Formula& formula) {
-  const auto known =
-      std::find_if(asked_.begin(), asked_.end(), [&](const auto& asked) { return asked.first == formula; });
-  if (known != asked_.end()) return known->second;
-  return asked_.emplace_back(formula, theory_.encode(formula)).second;
 }
 
 }  // namespace rmpl::automata

@@ -30,12 +30,9 @@ class PlainStore {
   bool explains(const Modes& modes, const Observation& observation);
 
  private:
-  Theory::Handle handle(const Formula& formula);
-
   const Plant& plant_;
   Theory theory_;
   std::vector<std::vector<Theory::Handle>> guards_;  ///< per component, per transition
-  std::vector<std::pair<Formula, Theory::Handle>> asked_;
 };
 
 }  // namespace rmpl::automata

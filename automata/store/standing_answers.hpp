@@ -9,6 +9,7 @@
 
 #include "automata/state.hpp"
 #include "automata/store/support.hpp"
+#include "base/bounded_cache.hpp"
 
 namespace rmpl::automata {
 
@@ -31,8 +32,11 @@ class StandingAnswers {
     for (auto& readers : by_control_) readers.clear();
     answers_.clear();
   }
+  /// No answer is known any more.
+  void forget() { std::fill(answers_.begin(), answers_.end(), std::nullopt); }
   /// From here on the answers are about these; an action without controls is one that no answer reads.
   void ask(const Modes& modes, const ControlAction& action) {
+    if (!base::caches_on()) forget();
     move(modes_, modes, by_component_);
     if (!action.empty()) move(action_, action, by_control_);
   }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/partition.hpp"
-
 namespace rmpl::automata {
 namespace {
 
@@ -38,55 +36,34 @@ bool Support::reads_control(std::size_t control) const {
   return std::binary_search(controls.begin(), controls.end(), control);
 }
 
-Locality::Locality(const Plant& plant)
-    : island_of_(plant.variables.size()), component_of_(plant.variables.size()), control_of_(plant.variables.size()) {
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    component_of_[plant.components[c].mode.index()] = ComponentId(c);
+Locality::Locality(const Dependencies& dependencies)
+    : index_(dependencies.index()), island_of_(dependencies.islands()), islands_(island_of_.count) {
+  for (std::size_t v = 0; v < index_.variables(); ++v) {
+    const auto island = island_of_.of[v];
+    if (!island) continue;
+    islands_[*island].attributes.emplace_back(v);
+    if (const auto control = index_.control_of(VariableId(v))) insert(islands_[*island].support.controls, *control);
   }
-  for (std::size_t i = 0; i < plant.controls.size(); ++i) control_of_[plant.controls[i].variable.index()] = i;
-
-  std::vector<Constraint> constraints = constraints_of(plant);
-  base::Partition partition(plant.variables.size());
-  for (const Constraint& constraint : constraints) {
-    std::optional<std::size_t> hub;
-    for (const VariableId v : variables_of(constraint.formula)) {
-      if (component_of_[v.index()]) continue;
-      if (hub) partition.join(*hub, v.index());
-      hub = v.index();
-    }
-  }
-  for (std::size_t v = 0; v < plant.variables.size(); ++v) {
-    if (component_of_[v]) continue;
-    const std::size_t root = partition.root(v);
-    if (root == v) {
-      island_of_[v] = islands_.size();
-      islands_.emplace_back();
-    }
-    island_of_[v] = island_of_[root];
-    Island& island = islands_[*island_of_[v]];
-    island.attributes.emplace_back(v);
-    if (control_of_[v]) insert(island.support.controls, *control_of_[v]);
-  }
-  for (Constraint& constraint : constraints) {
-    const std::vector<VariableId> variables = variables_of(constraint.formula);
-    const auto attribute = std::find_if(variables.begin(), variables.end(),
-                                        [&](VariableId v) { return !component_of_[v.index()].has_value(); });
+  for (const Dependencies::Reading& reading : dependencies.constraints()) {
+    const auto attribute = std::find_if(reading.variables.begin(), reading.variables.end(),
+                                        [&](VariableId v) { return island_of_[v].has_value(); });
     // A constraint on modes alone is an island without attributes.
-    if (attribute == variables.end()) islands_.emplace_back();
-    Island& island = attribute == variables.end() ? islands_.back() : islands_[*island_of_[attribute->index()]];
-    if (constraint.under) insert(island.support.components, *component_of_[constraint.under->variable.index()]);
-    for (const VariableId v : variables) {
-      if (component_of_[v.index()]) insert(island.support.components, *component_of_[v.index()]);
+    if (attribute == reading.variables.end()) islands_.emplace_back();
+    Island& island = attribute == reading.variables.end() ? islands_.back() : islands_[*island_of_[*attribute]];
+    const auto& under = reading.constraint.under;
+    if (under) insert(island.support.components, *index_.component_of(under->variable));
+    for (const VariableId v : reading.variables) {
+      if (const auto component = index_.component_of(v)) insert(island.support.components, *component);
     }
-    island.constraints.push_back(std::move(constraint));
+    island.constraints.push_back(reading.constraint);
   }
 }
 
 Support Locality::support_of(const Formula& formula) const {
   Support result;
   for (const VariableId v : variables_of(formula)) {
-    if (component_of_[v.index()]) insert(result.components, *component_of_[v.index()]);
-    if (island_of_[v.index()]) result.join(islands_[*island_of_[v.index()]].support);
+    if (const auto component = index_.component_of(v)) insert(result.components, *component);
+    if (const auto island = island_of_[v]) result.join(islands_[*island].support);
   }
   return result;
 }

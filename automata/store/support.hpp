@@ -4,16 +4,17 @@
 // one conjunct of a constraint, of Q or of one mode, reads both: the attributes fall into islands, and the store is
 // consistent if it is on every island by itself. What it implies of one island's attributes depends on the modes of the
 // few components whose constraints touch it (the idea of decomposition in Williams & Nayak, A Reactive Planner for a
-// Model-based Executive, 1997; here for the store). SPDX-License-Identifier: MIT
+// Model-based Executive, 1997; here for the store).
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "automata/dependencies/dependencies.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "automata/store/model.hpp"
 
 namespace rmpl::automata {
 
@@ -28,28 +29,29 @@ struct Support {
   [[nodiscard]] bool reads_control(std::size_t control) const;
 };
 
-/// The islands of a plant, each with its support and its observables.
+/// Attributes that have to do with each other once every mode is known (dependencies.hpp).
+struct Island {
+  Support support;
+  std::vector<VariableId> attributes;   ///< ascending, controls among them
+  std::vector<Constraint> constraints;  ///< those that read it: without any it is consistent whatever is assumed
+};
+
+/// The islands of a plant, each with its support.
 class Locality {
  public:
-  struct Island {
-    Support support;
-    std::vector<VariableId> attributes;   ///< ascending, controls among them
-    std::vector<Constraint> constraints;  ///< those that read it: without any it is consistent whatever is assumed
-  };
-
-  explicit Locality(const Plant& plant);
+  explicit Locality(const Dependencies& dependencies);
+  explicit Locality(const Plant& plant) : Locality(Dependencies(plant)) {}
 
   [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
   /// The island of a variable; none for a mode variable.
-  [[nodiscard]] std::optional<std::size_t> island_of(VariableId variable) const { return island_of_[variable.index()]; }
+  [[nodiscard]] std::optional<std::size_t> island_of(VariableId variable) const { return island_of_[variable]; }
   /// What it depends on whether a consistent store implies, or allows, the formula.
   [[nodiscard]] Support support_of(const Formula& formula) const;
 
  private:
-  std::vector<Island> islands_;
-  std::vector<std::optional<std::size_t>> island_of_;     ///< by variable
-  std::vector<std::optional<ComponentId>> component_of_;  ///< by variable
-  std::vector<std::optional<std::size_t>> control_of_;    ///< by variable
+  PlantIndex index_;
+  Classes island_of_;
+  std::vector<Island> islands_;  ///< those of constraints on modes alone come last
 };
 
 /// Packs the modes and controls of a support into words, as a key for what is remembered about them.

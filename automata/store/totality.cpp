@@ -8,7 +8,7 @@
 
 namespace rmpl::automata {
 
-bool is_total(const Plant& plant, const Locality::Island& island) {
+bool is_total(const Plant& plant, const Island& island) {
   std::vector<VariableId> free = island.attributes;
   std::erase_if(free, [&](VariableId v) {
     return std::any_of(plant.controls.begin(), plant.controls.end(), [&](const Control& c) { return c.variable == v; });

@@ -9,6 +9,6 @@ namespace rmpl::automata {
 
 /// Whether the island's constraints have a model for all modes and all values of its controls (Elimination).
 /// Sufficient: false where that is not seen.
-bool is_total(const Plant& plant, const Locality::Island& island);
+bool is_total(const Plant& plant, const Island& island);
 
 }  // namespace rmpl::automata

@@ -10,6 +10,7 @@
 #include "automata/step/plain_step.hpp"
 #include "automata/step/plant_step.hpp"
 #include "automata/store/relevance.hpp"
+#include "base/bounded_cache.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/models.hpp"
@@ -78,7 +79,7 @@ bool same(const std::vector<std::vector<automata::Move>>& one, const std::vector
   });
 }
 
-RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {
+void compare_steps() {
   const Model model = *models();
   automata::PlantStep fast(model.plant);
   automata::PlainStep plain(model.plant);
@@ -115,6 +116,13 @@ RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) {
     RC_ASSERT(std::abs(fast.observation_factor(state.modes, observation) -
                        slow.observation_factor(state.modes, observation)) < 1e-12);
   }
+}
+
+RC_GTEST_PROP(Logic, StepIsItsDefinition, ()) { compare_steps(); }
+
+RC_GTEST_PROP(Logic, StepIsItsDefinitionWithoutCaches, ()) {
+  const base::WithoutCaches forgetful;
+  compare_steps();
 }
 
 RC_GTEST_PROP(Logic, WhatIsLeftOutMakesNoDifference, ()) {

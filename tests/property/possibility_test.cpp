@@ -34,11 +34,13 @@ Timing draw_timing() {
     case 0:
       return {lower, upper, {}};
     case 1:
-      return {lower, chance(50) ? Ticks::infinite() : upper, {Density::Kind::exponential, pick({1e-6, 1.0, 1e9}), 0}};
+      return {lower,
+              chance(50) ? Ticks::infinite() : upper,
+              {Density::Kind::exponential, pick<double>({1e-6, 1.0, 1e9}), 0}};
     default:
       return {lower,
               chance(50) ? Ticks::infinite() : upper,
-              {Density::Kind::normal, pick({0.001, 1.0, 1e6, 1e9}), pick({1e-9, 0.1, 1.0, 1e6})}};
+              {Density::Kind::normal, pick<double>({0.001, 1.0, 1e6, 1e9}), pick<double>({1e-9, 0.1, 1.0, 1e6})}};
   }
 }
 
@@ -52,13 +54,13 @@ Component draw_component() {
     Transition t{ModeId(0u), ModeId(up_to(0, 3)), automata::constant(true), std::nullopt, {}, 0, {}};
     t.branch = static_cast<std::uint32_t>(i);
     if (component.is_fault(t)) {
-      t.weight = chance(50) ? Weight{Weight::Kind::rate, pick({1e-30, 1e-6, 1.0, 1e3})}
-                            : Weight{Weight::Kind::probability, pick({1e-300, 0.001, 0.5, 1.0})};
+      t.weight = chance(50) ? Weight{Weight::Kind::rate, pick<double>({1e-30, 1e-6, 1.0, 1e3})}
+                            : Weight{Weight::Kind::probability, pick<double>({1e-300, 0.001, 0.5, 1.0})};
       if (chance(25)) t.timing = draw_timing();
     } else if (chance(80)) {
       t.timing = draw_timing();
     }
-    if (!component.is_fault(t) && chance(20)) t.weight = {Weight::Kind::probability, pick({1e-300, 0.5})};
+    if (!component.is_fault(t) && chance(20)) t.weight = {Weight::Kind::probability, pick<double>({1e-300, 0.5})};
     component.transitions.push_back(t);
   }
   return component;

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "automata/step/program_step.hpp"
+#include "base/bounded_cache.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/sequencer.hpp"
 
@@ -31,7 +32,7 @@ void compare(automata::ProgramStep& fast, reference::Sequencer& slow,
   }
 }
 
-RC_GTEST_PROP(Sequencer, IsFigure5_3WithAPlant, ()) {
+void compare_with_a_plant() {
   const Model model = *models();
   const RandomProgram program = *programs(model.plant);
   const auto knowledge = *knowledge_of(model.plant, 12);
@@ -39,6 +40,13 @@ RC_GTEST_PROP(Sequencer, IsFigure5_3WithAPlant, ()) {
   const reference::Models entailment(model.plant);
   reference::Sequencer slow(program.program, entailment);
   compare(fast, slow, knowledge);
+}
+
+RC_GTEST_PROP(Sequencer, IsFigure5_3WithAPlant, ()) { compare_with_a_plant(); }
+
+RC_GTEST_PROP(Sequencer, IsFigure5_3WithoutCaches, ()) {
+  const base::WithoutCaches forgetful;
+  compare_with_a_plant();
 }
 
 RC_GTEST_PROP(Sequencer, IsFigure5_3Alone, ()) {

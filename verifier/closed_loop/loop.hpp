@@ -10,7 +10,7 @@
 
 #include "automata/step/plant_step.hpp"
 #include "automata/step/program_step.hpp"
-#include "automata/store/memory.hpp"
+#include "base/bounded_cache.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 #include "verifier/closed_loop/clock_cells.hpp"
 #include "verifier/plant/situation.hpp"
@@ -129,7 +129,7 @@ class Loop {
   std::map<LoopState, LoopStateId> numbers_;
   std::vector<const LoopState*> states_;
   std::unordered_map<LoopStateId, std::shared_ptr<Worked>, IdHash> turns_;            ///< of states not yet explored
-  automata::Forgetful<LoopStateId, std::shared_ptr<Worked>, IdHash> explored_turns_;  ///< the last of the others
+  base::BoundedCache<LoopStateId, std::shared_ptr<Worked>, IdHash> explored_turns_;  ///< the last of the others
 };
 
 }  // namespace rmpl::verifier

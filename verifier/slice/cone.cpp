@@ -8,7 +8,7 @@ namespace rmpl::verifier {
 
 using automata::ComponentId;
 using automata::ControlAction;
-using automata::Locality;
+using automata::Island;
 using automata::ModeId;
 using automata::Modes;
 using automata::Plant;
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t most_combinations = 4096;
 
 /// Whether no control action contradicts the island in modes that are possible there.
-bool indifferent(PlantStep& step, const Locality::Island& island) {
+bool indifferent(PlantStep& step, const Island& island) {
   const Plant& plant = step.plant();
   std::size_t combinations = 1;
   const auto times = [&](std::size_t values) { combinations = std::min(combinations * values, most_combinations + 1); };
@@ -61,7 +61,7 @@ std::vector<bool> cone_of_influence(PlantStep& step, std::span<const automata::F
     }
   };
   for (const automata::Formula& formula : formulas) add(step.locality().support_of(formula));
-  for (const Locality::Island& island : step.locality().islands()) {
+  for (const Island& island : step.locality().islands()) {
     if (!island.constraints.empty() && !island.support.controls.empty() && !indifferent(step, island))
       add(island.support);
   }
@@ -69,7 +69,7 @@ std::vector<bool> cone_of_influence(PlantStep& step, std::span<const automata::F
     const ComponentId c = waiting.back();
     waiting.pop_back();
     for (std::size_t m = 0; m < plant[c].modes.size(); ++m) add(step.support(c, ModeId(m)));
-    for (const Locality::Island& island : step.locality().islands()) {
+    for (const Island& island : step.locality().islands()) {
       if (!island.constraints.empty() && island.support.reads(c)) add(island.support);
     }
   }

@@ -1,4 +1,4 @@
-// Independent groups, by a partition of the variables.
+// Independent groups: the plant cut along a quotient of its dependencies.
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/estimate/groups.hpp"
 
@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/partition.hpp"
+#include "automata/dependencies/dependencies.hpp"
 
 namespace rmpl::runtime {
 
@@ -17,19 +17,6 @@ using automata::Plant;
 using automata::VariableId;
 
 namespace {
-
-/// Per variable: whether an interconnection or a mode's constraint reads it.
-std::vector<bool> read_by_store(const Plant& plant) {
-  std::vector<bool> read(plant.variables.size());
-  const auto note = [&](const Formula& formula) {
-    for (const VariableId v : variables_of(formula)) read[v.index()] = true;
-  };
-  for (const Formula& q : plant.interconnections) note(q);
-  for (const Component& component : plant.components) {
-    for (const auto& mode : component.modes) note(mode.constraint);
-  }
-  return read;
-}
 
 /// Copies parts of a plant into another, whose variables get new numbers as they are met.
 class Extract {
@@ -63,42 +50,21 @@ class Extract {
 }  // namespace
 
 Groups::Groups(const Plant& plant) {
-  const std::vector<bool> stored = read_by_store(plant);
-  std::vector<bool> given(plant.variables.size());  // control variables that only guards read
-  for (const automata::Control& control : plant.controls) {
-    given[control.variable.index()] = !stored[control.variable.index()];
-  }
-  for (const VariableId observed : plant.observables) given[observed.index()] = false;
-
-  base::Partition partition(plant.variables.size());
-  const auto join = [&](VariableId hub, const Formula& formula) {
-    for (const VariableId v : variables_of(formula)) {
-      if (!given[v.index()]) partition.join(v.index(), hub.index());
-    }
-  };
-  for (const Formula& q : plant.interconnections) {
-    const auto read = variables_of(q);
-    if (!read.empty()) join(read.front(), q);
-  }
-  for (const Component& component : plant.components) {
-    for (const auto& mode : component.modes) join(component.mode, mode.constraint);
-    for (const auto& transition : component.transitions) join(component.mode, transition.guard);
-  }
-  // What touches no component goes with the first one.
-  std::vector<bool> inhabited(plant.variables.size());
-  for (const Component& component : plant.components) inhabited[partition.root(component.mode.index())] = true;
-  for (std::size_t v = 0; v < plant.variables.size() && !plant.components.empty(); ++v) {
-    if (!given[v] && !inhabited[partition.root(v)]) partition.join(v, plant.components.front().mode.index());
-  }
-
-  std::unordered_map<std::size_t, std::size_t> group_of_root;
+  const automata::Dependencies dependencies(plant);
+  const automata::Classes classes = dependencies.groups();
+  std::vector<std::optional<std::size_t>> inhabited(classes.count);  // the group of a class with a component in it
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    const std::size_t root = partition.root(plant.components[c].mode.index());
-    const auto [known, fresh] = group_of_root.try_emplace(root, groups_.size());
-    if (fresh) groups_.emplace_back();
-    groups_[known->second].components.emplace_back(c);
+    auto& group = inhabited[*classes[plant.components[c].mode]];
+    if (!group) {
+      group = groups_.size();
+      groups_.emplace_back();
+    }
+    groups_[*group].components.emplace_back(c);
   }
   if (groups_.size() < 2) return;
+
+  // What touches no component goes with the first one.
+  const auto group_of = [&](std::size_t number) { return inhabited[number].value_or(0); };
 
   std::vector<Extract> extracts;
   extracts.reserve(groups_.size());
@@ -109,13 +75,13 @@ Groups::Groups(const Plant& plant) {
   }
   for (const Formula& q : plant.interconnections) {
     const auto read = variables_of(q);
-    const std::size_t g = read.empty() ? 0 : group_of_root.at(partition.root(read.front().index()));
+    const std::size_t g = read.empty() ? 0 : group_of(*classes[read.front()]);
     groups_[g].plant.interconnections.push_back(extracts[g].formula(q));
   }
   homes_.resize(plant.variables.size());
   for (std::size_t v = 0; v < plant.variables.size(); ++v) {
-    if (given[v]) continue;
-    const std::size_t g = group_of_root.at(partition.root(v));
+    if (!classes.of[v]) continue;
+    const std::size_t g = group_of(*classes.of[v]);
     homes_[v] = Home{g, extracts[g].variable(VariableId(v))};
   }
   for (const VariableId observed : plant.observables) {
@@ -128,7 +94,7 @@ Groups::Groups(const Plant& plant) {
       if (!extracts[g].has(control.variable)) continue;
       groups_[g].controls.push_back(i);
       groups_[g].plant.controls.push_back({extracts[g].variable(control.variable), control.idle});
-      if (stored[control.variable.index()]) groups_[g].constrains_controls = true;
+      if (dependencies.read_by_store(control.variable)) groups_[g].constrains_controls = true;
     }
   }
 }

@@ -1,41 +1,32 @@
-// Islands, by a partition of the variables.
+// Islands: the parts of a plant, as its dependencies have them.
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/reconfigure/islands.hpp"
 
-#include "base/partition.hpp"
+#include <numeric>
+#include <optional>
+
+#include "automata/dependencies/dependencies.hpp"
 
 namespace rmpl::runtime {
 
-using automata::Component;
 using automata::ComponentId;
-using automata::Formula;
-using automata::VariableId;
 
 Islands::Islands(const automata::Plant& plant, std::span<const ComponentId> joined) {
-  base::Partition partition(plant.variables.size());
-  const auto join = [&](VariableId hub, const Formula& formula) {
-    for (const VariableId v : variables_of(formula)) partition.join(hub.index(), v.index());
-  };
-  for (const Formula& formula : plant.interconnections) {
-    const auto read = variables_of(formula);
-    if (!read.empty()) join(read.front(), formula);
-  }
-  for (const Component& component : plant.components) {
-    for (const auto& mode : component.modes) join(component.mode, mode.constraint);
-    for (const auto& transition : component.transitions) join(component.mode, transition.guard);
-  }
-  for (const ComponentId c : joined) partition.join(plant[joined.front()].mode.index(), plant[c].mode.index());
+  const automata::Classes parts = automata::Dependencies(plant).parts();
+  std::vector<std::size_t> same(parts.count);  // the class that each goes with: itself, but for those that are joined
+  std::iota(same.begin(), same.end(), std::size_t{0});
+  for (const ComponentId c : joined) same[*parts[plant[c].mode]] = *parts[plant[joined.front()].mode];
 
   std::vector<std::size_t> island_of(plant.variables.size());
+  std::vector<std::optional<std::size_t>> number(parts.count);
   for (std::size_t v = 0; v < plant.variables.size(); ++v) {
-    const std::size_t root = partition.root(v);
-    if (root == v) {
-      island_of[v] = variables_.size();
+    auto& island = number[same[*parts.of[v]]];
+    if (!island) {
+      island = variables_.size();
       variables_.emplace_back();
-    } else {
-      island_of[v] = island_of[root];
     }
-    variables_[island_of[v]].emplace_back(v);
+    island_of[v] = *island;
+    variables_[*island].emplace_back(v);
   }
   components_.resize(variables_.size());
   controls_.resize(variables_.size());

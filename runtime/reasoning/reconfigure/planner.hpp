@@ -9,6 +9,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "base/bounded_cache.hpp"
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
 #include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
 #include "runtime/reasoning/reconfigure/islands.hpp"
@@ -139,7 +140,7 @@ class Planner {
   std::vector<std::vector<automata::ControlAction>> actions_;       ///< per island: idle, then all that are tried
   /// The steps of safe walks downstream first, by `question`: what follows on the first step is a safe walk, too, and
   /// its answer was found on the way.
-  automata::Forgetful<std::vector<std::uint64_t>, RememberedStep, automata::WordsHash> remembered_{memory_limit};
+  base::BoundedCache<std::vector<std::uint64_t>, RememberedStep> remembered_{memory_limit};
 };
 
 }  // namespace rmpl::runtime

@@ -51,7 +51,7 @@ TEST(TruthMaintenance, AnswersAsASolverDoes) {
         }
         case Answer::open:
           if (!consistent) continue;
-          maintenance.adopt(assumptions, [&](Literal l) { return solver.value(l); });
+          maintenance.adopt(assumptions, solver);
           break;
         case Answer::consistent:
           EXPECT_TRUE(consistent);

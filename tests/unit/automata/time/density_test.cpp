@@ -37,6 +37,13 @@ TEST(Density, ExponentialHasNoMemory) {
   EXPECT_NEAR(decay.step_survival(s(5000), s(5000.5)), step, 1e-12);
 }
 
+TEST(Density, ExponentialIsTheSameAtEveryAge) {
+  const Timing decay{s(0), Ticks::infinite(), {Density::Kind::exponential, 1, 0}};
+  for (const double age : {0.0, 700.0, 744.0, 746.0, 1e6, 4e9}) {
+    EXPECT_NEAR(1 - decay.step_survival(s(age), s(age + 1)), 0.63212055882855768, 1e-15) << age;
+  }
+}
+
 TEST(Density, TruncatedExponentialIsRescaled) {
   const Timing decay{s(10), s(20), {Density::Kind::exponential, 7, 0}};
   const auto g = [](double x) {
