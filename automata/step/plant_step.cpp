@@ -3,6 +3,7 @@
 #include "automata/step/plant_step.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace rmpl::automata {
@@ -13,9 +14,6 @@ std::size_t states_remembered(const Plant& plant) {
   constexpr std::size_t modes_remembered = 1u << 16;
   return modes_remembered / (plant.components.size() + 1) + 1;
 }
-
-/// So many sets of enabled transitions are kept. There are few as a rule, but a mode with n exits may have 2^n.
-constexpr std::size_t sets_remembered = 1u << 16;
 
 }  // namespace
 
@@ -30,18 +28,13 @@ class EnabledSets {
   const Enabled& find_or(ComponentId component, ModeId mode, const std::vector<std::uint64_t>& members,
                          const Make& make) {
     const auto [at, fresh] = by_mode_[component.index()][mode.index()].try_emplace(members);
-    if (fresh) {
-      at->second = make();
-      ++size_;
-    }
+    if (fresh) at->second = make();
     return at->second;
   }
-  [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
   using Sets = std::unordered_map<std::vector<std::uint64_t>, Enabled, base::WordsHash>;
   std::vector<std::vector<Sets>> by_mode_;  ///< per component, per mode; looked up, never iterated
-  std::size_t size_ = 0;
 };
 
 std::size_t PlantStep::StateActionHash::operator()(const StateAction& key) const noexcept {
@@ -75,13 +68,6 @@ PlantStep::PlantStep(const Plant& plant)
   store_.prepare();
 }
 
-/// What was handed out keeps its sets; from here on they are collected anew.
-void PlantStep::forget_sets() {
-  if (sets_->size() < sets_remembered) return;
-  sets_ = std::make_shared<EnabledSets>(plant());
-  enabled_.forget();
-}
-
 /// The set of those exits all of whose parts are implied.
 template <class Implied>
 const Enabled& PlantStep::sort_out(ComponentId id, ModeId mode, Implied&& implied) {
@@ -101,13 +87,11 @@ const Enabled& PlantStep::sort_out(ComponentId id, ModeId mode, Implied&& implie
 }
 
 const Enabled& PlantStep::enabled(ComponentId component, const Modes& modes, const ControlAction& action) {
-  forget_sets();
   return sort_out(component, modes[component.index()],
                   [&](const ConstraintStore::Part& part) { return store_.implies(part, modes, action); });
 }
 
 PlantStep::Whole PlantStep::work_out(const Modes& modes, const ControlAction& action) {
-  forget_sets();
   Whole result{consistent(modes, action), {}};
   result.enabled.from_ = sets_;
   result.enabled.sets_.reserve(modes.size());
@@ -144,6 +128,13 @@ const AllEnabled& PlantStep::enabled(const Modes& modes, const ControlAction& ac
 
 bool PlantStep::permits(const Modes& modes, const ControlAction& action) { return whole(modes, action).consistent; }
 
+std::vector<Move> PlantStep::moves(ComponentId component, ModeId mode, const Enabled& enabled, Ticks clock_start,
+                                   Ticks before, Ticks now) const {
+  auto result = moves_of(plant()[component], mode, enabled, now - clock_start, now - before);
+  std::erase_if(result, [](const Move& move) { return move.probability <= std::numeric_limits<double>::min(); });
+  return result;
+}
+
 std::vector<std::vector<Move>> PlantStep::moves(const SystemState& state, const ControlAction& action, Ticks before,
                                                 Ticks now) {
   const auto& allowed = enabled(state.modes, action);
@@ -164,6 +155,17 @@ double PlantStep::probability(const SystemState& state, const ControlAction& act
     product *= at == all[c].end() ? 0.0 : at->probability;
   }
   return product;
+}
+
+bool PlantStep::leads(const SystemState& state, const ControlAction& action, Ticks before, Ticks now,
+                      const Modes& next) {
+  const AllEnabled& allowed = enabled(state.modes, action);
+  for (std::size_t c = 0; c < next.size(); ++c) {
+    const auto all =
+        moves_of(plant().components[c], state.modes[c], allowed[c], now - state.clock_starts[c], now - before);
+    if (std::none_of(all.begin(), all.end(), [&](const Move& m) { return m.mode == next[c]; })) return false;
+  }
+  return true;
 }
 
 std::vector<std::vector<Move>> PlantStep::initial_moves() const {

@@ -78,17 +78,20 @@ class PlantStep {
   /// `consistent`, at no cost where `enabled` is asked the same.
   bool permits(const Modes& modes, const ControlAction& action);
 
-  /// What `component` may do in the step that ends at `now`, the step before having ended at `before` (`moves_of`).
+  /// What `component` may do in the step that ends at `now`, the step before having ended at `before`, as far as a
+  /// double can tell: `moves_of` without what is less probable than the least normal double, which no estimate and no
+  /// draw can follow. The probabilities sum to 1.
   [[nodiscard]] std::vector<Move> moves(ComponentId component, ModeId mode, const Enabled& enabled, Ticks clock_start,
-                                        Ticks before, Ticks now) const {
-    return moves_of(plant()[component], mode, enabled, now - clock_start, now - before);
-  }
+                                        Ticks before, Ticks now) const;
   /// `moves` for every component of a state.
   std::vector<std::vector<Move>> moves(const SystemState& state, const ControlAction& action, Ticks before, Ticks now);
   /// The probability of going from `state` to exactly `next` (modes, and the clocks that follow from them), before
-  /// the consistency of `next` is looked at. The product over many components may be too small for a double: whether
-  /// the step is possible is for `lead` to say.
+  /// the consistency of `next` is looked at. It may be too small for a double: whether the step is possible is for
+  /// `leads`.
   double probability(const SystemState& state, const ControlAction& action, Ticks before, Ticks now, const Modes& next);
+  /// Whether a step can lead from `state` to exactly `next`, however improbable, before the consistency of `next` is
+  /// looked at.
+  bool leads(const SystemState& state, const ControlAction& action, Ticks before, Ticks now, const Modes& next);
   /// The system state after moving to `next` at `now` (`automata::advance`).
   [[nodiscard]] static SystemState advance(const SystemState& state, const Modes& next, Ticks now) {
     return automata::advance(state, next, now);
@@ -108,7 +111,6 @@ class PlantStep {
     AllEnabled enabled;
   };
 
-  void forget_sets();
   template <class Implied>
   const Enabled& sort_out(ComponentId component, ModeId mode, Implied&& implied);
   Whole work_out(const Modes& modes, const ControlAction& action);

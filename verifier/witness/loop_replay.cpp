@@ -160,7 +160,7 @@ class LoopReplay {
       const Rules rules(plant().components[c], enabled[c], before - start, now - start, rules_.period);
       if (!rules.allows(state_.modes[c], next[c])) return false;
     }
-    return !rules_.period || automata::lead(step_.moves(state_, action_, before, now), next);
+    return !rules_.period || step_.leads(state_, action_, before, now, next);
   }
 
   bool time_may_pass_up_to(Ticks now) {

@@ -130,7 +130,7 @@ class Replay {
   }
 
   bool positive(const ControlAction& action, Ticks before, Ticks now, const Modes& next) {
-    return possible(action, before, now, next) && automata::lead(step_.moves(state_, action, before, now), next);
+    return possible(action, before, now, next) && step_.leads(state_, action, before, now, next);
   }
 
   automata::PlantStep& step_;
