@@ -95,52 +95,65 @@ void Story::tell_goals(const CycleRecord& record) {
   goal_ = record.goal;
 }
 
+/// Whether what a cycle does is about a component that is told: by its controls, by its goal, or by what it is for.
+bool Story::is_action_told(const CycleRecord& record) const {
+  const Reason& why = record.why;
+  const auto parts = automata::commanded(plant_, record.command);
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](Assignment part) { return is_told(component_of(part.variable)); }) ||
+         (why.component && is_told(why.component)) || (why.step && is_told(why.step->component)) ||
+         (why.conjunct && is_told(component_of(record.goal[*why.conjunct].variable)));
+}
+
 void Story::tell_action(const CycleRecord& record) {
   const bool again = record.command == command_;
   command_ = record.command;
+  const bool waits = record.outcome == Reconfiguration::Outcome::wait;
+  const bool told = is_action_told(record);
   const std::string why = to_text(record.why, plant_, automata::conjunction_of(record.goal));
-  if (record.outcome == Reconfiguration::Outcome::wait) {
-    if (record.why != waits_) line(record.start, "wait", style_.quiet(why), record.why.component);
-    waits_ = record.why;
-  } else {
-    waits_ = {};
-  }
+  if (waits && record.why != waits_ && told) line(record.start, "wait", style_.quiet(why), std::nullopt);
+  waits_ = waits ? record.why : Reason{};
   if (again && told_again_) return;
   told_again_ = again;
   std::string text;
-  Component about;
-  bool told = false;
   for (const Assignment& part : automata::commanded(plant_, command_)) {
     text += (text.empty() ? "" : ", ") + text_of(part);
-    about = component_of(part.variable);
-    told = told || is_told(about);
   }
-  if (text.empty()) return;
-  if (!told && record.why.component) about = record.why.component;
-  if (!told && record.why.step && !is_told(about)) about = record.why.step->component;
+  if (text.empty() || !told) return;
   line(record.start, "command", text + (again ? " (again)" : "") + style_.quiet(why.empty() ? "" : " " + why),
-       told ? std::nullopt : about);
+       std::nullopt);
+}
+
+/// The goal that a cycle is without a plan for, with its line, what bars the way, and what would open it.
+std::string Story::impasse(const CycleRecord& record, const Event& event) const {
+  std::string text;
+  const std::size_t goal = record.why.conjunct.value_or(0);
+  if (goal < record.goal.size() && (record.why.conjunct || record.goal.size() == 1)) {
+    text = "for " + text_of(record.goal[goal]) +
+           in_parentheses(program_.locations[record.asserted_by[goal].index()].origin) + ": ";
+  } else if (event.component) {
+    text = plant_[*event.component].name + ": ";
+  }
+  const std::string way_out = remedy(record.why, plant_);
+  return text + event.message + in_parentheses(origin_of(plant_, record.why)) + (way_out.empty() ? "" : "; " + way_out);
 }
 
 void Story::tell_events(const CycleRecord& record) {
   for (const Event& event : record.events) {
     if (std::find(events_.begin(), events_.end(), event) != events_.end()) continue;
-    const std::string text = event.component && event.kind == Event::Kind::no_plan
-                                 ? plant_[*event.component].name + ": " + event.message
-                                 : event.message;
     switch (event.kind) {
       case Event::Kind::forced:
-        line(record.time, "plant", style_.bad(text) + " (the executive is not told)", event.component);
+        line(record.time, "plant", style_.bad(event.message) + " (the executive is not told)", event.component);
         break;
       case Event::Kind::goal_conflict:
-        line(record.start, "conflict", style_.bad(text), event.component);
+        line(record.start, "conflict", style_.bad(event.message), event.component);
         break;
       case Event::Kind::no_plan:
-        line(record.start, "no plan", style_.bad(text), event.component);
+        line(record.start, "no plan", style_.bad(impasse(record, event)), event.component);
         break;
       case Event::Kind::inconsistent:
       case Event::Kind::cut:
-        line(record.time, "surprise", style_.bad(text), event.component);
+        line(record.time, "surprise", style_.bad(event.message), event.component);
         break;
       case Event::Kind::irreversible:
         break;  // the command itself is told; that it is final is for the trace

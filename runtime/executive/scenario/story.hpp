@@ -43,7 +43,9 @@ class Story final : public CycleObserver {
   void tell_events(const CycleRecord& record);
   void tell_estimate(const CycleRecord& record);
   void line(automata::Ticks time, std::string_view what, const std::string& text, Component about);
+  [[nodiscard]] std::string impasse(const CycleRecord& record, const Event& event) const;
   [[nodiscard]] bool is_told(Component about) const;
+  [[nodiscard]] bool is_action_told(const CycleRecord& record) const;
   [[nodiscard]] std::string text_of(automata::Assignment assignment) const;
   [[nodiscard]] Component component_of(automata::VariableId variable) const;
 

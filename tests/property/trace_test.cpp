@@ -1,0 +1,104 @@
+// Traces of random flights: whatever their detail, read as logs they are the same flight.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.hpp"
+#include "runtime/executive/scenario/run.hpp"
+#include "runtime/executive/sequence/log_run.hpp"
+#include "runtime/executive/trace/log.hpp"
+#include "runtime/executive/trace/trace_writer.hpp"
+#include "tests/property/generate.hpp"
+
+namespace rmpl::property {
+namespace {
+
+using runtime::TraceDetail;
+
+/// A cycle of a log, with those that a line left out.
+struct LoggedCycle {
+  automata::Ticks time;
+  runtime::LogLine told;
+};
+
+std::vector<LoggedCycle> cycles_of(const std::vector<runtime::LogLine>& lines) {
+  std::vector<LoggedCycle> cycles;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::uint64_t c = 1; c <= lines[i].unchanged; ++c) {
+      cycles.push_back({lines[i].time_of_unchanged(c), lines[i - 1]});
+    }
+    cycles.push_back({lines[i].time, lines[i]});
+  }
+  return cycles;
+}
+
+struct Flight {
+  std::vector<LoggedCycle> cycles;
+  std::string sequence;
+};
+
+Flight fly(const automata::Document& document, TraceDetail detail) {
+  const std::string path =
+      (std::filesystem::path(::testing::TempDir()) / ("rmpl-trace-" + std::to_string(::getpid()) + ".jsonl")).string();
+  runtime::TraceWriter trace(document.plants[0], document.programs[0], path, detail);
+  runtime::ScenarioOptions options;
+  options.engine = runtime::ScenarioOptions::Engine::exact;
+  run_scenario(document, document.scenarios[0], options, {&trace});
+  trace.keep();
+  Flight flight;
+  std::ifstream log(path);
+  flight.cycles = cycles_of(runtime::read_log(log, "trace", document.plants[0]));
+  std::ifstream again(path);
+  flight.sequence = runtime::sequence_log(document.programs[0], document.plants[0], again, "trace");
+  std::filesystem::remove(path);
+  return flight;
+}
+
+/// The estimates that the cycles of a log lead to are those that the executive had.
+void repeat(const automata::Plant& plant, const std::vector<LoggedCycle>& cycles) {
+  automata::PlantStep step(plant);
+  runtime::EstimatorOptions options;
+  options.live_clocks_only = true;
+  const auto estimator = runtime::make_exact_estimator(step, options);
+  for (std::size_t i = 1; i < cycles.size(); ++i) {
+    const runtime::LogLine& told = cycles[i].told;
+    estimator->update(automata::action_from(plant, told.command), told.observations, cycles[i].time);
+    RC_ASSERT(automata::assignments_of(plant, estimator->estimate().modes) == *told.estimate);
+  }
+}
+
+RC_GTEST_PROP(Traces, OfEveryDetailAreTheSameLog, ()) {
+  const Model model = *models();
+  automata::Document document;
+  document.plants.push_back(model.plant);
+  document.programs.push_back((*programs(model.plant)).program);
+  automata::Scenario& scenario = document.scenarios.emplace_back();
+  scenario.name = "random";
+  scenario.cycle = automata::Ticks{automata::Ticks::per_second / 2};
+  scenario.duration = automata::Ticks::of_seconds(*rc::gen::inRange(1, 12));
+  scenario.seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
+  try {
+    const Flight changes = fly(document, TraceDetail::changes);
+    const Flight every = fly(document, TraceDetail::cycles);
+    const Flight beliefs = fly(document, TraceDetail::beliefs);
+    RC_ASSERT(changes.sequence == every.sequence);
+    RC_ASSERT(every.sequence == beliefs.sequence);
+    RC_ASSERT(changes.cycles.size() == every.cycles.size());
+    for (std::size_t i = 0; i < every.cycles.size(); ++i) {
+      RC_ASSERT(changes.cycles[i].time == every.cycles[i].time);
+      RC_ASSERT(changes.cycles[i].told.command == every.cycles[i].told.command);
+      RC_ASSERT(changes.cycles[i].told.observations == every.cycles[i].told.observations);
+      RC_ASSERT(changes.cycles[i].told.estimate == every.cycles[i].told.estimate);
+    }
+    repeat(model.plant, changes.cycles);
+  } catch (const base::InputError&) {
+    RC_DISCARD("the simulated plant is left without a state");
+  }
+}
+
+}  // namespace
+}  // namespace rmpl::property
