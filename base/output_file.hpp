@@ -2,13 +2,50 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace rmpl::base {
 
-/// Writes a text under a name, replacing what was there: into a file beside it, which then takes the name, so that no
-/// reader ever sees a part. What is no regular file (a terminal, a pipe, /dev/null) is written to directly. Throws
-/// InputError where it cannot be written; then what was there before is still there.
-void write_file(const std::string& path, const std::string& text);
+/// A file that is being written. Until it is kept it has a random name beside its target, and the target is as it was;
+/// then it is flushed to the disk and takes the target's name, with the mode that the target had, so that no reader
+/// ever sees a part. Symbolic links are followed. What is no regular file (a terminal, a pipe, /dev/null) is written in
+/// place.
+class OutputFile {
+ public:
+  /// Throws InputError with the reason where the file cannot be written, or is one that was read.
+  explicit OutputFile(std::string path);
+  /// What was not kept is removed.
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Throws InputError with the reason where it cannot be written.
+  void write(std::string_view text);
+  /// The file is complete, and stands under its name. Throws as `write` does; then the target is as it was.
+  void keep();
+
+ private:
+  static constexpr std::size_t no_slot = static_cast<std::size_t>(-1);
+
+  void open_in_place();
+  void open_beside(bool replaces);
+  void flush();
+  [[noreturn]] void fail(int reason) const;
+
+  std::string path_;       ///< as the user named it, for messages
+  std::string target_;     ///< behind all links
+  std::string temporary_;  ///< empty where the target is written in place, and once it is kept
+  std::size_t slot_ = no_slot;
+  int file_ = -1;
+  std::string pending_;
+};
+
+/// Writes a text as a file: all of the above at once.
+void write_file(const std::string& path, std::string_view text);
+
+/// Removes what was begun and not kept. For the end of a process by a signal: only calls what a handler may call.
+void remove_unfinished_files() noexcept;
 
 }  // namespace rmpl::base

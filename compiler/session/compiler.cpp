@@ -3,7 +3,6 @@
 #include "compiler/session/compiler.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <utility>
 
 #include "base/check.hpp"
@@ -33,16 +32,6 @@ bool Compilation::ok() const { return !result_->findings.diagnostics.has_errors(
 const automata::Document& Compilation::document() const {
   CHECK(ok() && "a compilation with errors has no document");
   return result_->document;
-}
-
-std::optional<std::string> Compilation::input_at(const std::string& output) const {
-  const grammar::Sources& sources = result_->findings.sources;
-  for (std::uint32_t file = 0; file < sources.size(); ++file) {
-    const std::string& name = sources[file].name();
-    std::error_code missing;
-    if (std::filesystem::equivalent(output, name, missing)) return name;
-  }
-  return std::nullopt;
 }
 
 const grammar::Findings& Compilation::findings() const { return result_->findings; }

@@ -34,9 +34,6 @@ class Compilation {
   [[nodiscard]] bool ok() const;
   /// The document. Only where `ok()`.
   [[nodiscard]] const automata::Document& document() const;
-  /// The file that was read, as an argument, an import or what a scenario names, and that `output` leads to: writing
-  /// there would destroy it.
-  [[nodiscard]] std::optional<std::string> input_at(const std::string& output) const;
   /// Every diagnostic, warnings too, and the texts that they speak of.
   [[nodiscard]] const grammar::Findings& findings() const;
   /// The names in all that was read, with or without errors (`compiler/session/names.hpp`).

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/painter.hpp"
 #include "grammar/source/render.hpp"
 
 namespace rmpl::grammar {
@@ -15,26 +16,16 @@ constexpr std::size_t widest = 120;  // columns of a source line that are shown
 constexpr std::size_t lead_in = 30;  // columns shown before the span where a line is wider
 constexpr std::size_t tab_columns = 4;
 
-struct Style {
-  bool color;
-  [[nodiscard]] std::string operator()(const char* escape, const std::string& text) const {
-    return color ? "\x1b[" + std::string(escape) + "m" + text + "\x1b[0m" : text;
-  }
-};
-
-constexpr const char* bold = "1";
-constexpr const char* blue = "1;34";
-
-const char* colour_of(Severity severity) {
+std::string painted(const base::Painter& painter, Severity severity, const std::string& text) {
   switch (severity) {
     case Severity::error:
-      return "1;31";
+      return painter.bad(text);
     case Severity::warning:
-      return "1;33";
+      return painter.doubtful(text);
     case Severity::note:
-      return "1;36";
+      return painter.note(text);
   }
-  return bold;
+  return text;
 }
 
 /// A message whose words are all of a length that people read: a name of a megabyte says no more than its beginning.
@@ -123,19 +114,23 @@ Excerpt excerpt(std::string_view whole, std::size_t begin, std::size_t end) {
 
 class Text {
  public:
-  Text(const Sources& sources, bool color) : sources_(sources), style_{color} {}
+  Text(const Sources& sources, bool color) : sources_(sources), painter_{color} {}
 
   void add(const Diagnostic& diagnostic) {
     margin_ = std::string(digits(diagnostic), ' ');
     const std::string kind = std::string(to_string(diagnostic.severity)) + "[" + to_string(diagnostic.code) + "]";
-    out_ += style_(colour_of(diagnostic.severity), kind) + style_(bold, ": " + shortened(diagnostic.message)) + "\n";
-    add_place(diagnostic.span, '^', colour_of(diagnostic.severity));
+    out_ += painted(painter_, diagnostic.severity, kind) + painter_.strong(": " + shortened(diagnostic.message)) + "\n";
+    add_place(diagnostic.span, [&](std::size_t width, const std::string& more) {
+      return painted(painter_, diagnostic.severity, std::string(width, '^') + more);
+    });
     for (const Note& note : diagnostic.notes) {
-      out_ += style_(colour_of(Severity::note), "note") + style_(bold, ": " + shortened(note.message)) + "\n";
-      add_place(note.span, '-', blue);
+      out_ += painter_.note("note") + painter_.strong(": " + shortened(note.message)) + "\n";
+      add_place(note.span, [&](std::size_t width, const std::string& more) {
+        return painter_.place(std::string(width, '-') + more);
+      });
     }
     if (diagnostic.suggestion)
-      out_ += style_("1;32", "help") + style_(bold, ": " + shortened(*diagnostic.suggestion)) + "\n";
+      out_ += painter_.good("help") + painter_.strong(": " + shortened(*diagnostic.suggestion)) + "\n";
     out_ += "\n";
   }
 
@@ -150,10 +145,12 @@ class Text {
     return std::to_string(greatest).size();
   }
 
-  void add_place(Span span, char mark, const char* mark_colour) {
+  /// `mark` draws what stands under a span, by its width.
+  template <class Mark>
+  void add_place(Span span, const Mark& mark) {
     const SourceFile& file = sources_[span.file];
     const Place place = file.place(span.begin);
-    out_ += margin_ + style_(blue, "-->") + " " + file.name() + ":" + std::to_string(place.line) + ":" +
+    out_ += margin_ + painter_.place("-->") + " " + file.name() + ":" + std::to_string(place.line) + ":" +
             std::to_string(place.column) + "\n";
     if (file.text().empty()) return;
 
@@ -162,17 +159,16 @@ class Text {
     const std::size_t end = std::max<std::size_t>(begin, span.end - file.line_start(place.line));
     const Excerpt shown = excerpt(line, begin, std::min(end, line.size()));
     const std::string number = std::to_string(place.line);
-    const std::string bar = margin_ + style_(blue, " |");
+    const std::string bar = margin_ + painter_.place(" |");
     // The mark of a span that goes on in the next line says so.
     const std::string more = end > line.size() + 1 ? "…" : "";
     out_ += bar + "\n";
-    out_ += style_(blue, std::string(margin_.size() - number.size(), ' ') + number + " |") + " " + shown.text + "\n";
-    out_ += bar + " " + std::string(shown.marked_from, ' ') +
-            style_(mark_colour, std::string(shown.marked_to - shown.marked_from, mark) + more) + "\n";
+    out_ += painter_.place(std::string(margin_.size() - number.size(), ' ') + number + " |") + " " + shown.text + "\n";
+    out_ += bar + " " + std::string(shown.marked_from, ' ') + mark(shown.marked_to - shown.marked_from, more) + "\n";
   }
 
   const Sources& sources_;
-  Style style_;
+  base::Painter painter_;
   std::string margin_;
   std::string out_;
 };

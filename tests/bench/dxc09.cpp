@@ -30,7 +30,7 @@ void measure(const fs::path& dxc, const std::string& name) {
   for (const auto& entry : fs::directory_iterator(dxc / "dxc09" / name)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<std::vector<automata::Assignment>> observations;
-  for (const fs::path& file : files) observations.push_back(*runtime::competition_observation(file, plant));
+  for (const fs::path& file : files) observations.push_back(tools::competition_observation(file, plant));
 
   double start = bench::processor_seconds();
   const auto circuit = runtime::circuit_of(plant);

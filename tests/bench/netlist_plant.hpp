@@ -21,7 +21,7 @@ inline automata::Document imported(const std::filesystem::path& netlist, compile
   const auto model = std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_circuit.tcca");
   const compiler::ImportedCircuit circuit = compiler::import_circuit(netlist, faults);
   if (!circuit.plant) {
-    std::fputs(circuit.diagnostics.c_str(), stderr);
+    std::fputs(grammar::render_text(circuit.findings, false).c_str(), stderr);
     std::exit(EXIT_FAILURE);
   }
   std::ofstream(model) << *circuit.plant;

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iterator>
 #include <string_view>
 
 #include "base/error.hpp"
-#include "tools/rmpl-run/input.hpp"
+#include "base/input_file.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 namespace {
 
 using automata::Assignment;
@@ -92,10 +91,9 @@ class SensorLine {
 
 }  // namespace
 
-std::optional<std::vector<Assignment>> competition_observation(const std::string& path, const automata::Plant& plant) {
-  TextInput input(path);
-  const std::string text(std::istreambuf_iterator<char>(input.stream()), {});
-  return SensorLine(text, input.name()).read(plant);
+std::vector<automata::Assignment> competition_observation(const std::string& path, const automata::Plant& plant) {
+  const std::string text = base::read_file(path);
+  return SensorLine(text, path == "-" ? "standard input" : path).read(plant);
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

@@ -3,26 +3,29 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <numbers>
+#include <sstream>
 
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/diagnose/diagnose.hpp"
-#include "tools/rmpl-run/command.hpp"
+#include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/competition.hpp"
-#include "tools/rmpl-run/input.hpp"
+#include "tools/shared/models.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 namespace {
+
+using runtime::Diagnoses;
+using runtime::Diagnosis;
+using runtime::JsonLine;
 
 struct Options {
   std::string plant;
   std::string observe;
   std::string scenario;
-  DiagnoseOptions search;
+  runtime::DiagnoseOptions search;
   bool stats = false;
-  Format format = Format::text;
 };
 
 constexpr const char* footer =
@@ -89,55 +92,58 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
   return text;
 }
 
-Status run(Options options, const Common& common) {
-  const auto compilation = load({options.plant}, common);
-  if (!compilation) return Status::wrong;
-  const automata::Plant& plant = only_plant(compilation->document(), options.plant);
+ExitStatus run(Options options, const Common& common) {
+  check_standard_input({options.plant, options.scenario});
+  const compiler::Compilation compilation = load({options.plant}, common);
+  const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   const auto observation = options.scenario.empty() ? assignments_option(options.observe, plant, "--observe", common)
                                                     : competition_observation(options.scenario, plant);
-  if (!observation) return Status::wrong;
   options.search.all_minimal = options.search.all_minimal || options.search.count_only;
-  const Diagnoses found = diagnose(plant, *observation, options.search);
-  if (options.format == Format::json) {
+  const Diagnoses found = runtime::diagnose(plant, observation, options.search);
+  if (common.format == Format::json) {
     JsonLine json;
     write_json(json, plant, found);
-    std::cout << json.text() << '\n';
+    print(std::string(json.text()) + "\n");
   } else {
-    std::cout << text_of(plant, found, options.search.count_only);
+    print(text_of(plant, found, options.search.count_only));
   }
-  finish_output();
   if (options.stats || common.verbose) {
-    std::cerr << found.checked << " candidates checked in " << found.seconds << " s\n";
+    std::ostringstream cost;
+    cost << found.checked << " candidates checked in " << found.seconds << " s\n";
+    print_error(cost.str());
   }
-  return found.cut ? Status::undecided : Status::done;
+  return found.cut ? ExitStatus::undecided : ExitStatus::done;
 }
 
 }  // namespace
 
-Subcommand diagnose_command(CLI::App& app, const Common& common) {
-  CLI::App* command = app.add_subcommand("diagnose", "find the faults that explain one snapshot");
+void add_diagnose(Program& program) {
+  CLI::App* command = program.app().add_subcommand("diagnose", "find the faults that explain one snapshot");
   const auto options = std::make_shared<Options>();
   command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
-  CLI::Option_group* seen = command->add_option_group("what is seen");
-  seen->add_option("--observe", options->observe, "attributes and their values")->option_text("'x = v, ...'");
-  seen->add_option("--scenario", options->scenario, "the last sensor readings in a file of the diagnosis competition")
-      ->option_text("FILE");
-  seen->require_option(1);
-  command->add_option("-k", options->search.k, "how many diagnoses (default: 10)")
-      ->option_text("N")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}));
-  command->add_option("--ratio", options->search.ratio, "none more than R times less likely than the best")
-      ->option_text("R")
-      ->check([](const std::string& text) {
-        double ratio = 0;
-        return CLI::detail::lexical_cast(text, ratio) && ratio >= 1 ? "" : "expected a number that is at least 1";
-      });
+  CLI::Option* observe = command->add_option("--observe", options->observe, "what is seen: attributes and their values")
+                             ->option_text("'x = v, ...'");
+  CLI::Option* readings =
+      command
+          ->add_option("--scenario", options->scenario,
+                       "what is seen: the last sensor readings in a file of the diagnosis competition")
+          ->option_text("FILE");
+  require_one(*command, observe, readings);
+  constexpr std::uint64_t most = 1'000'000'000;
+  add_whole_number(*command, "-k", options->search.k, 1, most, "how many diagnoses (default: 10)");
+  const auto ratio = [](const std::string& text) {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= 1) return value;
+    throw CLI::ValidationError("expected a number that is at least 1, not '" + text + "'");
+  };
+  add_read(*command, "--ratio", options->search.ratio, ratio, "none more than R times less likely than the best")
+      ->option_text("R");
   command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
   command->add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
-  add_format(*command, options->format);
+  add_format(*command, program.common());
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
   command->footer(footer);
-  return {command, [options, &common] { return run(*options, common); }};
+  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

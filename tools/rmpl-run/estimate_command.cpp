@@ -2,26 +2,35 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/limit_error.hpp"
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "runtime/executive/trace/trace_writer.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "tools/rmpl-run/command.hpp"
-#include "tools/rmpl-run/input.hpp"
+#include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/latency.hpp"
 #include "tools/shared/interruption.hpp"
+#include "tools/shared/models.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 namespace {
+
+using runtime::Belief;
+using runtime::Estimate;
+using runtime::Estimator;
+using runtime::Event;
+using runtime::JsonLine;
+using runtime::LogLine;
 
 enum class Engine { exact, k_best };
 
@@ -60,15 +69,15 @@ examples:
   echo '{"time": 0.5, "command": {"engine.cmd": "standby"}}' | rmpl-run estimate lander.tcca --log -)";
 
 std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Options& options) {
-  EstimatorOptions estimator;
+  runtime::EstimatorOptions estimator;
   if (options.k) estimator.k = estimator.listed = *options.k;
   if (options.deadline) estimator.deadline = std::chrono::nanoseconds(options.deadline->count);
   estimator.merge_trajectories = estimator.observation_factor = estimator.normalise = !options.thesis;
   switch (options.engine) {
     case Engine::exact:
-      return make_exact_estimator(step, estimator);
+      return runtime::make_exact_estimator(step, estimator);
     case Engine::k_best:
-      return make_k_best_estimator(step, estimator);
+      return runtime::make_k_best_estimator(step, estimator);
   }
   return nullptr;
 }
@@ -108,7 +117,7 @@ void write(JsonLine& json, const LogLine& line, const Estimate& estimate, const 
 /// rounding.
 double unlisted(const Estimate& estimate, const Belief& belief) {
   constexpr double rounding = 1e-12;
-  const double missing = 1 - (1 - estimate.missing_total) * std::min(1.0, total(belief));
+  const double missing = 1 - (1 - estimate.missing_total) * std::min(1.0, runtime::total(belief));
   return missing > rounding ? missing : estimate.missing_total;
 }
 
@@ -121,22 +130,23 @@ struct Account {
 
 void report(const Account& account, const Estimator& estimator, double seconds) {
   const std::size_t groups = estimator.groups();
-  std::cerr << account.latency.count() << " cycles, " << groups << " independent group" << (groups == 1 ? "" : "s")
-            << ", " << account.checked << " candidates checked, " << estimator.questions()
-            << " questions to the store, " << estimator.solver_calls() << " solver calls, " << seconds << " s\n";
-  if (account.latency.count() > 0) std::cerr << "a cycle: " << account.latency.text() << '\n';
-  std::cerr << "missing mass: at most " << account.missing << '\n';
+  std::ostringstream text;
+  text << account.latency.count() << " cycles, " << groups << " independent group" << (groups == 1 ? "" : "s") << ", "
+       << account.checked << " candidates checked, " << estimator.questions() << " questions to the store, "
+       << estimator.solver_calls() << " solver calls, " << seconds << " s\n";
+  if (account.latency.count() > 0) text << "a cycle: " << account.latency.text() << '\n';
+  text << "missing mass: at most " << account.missing << '\n';
+  print_error(text.str());
 }
 
-Status run(const Options& options, const Common& common) {
+ExitStatus run(const Options& options, const Common& common) {
   const auto begin = std::chrono::steady_clock::now();
   check_standard_input({options.plant, options.log});
-  const auto compilation = load({options.plant}, common);
-  if (!compilation) return Status::wrong;
-  const automata::Plant& plant = only_plant(compilation->document(), options.plant);
-  TextInput input(options.log);
+  const compiler::Compilation compilation = load({options.plant}, common);
+  const automata::Plant& plant = only_plant(compilation.document(), options.plant);
+  base::InputFile input(options.log);
   // The log is read and checked in full before anything is printed.
-  const std::vector<LogLine> lines = read_log(input.stream(), input.name(), plant);
+  const std::vector<LogLine> lines = runtime::read_log(input.stream(), input.name(), plant);
   watch_for_interruption();
 
   automata::PlantStep step(plant);
@@ -158,7 +168,7 @@ Status run(const Options& options, const Common& common) {
       if (!start) {
         const auto update = [&](const LogLine& told, automata::Ticks time) {
           const automata::ControlAction action = automata::action_from(plant, told.command);
-          const Stopwatch stopwatch;
+          const runtime::Stopwatch stopwatch;
           estimator->update(action, told.observations, time);
           account.latency.add(stopwatch.seconds());
         };
@@ -170,9 +180,9 @@ Status run(const Options& options, const Common& common) {
       }
       before = &line;
       belief = listed(estimator->belief(), options);
-    } catch (const TooManyStates& error) {
-      throw TooManyStates(input.name() + ":" + std::to_string(line.number) + ": " + error.what() +
-                          "; expected -k, to list the best of them, or --estimator k-best");
+    } catch (const runtime::TooManyStates& error) {
+      throw base::LimitError(input.name() + ":" + std::to_string(line.number) + ": " + error.what() +
+                             "; expected -k, to list the best of them, or --estimator k-best");
     }
     const Estimate& estimate = estimator->estimate();
     const Cost cost{estimate.checked, unlisted(estimate, belief)};
@@ -182,22 +192,21 @@ Status run(const Options& options, const Common& common) {
       account.missing = std::max(account.missing, cost.missing);
     }
     write(json, line, estimate, belief, options.stats && !start ? &cost : nullptr, plant);
-    std::cout << json.text() << std::endl;  // whole lines, whatever ends the run
+    print(std::string(json.text()) + "\n");  // whole lines, whatever ends the run
     ++answered;
   }
-  finish_output();
   if (interrupted() && answered < lines.size()) {
-    std::cerr << "rmpl-run: interrupted after " << answered << " of " << lines.size() << " lines\n";
+    tell("interrupted after " + std::to_string(answered) + " of " + std::to_string(lines.size()) + " lines");
   }
-  if (cut) std::cerr << "rmpl-run: a search was cut short; a belief may lack states\n";
+  if (cut) tell("a search was cut short; a belief may lack states");
   if (options.stats || common.verbose) report(account, *estimator, seconds_since(begin));
-  return answered < lines.size() ? Status::undecided : Status::done;
+  return answered < lines.size() ? ExitStatus::undecided : ExitStatus::done;
 }
 
 }  // namespace
 
-Subcommand estimate_command(CLI::App& app, const Common& common) {
-  CLI::App* command = app.add_subcommand("estimate", "tell what state a plant is in, from a log");
+void add_estimate(Program& program) {
+  CLI::App* command = program.app().add_subcommand("estimate", "tell what state a plant is in, from a log");
   const auto options = std::make_shared<Options>();
   command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
   command->add_option("--log", options->log, "commands and observations; - is standard input")
@@ -206,29 +215,20 @@ Subcommand estimate_command(CLI::App& app, const Common& common) {
   add_choice<Engine>(*command, "--estimator", options->engine, {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
                      "the whole belief, or the best of it (default: k-best)");
   add_k(*command, options->k);
-  command
-      ->add_option_function<std::string>(
-          "--deadline",
-          [options](const std::string& text) {
-            options->deadline = automata::parse_duration(text);
-            if (!options->deadline || options->deadline->count <= 0) {
-              throw CLI::ValidationError(
-                  "--deadline", "expected a duration above 0 in us, ms, s, min, h or d, as in 5ms, not '" + text + "'");
-            }
-          },
-          "how long one update may search; the best states found until then are kept")
+  add_read(*command, "--deadline", options->deadline, positive_duration,
+           "how long one update may search; the best states found until then are kept")
       ->option_text("TIME");
   command->add_flag("--thesis", options->thesis,
                     "k-best as Fig. 6-11 of the thesis has it: trajectories that meet are not added up, the\n"
                     "observation factor is not applied, and nothing is normalised");
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
   command->footer(footer);
-  return {command, [options, &common] {
-            if (options->engine == Engine::exact && (options->thesis || options->deadline)) {
-              throw base::InputError("--thesis and --deadline are about k-best; expected --estimator k-best");
-            }
-            return run(*options, common);
-          }};
+  program.add({command, [options, &common = program.common()] {
+                 if (options->engine == Engine::exact && (options->thesis || options->deadline)) {
+                   throw base::InputError("--thesis and --deadline are about k-best; expected --estimator k-best");
+                 }
+                 return within_limits([&] { return run(*options, common); });
+               }});
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

@@ -7,7 +7,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 
 void Latency::add(double seconds) {
   const double octave = std::log2(std::max(1.0, 1e9 * seconds));
@@ -39,4 +39,4 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

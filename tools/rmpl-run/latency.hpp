@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 
 /// Durations, by quantile. Buckets are a sixty-fourth of an octave wide: a quantile is right to 1.1 %, the worst
 /// exactly.
@@ -31,4 +31,4 @@ class Latency {
 /// Since `start`, by the steady clock.
 double seconds_since(std::chrono::steady_clock::time_point start);
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

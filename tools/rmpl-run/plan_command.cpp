@@ -1,22 +1,24 @@
 // rmpl-run plan: the goal state and the nominal command sequence that leads there.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <iostream>
 #include <memory>
 #include <string>
 
 #include "automata/step/plant_step.hpp"
 #include "base/error.hpp"
-#include "base/nearest.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/reconfigure/one_step.hpp"
 #include "runtime/reasoning/reconfigure/plan.hpp"
-#include "tools/rmpl-run/command.hpp"
-#include "tools/rmpl-run/input.hpp"
+#include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/policy_report.hpp"
+#include "tools/shared/models.hpp"
+#include "tools/shared/suggestion.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 namespace {
+
+using runtime::JsonLine;
+using runtime::Plan;
 
 struct Options {
   std::string plant;
@@ -25,7 +27,6 @@ struct Options {
   bool policy = false;
   bool one_step = false;
   std::string component;
-  Format format = Format::text;
 };
 
 constexpr const char* footer =
@@ -127,61 +128,57 @@ std::vector<automata::ComponentId> components_named(const automata::Plant& plant
   }
   if (result.empty()) {
     throw base::InputError("--component: plant '" + plant.name + "' has no component '" + name + "'" +
-                           base::suggestion(name, names));
+                           suggestion_or_list(name, names));
   }
   return result;
 }
 
-Status print_policies(const Options& options, const automata::Plant& plant) {
+ExitStatus print_policies(const Options& options, const Common& common, const automata::Plant& plant) {
   const auto components = components_named(plant, options.component);
-  const NominalGraph graph(plant, Islands(plant));
-  if (options.format == Format::json) {
+  const runtime::NominalGraph graph(plant, runtime::Islands(plant));
+  if (common.format == Format::json) {
     JsonLine json;
     write_policies(json, plant, graph, components);
-    std::cout << json.text() << '\n';
+    print(std::string(json.text()) + "\n");
   } else {
-    std::cout << policy_text(plant, graph, components);
+    print(policy_text(plant, graph, components));
   }
-  finish_output();
-  return Status::done;
+  return ExitStatus::done;
 }
 
-Status run(const Options& options, const Common& common) {
-  const auto compilation = load({options.plant}, common);
-  if (!compilation) return Status::wrong;
-  const automata::Plant& plant = only_plant(compilation->document(), options.plant);
-  if (options.policy) return print_policies(options, plant);
+ExitStatus run(const Options& options, const Common& common) {
+  const compiler::Compilation compilation = load({options.plant}, common);
+  const automata::Plant& plant = only_plant(compilation.document(), options.plant);
+  if (options.policy) return print_policies(options, common, plant);
   if (options.goal.empty()) throw base::InputError("plan: expected --goal, or --policy");
-  std::optional<std::vector<automata::Assignment>> given{std::in_place};
-  if (!options.from.empty()) given = assignments_option(options.from, plant, "--from", common);
-  const auto goal = formula_option(options.goal, plant, "--goal", common);
-  if (!given || !goal) return Status::wrong;
+  const auto given = assignments_option(options.from, plant, "--from", common);
+  const automata::Formula goal = formula_option(options.goal, plant, "--goal", common);
 
   automata::PlantStep step(plant);
-  const automata::Modes modes = modes_from(plant, *given);
+  const automata::Modes modes = modes_from(plant, given);
   if (!step.possible(modes)) {
     throw base::InputError("--from: the plant cannot be in " +
                            joined(automata::assignments_of(plant, modes), plant.variables) +
                            ": the model forbids these modes together");
   }
-  const auto reconfigurer = options.one_step ? make_one_step_reconfigurer(step) : make_reconfigurer(step);
-  const Plan plan =
-      options.one_step ? make_one_step_plan(*reconfigurer, modes, *goal) : make_plan(*reconfigurer, modes, *goal);
-  if (options.format == Format::json) {
+  const auto reconfigurer =
+      options.one_step ? runtime::make_one_step_reconfigurer(step) : runtime::make_reconfigurer(step);
+  const Plan plan = options.one_step ? runtime::make_one_step_plan(*reconfigurer, modes, goal)
+                                     : runtime::make_plan(*reconfigurer, modes, goal);
+  if (common.format == Format::json) {
     JsonLine json;
     write_json(json, plant, plan);
-    std::cout << json.text() << '\n';
+    print(std::string(json.text()) + "\n");
   } else {
-    std::cout << text_of(plant, plan);
+    print(text_of(plant, plan));
   }
-  finish_output();
-  return plan.outcome == Plan::Outcome::no_plan ? Status::failed : Status::done;
+  return plan.outcome == Plan::Outcome::no_plan ? ExitStatus::violated : ExitStatus::done;
 }
 
 }  // namespace
 
-Subcommand plan_command(CLI::App& app, const Common& common) {
-  CLI::App* command = app.add_subcommand("plan", "find the commands that lead from a state to a goal");
+void add_plan(Program& program) {
+  CLI::App* command = program.app().add_subcommand("plan", "find the commands that lead from a state to a goal");
   const auto options = std::make_shared<Options>();
   command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
   command->add_option("--from", options->from, "the modes to start from")->option_text("'x = m, ...'");
@@ -195,9 +192,9 @@ Subcommand plan_command(CLI::App& app, const Common& common) {
   command->add_option("--component", options->component, "with --policy: of this component only")
       ->option_text("NAME")
       ->needs(policy);
-  add_format(*command, options->format);
+  add_format(*command, program.common());
   command->footer(footer);
-  return {command, [options, &common] { return run(*options, common); }};
+  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

@@ -6,10 +6,16 @@
 
 #include "runtime/reasoning/reconfigure/policy.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 
 using automata::ComponentId;
 using automata::Plant;
+using runtime::JsonLine;
+using runtime::NominalGraph;
+using runtime::PolicyEntry;
+using runtime::PolicyTable;
+using runtime::Requirement;
+using runtime::Support;
 
 namespace {
 
@@ -107,4 +113,4 @@ void write_policies(JsonLine& json, const Plant& plant, const NominalGraph& grap
   json.close(']').close('}');
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

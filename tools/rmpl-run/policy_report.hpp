@@ -9,15 +9,15 @@
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 
 /// A table for each component: a block for each current mode, in it a line for each target mode. Where several
 /// commands serve, the simplest is shown and the others are counted.
-std::string policy_text(const automata::Plant& plant, const NominalGraph& graph,
+std::string policy_text(const automata::Plant& plant, const runtime::NominalGraph& graph,
                         const std::vector<automata::ComponentId>& components);
 
 /// One object, every support of every entry (grammar/schema/policy.schema.json).
-void write_policies(JsonLine& json, const automata::Plant& plant, const NominalGraph& graph,
+void write_policies(runtime::JsonLine& json, const automata::Plant& plant, const runtime::NominalGraph& graph,
                     const std::vector<automata::ComponentId>& components);
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

@@ -1,32 +1,38 @@
 // rmpl-run scenario: flies scenarios, tells their stories and judges them.
 // SPDX-License-Identifier: MIT
-#include <unistd.h>
-
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/nearest.hpp"
 #include "runtime/executive/scenario/report.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/executive/scenario/story.hpp"
 #include "runtime/executive/trace/trace_writer.hpp"
-#include "tools/rmpl-run/command.hpp"
-#include "tools/rmpl-run/input.hpp"
+#include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/latency.hpp"
 #include "tools/shared/interruption.hpp"
+#include "tools/shared/models.hpp"
 #include "tools/shared/progress.hpp"
+#include "tools/shared/suggestion.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 namespace {
 
-using base::InputError;
+using runtime::CycleObserver;
+using runtime::CycleRecord;
+using runtime::JsonLine;
+using runtime::Judgement;
+using runtime::NominalGraph;
+using runtime::ScenarioOptions;
+using runtime::ScenarioResult;
+using runtime::TraceDetail;
 using Engine = ScenarioOptions::Engine;
 using Recovery = ScenarioOptions::Recovery;
 
@@ -39,7 +45,6 @@ struct Options {
   automata::Ticks from;
   automata::Ticks to = automata::Ticks::infinite();
   std::optional<std::uint64_t> seed;
-  Format format = Format::text;
   Engine engine = Engine::k_best;
   Recovery recovery = Recovery::planner;
   std::size_t k = 16;
@@ -69,10 +74,13 @@ class Account : public CycleObserver {
     both_.add(record.estimation_seconds + record.reconfiguration_seconds);
   }
   void report(const std::string& scenario, double seconds) const {
-    std::cerr << scenario << ": " << both_.count() << " cycles in " << seconds << " s\n";
-    if (both_.count() == 0) return;
-    std::cerr << "  estimation: " << estimation_.text() << "\n  reconfiguration: " << reconfiguration_.text()
-              << "\n  both: " << both_.text() << '\n';
+    std::ostringstream text;
+    text << scenario << ": " << both_.count() << " cycles in " << seconds << " s\n";
+    if (both_.count() > 0) {
+      text << "  estimation: " << estimation_.text() << "\n  reconfiguration: " << reconfiguration_.text()
+           << "\n  both: " << both_.text() << '\n';
+    }
+    print_error(text.str());
   }
 
  private:
@@ -94,14 +102,30 @@ class Account : public CycleObserver {
   Latency both_;
 };
 
-/// What is wrong with a seed, or nothing: the parser by itself would wrap a negative one around.
-std::string seed_error(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, seed);
-  if (parsed.ec == std::errc{} && parsed.ptr == end) return {};
-  return "expected a whole number from 0 to 2^64 - 1, not '" + text + "'";
-}
+/// The line of progress of a flight.
+class Progress final : public CycleObserver {
+ public:
+  Progress(std::string name, automata::Ticks duration, bool wanted)
+      : name_(std::move(name)), duration_(duration), shown_(wanted) {}
+
+  void observe(const CycleRecord& record) override {
+    constexpr std::uint64_t cycles_between_looks = 64;  // asking the clock each time would cost more than a cycle
+    constexpr auto pace = std::chrono::milliseconds(100);
+    if (!shown_ || record.cycle % cycles_between_looks != 0) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + pace;
+    show_progress(name_ + ": " + automata::format_seconds(record.time) + " s of at most " +
+                  automata::format_seconds(duration_) + " s");
+  }
+
+ private:
+  static constexpr auto patience = std::chrono::milliseconds(500);  // most flights are over by then
+  std::string name_;
+  automata::Ticks duration_;
+  bool shown_;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + patience;
+};
 
 std::vector<const automata::Scenario*> selected(const automata::Document& document, const Options& options) {
   if (document.scenarios.empty())
@@ -114,7 +138,7 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
   }
   if (result.empty()) {
     throw base::InputError(options.file + ": no scenario is called '" + options.only + "'" +
-                           base::suggestion(options.only, names));
+                           suggestion_or_list(options.only, names));
   }
   if (result.size() > 1 && !options.trace.empty()) {
     throw base::InputError("--trace holds one scenario, and " + options.file + " has " + std::to_string(result.size()) +
@@ -126,15 +150,15 @@ std::vector<const automata::Scenario*> selected(const automata::Document& docume
 /// What reconfiguration computes beforehand, once for each plant.
 using Graphs = std::map<std::size_t, std::shared_ptr<const NominalGraph>>;
 
-StoryFocus focus_of(const Options& options, const automata::Plant& plant) {
-  StoryFocus focus{{}, options.from, options.to};
+runtime::StoryFocus focus_of(const Options& options, const automata::Plant& plant) {
+  runtime::StoryFocus focus{{}, options.from, options.to};
   std::vector<std::string_view> names;
   for (const automata::Component& component : plant.components) names.emplace_back(component.name);
   for (const std::string& name : options.components) {
     const auto component = plant.find_component(name);
     if (!component) {
       throw base::InputError("--only-component: plant '" + plant.name + "' has no component '" + name + "'" +
-                             base::suggestion(name, names));
+                             suggestion_or_list(name, names));
     }
     focus.components.push_back(*component);
   }
@@ -146,20 +170,21 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
                    const Common& common, Graphs& graphs) {
   const automata::Plant& plant = document.plants[scenario.plant];
   const automata::Program& program = document.programs[scenario.program];
-  const Style style{common.color_output()};
-  const auto tell = [&](const std::string& line) { std::cout << line << std::endl; };
+  const base::Painter painter = output_painter(common.color);
+  const auto tell_line = [](const std::string& line) { print(line + "\n"); };
   std::vector<CycleObserver*> observers;
-  const MomentColumn column(scenario.duration, options.real_time ? automata::Ticks{1} : scenario.cycle);
-  Story story(plant, program, column, style, focus_of(options, plant), tell);
-  const bool told = options.format == Format::text && !common.quiet;
+  const runtime::MomentColumn column(scenario.duration, options.real_time ? automata::Ticks{1} : scenario.cycle);
+  runtime::Story story(plant, program, column, painter, focus_of(options, plant), tell_line);
+  std::optional<runtime::TraceWriter> trace;
+  if (!options.trace.empty()) trace.emplace(plant, program, options.trace, options.detail);
+  const bool told = common.format == Format::text && !common.quiet;
   if (told) {
-    tell(heading(document, scenario, options.seed.value_or(scenario.seed), style));
+    tell_line(runtime::heading(document, scenario, options.seed.value_or(scenario.seed), painter));
     observers.push_back(&story);
   }
-  std::optional<TraceWriter> trace;
-  if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, program, options.trace, options.detail));
+  if (trace) observers.push_back(&*trace);
   // A story on the terminal is its own progress.
-  Progress progress(scenario.name, scenario.duration, !common.quiet && !(told && isatty(STDOUT_FILENO) != 0));
+  Progress progress(scenario.name, scenario.duration, progress_is_seen(common.quiet) && !(told && output_is_seen()));
   observers.push_back(&progress);
   Account account;
   observers.push_back(&account);
@@ -169,83 +194,65 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   run.engine = options.engine;
   run.recovery = options.recovery;
   auto& graph = graphs[scenario.plant];
-  if (!graph) graph = reconfiguration_graph(plant);
+  if (!graph) graph = runtime::reconfiguration_graph(plant);
   run.graph = graph;
   run.k = options.k;
   run.real_time = options.real_time;
   run.interrupted = interrupted;
   const auto begin = std::chrono::steady_clock::now();
-  const ScenarioResult result = run_scenario(document, scenario, run, observers);
+  const ScenarioResult result = runtime::run_scenario(document, scenario, run, observers);
   if (options.stats || common.verbose) account.report(scenario.name, seconds_since(begin));
   if (trace) trace->keep();
-  if (options.format == Format::text) {
-    std::cout << (common.quiet ? scenario.name + ": " : "\n") << summary(scenario, result, style) << std::flush;
+  if (common.format == Format::text) {
+    print((common.quiet ? scenario.name + ": " : "\n") + runtime::summary(scenario, result, painter));
   }
   return result;
 }
 
-/// An option that takes a time of the flight.
-void add_time(CLI::App& app, const std::string& name, automata::Ticks& time, const std::string& description) {
-  const auto take = [name, &time](const std::string& text) {
-    const auto parsed = automata::parse_duration(text);
-    if (!parsed) {
-      throw CLI::ValidationError(
-          name, "expected seconds or a duration in us, ms, s, min, h or d, as in 4.5h, not '" + text + "'");
-    }
-    time = *parsed;
-  };
-  app.add_option_function<std::string>(name, take, description)->option_text("TIME");
-}
-
-Status status_of(Judgement::Verdict verdict) {
+ExitStatus status_of(Judgement::Verdict verdict) {
   switch (verdict) {
     case Judgement::Verdict::met:
-      return Status::done;
+      return ExitStatus::done;
     case Judgement::Verdict::failed:
-      return Status::failed;
+      return ExitStatus::violated;
     case Judgement::Verdict::undecided:
-      return Status::undecided;
+      return ExitStatus::undecided;
   }
-  return Status::undecided;
+  return ExitStatus::undecided;
 }
 
 /// A failure outweighs what is undecided, and that outweighs success.
-Status worse(Status a, Status b) {
-  if (a == Status::failed || b == Status::failed) return Status::failed;
-  return a == Status::done ? b : a;
+ExitStatus worse(ExitStatus a, ExitStatus b) {
+  if (a == ExitStatus::violated || b == ExitStatus::violated) return ExitStatus::violated;
+  return a == ExitStatus::done ? b : a;
 }
 
-Status run(const Options& options, const Common& common) {
-  const auto compilation = load({options.file}, common);
-  if (!compilation) return Status::wrong;
-  const automata::Document& document = compilation->document();
-  if (const auto input = compilation->input_at(options.trace)) {
-    throw base::InputError("--trace would overwrite an input, " + *input);
-  }
+ExitStatus run(const Options& options, const Common& common) {
+  const compiler::Compilation compilation = load({options.file}, common);
+  const automata::Document& document = compilation.document();
   watch_for_interruption();
-  Status status = Status::done;
+  ExitStatus status = ExitStatus::done;
   Graphs graphs;
   JsonLine json;
   json.open('{').key("scenarios").open('[');
   bool told_before = false;
   for (const automata::Scenario* scenario : selected(document, options)) {
-    if (told_before && !common.quiet && options.format == Format::text) std::cout << '\n';
+    if (told_before && !common.quiet && common.format == Format::text) print("\n");
     told_before = true;
     const ScenarioResult result = fly(document, *scenario, options, common, graphs);
-    write_result(json, *scenario, result);
+    runtime::write_result(json, *scenario, result);
     status = worse(status, status_of(result.verdict()));
     if (result.interrupted) break;
   }
   json.close(']').close('}');
-  if (options.format == Format::json) std::cout << json.text() << '\n';
-  finish_output();
+  if (common.format == Format::json) print(std::string(json.text()) + "\n");
   return status;
 }
 
 }  // namespace
 
-Subcommand scenario_command(CLI::App& app, const Common& common) {
-  CLI::App* command = app.add_subcommand("scenario", "fly a scenario: the executive on a simulated plant");
+void add_scenario(Program& program) {
+  CLI::App* command = program.app().add_subcommand("scenario", "fly a scenario: the executive on a simulated plant");
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "a .scn file, or a compiled .json")->required();
   command->add_option("--only", options->only, "run this scenario of the file only")->option_text("NAME");
@@ -259,13 +266,13 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
       ->add_option("--only-component", options->components,
                    "tell only what is about this component; may be given several times")
       ->option_text("NAME")
+      ->expected(1)
       ->take_all();
-  add_time(*command, "--from", options->from, "tell the story from this time on");
-  add_time(*command, "--to", options->to, "tell the story up to this time");
-  command->add_option("--seed", options->seed, "draw the plant with this seed instead of the scenario's")
-      ->option_text("N")
-      ->check(seed_error);
-  add_format(*command, options->format);
+  add_read(*command, "--from", options->from, duration, "tell the story from this time on")->option_text("TIME");
+  add_read(*command, "--to", options->to, duration, "tell the story up to this time")->option_text("TIME");
+  add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                   "draw the plant with this seed instead of the scenario's");
+  add_format(*command, program.common());
   add_choice<Engine>(*command, "--estimator", options->engine, {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
                      "how the executive estimates (default: k-best)");
   add_k(*command, options->k);
@@ -276,7 +283,8 @@ Subcommand scenario_command(CLI::App& app, const Common& common) {
   command->add_flag("--stats", options->stats,
                     "say on standard error how long cycles took: estimation, reconfiguration, both");
   command->footer(footer);
-  return {command, [options, &common] { return run(*options, common); }};
+  program.add({command,
+               [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

@@ -1,14 +1,14 @@
 // rmpl-run sequence: state estimates in, markings and goals out.
 // SPDX-License-Identifier: MIT
-#include <iostream>
 #include <memory>
 #include <vector>
 
+#include "base/input_file.hpp"
 #include "runtime/executive/sequence/log_run.hpp"
-#include "tools/rmpl-run/command.hpp"
-#include "tools/rmpl-run/input.hpp"
+#include "tools/rmpl-run/commands.hpp"
+#include "tools/shared/models.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::tools {
 namespace {
 
 struct Options {
@@ -31,26 +31,25 @@ examples:
   rmpl-run sequence entry.rmpl --log estimates.jsonl
   rmpl-run sequence entry.rmpl lander.tcca --log flight.jsonl)";
 
-Status run(const Options& options, const Common& common) {
+ExitStatus run(const Options& options, const Common& common) {
   std::vector<std::string> paths{options.program};
   if (!options.plant.empty()) paths.push_back(options.plant);
   check_standard_input({options.program, options.plant, options.log});
-  const auto compilation = load(paths, common, {options.main});
-  if (!compilation) return Status::wrong;
-  const automata::Document& document = compilation->document();
+  const compiler::Compilation compilation = load(paths, common, {options.main});
+  const automata::Document& document = compilation.document();
   const automata::Program& program = only_program(document, options.program);
-  TextInput input(options.log);
+  base::InputFile input(options.log);
   const bool modelled = !options.plant.empty() || !document.plants.empty();
-  std::cout << (modelled ? sequence_log(program, only_plant(document, options.plant), input.stream(), input.name())
-                         : sequence_log(program, input.stream(), input.name()));
-  finish_output();
-  return Status::done;
+  print(modelled ? runtime::sequence_log(program, only_plant(document, options.plant), input.stream(), input.name())
+                 : runtime::sequence_log(program, input.stream(), input.name()));
+  return ExitStatus::done;
 }
 
 }  // namespace
 
-Subcommand sequence_command(CLI::App& app, const Common& common) {
-  CLI::App* command = app.add_subcommand("sequence", "step a control program through a log of state estimates");
+void add_sequence(Program& program) {
+  CLI::App* command =
+      program.app().add_subcommand("sequence", "step a control program through a log of state estimates");
   const auto options = std::make_shared<Options>();
   command->add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json")->required();
   command->add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json");
@@ -60,7 +59,7 @@ Subcommand sequence_command(CLI::App& app, const Common& common) {
   command->add_option("--main", options->main, "the definition to run, where several are called by no other")
       ->option_text("NAME");
   command->footer(footer);
-  return {command, [options, &common] { return run(*options, common); }};
+  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

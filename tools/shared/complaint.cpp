@@ -10,7 +10,7 @@
 
 #include "base/nearest.hpp"
 
-namespace rmpl::automata {
+namespace rmpl::tools {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -35,9 +35,14 @@ std::vector<const CLI::App*> called(const CLI::App& app) {
   return apps;
 }
 
-std::string unknown_subcommand(const std::string& word, const CLI::App& app) {
+Words subcommands_of(const CLI::App& app) {
   Words names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  return names;
+}
+
+std::string unknown_subcommand(const std::string& word, const CLI::App& app) {
+  const Words names = subcommands_of(app);
   const std::string near = nearest_of(word, names);
   return "unknown subcommand '" + word + "'" + (near.empty() ? "; expected " + enumerated(names) : near);
 }
@@ -59,44 +64,45 @@ std::string unknown_option(std::string word, const CLI::App& app) {
 std::optional<std::string> between(const std::string& text, std::string_view before, std::string_view behind) {
   const std::size_t begin = text.find(before);
   if (begin == std::string::npos) return std::nullopt;
-  const std::size_t end = text.find(behind, begin + before.size());
+  const std::size_t end = behind.empty() ? text.size() : text.find(behind, begin + before.size());
   if (end == std::string::npos) return std::nullopt;
   return text.substr(begin + before.size(), end - begin - before.size());
 }
 
-/// `a|b` of the parser's `…{a,b}`; any other description of a value as it is.
-std::string choices(const std::string& description) {
-  std::string words = between(description, "{", "}").value_or(description);
-  std::replace(words.begin(), words.end(), ',', '|');
-  return words;
+/// What is missing: a subcommand, an argument, an option.
+std::string missing(const CLI::App& app, const std::string& text) {
+  if (text.starts_with("A subcommand")) return "expected a subcommand: " + enumerated(subcommands_of(app));
+  const std::string name = text.substr(0, text.find(' '));
+  return name + ": is missing";
 }
 
-/// The parser's own sentence, but for what it says clumsily. It begins with a capital, unless with the name of an
-/// argument, which is capitals throughout.
-std::string sentence(const CLI::ParseError& error) {
-  std::string text = error.what();
+/// What the parser objects to, in our own words.
+std::string sentence(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string text = error.what();
   const std::string name = text.substr(0, text.find(':'));
-  if (const auto value = between(text, ": ", " not in {")) {
-    return name + ": expected " + choices(text.substr(text.rfind(" not in {"))) + ", not '" + *value + "'";
+  const std::string kind = error.get_name();
+  if (kind == "RequiredError") return missing(app, text);
+  if (kind == "RequiresError")
+    return text.substr(0, text.find(' ')) + ": goes only with" + text.substr(text.rfind(' '));
+  if (kind == "ExcludesError")
+    return text.substr(0, text.find(' ')) + ": does not go with" + text.substr(text.rfind(' '));
+  if (kind == "ArgumentMismatch") {
+    if (const auto value = between(text, " required ", " missing")) return name + ": expected " + *value;
+    if (text.find("disallowed flag override") != std::string::npos) {
+      return text.substr(0, text.find(' ')) + ": takes no value";
+    }
+    return name + (between(text, ": At Most 1 ", "") ? ": given more than once" : ": given too few or too many words");
   }
-  constexpr std::string_view range = " not in range ";
-  if (const auto value = between(text, ": Value ", range)) {
-    return name + ": expected a number from " + text.substr(text.rfind(range) + range.size()) + ", not '" + *value +
-           "'";
-  }
-  if (const auto value = between(text, ": 1 required ", " missing")) return name + ": expected " + choices(*value);
-  if (between(text, ": At Most 1 ", "received")) return name + ": given more than once";
-  const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
-  if (text.size() > 1 && is_upper(text[0]) && !is_upper(text[1])) text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  return text;
+  return text;  // ours: options are read by functions of the house
 }
 
 std::string reason(const CLI::App& app, const CLI::ParseError& error) {
   // A word that nothing takes is the mistake, even where the parser first misses another.
   const Words left = app.remaining(true);
   const auto first = std::find_if(left.begin(), left.end(), [](const std::string& word) { return word != "--"; });
-  if (first == left.end()) return sentence(error);
+  if (first == left.end()) return sentence(app, error);
   const std::string& word = *first;
+  if (word.starts_with("-=")) return "'" + word.substr(1) + "': a flag takes no value";
   if (word.size() > 1 && word.front() == '-') return unknown_option(word, app);
   return app.get_subcommands().empty() ? unknown_subcommand(word, app) : "unexpected argument '" + word + "'";
 }
@@ -109,4 +115,4 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   return app.get_name() + ": " + reason(app, error) + "\nsee " + of + " --help\n";
 }
 
-}  // namespace rmpl::automata
+}  // namespace rmpl::tools

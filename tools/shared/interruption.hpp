@@ -1,11 +1,20 @@
-// SIGINT as a question: a run asks it between two cycles, and ends with what it has found.
+// The end from outside: signals as a question that runs ask, or as an end that leaves nothing half done.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace rmpl::runtime {
+#include <atomic>
 
-/// From now on SIGINT does not kill the process; a second one does.
+namespace rmpl::tools {
+
+/// From now on a signal that ends the process first removes the files that were begun and not finished.
+void clean_up_on_signals();
+
+/// From now on the first SIGINT, SIGTERM or SIGHUP does not end the process but is noted: a run ends with what it has
+/// found so far. The next one ends the process.
 void watch_for_interruption();
-[[nodiscard]] bool interrupted();
 
-}  // namespace rmpl::runtime
+/// Whether one was noted.
+[[nodiscard]] bool interrupted();
+[[nodiscard]] const std::atomic<bool>& interruption();
+
+}  // namespace rmpl::tools

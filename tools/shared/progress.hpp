@@ -2,31 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
-#include <string>
+#include <string_view>
 
-#include "automata/time/time.hpp"
-#include "runtime/executive/trace/cycle_record.hpp"
+namespace rmpl::tools {
 
-namespace rmpl::runtime {
+/// Whether there is somebody to show progress to: standard error is a terminal, and the user did not ask for quiet.
+bool progress_is_seen(bool quiet);
 
-/// A line on standard error that is rewritten ten times a second, and wiped at the end. Silent where standard error is
-/// no terminal, and in the first half second: most runs are over by then.
-class Progress final : public CycleObserver {
- public:
-  Progress(std::string name, automata::Ticks duration, bool wanted);
-  ~Progress() override;
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+/// Rewrites the one line of progress on standard error. Whatever is printed next erases it first.
+void show_progress(std::string_view line);
+void erase_progress();
 
-  void observe(const CycleRecord& record) override;
-
- private:
-  std::string name_;
-  automata::Ticks duration_;
-  bool shown_;
-  bool drawn_ = false;
-  std::chrono::steady_clock::time_point next_;
-};
-
-}  // namespace rmpl::runtime
+}  // namespace rmpl::tools

@@ -9,14 +9,14 @@ namespace {
 
 using automata::format_seconds;
 
-std::string verdict_word(Judgement::Verdict verdict, Style style) {
+std::string verdict_word(Judgement::Verdict verdict, base::Painter painter) {
   switch (verdict) {
     case Judgement::Verdict::met:
-      return style.good("met      ");
+      return painter.good("met      ");
     case Judgement::Verdict::failed:
-      return style.bad("FAILED   ");
+      return painter.bad("FAILED   ");
     case Judgement::Verdict::undecided:
-      return style.strong("undecided");
+      return painter.strong("undecided");
   }
   return {};
 }
@@ -24,13 +24,13 @@ std::string verdict_word(Judgement::Verdict verdict, Style style) {
 }  // namespace
 
 std::string heading(const automata::Document& document, const automata::Scenario& scenario, std::uint64_t seed,
-                    Style style) {
-  return style.strong(scenario.name) + "\n" + "program " + document.programs[scenario.program].name + ", plant " +
+                    base::Painter painter) {
+  return painter.strong(scenario.name) + "\n" + "program " + document.programs[scenario.program].name + ", plant " +
          document.plants[scenario.plant].name + (scenario.rules_only ? " (rules only)" : "") + ", a cycle of " +
          format_seconds(scenario.cycle) + " s, seed " + std::to_string(seed) + "\n";
 }
 
-std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, Style style) {
+std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, base::Painter painter) {
   std::string text;
   if (result.ended) {
     text += "the program ended at " + moment(*result.ended);
@@ -43,10 +43,10 @@ std::string summary(const automata::Scenario& scenario, const ScenarioResult& re
   for (std::size_t i = 0; i < result.judgements.size(); ++i) {
     const automata::Expectation& expectation = scenario.expectations[i];
     const Judgement& judgement = result.judgements[i];
-    text += "  " + verdict_word(judgement.verdict, style) + "  " + expectation.text;
+    text += "  " + verdict_word(judgement.verdict, painter) + "  " + expectation.text;
     const bool awaited = !lasts_to_the_end(expectation);
     const std::string at = judgement.time ? " at " + moment(*judgement.time) : "";
-    if (awaited && judgement.verdict == Judgement::Verdict::met) text += style.quiet(" " + at);
+    if (awaited && judgement.verdict == Judgement::Verdict::met) text += painter.quiet(" " + at);
     if (!judgement.reason.empty()) text += ": " + judgement.reason + (awaited ? "" : at);
     if (!judgement.evidence.empty()) text += ": " + judgement.evidence;
     text += "\n";

@@ -5,18 +5,18 @@
 #include <string>
 
 #include "automata/scenario.hpp"
+#include "base/painter.hpp"
 #include "runtime/executive/scenario/run.hpp"
-#include "runtime/executive/scenario/style.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 
 namespace rmpl::runtime {
 
 /// The heading before a story: what runs on what.
 std::string heading(const automata::Document& document, const automata::Scenario& scenario, std::uint64_t seed,
-                    Style style);
+                    base::Painter painter);
 
 /// How it ended, then a line for each expectation; ends with a line feed.
-std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, Style style);
+std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, base::Painter painter);
 
 /// One object, with no part that differs between two runs of one seed.
 void write_result(JsonLine& json, const automata::Scenario& scenario, const ScenarioResult& result);

@@ -33,12 +33,12 @@ std::string three_digits(double probability) {
 
 }  // namespace
 
-Story::Story(const automata::Plant& plant, const automata::Program& program, MomentColumn column, Style style,
+Story::Story(const automata::Plant& plant, const automata::Program& program, MomentColumn column, base::Painter painter,
              StoryFocus focus, Tell tell)
     : plant_(plant),
       program_(program),
       column_(column),
-      style_(style),
+      painter_(painter),
       focus_(std::move(focus)),
       tell_(std::move(tell)),
       command_(automata::idle_action(plant)) {}
@@ -50,7 +50,7 @@ bool Story::is_told(Component about) const {
 
 void Story::line(automata::Ticks time, std::string_view what, const std::string& text, Component about) {
   if (time < focus_.from || time > focus_.to || !is_told(about)) return;
-  tell_("  " + style_.quiet(column_.text(time)) + "  " + padded(what, word_width) + " " + text);
+  tell_("  " + painter_.quiet(column_.text(time)) + "  " + padded(what, word_width) + " " + text);
 }
 
 std::string Story::text_of(Assignment assignment) const {
@@ -82,14 +82,14 @@ void Story::tell_goals(const CycleRecord& record) {
   };
   for (const Assignment& goal : goal_) {
     if (stands_in(record.goal, goal)) continue;
-    line(record.start, "goal", style_.quiet("- " + text_of(goal)), component_of(goal.variable));
+    line(record.start, "goal", painter_.quiet("- " + text_of(goal)), component_of(goal.variable));
   }
   for (std::size_t i = 0; i < record.goal.size(); ++i) {
     const Assignment goal = record.goal[i];
     if (stands_in(goal_, goal)) continue;
     line(record.start, "goal",
-         "+ " + style_.strong(text_of(goal)) +
-             style_.quiet(in_parentheses(program_.locations[record.asserted_by[i].index()].origin)),
+         "+ " + painter_.strong(text_of(goal)) +
+             painter_.quiet(in_parentheses(program_.locations[record.asserted_by[i].index()].origin)),
          component_of(goal.variable));
   }
   goal_ = record.goal;
@@ -111,7 +111,7 @@ void Story::tell_action(const CycleRecord& record) {
   const bool waits = record.outcome == Reconfiguration::Outcome::wait;
   const bool told = is_action_told(record);
   const std::string why = to_text(record.why, plant_, automata::conjunction_of(record.goal));
-  if (waits && record.why != waits_ && told) line(record.start, "wait", style_.quiet(why), std::nullopt);
+  if (waits && record.why != waits_ && told) line(record.start, "wait", painter_.quiet(why), std::nullopt);
   waits_ = waits ? record.why : Reason{};
   if (again && told_again_) return;
   told_again_ = again;
@@ -120,7 +120,7 @@ void Story::tell_action(const CycleRecord& record) {
     text += (text.empty() ? "" : ", ") + text_of(part);
   }
   if (text.empty() || !told) return;
-  line(record.start, "command", text + (again ? " (again)" : "") + style_.quiet(why.empty() ? "" : " " + why),
+  line(record.start, "command", text + (again ? " (again)" : "") + painter_.quiet(why.empty() ? "" : " " + why),
        std::nullopt);
 }
 
@@ -143,17 +143,17 @@ void Story::tell_events(const CycleRecord& record) {
     if (std::find(events_.begin(), events_.end(), event) != events_.end()) continue;
     switch (event.kind) {
       case Event::Kind::forced:
-        line(record.time, "plant", style_.bad(event.message) + " (the executive is not told)", event.component);
+        line(record.time, "plant", painter_.bad(event.message) + " (the executive is not told)", event.component);
         break;
       case Event::Kind::goal_conflict:
-        line(record.start, "conflict", style_.bad(event.message), event.component);
+        line(record.start, "conflict", painter_.bad(event.message), event.component);
         break;
       case Event::Kind::no_plan:
-        line(record.start, "no plan", style_.bad(impasse(record, event)), event.component);
+        line(record.start, "no plan", painter_.bad(impasse(record, event)), event.component);
         break;
       case Event::Kind::inconsistent:
       case Event::Kind::cut:
-        line(record.time, "surprise", style_.bad(event.message), event.component);
+        line(record.time, "surprise", painter_.bad(event.message), event.component);
         break;
       case Event::Kind::irreversible:
         break;  // the command itself is told; that it is final is for the trace
@@ -171,7 +171,7 @@ void Story::tell_estimate(const CycleRecord& record) {
     const automata::ComponentId about(c);
     if (to.fault) {
       line(record.time, "fault",
-           style_.bad(change) + " (diagnosed with probability " + three_digits(record.probability) + ")", about);
+           painter_.bad(change) + " (diagnosed with probability " + three_digits(record.probability) + ")", about);
     } else {
       line(record.time, "estimate", change, about);
     }

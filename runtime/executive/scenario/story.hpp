@@ -9,8 +9,8 @@
 
 #include "automata/program.hpp"
 #include "automata/scenario.hpp"
+#include "base/painter.hpp"
 #include "runtime/executive/scenario/moment.hpp"
-#include "runtime/executive/scenario/style.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 
 namespace rmpl::runtime {
@@ -30,7 +30,7 @@ class Story final : public CycleObserver {
   using Tell = std::function<void(const std::string& line)>;
 
   /// Keeps references to the plant and the program.
-  Story(const automata::Plant& plant, const automata::Program& program, MomentColumn column, Style style,
+  Story(const automata::Plant& plant, const automata::Program& program, MomentColumn column, base::Painter painter,
         StoryFocus focus, Tell tell);
 
   void observe(const CycleRecord& record) override;
@@ -52,7 +52,7 @@ class Story final : public CycleObserver {
   const automata::Plant& plant_;
   const automata::Program& program_;
   MomentColumn column_;
-  Style style_;
+  base::Painter painter_;
   StoryFocus focus_;
   Tell tell_;
   // As of the cycle before:

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/trace/trace_writer.hpp"
 
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
-#include "base/error.hpp"
 #include "runtime/executive/trace/place.hpp"
 #include "runtime/executive/trace/reasons.hpp"
 
@@ -33,27 +30,12 @@ bool TraceWriter::Told::still_true_of(const CycleRecord& record) const {
 
 TraceWriter::TraceWriter(const automata::Plant& plant, const automata::Program& program, std::string path,
                          TraceDetail detail)
-    : plant_(plant),
-      program_(program),
-      path_(std::move(path)),
-      detail_(detail),
-      file_(path_, std::ios::binary | std::ios::trunc) {
-  if (!file_) throw base::InputError(path_ + ": cannot be written");
+    : plant_(plant), program_(program), detail_(detail), file_(std::move(path)) {
   for (std::size_t c = 0; c < plant_.components.size(); ++c) {
     auto& live = live_clocks_.emplace_back();
     for (std::size_t m = 0; m < plant_.components[c].modes.size(); ++m) {
       live.push_back(plant_.has_timed_exit(automata::ComponentId(c), automata::ModeId(m)));
     }
-  }
-}
-
-TraceWriter::~TraceWriter() {
-  if (kept_) return;
-  file_.close();
-  // A device or a link that was given as a path is not ours to remove.
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path_, ignored))) {
-    std::filesystem::remove(path_, ignored);
   }
 }
 
@@ -98,7 +80,8 @@ void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& t
   line_.key("events");
   write_events(line_, told.events, &plant_);
   line_.close('}');
-  file_ << line_.text() << '\n';
+  file_.write(line_.text());
+  file_.write("\n");
 }
 
 void TraceWriter::write_goal(const Told& told) {
@@ -119,9 +102,7 @@ void TraceWriter::keep() {
     --unchanged_;  // the last cycle is told, so that a reader knows how long the run was
     write(last_cycle_, last_time_, *told_, nullptr);
   }
-  file_.close();
-  if (!file_) throw base::InputError(path_ + ": could not be written in full");
-  kept_ = true;
+  file_.keep();
 }
 
 void write_events(JsonLine& line, const std::vector<Event>& events, const automata::Plant* plant) {

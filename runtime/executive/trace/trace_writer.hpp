@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "automata/plant.hpp"
 #include "automata/program.hpp"
+#include "base/output_file.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 
@@ -26,16 +26,12 @@ enum class TraceDetail {
 /// line of cycle k then has the marking, goal and command with which the cycle started, and the observations and
 /// estimate that it read back at `time`. So a trace is a log: `rmpl-run estimate` and `rmpl-run sequence` repeat it.
 /// Where cycles were left out, the next line says how many.
-/// Unless `keep` is called the file is removed: a run that fails midway leaves none.
+/// Unless `keep` is called the file is as it was: a run that fails midway leaves no trace, or the one before.
 class TraceWriter final : public CycleObserver {
  public:
   /// Throws base::InputError where the file cannot be written.
   TraceWriter(const automata::Plant& plant, const automata::Program& program, std::string path,
               TraceDetail detail = TraceDetail::changes);
-  ~TraceWriter() override;
-  TraceWriter(const TraceWriter&) = delete;
-  TraceWriter& operator=(const TraceWriter&) = delete;
-
   void observe(const CycleRecord& record) override;
   /// The run is over and the file stays. Throws base::InputError where it could not be written in full.
   void keep();
@@ -63,16 +59,14 @@ class TraceWriter final : public CycleObserver {
 
   const automata::Plant& plant_;
   const automata::Program& program_;
-  std::string path_;
   TraceDetail detail_;
-  std::ofstream file_;
+  base::OutputFile file_;
   JsonLine line_;
   ClockTable live_clocks_;  ///< the executive forgets the others
   std::optional<Told> told_;
   std::uint64_t unchanged_ = 0;  ///< cycles since the last line
   std::uint64_t last_cycle_ = 0;
   automata::Ticks last_time_;
-  bool kept_ = false;
 };
 
 /// The array of a cycle's events, as in traces.

@@ -4,7 +4,6 @@
 
 #include "automata/json/document.hpp"
 #include "base/error.hpp"
-#include "base/output_file.hpp"
 #include "compiler/session/files.hpp"
 #include "grammar/source/render.hpp"
 #include "tests/unit/compiler/workspace.hpp"
@@ -36,16 +35,6 @@ TEST_F(InputFiles, ImportsAreRelativeToTheImportingFile) {
       compile_text("p.tcca", "import \"lib/valve.tcca\";\nimport \"lib/level.tcca\";\nplant P { v : Valve; }\n");
   EXPECT_THAT(findings(result), IsEmpty());
   EXPECT_THAT(result.document().plants, SizeIs(1));
-}
-
-TEST_F(InputFiles, WhatWasReadIsFoundUnderAnyName) {
-  const std::string level = write("level.tcca", "domain Level = { low, high };\n");
-  const Compilation result = compile_text(
-      "p.tcca", "import \"level.tcca\"; component V { input a : Level; mode m; initial m; } plant P { v : V; }\n");
-  const std::string folder = std::filesystem::path(level).parent_path().string();
-  EXPECT_EQ(result.input_at(folder + "/./level.tcca"), level);
-  EXPECT_EQ(result.input_at(folder + "/new.json"), std::nullopt);
-  EXPECT_EQ(result.input_at(""), std::nullopt);
 }
 
 TEST_F(InputFiles, AllThatCannotBeReadIsTold) {
@@ -126,16 +115,6 @@ TEST_F(InputFiles, EncodingErrorsAreLocated) {
 TEST_F(InputFiles, SameInputSameBytes) {
   const std::vector<std::string> paths{write("p.tcca", plant_text), write("p.rmpl", "P() :: { engine = on }")};
   EXPECT_EQ(automata::to_text(compile_files(paths).document()), automata::to_text(compile_files(paths).document()));
-}
-
-TEST_F(InputFiles, ResultsAreWrittenWholeOrNotAtAll) {
-  const std::string path = write("out.json", "before");
-  base::write_file(path, "after");
-  std::ifstream file(path);
-  EXPECT_EQ((std::string{std::istreambuf_iterator<char>(file), {}}), "after");
-  base::write_file("/dev/null", "nothing");
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
-  EXPECT_THROW(base::write_file(path + "/below", "x"), base::InputError);
 }
 
 TEST_F(InputFiles, FormulasOfTheCommandLine) {

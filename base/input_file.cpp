@@ -1,0 +1,128 @@
+// Reading by descriptor: a stream of the standard library would not tell an error from an end.
+// SPDX-License-Identifier: MIT
+#include "base/input_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <streambuf>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace rmpl::base {
+namespace {
+
+constexpr const char* standard_input = "standard input";
+
+/// The files that were read, by device and number: an output must not be one of them.
+class FilesRead {
+ public:
+  void add(const struct stat& file, const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    names_.insert_or_assign(std::pair(file.st_dev, file.st_ino), name);
+  }
+  std::optional<std::string> find(const struct stat& file) {
+    const std::lock_guard lock(mutex_);
+    const auto known = names_.find({file.st_dev, file.st_ino});
+    if (known == names_.end()) return std::nullopt;
+    // A file that is gone may have left its number to another.
+    struct stat still = {};
+    const bool there =
+        known->second == standard_input ? fstat(STDIN_FILENO, &still) == 0 : stat(known->second.c_str(), &still) == 0;
+    if (!there || still.st_dev != file.st_dev || still.st_ino != file.st_ino) return std::nullopt;
+    return known->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::pair<dev_t, ino_t>, std::string> names_;
+};
+
+FilesRead& files_read() {
+  static FilesRead files;
+  return files;
+}
+
+[[noreturn]] void fail(const std::string& name, int reason) {
+  if (reason == EISDIR) throw InputError(name + ": is a directory, expected a file");
+  if (reason == EBADF) throw InputError(name + ": cannot be read: it is closed");
+  throw InputError(name + ": " + std::strerror(reason));
+}
+
+}  // namespace
+
+/// A descriptor that is read in blocks.
+class InputFile::Buffer final : public std::streambuf {
+ public:
+  Buffer(const std::string& path, const std::string& name) : name_(name), owned_(path != "-") {
+    if (path.empty()) throw InputError("'' is no name of a file");
+    file_ = owned_ ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO;
+    if (file_ < 0) fail(name_, errno);
+    struct stat about = {};
+    const int reason = fstat(file_, &about) != 0 ? errno : S_ISDIR(about.st_mode) ? EISDIR : 0;
+    if (reason != 0) {
+      close();
+      fail(name_, reason);
+    }
+    if (S_ISREG(about.st_mode)) files_read().add(about, name_);
+  }
+  ~Buffer() override { close(); }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+ protected:
+  int_type underflow() override {
+    ssize_t count = 0;
+    do {
+      count = ::read(file_, block_.data(), block_.size());
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) fail(name_, errno);
+    setg(block_.data(), block_.data(), block_.data() + count);
+    return count == 0 ? traits_type::eof() : traits_type::to_int_type(block_.front());
+  }
+
+ private:
+  void close() {
+    if (owned_) ::close(file_);
+  }
+
+  const std::string& name_;
+  bool owned_;
+  int file_ = -1;
+  std::array<char, std::size_t{1} << 16> block_;
+};
+
+InputFile::InputFile(const std::string& path)
+    : name_(path == "-" ? standard_input : path),
+      buffer_(std::make_unique<Buffer>(path, name_)),
+      stream_(buffer_.get()) {
+  stream_.exceptions(std::ios::badbit);  // what the buffer throws comes out of whatever reads
+}
+
+InputFile::~InputFile() = default;
+
+std::string read_file(const std::string& path) {
+  InputFile file(path);
+  std::streambuf& buffer = *file.stream().rdbuf();
+  std::string text;
+  std::array<char, std::size_t{1} << 16> block;
+  while (const std::streamsize count = buffer.sgetn(block.data(), block.size())) {
+    text.append(block.data(), static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
+std::optional<std::string> input_at(const std::string& path) {
+  struct stat about = {};
+  if (stat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return std::nullopt;
+  return files_read().find(about);
+}
+
+}  // namespace rmpl::base

@@ -1,0 +1,39 @@
+// Reading: every byte of a file, or the reason why not.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <istream>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace rmpl::base {
+
+/// The whole of a file; `-` is standard input. Throws InputError with the reason where a byte of it cannot be read.
+std::string read_file(const std::string& path);
+
+/// A file as a stream; `-` is standard input. What cannot be read is an InputError with the reason, thrown where the
+/// stream is opened, or out of what reads from it.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  [[nodiscard]] std::istream& stream() { return stream_; }
+  /// For messages: the path, or `standard input`.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  class Buffer;
+  std::string name_;
+  std::unique_ptr<Buffer> buffer_;
+  std::istream stream_;
+};
+
+/// The name of the file that this process has read so far and that `path` leads to, if there is one: writing there
+/// would destroy an input.
+std::optional<std::string> input_at(const std::string& path);
+
+}  // namespace rmpl::base

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+# The manual, --help and the parser agree: every option of every subcommand, in both directions.
+# SPDX-License-Identifier: MIT
+"""Usage: manual.py ROOT PROGRAMS.
+
+In man/PROGRAM.1.scd the section OPTIONS is divided by headings that name subcommands (`## reachability, safety`), or
+`## everywhere`; below one, a line that begins with an option defines the options that stand in it in bold. What is
+there for a subcommand has to be what its --help lists, and what its parser takes: of all options of a program it
+refuses the others as unknown. What the parser says of a command line is in the words of the house.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+OPTION = re.compile(r"(?<![\w-])--?[a-zA-Z][a-z-]*")
+# Words of the option parser that people should never see.
+RAW = re.compile(r"\bTEXT\b|\bUINT\b|\bINT\b|\bFLOAT\b|REQUIRED|Excludes:|Needs:|\[Option|Could not|not in range|Value |"
+                 r"required but|were not expected|is required|At Most|Exactly|\bx 2\b", re.MULTILINE)
+
+
+def run(*words):
+    done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=60, check=False)
+    return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+
+def in_help(text):
+    """The options that a help lists: each line of them begins with two blanks and a dash."""
+    return {option for line in text.splitlines() if re.match(r"  -", line)
+            for option in OPTION.findall(line.split("  ")[1])}
+
+
+def in_manual(path, subcommands):
+    """Per subcommand the options that its manual page promises, and those that it promises for all."""
+    promised = {name: set() for name in subcommands}
+    everywhere, names, inside = set(), [], False
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if line.startswith("# "):
+            inside, names = line == "# OPTIONS", []
+        elif line.startswith("## ") and inside:
+            names = line[3:].split(", ")
+        elif line.startswith("*-") and inside:
+            options = {o for bold in re.findall(r"\*(-[^*]*)\*", line) for o in OPTION.findall(bold)}
+            for name in names:
+                (everywhere if name == "everywhere" else promised.setdefault(name, set())).update(options)
+    return promised, everywhere
+
+
+def differences(of, manual, help_):
+    for option in sorted(manual - help_):
+        yield f"{of}: the manual promises {option}, --help does not"
+    for option in sorted(help_ - manual):
+        yield f"{of}: --help lists {option}, the manual does not"
+
+
+def refusals(program, name, own, all_options):
+    """What is wrong with how the parser takes each option."""
+    for option in sorted(all_options):
+        for words in ([option], [option + "=x" if option.startswith("--") else option]):
+            if option in ("--help", "-h", "--version"):
+                continue
+            code, out, errors = run(program, name, *words)
+            if code != 2 or out:
+                yield f"{name} {words}: exit {code}, expected 2 and nothing on standard output"
+            if ("unknown option" in errors) == (option in own):
+                yield f"{name} {words}: {errors.splitlines()[0]}"
+            if RAW.search(errors):
+                yield f"{name} {words}: raw text of the parser: {errors.splitlines()[0]}"
+
+
+def check(root, programs, name):
+    program = programs / name
+    _, top, _ = run(program, "--help")
+    subcommands = re.findall(r"^  ([a-z]+) ", top.split("\nSubcommands:")[1].split("\n\n")[0], re.MULTILINE)
+    short = {"-o", "-q", "-v", "-h"}
+    manual, everywhere = in_manual(root / "man" / f"{name}.1.scd", subcommands)
+    yield from (f"{name}: the manual speaks of {other}, --help does not" for other in sorted(set(manual) - set(subcommands)))
+    yield from differences(name, everywhere | short & in_help(top), in_help(top))
+    helps = {sub: run(program, sub, "--help")[1] for sub in subcommands}
+    common = in_help(top)
+    options = {sub: in_help(text) - {"-h", "--help"} for sub, text in helps.items()}
+    every = common.union(*options.values())
+    for sub in subcommands:
+        if RAW.search(helps[sub]):
+            yield f"{name} {sub} --help: raw text of the parser: {RAW.search(helps[sub])[0]}"
+        yield from differences(f"{name} {sub}", manual[sub], options[sub])
+        yield from (f"{name} {line}" for line in refusals(program, sub, options[sub] | common, every))
+
+
+def main(root, programs):
+    found = [line for name in ("rmplc", "rmpl-run", "tcca-check") for line in check(root, programs, name)]
+    print("\n".join([*found, f"{len(found)} differences"]))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*map(pathlib.Path, sys.argv[1:])))

@@ -1,0 +1,34 @@
+// The subcommands of rmpl-run: each adds itself to the program, with its options.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/limit_error.hpp"
+#include "runtime/reasoning/estimate/estimator.hpp"
+#include "tools/shared/program.hpp"
+
+namespace rmpl::tools {
+
+void add_scenario(Program& program);
+void add_estimate(Program& program);
+void add_sequence(Program& program);
+void add_plan(Program& program);
+void add_diagnose(Program& program);
+
+/// `-k N` of an estimator.
+template <class Count>
+void add_k(CLI::App& command, Count& k) {
+  constexpr std::uint64_t most = 1'000'000;
+  add_whole_number(command, "-k", k, 1, most, "how many states k-best keeps (default: 16)");
+}
+
+/// Runs what may need more states than there is room for: that is a limit like any other.
+template <class Run>
+ExitStatus within_limits(const Run& run) {
+  try {
+    return run();
+  } catch (const runtime::TooManyStates& error) {
+    throw base::LimitError(error.what());
+  }
+}
+
+}  // namespace rmpl::tools

@@ -1,0 +1,20 @@
+// The subcommands of rmplc: each adds itself to the program, with its options.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "tools/shared/program.hpp"
+
+namespace rmpl::tools {
+
+void add_compile(Program& program);
+void add_import(Program& program);
+void add_explain(Program& program);
+
+/// `-o`: where a result goes.
+void add_output(CLI::App& command, std::string& output, const char* name, const char* description);
+/// To a file, or without one, or with `-`, to standard output.
+void write_result(const std::string& output, const std::string& text);
+
+}  // namespace rmpl::tools

@@ -1,0 +1,67 @@
+// rmplc compile: sources become one JSON document.
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "automata/json/document.hpp"
+#include "automata/size.hpp"
+#include "tools/rmplc/commands.hpp"
+#include "tools/shared/models.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string output;
+  std::string main;
+};
+
+constexpr const char* notes =
+    R"(Writes one self-contained JSON document to standard output, or to OUT.json with -o:
+the plant, the control program (checked against the plant and bound to it, where
+both are given) and the scenarios with what they refer to. The same input gives the
+same bytes. A failed compile writes nothing.
+
+Files are told by their names: .rmpl control programs, .tcca plant models, .scn
+scenarios, .json compiled documents. `-` is standard input, told by its content.
+Imports are relative to the importing file.
+
+Example:
+  rmplc compile mars_entry.rmpl mars_lander.tcca -o mars_entry.json)";
+
+void print_sizes(const automata::Document& document) {
+  std::string text = "plants: " + std::to_string(document.plants.size()) +
+                     ", programs: " + std::to_string(document.programs.size()) +
+                     ", scenarios: " + std::to_string(document.scenarios.size()) + "\n";
+  for (const automata::Plant& plant : document.plants) {
+    const automata::PlantSize size = automata::size_of(plant);
+    text += "plant " + plant.name + ": " + std::to_string(size.components) + " components, " +
+            std::to_string(size.modes) + " modes, " + std::to_string(size.propositions) + " propositions, " +
+            std::to_string(size.clauses) + " clauses\n";
+  }
+  print_error(text);
+}
+
+ExitStatus run(const Options& options, const Common& common) {
+  const compiler::Compilation result = load(options.files, common, {options.main});
+  write_result(options.output, automata::to_text(result.document()));
+  if (common.verbose) print_sizes(result.document());
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_compile(Program& program) {
+  CLI::App* command = program.app().add_subcommand("compile", "compile sources into one JSON document");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->files, "sources and compiled documents")->required();
+  add_output(*command, options->output, "OUT.json", "write the document to this file");
+  command->add_option("--main", options->main, "start the control program at this definition")->option_text("NAME");
+  Common& common = program.common();
+  add_choice<Format>(*command, "--format", common.format, {{"text", Format::text}, {"json", Format::json}},
+                     "the form of diagnostics (default: text)");
+  command->footer(notes);
+  program.add({command, [options, &common] { return run(*options, common); }});
+}
+
+}  // namespace rmpl::tools

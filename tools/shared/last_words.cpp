@@ -1,0 +1,57 @@
+// The last words of a program, in the memory that it has.
+// SPDX-License-Identifier: MIT
+#include "tools/shared/last_words.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "base/output_file.hpp"
+#include "tools/shared/exit_status.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+const char* program_name = "";
+std::atomic<bool> ours = false;
+
+[[noreturn]] void end(ExitStatus status, const char* before, const char* reason) {
+  std::fprintf(stderr, "%s: %s%s\n", program_name, before, reason);
+  base::remove_unfinished_files();
+  std::_Exit(static_cast<int>(status));
+}
+
+[[noreturn]] void on_terminate() {
+  constexpr const char* internal = "internal error, nothing is claimed: ";
+  try {
+    if (const auto reason = std::current_exception()) std::rethrow_exception(reason);
+  } catch (const std::bad_alloc&) {
+    end(ExitStatus::undecided, "", "out of memory");
+  } catch (const std::exception& error) {
+    end(ExitStatus::internal_error, internal, error.what());
+  } catch (...) {
+    end(ExitStatus::internal_error, internal, "an exception that nobody caught");
+  }
+  end(ExitStatus::internal_error, internal, "terminated");
+}
+
+/// Libraries exit by themselves for lack of memory alone.
+void on_exit() {
+  if (!ours) end(ExitStatus::undecided, "", "out of memory");
+}
+
+}  // namespace
+
+void end_with_last_words(const char* program) noexcept {
+  program_name = program;
+  std::set_terminate(on_terminate);
+  std::atexit(on_exit);
+}
+
+void exit_is_ours() noexcept { ours = true; }
+
+}  // namespace rmpl::tools

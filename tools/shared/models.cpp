@@ -1,0 +1,81 @@
+// Reading what the command line names.
+// SPDX-License-Identifier: MIT
+#include "tools/shared/models.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "grammar/source/render.hpp"
+#include "tools/shared/program.hpp"
+
+namespace rmpl::tools {
+
+void tell_findings(const grammar::Findings& findings, const Common& common) {
+  if (findings.diagnostics.empty()) return;
+  print_error(common.format == Format::json ? grammar::render_json(findings)
+                                            : grammar::render_text(findings, error_painter(common.color).color));
+}
+
+compiler::Compilation load(const std::vector<std::string>& paths, const Common& common,
+                           const compiler::Options& options) {
+  check_standard_input(paths);
+  compiler::Compilation compilation = compiler::compile(paths, options);
+  if (!compilation.ok() || !common.quiet) tell_findings(compilation.findings(), common);
+  if (!compilation.ok()) throw Rejected{};
+  return compilation;
+}
+
+namespace {
+
+/// The only one of some things in an input.
+template <class Things>
+const auto& only(const Things& things, const std::string& paths, const char* what, const char* ending) {
+  if (things.size() == 1) return things.front();
+  const std::string expected = std::string("expected one ") + what + ", as in a " + ending + " file";
+  if (things.empty()) throw base::InputError(paths + ": " + expected + ", and there is none in it");
+  throw base::InputError(paths + ": " + expected + ", and there are " + std::to_string(things.size()));
+}
+
+}  // namespace
+
+const automata::Plant& only_plant(const automata::Document& document, const std::string& paths) {
+  return only(document.plants, paths, "plant", ".tcca");
+}
+
+const automata::Program& only_program(const automata::Document& document, const std::string& paths) {
+  return only(document.programs, paths, "control program", ".rmpl");
+}
+
+automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
+                                 const Common& common) {
+  auto compiled = compiler::compile_formula(text, plant, where);
+  tell_findings(compiled.findings, common);
+  if (!compiled.formula) throw Rejected{};
+  return std::move(*compiled.formula);
+}
+
+std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::Plant& plant,
+                                                     std::string_view where, const Common& common) {
+  auto compiled = compiler::compile_assignments(text, plant, where);
+  tell_findings(compiled.findings, common);
+  if (!compiled.assignments) throw Rejected{};
+  std::vector<automata::Assignment> assignments = std::move(*compiled.assignments);
+  std::sort(assignments.begin(), assignments.end());
+  assignments.erase(std::unique(assignments.begin(), assignments.end()), assignments.end());
+  const auto twice = std::adjacent_find(assignments.begin(), assignments.end(),
+                                        [](const auto& a, const auto& b) { return a.variable == b.variable; });
+  if (twice != assignments.end()) {
+    throw base::InputError(std::string(where) + ": '" + plant.variables.name(twice->variable) +
+                           "' is given two values, '" + plant.variables.value(*twice) + "' and '" +
+                           plant.variables.value(*(twice + 1)) + "'");
+  }
+  return assignments;
+}
+
+void check_standard_input(const std::vector<std::string>& paths) {
+  if (std::count(paths.begin(), paths.end(), "-") > 1) {
+    throw base::InputError("'-' stands for standard input, which can be read only once");
+  }
+}
+
+}  // namespace rmpl::tools

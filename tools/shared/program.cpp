@@ -1,0 +1,118 @@
+// From exceptions to exit codes, in one place.
+// SPDX-License-Identifier: MIT
+#include "tools/shared/program.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <exception>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "base/limit_error.hpp"
+#include "tools/shared/complaint.hpp"
+#include "tools/shared/interruption.hpp"
+#include "tools/shared/last_words.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+/// Descriptors 0 to 2 are taken, so that no file that is opened later becomes standard output by chance. What was
+/// closed still fails, for it is opened the wrong way round.
+void occupy_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+    if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) std::terminate();
+  }
+}
+
+/// Help without the words of a parser: an option, what it takes, what it does.
+class Help final : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string& text = option->get_option_text();
+    if (!text.empty()) return " " + text;
+    if (option->get_positional() || option->get_expected_max() == 0) return {};
+    return " " + option->get_type_name();
+  }
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return option->get_description() + (option->get_required() && !option->get_positional() ? " (required)" : "");
+  }
+};
+
+/// A flag takes no value, whatever the parser would make of `--flag=false`; and what an option takes is called in
+/// errors what it is called in help.
+void finish_options(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_expected_max() == 0 && option->get_configurable()) option->disable_flag_override();
+    if (!option->get_option_text().empty()) option->type_name(option->get_option_text());
+  }
+  for (CLI::App* inner : app.get_subcommands(nullptr)) finish_options(*inner);
+}
+
+}  // namespace
+
+Program::Program(const char* name, const char* version, const char* description, const char* notes) {
+  end_with_last_words(name);
+  occupy_standard_descriptors();
+  clean_up_on_signals();
+  name_program(name);
+  app_.name(name);
+  app_.description(description);
+  app_.set_version_flag("--version", std::string(name) + " " + version, "print the version and end");
+  app_.set_help_flag("-h,--help", "print this help and end");
+  app_.footer(notes);
+  app_.require_subcommand(1);
+  app_.fallthrough();
+  app_.formatter(std::make_shared<Help>());
+  add_common(app_, common_);
+}
+
+ExitStatus Program::parse_and_run(int count, const char* const* arguments) {
+  finish_options(app_);
+  try {
+    app_.parse(count, arguments);
+    for (const Subcommand& command : commands_) {
+      if (command.app->parsed()) return command.run();
+    }
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) {
+      print_error(complaint(app_, error));
+      return ExitStatus::wrong_input;
+    }
+    std::ostringstream text;  // help or version
+    app_.exit(error, text, text);
+    print(text.str());
+  }
+  return ExitStatus::done;
+}
+
+int Program::run(int count, const char* const* arguments) noexcept {
+  ExitStatus status = ExitStatus::done;
+  try {
+    status = parse_and_run(count, arguments);
+  } catch (const Rejected&) {
+    status = ExitStatus::wrong_input;
+  } catch (const base::InputError& error) {
+    tell(error.what());
+    status = ExitStatus::wrong_input;
+  } catch (const base::LimitError& error) {
+    tell(error.what());
+    status = ExitStatus::undecided;
+  } catch (const std::bad_alloc&) {
+    tell("out of memory");
+    status = ExitStatus::undecided;
+  } catch (const std::exception& error) {
+    tell(std::string("internal error, nothing is claimed: ") + error.what());
+    status = ExitStatus::internal_error;
+  }
+  exit_is_ours();
+  return static_cast<int>(status);
+}
+
+}  // namespace rmpl::tools

@@ -1,0 +1,14 @@
+// What to say of a name that there is not: the nearest one, or all that there are.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rmpl::tools {
+
+/// `; did you mean 'engine'?`, or where none is near `; expected 'a', 'b' or 'c'`, to end a message with.
+std::string suggestion_or_list(std::string_view name, const std::vector<std::string_view>& candidates);
+
+}  // namespace rmpl::tools

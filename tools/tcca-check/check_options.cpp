@@ -1,0 +1,100 @@
+// Options of tcca-check that several subcommands take.
+// SPDX-License-Identifier: MIT
+#include "tools/tcca-check/check_options.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "tools/shared/interruption.hpp"
+#include "tools/shared/progress.hpp"
+
+namespace rmpl::tools {
+
+using verifier::Commands;
+using verifier::Verdict;
+
+void add_freedom(CLI::App& command, Freedom& freedom) {
+  const auto period = [](const std::string& text) {
+    return text == "dense" ? std::nullopt : std::optional(positive_duration(text));
+  };
+  add_read(command, "--time", freedom.period, period,
+           "dense time (the default), or the period at whose multiples steps happen")
+      ->option_text("dense|T");
+  constexpr std::uint64_t most = 1'000'000;
+  add_whole_number(command, "--faults", freedom.faults, 0, most, "the most faults that may happen (default: 0)")
+      ->option_text("K");
+  command.add_flag("--entailed", freedom.entailed,
+                   "a formula holds where the constraints imply it, not where they allow it");
+  add_text(command, "--from", freedom.from, "MODES",
+           "modes to start in, such as 'engine = off'; what is not named starts as in the plant");
+}
+
+void add_budget(CLI::App& command, Budget& budget) {
+  constexpr std::uint64_t most = 1'000'000'000'000;
+  add_whole_number(command, "--max-states", budget.states, 1, most, "give up after so many symbolic states");
+  add_read(command, "--timeout", budget.time, duration, "give up after so much time")->option_text("T");
+  add_read(command, "--max-memory", budget.bytes, memory_size, "give up when so much memory is in use")
+      ->option_text("BYTES[K|M|G]");
+}
+
+verifier::Limits limits(const Budget& budget, const Common& common) {
+  watch_for_interruption();
+  verifier::Limits result{budget.states, std::nullopt, budget.bytes, &interruption(), nullptr};
+  if (budget.time && !budget.time->is_infinite()) result.time.emplace(budget.time->seconds());
+  if (progress_is_seen(common.quiet)) {
+    result.report = [](const verifier::Progress& p) {
+      char seconds[32];
+      std::snprintf(seconds, sizeof seconds, "%.0f", p.seconds);
+      show_progress(std::string(seconds) + " s: " + std::to_string(p.states) + " states, " + std::to_string(p.waiting) +
+                    " unexplored, " + std::to_string(p.steps.value_or(p.level)) + (p.steps ? " steps" : " faults"));
+    };
+  }
+  return result;
+}
+
+void add_model(CLI::App& command, std::string& model) {
+  command.add_option("MODEL", model, "the plant: .tcca or compiled .json; - for standard input")->required();
+}
+
+void add_commands(CLI::App& command, Commands& commands) {
+  add_choice<Commands>(command, "--commands", commands,
+                       {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},
+                       "how many controls may be off their idle value in one step (default: one)");
+}
+
+void add_threads(CLI::App& command, unsigned& threads) {
+  constexpr std::uint64_t most = 64;
+  threads = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(most));
+  add_whole_number(command, "--threads", threads, 1, most,
+                   "how many threads explore, with the same result for any number (default: one a core)");
+}
+
+CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& text, const char* type,
+                      const char* description) {
+  return command.add_option(name, text, description)->option_text(type);
+}
+
+CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts, const char* type,
+                       const char* description) {
+  return command.add_option(name, texts, description)->option_text(type)->expected(1)->take_all();
+}
+
+ExitStatus status_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::holds:
+      return ExitStatus::done;
+    case Verdict::violated:
+      return ExitStatus::violated;
+    case Verdict::undecided:
+      return ExitStatus::undecided;
+  }
+  return ExitStatus::internal_error;
+}
+
+void warn_of_no_start(const char* consequence) {
+  tell(std::string("warning: no initial state is possible: the initial modes contradict the interconnections, so ") +
+       consequence);
+}
+
+}  // namespace rmpl::tools

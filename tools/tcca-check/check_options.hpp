@@ -1,0 +1,66 @@
+// What the subcommands of tcca-check have in common: what is free, what it may cost, the form of the answer.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/plant.hpp"
+#include "tools/shared/options.hpp"
+#include "verifier/property/commands.hpp"
+#include "verifier/search/limits.hpp"
+#include "verifier/verdict/answer.hpp"
+
+namespace rmpl::tools {
+
+/// Of a run: the reading of time, faults, the start.
+struct Freedom {
+  std::optional<automata::Ticks> period;  ///< none: dense time
+  std::optional<unsigned> faults;         ///< as it was given
+  bool entailed = false;
+  std::string from;  ///< assignments; empty: the initial distribution
+};
+void add_freedom(CLI::App& command, Freedom& freedom);
+
+/// What a search may cost.
+struct Budget {
+  std::optional<std::size_t> states;
+  std::optional<automata::Ticks> time;
+  std::optional<std::size_t> bytes;
+};
+void add_budget(CLI::App& command, Budget& budget);
+/// The limits of a search that signals end, and that shows its progress where somebody sees it.
+verifier::Limits limits(const Budget& budget, const Common& common);
+
+void add_model(CLI::App& command, std::string& model);
+void add_commands(CLI::App& command, verifier::Commands& commands);
+/// As many as there are cores, unless given.
+void add_threads(CLI::App& command, unsigned& threads);
+/// An option that takes a formula or a name, and may be given several times where it fills a list.
+CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& text, const char* type,
+                      const char* description);
+CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts, const char* type,
+                       const char* description);
+
+/// Writes an answer in the form that was asked for, by the function that makes that form.
+template <class Text, class Json, class Junit>
+void print_answer(const Common& common, const Text& text, const Json& json, const Junit& junit) {
+  switch (common.format) {
+    case Format::text:
+      return print(text());
+    case Format::json:
+      return print(json().dump(2) + "\n");
+    case Format::junit:
+      return print(junit());
+  }
+}
+
+ExitStatus status_of(verifier::Verdict verdict);
+
+/// Says that no initial state is possible; `consequence` is what follows, such as "nothing is reachable".
+void warn_of_no_start(const char* consequence);
+
+}  // namespace rmpl::tools

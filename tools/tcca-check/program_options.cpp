@@ -1,0 +1,92 @@
+// Reading the options of tcca-check program.
+// SPDX-License-Identifier: MIT
+#include "tools/tcca-check/program_options.hpp"
+
+#include <sstream>
+#include <string_view>
+
+namespace rmpl::tools {
+namespace {
+
+using Kind = verifier::ProgramProperty::Kind;
+
+/// `φ within T`, or `φ` alone: then the time stands in `--within`.
+Promise promise(const std::string& text) {
+  constexpr std::string_view keyword = " within ";
+  const std::size_t at = text.rfind(keyword);
+  if (at == std::string::npos) return {text, std::nullopt};
+  return {text.substr(0, at), duration(text.substr(at + keyword.size()))};
+}
+
+/// The properties that are the same for every program, by a list of their names.
+std::vector<Kind> general_properties(const std::string& text) {
+  std::vector<Kind> result;
+  std::istringstream names(text);
+  for (std::string name; std::getline(names, name, ',');) {
+    const std::size_t before = result.size();
+    for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination}) {
+      if (name == verifier::name_of(kind) || name == "all") result.push_back(kind);
+    }
+    if (result.size() == before) {
+      throw CLI::ValidationError("'" + name +
+                                 "' is not known; expected goal-conflict, no-plan, endless-wait, termination or all");
+    }
+  }
+  return result;
+}
+
+void add_properties(CLI::App& command, ProgramOptions& options) {
+  add_read(command, "--check", options.general, general_properties,
+           "goal-conflict, no-plan, endless-wait, termination, or all of them: what is checked where nothing else is "
+           "asked")
+      ->option_text("LIST");
+  add_texts(command, "--never", options.nevers, "FORMULA", "what is never to hold up to the program's end");
+  const auto take = [&options](const std::vector<std::string>& texts) {
+    try {
+      for (const std::string& text : texts) options.eventuallys.push_back(promise(text));
+    } catch (const CLI::ValidationError& error) {
+      throw CLI::ValidationError("--eventually", error.what());
+    }
+  };
+  CLI::Option* eventually =
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--eventually", take, "what is to come true in time, as 'FORMULA within T', or with --within")
+          ->option_text("FORMULA")
+          ->expected(1)
+          ->take_all();
+  add_read(command, "--within", options.within, duration, "how soon, from the start")
+      ->option_text("T")
+      ->needs(eventually);
+  add_texts(command, "--finally", options.finallys, "FORMULA", "what is to hold where the program ends");
+}
+
+}  // namespace
+
+std::vector<std::string> ProgramOptions::models() const {
+  return plant.empty() ? std::vector{program} : std::vector{program, plant};
+}
+
+void add_program_options(CLI::App& command, ProgramOptions& options, Common& common) {
+  command.add_option("PROGRAM", options.program, "the program: .rmpl, or a compiled .json of program and plant")
+      ->required();
+  command.add_option("PLANT", options.plant, "the plant: .tcca or compiled .json");
+  add_text(command, "--main", options.entry, "NAME", "the definition to start with; else the one that no other calls");
+  add_properties(command, options);
+  add_freedom(command, options.freedom);
+  CLI::Option* each =
+      command.add_flag("--each-fault", options.each_fault, "a table: every fault by itself, and what can come of it")
+          ->excludes(command.get_option("--faults"));
+  CLI::Option* scenario = add_text(command, "--scenario", options.scenario, "OUT.scn",
+                                   "write the first violation as a scenario that fails the same way")
+                              ->excludes(each);
+  add_read(command, "--cycle", options.cycle, positive_duration,
+           "the cycle of that scenario, where time is dense (default: 0.5s)")
+      ->option_text("T")
+      ->needs(scenario);
+  add_budget(command, options.budget);
+  add_format(command, common, true);
+  command.add_flag("--stats", options.statistics, "tell what the check has cost");
+}
+
+}  // namespace rmpl::tools

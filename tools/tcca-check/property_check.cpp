@@ -1,0 +1,89 @@
+// Checking one property of a plant.
+// SPDX-License-Identifier: MIT
+#include "tools/tcca-check/property_check.hpp"
+
+#include "tools/shared/models.hpp"
+#include "verifier/plant/check.hpp"
+#include "verifier/verdict/report.hpp"
+#include "verifier/verdict/table.hpp"
+#include "verifier/verdict/wording.hpp"
+
+namespace rmpl::tools {
+
+using automata::Plant;
+
+namespace {
+
+verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& options, const Common& common) {
+  const Freedom& freedom = options.freedom;
+  verifier::CheckOptions result{.period = freedom.period,
+                                .faults = freedom.faults.value_or(0),
+                                .commands = options.commands,
+                                .entailed = freedom.entailed,
+                                .fewest_faults = options.fewest_faults,
+                                .cut_sets = options.cut_sets.has_value(),
+                                .symmetry = !options.no_symmetry,
+                                .threads = options.threads,
+                                .from = assignments_option(freedom.from, plant, "--from", common)};
+  if (options.fewest_faults && !freedom.faults) result.faults.reset();
+  if (options.cut_sets) result.faults = options.cut_sets;
+  return result;
+}
+
+}  // namespace
+
+void add_property_options(CLI::App& command, PropertyOptions& options, Common& common) {
+  add_model(command, options.model);
+  add_freedom(command, options.freedom);
+  add_commands(command, options.commands);
+  CLI::Option* fewest =
+      command.add_flag("--fewest-faults", options.fewest_faults,
+                       "a trace with the least number of faults there is; --faults bounds how many are tried");
+  constexpr std::uint64_t most = 1'000'000;
+  add_whole_number(command, "--cut-sets", options.cut_sets, 0, most,
+                   "every minimal set of up to so many faults that leads to a trace")
+      ->excludes(fewest)
+      ->excludes(command.get_option("--faults"));
+  add_threads(command, options.threads);
+  command.add_flag("--no-symmetry", options.no_symmetry,
+                   "explore also what differs only in the names of like components");
+  add_budget(command, options.budget);
+  add_format(command, common, true);
+  command.add_flag("--stats", options.statistics, "tell what the check has cost");
+}
+
+void add_window(CLI::App& command, WindowOptions& options) {
+  add_read(command, "--not-before", options.window.not_before, duration, "the formula counts from this time on")
+      ->option_text("T");
+  add_read(command, "--by", options.window.by, duration, "the formula counts up to this time")->option_text("T");
+  command.add_flag("--fastest", options.fastest, "a trace with least time, not with fewest steps");
+}
+
+ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,
+                          const std::function<verifier::Property(const Plant&)>& ask) {
+  const compiler::Compilation compilation = load({options.model}, common);
+  const Plant& plant = only_plant(compilation.document(), options.model);
+  const verifier::Property asked = ask(plant);
+  if (common.verbose) {
+    tell("checking " + verifier::name_of(asked) + " of " + plant.name + ": " + std::to_string(plant.components.size()) +
+         " components, " + std::to_string(plant.controls.size()) + " controls");
+  }
+  automata::PlantStep step(plant);
+  const verifier::Question question{asked, check_options(plant, options, common)};
+  const verifier::Answer answer = verifier::check(step, asked, question.options, limits(options.budget, common));
+  if (answer.startless) warn_of_no_start("nothing is reachable");
+  const verifier::Subject subject{plant};
+  print_answer(
+      common,
+      [&] {
+        return verifier::to_text(subject, question, answer, output_painter(common.color).color) +
+               (options.statistics ? verifier::statistics_text(answer.progress) : "");
+      },
+      [&] { return verifier::to_json(subject, question, answer); },
+      [&] {
+        return verifier::to_junit(plant, {{title, question, false, answer}});
+      });
+  return status_of(answer.verdict);
+}
+
+}  // namespace rmpl::tools

@@ -1,0 +1,38 @@
+// One property of a plant: its options, its check, its answer. For reachability, safety and response.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "tools/tcca-check/check_options.hpp"
+
+namespace rmpl::tools {
+
+struct PropertyOptions {
+  std::string model;
+  Freedom freedom;
+  Budget budget;
+  verifier::Commands commands = verifier::Commands::one;
+  bool fewest_faults = false;
+  std::optional<unsigned> cut_sets;  ///< the most faults that such a set may hold
+  bool no_symmetry = false;
+  unsigned threads = 1;
+  bool statistics = false;
+};
+void add_property_options(CLI::App& command, PropertyOptions& options, Common& common);
+
+/// When a formula counts, and which trace is wanted.
+struct WindowOptions {
+  verifier::Window window;
+  bool fastest = false;
+};
+void add_window(CLI::App& command, WindowOptions& options);
+
+/// Checks the property that `ask` makes of the plant, and prints the answer. `title` is the property as it was asked.
+/// Throws base::InputError and Rejected.
+ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,
+                          const std::function<verifier::Property(const automata::Plant&)>& ask);
+
+}  // namespace rmpl::tools
