@@ -46,9 +46,10 @@ std::uint64_t whole_number(const std::string& text, std::uint64_t least, std::ui
 
 Ticks duration(const std::string& text) {
   if (const auto ticks = automata::parse_duration(text)) return *ticks;
-  throw CLI::ValidationError("'" + text +
-                             "' is no duration; expected a number and perhaps a unit, such as 30, 0.5s or 270min, "
-                             "of less than 292 years");
+  throw CLI::ValidationError(
+      "'" + text +
+      "' is no duration; expected a number and perhaps a unit (us, ms, s, min, h or d), as in 30, "
+      "5ms or 4.5h, of less than 292 years");
 }
 
 Ticks positive_duration(const std::string& text) {
