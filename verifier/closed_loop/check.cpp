@@ -3,7 +3,6 @@
 #include "verifier/closed_loop/check.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <functional>
 #include <set>
 
@@ -11,6 +10,7 @@
 #include "verifier/closed_loop/lasso.hpp"
 #include "verifier/closed_loop/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
+#include "verifier/witness/claim.hpp"
 #include "verifier/witness/loop_replay.hpp"
 
 namespace rmpl::verifier {
@@ -115,9 +115,9 @@ class ProgramCheck {
             property.kind == Kind::never || property.kind == Kind::eventually || property.kind == Kind::finally;
         if (mission && !row.lost) row.lost = violation(property, only);
       }
-      row.no_plan = search({Aim::no_plan, nullptr, 0, only, false});
-      row.waits = search({Aim::endless_wait, nullptr, 0, only, false});
-      row.goes_on = lasso(only);
+      row.no_plan = violation({Kind::no_plan}, only);
+      row.waits = violation({Kind::endless_wait}, only);
+      row.goes_on = lasso(only, {Kind::termination});
     }
     row.decided = true;
   }
@@ -137,24 +137,26 @@ class ProgramCheck {
     const bool entailed = options_.entailed;
     switch (property.kind) {
       case Kind::goal_conflict:
-        return search({Aim::goal_conflict, nullptr, 0, only, false});
+        return search({Aim::goal_conflict, nullptr, 0, only, false}, &property);
       case Kind::no_plan:
-        return search({Aim::no_plan, nullptr, 0, only, false});
+        return search({Aim::no_plan, nullptr, 0, only, false}, &property);
       case Kind::endless_wait:
-        return search({Aim::endless_wait, nullptr, 0, only, false});
+        return search({Aim::endless_wait, nullptr, 0, only, false}, &property);
       case Kind::termination: {
-        auto waiting = search({Aim::endless_wait, nullptr, 0, only, false});
-        return waiting ? std::move(waiting) : lasso(only);
+        auto waiting = search({Aim::endless_wait, nullptr, 0, only, false}, &property);
+        return waiting ? std::move(waiting) : lasso(only, property);
       }
       case Kind::never:
-        return search({Aim::holds, holds(property.formula, entailed), 0, only, false});
+        return search({Aim::holds, holds(property.formula, entailed), 0, only, false}, &property);
       case Kind::eventually:
         if (property.within.is_infinite()) return std::nullopt;
         return search(
-            {Aim::late, holds(property.formula, !entailed), loop_.time().more_than(property.within), only, false});
+            {Aim::late, holds(property.formula, !entailed), loop_.time().more_than(property.within), only, false},
+            &property);
       case Kind::finally: {
         const auto right = holds(property.formula, !entailed);
-        return search({Aim::ends_with, [right](const Modes& modes) { return !right(modes); }, 0, only, false});
+        return search({Aim::ends_with, [right](const Modes& modes) { return !right(modes); }, 0, only, false},
+                      &property);
       }
     }
     return std::nullopt;
@@ -169,27 +171,34 @@ class ProgramCheck {
     };
   }
 
-  std::optional<Witness> search(const Quest& quest) {
+  /// `shown` is what the witness is to show, where it is a property.
+  std::optional<Witness> search(const Quest& quest, const ProgramProperty* shown = nullptr) {
     ProgramSystem system(loop_, start_, quest);
     const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
     if (!path) return std::nullopt;
-    return replayed(earliest_witness(*path, loop_, quest), quest.aim == Aim::endless_wait);
+    return replayed(earliest_witness(*path, loop_, quest), quest.aim == Aim::endless_wait, shown);
   }
 
-  std::optional<Witness> lasso(const FaultFilter& only) {
+  std::optional<Witness> lasso(const FaultFilter& only, const ProgramProperty& shown) {
     const Quest quest{Aim::nothing, nullptr, 0, only, true};
     ProgramSystem system(loop_, start_, quest);
     const auto found = find_lasso(system, loop_, only.fault.has_value(), meter_);
     if (!found) return std::nullopt;
     Witness witness = earliest_witness(found->path, loop_, quest);
     witness.repeats_from = found->repeats_from + 1;
-    return replayed(std::move(witness), false);
+    return replayed(std::move(witness), false, &shown);
   }
 
-  Witness replayed(Witness witness, bool endless) {
-    const auto failure =
-        replay(program_, step_, *reconfigurer_, witness, {options_.period, loop_.faults(), options_.from, endless});
-    assert(!failure && "a witness cannot be replayed");
+  /// The witness, after it was run anew by a step function and a reconfigurer that have no part in the search.
+  Witness replayed(Witness witness, bool endless, const ProgramProperty* shown) {
+    if (!judge_) {
+      judge_ = std::make_unique<automata::PlantStep>(step_.plant());
+      planner_ = runtime::make_reconfigurer(*judge_);
+    }
+    const ReplayRules rules{options_.period, Commands::one, loop_.faults(), options_.from, endless};
+    auto failure = replay(program_, *judge_, *planner_, witness, rules);
+    if (!failure && shown != nullptr) failure = failure_to_show(*judge_, *shown, options_.entailed, witness);
+    if (failure) throw base::InternalError("a witness fails: " + *failure);
     return witness;
   }
 
@@ -200,6 +209,8 @@ class ProgramCheck {
   Meter meter_;
   std::unique_ptr<runtime::Reconfigurer> reconfigurer_;
   Loop loop_;
+  std::unique_ptr<automata::PlantStep> judge_;  ///< replays what the search finds, as does the planner
+  std::unique_ptr<runtime::Reconfigurer> planner_;
   std::vector<LoopState> start_;
   bool startless_ = false;  ///< known to be
 };

@@ -3,10 +3,11 @@
 #include "verifier/closed_loop/lasso.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <deque>
 #include <functional>
 #include <unordered_map>
+
+#include "base/check.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -199,8 +200,7 @@ class Lassos {
         if (edge.target != from && reached.try_emplace(edge.target, v, edge).second) queue.push_back(edge.target);
       }
     }
-    assert(false && "the component holds such an edge");
-    return {};
+    throw base::InternalError("a component has no edge that it was found to have");
   }
 
   const std::vector<Vertex>& vertices_;

@@ -3,8 +3,9 @@
 #include "verifier/closed_loop/program_system.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <memory>
+
+#include "base/check.hpp"
 
 namespace rmpl::verifier {
 
@@ -191,14 +192,13 @@ bool ProgramSystem::accepts(const SymbolicState& state) const {
 }
 
 bool ProgramSystem::test(const automata::Modes& modes) const {
-  if (const auto known = answers_.find(modes); known != answers_.end()) return known->second;
-  return answers_.emplace(modes, quest_.test(modes)).first->second;
+  return answers_.find_or(modes, [&] { return quest_.test(modes); });
 }
 
 std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& state) const {
   const std::vector<ComponentId> live = loop_.live(state.modes);
   const auto at = std::lower_bound(live.begin(), live.end(), component);
-  assert(at != live.end() && *at == component);
+  CHECK(at != live.end() && *at == component);
   return 1 + extra() + state.groups.size() + static_cast<std::size_t>(at - live.begin());
 }
 

@@ -4,9 +4,9 @@
 
 #include <functional>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
+#include "base/bounded_cache.hpp"
 #include "verifier/closed_loop/loop.hpp"
 #include "verifier/property/fault.hpp"
 #include "verifier/search/system.hpp"
@@ -93,7 +93,7 @@ class ProgramSystem : public TransitionSystem {
   Loop& loop_;
   const std::vector<LoopState>& start_;
   const Quest& quest_;
-  mutable std::unordered_map<automata::Modes, bool, automata::ModesHash> answers_;  ///< of `test`
+  mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> answers_{1u << 16};  ///< of `test`
 };
 
 }  // namespace rmpl::verifier

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
+#include "base/check.hpp"
 #include "verifier/zone/schedule.hpp"
 
 namespace rmpl::verifier {
@@ -110,13 +110,12 @@ class LoopTimetable {
       for (const ClockBound& b : wait.bounds) waiting.constrain(restarted(b), last, b.clock);
       if (auto times = waiting.solve()) return *times;
     }
-    assert(false && "an accepted state can wait for ever");
-    return {};
+    throw base::InternalError("an accepted state cannot wait for ever");
   }
 
   static std::vector<Units> times_of(const Schedule& schedule) {
     auto times = schedule.solve();
-    assert(times && "a path that the search found has no times");
+    CHECK(times && "a path that the search found has no times");
     return *times;
   }
 

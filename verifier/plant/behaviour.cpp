@@ -3,7 +3,8 @@
 #include "verifier/plant/behaviour.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::verifier {
 
@@ -113,7 +114,7 @@ std::optional<Behaviours::Reason> Behaviours::reason(ComponentId component, cons
   while (true) {
     // What decides one guard mostly decides others as well.
     [[maybe_unused]] const bool consistent = theory.consistent(all);
-    assert(consistent && "what contradicts itself enables everything");
+    CHECK(consistent && "what contradicts itself enables everything");
     std::erase_if(guards, [&](Theory::Handle g) { return theory.known_to_follow(g) || theory.known_to_fail(g); });
     if (guards.empty()) break;
     if (!theory.entails(store, guards.front()) && theory.allows(store, guards.front())) return std::nullopt;

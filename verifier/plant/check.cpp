@@ -3,7 +3,6 @@
 #include "verifier/plant/check.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <memory>
 
@@ -14,6 +13,7 @@
 #include "verifier/plant/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/slice/cone.hpp"
+#include "verifier/witness/claim.hpp"
 #include "verifier/witness/replay.hpp"
 
 namespace rmpl::verifier {
@@ -101,7 +101,7 @@ class Check {
       : step_(step),
         options_(options),
         faults_(faults),
-        reachability_(std::holds_alternative<Reachability>(property)),
+        property_(property),
         wanted_(wanted_of(property)),
         meter_(meter),
         situations_(step, TimeModel::of(options.period, step.plant(), times_of(wanted_)), options.commands, faults,
@@ -132,7 +132,8 @@ class Check {
       result.limit = reached.limit;
     }
     if (witness_ || !result.limit) {
-      result.verdict = witness_.has_value() == reachability_ ? Verdict::holds : Verdict::violated;
+      result.verdict =
+          witness_.has_value() == std::holds_alternative<Reachability>(property_) ? Verdict::holds : Verdict::violated;
     }
     result.witness = std::move(witness_);
     result.cut_sets = std::move(cut_sets_);
@@ -183,17 +184,29 @@ class Check {
       situations_.freeze_all_but(cone_);
       std::optional<Witness> witness = search_as_it_is(observe);
       situations_.freeze_all_but({});
-      if (!witness || all_possible(*witness)) return witness;
+      if (!witness || !failure_of_all(*witness)) return witness;
     }
     std::optional<Witness> witness = search_as_it_is(observe);
-    assert((!witness || all_possible(*witness)) && "a witness cannot be replayed");
+    if (!witness) return std::nullopt;
+    if (const auto failure = failure_of_all(*witness)) throw base::InternalError("a witness fails: " + *failure);
     return witness;
   }
 
-  /// Whether the run is one of the plant, and those of the cut sets are.
-  [[nodiscard]] bool all_possible(const Witness& witness) {
-    return possible(witness) &&
-           std::all_of(cut_sets_.begin(), cut_sets_.end(), [&](const CutSet& cut) { return possible(cut.witness); });
+  /// Why the run, or one of the cut sets, is not possible in the plant or does not show what it is to show.
+  [[nodiscard]] std::optional<std::string> failure_of_all(const Witness& witness) {
+    std::optional<std::string> failure = failure_of(witness);
+    for (const CutSet& cut : cut_sets_) {
+      if (!failure) failure = failure_of(cut.witness);
+    }
+    return failure;
+  }
+
+  [[nodiscard]] std::optional<std::string> failure_of(const Witness& witness) {
+    if (!judge_) judge_ = std::make_unique<PlantStep>(step_.plant());
+    if (auto failure = replay(*judge_, witness, {options_.period, options_.commands, faults_, options_.from})) {
+      return failure;
+    }
+    return failure_to_show(*judge_, property_, options_.entailed, witness);
   }
 
   std::optional<Witness> search_cut_sets(PlantSystem& system) {
@@ -223,7 +236,7 @@ class Check {
     }
     try {
       const auto path = find_path(system, SearchOrder::fewest_steps, options_.threads, meter_);
-      assert((path.has_value() || !any) && "fewer steps lead where all do not");
+      CHECK((path.has_value() || !any) && "fewer steps lead where all do not");
       return path ? std::optional(earliest_witness(*path, system)) : std::nullopt;
     } catch (const LimitReached& reached) {
       if (!any) throw;
@@ -232,18 +245,15 @@ class Check {
     }
   }
 
-  [[nodiscard]] bool possible(const Witness& witness) {
-    return !replay(step_, witness, {options_.period, options_.commands, faults_, options_.from});
-  }
-
   PlantStep& step_;
   const CheckOptions& options_;
   unsigned faults_;
   bool any_ = false;
-  bool reachability_;
+  const Property& property_;
   Wanted wanted_;
   Meter& meter_;
   Situations situations_;
+  std::unique_ptr<PlantStep> judge_;  ///< has no part in the search: it replays what that finds
   std::vector<bool> cone_;
   Symmetry symmetry_;
   std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way

@@ -3,7 +3,8 @@
 #include "verifier/plant/itinerary.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::verifier {
 
@@ -31,7 +32,7 @@ JointStep counterpart(const JointStep& move, const Permutation& names, const Mod
   const auto found = std::find_if(moves->begin(), moves->end(), [&](const JointStep& m) {
     return m.target == target && m.faults == move.faults && m.hold == move.hold && m.bounds == bounds;
   });
-  assert(found != moves->end() && "what a permutation keeps is a move on both sides");
+  CHECK(found != moves->end() && "what a permutation keeps is a move on both sides");
   return *found;
 }
 
@@ -53,7 +54,7 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
     } else {
       system.enumerate_initial(keep);
     }
-    assert(entered && "a path that the search found cannot be followed");
+    CHECK(entered && "a path that the search found cannot be followed");
 
     Leg leg{renamed(entered->situation.modes, names), entered->phase, std::nullopt, std::nullopt};
     if (state) {
@@ -68,7 +69,7 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
     Permutation applied;
     state = system.sorted(std::move(*entered), &applied);
     names = composed(inverse(applied), names);
-    assert(state->discrete == next.discrete && "a path that the search found leads elsewhere");
+    CHECK(state->discrete == next.discrete && "a path that the search found leads elsewhere");
   }
   return legs;
 }

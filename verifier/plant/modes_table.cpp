@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::verifier {
 
@@ -59,7 +60,7 @@ std::uint32_t ModesTable::intern(const automata::Modes& modes) {
     words_.resize(row);
     return slots_[slot];
   }
-  assert(size_ < empty && "more situations than there are numbers");
+  CHECK(size_ < empty && "more situations than there are numbers");
   slots_[slot] = static_cast<std::uint32_t>(size_);
   return static_cast<std::uint32_t>(size_++);
 }

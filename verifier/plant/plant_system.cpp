@@ -3,7 +3,8 @@
 #include "verifier/plant/plant_system.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::verifier {
 
@@ -199,7 +200,7 @@ std::uint64_t PlantSystem::number(const Key& key) {
 std::size_t PlantSystem::Place::clock_of(ComponentId component) const {
   const auto& live = situation.live;
   const auto at = std::lower_bound(live.begin(), live.end(), component);
-  assert(at != live.end() && *at == component);
+  CHECK(at != live.end() && *at == component);
   return 1 + static_cast<std::size_t>(at - live.begin()) + (timed ? 1 : 0);
 }
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/timetable.hpp"
 
-#include <cassert>
-
+#include "base/check.hpp"
 #include "verifier/plant/itinerary.hpp"
 #include "verifier/zone/schedule.hpp"
 
@@ -22,7 +21,7 @@ class Timetable {
     for (std::size_t i = 1; i < legs_.size(); ++i) step(i);
     accept();
     const auto times = schedule_.solve();
-    assert(times && "a path that the search found has no times");
+    CHECK(times && "a path that the search found has no times");
     return events(*times);
   }
 

@@ -3,9 +3,9 @@
 #include "verifier/search/passed.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 
+#include "base/check.hpp"
 #include "verifier/zone/covering.hpp"
 
 namespace rmpl::verifier {
@@ -19,7 +19,7 @@ bool fits(Units bound) { return bound == unbounded || (-greatest_narrow < bound 
 
 template <class Entry>
 std::uint64_t Passed::Arena<Entry>::add(std::span<const Units> matrix) {
-  assert(matrix.size() <= chunk);
+  CHECK(matrix.size() <= chunk);
   if (used_ + matrix.size() > chunk) {
     chunks_.push_back(std::make_unique_for_overwrite<Entry[]>(chunk));
     used_ = 0;
@@ -104,7 +104,7 @@ std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::u
   }
   const std::span<const Units> matrix = state.zone.matrix();
   const bool wide = !std::all_of(matrix.begin(), matrix.end(), fits);
-  assert(nodes_.size() < none && "more states than there are numbers");
+  CHECK(nodes_.size() < none && "more states than there are numbers");
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   Node node{state.discrete, wide ? wide_.add(matrix) : narrow_.add(matrix),      label, parent, steps, state.faults,
             none,           static_cast<std::uint16_t>(state.zone.clocks() + 1), wide};

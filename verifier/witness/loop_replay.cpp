@@ -6,6 +6,7 @@
 #include <set>
 
 #include "verifier/witness/rules.hpp"
+#include "verifier/witness/start.hpp"
 
 namespace rmpl::verifier {
 
@@ -42,7 +43,7 @@ std::vector<Ticks> constants_of(const automata::Program& program) {
 class LoopReplay {
  public:
   LoopReplay(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
-             const Witness& witness, const LoopRules& rules)
+             const Witness& witness, const ReplayRules& rules)
       : step_(step),
         reconfigurer_(reconfigurer),
         witness_(witness),
@@ -80,15 +81,7 @@ class LoopReplay {
 
   std::optional<std::string> start() {
     const Modes& modes = witness_.events.front().modes;
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      const Component& component = plant().components[c];
-      const auto given = std::find_if(rules_.from.begin(), rules_.from.end(),
-                                      [&](const automata::Assignment& a) { return a.variable == component.mode; });
-      const bool right =
-          given == rules_.from.end() ? component.initial[modes[c].index()] > 0 : given->value.value == modes[c].value;
-      if (!right) return component.name + " does not start so";
-    }
-    if (!step_.possible(modes)) return "it starts in an impossible state";
+    if (auto failure = wrong_start(step_, modes, rules_.from)) return failure;
     state_ = {modes, std::vector<Ticks>(modes.size(), Ticks{0})};
     return std::nullopt;
   }
@@ -246,7 +239,7 @@ class LoopReplay {
   automata::PlantStep& step_;
   runtime::Reconfigurer& reconfigurer_;
   const Witness& witness_;
-  const LoopRules& rules_;
+  const ReplayRules& rules_;
   std::vector<Ticks> constants_;
   automata::ProgramStep sequencer_;
   automata::SystemState state_;
@@ -262,7 +255,8 @@ class LoopReplay {
 }  // namespace
 
 std::optional<std::string> replay(const automata::Program& program, automata::PlantStep& step,
-                                  runtime::Reconfigurer& reconfigurer, const Witness& witness, const LoopRules& rules) {
+                                  runtime::Reconfigurer& reconfigurer, const Witness& witness,
+                                  const ReplayRules& rules) {
   return LoopReplay(program, step, reconfigurer, witness, rules).run();
 }
 

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "verifier/witness/rules.hpp"
+#include "verifier/witness/start.hpp"
 
 namespace rmpl::verifier {
 
-using automata::Component;
 using automata::ControlAction;
 using automata::Modes;
 using automata::SystemState;
@@ -40,15 +40,7 @@ class Replay {
 
   std::optional<std::string> start() {
     const Modes& modes = witness_.events.front().modes;
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      const Component& component = plant().components[c];
-      const auto given = std::find_if(rules_.from.begin(), rules_.from.end(),
-                                      [&](const automata::Assignment& a) { return a.variable == component.mode; });
-      const bool right =
-          given == rules_.from.end() ? component.initial[modes[c].index()] > 0 : given->value.value == modes[c].value;
-      if (!right) return component.name + " does not start so";
-    }
-    if (!step_.possible(modes)) return "it starts in an impossible state";
+    if (auto failure = wrong_start(step_, modes, rules_.from)) return failure;
     if (witness_.events.front().time != Ticks{0}) return "it does not start at time 0";
     state_ = {modes, std::vector<Ticks>(modes.size(), Ticks{0})};
     return std::nullopt;

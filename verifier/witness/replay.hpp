@@ -15,12 +15,13 @@ namespace rmpl::verifier {
 /// Under which rules a run is to be possible.
 struct ReplayRules {
   std::optional<automata::Ticks> period;  ///< sampled time; none: dense
-  Commands commands = Commands::one;
+  Commands commands = Commands::one;      ///< of a plant alone
   unsigned faults = 0;
-  std::vector<automata::Assignment> from;  ///< modes to start in, in place of the initial distribution
+  std::vector<automata::Assignment> from = {};  ///< modes to start in, in place of the initial distribution
+  bool endless = false;                         ///< under a program: the wait at the end is to last for ever
 };
 
-/// Why the run is not possible; nothing where it is.
+/// Why the run is not possible; nothing where it is. `step` is one that nothing has searched with.
 ///
 /// Sampled: every period has a positive probability by `PlantStep`, and is possible by exact comparison of ticks. In a
 /// long wait only those periods are looked at in which a clock is near a bound of its mode: between them nothing

@@ -3,10 +3,10 @@
 #include "verifier/zone/time_model.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/error.hpp"
 
 namespace rmpl::verifier {
@@ -51,7 +51,7 @@ TimeModel TimeModel::dense(const automata::Plant& plant, std::span<const Ticks> 
 }
 
 TimeModel TimeModel::sampled(Ticks period) {
-  assert(period > Ticks{0} && !period.is_infinite());
+  CHECK(period > Ticks{0} && !period.is_infinite());
   return {false, period};
 }
 

@@ -3,8 +3,9 @@
 #include "verifier/zone/zone.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <functional>
+
+#include "base/check.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -31,7 +32,7 @@ bool Zone::constrain(std::size_t i, std::size_t j, Units b) {
 }
 
 bool Zone::constrain(std::size_t clock, const Interval& interval) {
-  assert(interval.lower != unbounded);
+  CHECK(interval.lower != unbounded);
   return constrain(0, clock, -interval.lower) && constrain(clock, 0, interval.upper);
 }
 
@@ -56,7 +57,7 @@ Zone Zone::select(std::span<const std::size_t> sources) const {
 }
 
 void Zone::extrapolate(std::span<const ClockLimits> limits) {
-  assert(limits.size() == clocks());
+  CHECK(limits.size() == clocks());
   const auto limit = [&](std::size_t clock) { return clock == 0 ? ClockLimits{0, 0} : limits[clock - 1]; };
   const std::vector<Units> exact = bounds_;
   const auto lower = [&](std::size_t clock) { return -exact[clock]; };
@@ -88,12 +89,12 @@ void Zone::close() {
 }
 
 bool Zone::includes(const Zone& other) const {
-  assert(dimension_ == other.dimension_);
+  CHECK(dimension_ == other.dimension_);
   return std::equal(bounds_.begin(), bounds_.end(), other.bounds_.begin(), std::greater_equal<>{});
 }
 
 Zone Zone::of_matrix(std::vector<Units> matrix, std::size_t clocks) {
-  assert(matrix.size() == (clocks + 1) * (clocks + 1));
+  CHECK(matrix.size() == (clocks + 1) * (clocks + 1));
   Zone result(0);
   result.dimension_ = clocks + 1;
   result.bounds_ = std::move(matrix);
@@ -101,7 +102,7 @@ Zone Zone::of_matrix(std::vector<Units> matrix, std::size_t clocks) {
 }
 
 bool Zone::contains(std::span<const Units> reading) const {
-  assert(reading.size() == clocks());
+  CHECK(reading.size() == clocks());
   const auto value = [&](std::size_t clock) { return clock == 0 ? 0 : reading[clock - 1]; };
   for (std::size_t i = 0; i < dimension_; ++i) {
     for (std::size_t j = 0; j < dimension_; ++j) {

@@ -1,0 +1,102 @@
+// Whether a run shows what it is a witness of: the words of semantics 7, event by event.
+// SPDX-License-Identifier: MIT
+#include "verifier/witness/claim.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Formula;
+using automata::Ticks;
+using Kind = ProgramProperty::Kind;
+
+namespace {
+
+class Claim {
+ public:
+  Claim(automata::PlantStep& step, bool entailed, const Witness& witness)
+      : step_(step), entailed_(entailed), events_(witness.events), repeats_from_(witness.repeats_from) {}
+
+  std::optional<std::string> failure(const Reachability& p) { return reached(p.target, p.window); }
+  std::optional<std::string> failure(const Safety& p) { return reached(p.never, p.window); }
+
+  std::optional<std::string> failure(const Response& p) {
+    const Ticks end = events_.back().time;
+    for (std::size_t e = 0; e < events_.size(); ++e) {
+      if (!holds(p.after, e, entailed_) || end - events_[e].time <= p.within) continue;
+      if (never_before(p.then, e, events_[e].time + p.within)) return std::nullopt;
+    }
+    return "every response on it comes in time";
+  }
+
+  std::optional<std::string> failure(const ProgramProperty& p) {
+    const Cycle& last = *events_.back().cycle;
+    const bool ended = last.marking.empty();
+    switch (p.kind) {
+      case Kind::goal_conflict:
+        return last.conflicts.empty() ? std::optional("its goals agree") : std::nullopt;
+      case Kind::no_plan:
+        return last.outcome != runtime::Reconfiguration::Outcome::no_plan ? std::optional("there is a plan")
+                                                                          : std::nullopt;
+      case Kind::endless_wait:
+        return ended ? std::optional("the program has ended") : std::nullopt;
+      case Kind::termination:
+        if (ended) return "the program has ended";
+        return repeats_from_ && !comes_round() ? std::optional("it does not come back to where it repeats")
+                                               : std::nullopt;
+      case Kind::never:
+        return holds(p.formula, events_.size() - 1, entailed_) ? std::nullopt
+                                                               : std::optional("the formula does not hold at its end");
+      case Kind::eventually:
+        if (events_.back().time <= p.within) return "it ends in time";
+        return never_before(p.formula, 0, p.within) ? std::nullopt : std::optional("the formula holds in time");
+      case Kind::finally:
+        if (!ended) return "the program has not ended";
+        return holds(p.formula, events_.size() - 1, !entailed_) ? std::optional("the formula holds at its end")
+                                                                : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<std::string> reached(const Formula& target, const Window& window) {
+    const Ticks end = events_.back().time;
+    if (window.not_before && end < *window.not_before) return "it ends too early";
+    if (window.by && end > *window.by) return "it ends too late";
+    return holds(target, events_.size() - 1, entailed_) ? std::nullopt
+                                                        : std::optional("the target does not hold at its end");
+  }
+
+  /// Whether the formula does not hold in any state from an event on that is entered up to that time.
+  bool never_before(const Formula& formula, std::size_t from, Ticks time) {
+    for (std::size_t e = from; e < events_.size() && events_[e].time <= time; ++e) {
+      if (holds(formula, e, !entailed_)) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool comes_round() const {
+    return events_[*repeats_from_ - 1].modes == events_.back().modes &&
+           events_[*repeats_from_].cycle->marking == events_.back().cycle->marking;
+  }
+
+  /// The store of an event implies the formula, or (not `certain`) allows it.
+  bool holds(const Formula& formula, std::size_t event, bool certain) {
+    const auto store = automata::assignments_of(step_.plant(), events_[event].modes);
+    const automata::Theory::Handle handle = step_.theory().encode(formula);
+    return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
+  }
+
+  automata::PlantStep& step_;
+  bool entailed_;
+  const std::vector<Event>& events_;
+  std::optional<std::size_t> repeats_from_;
+};
+
+}  // namespace
+
+std::optional<std::string> failure_to_show(automata::PlantStep& step, const Property& property, bool entailed,
+                                           const Witness& witness) {
+  Claim claim(step, entailed, witness);
+  return std::visit([&](const auto& asked) { return claim.failure(asked); }, property);
+}
+
+}  // namespace rmpl::verifier

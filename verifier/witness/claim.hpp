@@ -1,0 +1,19 @@
+// Whether a run shows what it is a witness of.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "automata/step/plant_step.hpp"
+#include "verifier/property/property.hpp"
+#include "verifier/witness/witness.hpp"
+
+namespace rmpl::verifier {
+
+/// Why the run does not show that the property holds (reachability) or is violated (all others); nothing where it does.
+/// `entailed` as in CheckOptions. Whether the run is possible is for `replay` to say.
+std::optional<std::string> failure_to_show(automata::PlantStep& step, const Property& property, bool entailed,
+                                           const Witness& witness);
+
+}  // namespace rmpl::verifier
