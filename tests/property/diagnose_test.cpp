@@ -97,5 +97,17 @@ RC_GTEST_PROP(Diagnose, AllMinimalAreThoseOfFewestFaults, ()) {
   }
 }
 
+/// One of the fewest is one of those that the complete list has.
+RC_GTEST_PROP(Diagnose, FirstIsOneOfTheMinimal, ()) {
+  const Snapshot given = snapshot();
+  const auto all = runtime::diagnose(given.model.plant, given.observation, {.all_minimal = true});
+  const auto first = runtime::diagnose(given.model.plant, given.observation, {.all_minimal = true, .first = true});
+  RC_ASSERT(first.cardinality == all.cardinality);
+  RC_ASSERT(first.diagnoses.size() == std::min<std::size_t>(1, all.diagnoses.size()));
+  if (first.diagnoses.empty()) return;
+  RC_ASSERT(std::any_of(all.diagnoses.begin(), all.diagnoses.end(),
+                        [&](const runtime::Diagnosis& d) { return d.faults == first.diagnoses.front().faults; }));
+}
+
 }  // namespace
 }  // namespace rmpl::property

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/estimate/open_readings.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/belief.hpp"
@@ -69,11 +72,12 @@ RC_GTEST_PROP(Estimate, KBestThatKeepsAllIsExact, ()) {
 
 /// The k most probable of the posterior that follows from the belief kept before.
 RC_GTEST_PROP(Estimate, KBestKeepsTheBest, ()) {
-  const Model model = *models();
+  const Model model = *models({.max_attributes = 6, .open = chance(60)});
   const Log log = *logs(model.plant, 5);
   const std::size_t k = up_to(1, 6);
   automata::PlantStep step(model.plant);
-  const auto estimator = runtime::make_k_best_estimator(step, {.k = k, .factored = false, .normalise = false});
+  const auto estimator = runtime::make_k_best_estimator(
+      step, {.k = k, .patience = chance(70) ? up_to(0, 2) : 32, .factored = false, .normalise = false});
   const reference::Step slow(model.plant);
   Ticks before;
   for (const LogLine& line : log.lines) {
@@ -100,11 +104,91 @@ RC_GTEST_PROP(Estimate, KBestKeepsTheBest, ()) {
   }
 }
 
+/// What is said to leave a reading open does so, whatever the other components do.
+RC_GTEST_PROP(Estimate, OpenReadingsAreOpen, ()) {
+  const Model model = *models({.max_attributes = 6, .open = true});
+  automata::PlantStep step(model.plant);
+  runtime::OpenReadings open(step);
+  const reference::Step slow(model.plant);
+  std::vector<std::size_t> sizes;
+  for (const automata::Component& component : model.plant.components) sizes.push_back(component.modes.size());
+  for (int i = 0; i < 4; ++i) {
+    const automata::Modes modes = *modes_of(model.plant);
+    for (const automata::VariableId seen : model.plant.observables) {
+      const auto values = model.plant.variables[seen].values.size();
+      const automata::Assignment reading{seen, automata::ValueId(up_to(0, values - 1))};
+      const auto* components = open.components(modes, reading);
+      RC_TAG(components == nullptr ? "not known to be open" : "open");
+      if (components == nullptr) continue;
+      for (const auto& tuple : reference::tuples(sizes)) {
+        const automata::Modes other(tuple.begin(), tuple.end());
+        const bool alike = std::all_of(components->begin(), components->end(),
+                                       [&](automata::ComponentId c) { return other[c.index()] == modes[c.index()]; });
+        if (alike && slow.possible(other)) RC_ASSERT(slow.observation_factor(other, {reading}) < 1);
+      }
+    }
+  }
+}
+
+/// What is seen at time 0 conditions the initial belief; no step is taken.
+RC_GTEST_PROP(Estimate, TheStartIsConditioned, ()) {
+  const Model model = *models({.open = chance(50)});
+  const reference::Step slow(model.plant);
+  const automata::Observation seen = (*logs(model.plant, 1)).lines.front().observation;
+  const reference::Belief initial = reference::initial_belief(slow);
+  reference::Belief expected;
+  double sum = 0;
+  for (const auto& [state, probability] : initial) {
+    const double weighed = probability * slow.observation_factor(state.modes, seen);
+    if (weighed > 0) sum += expected[state] = weighed;
+  }
+  const bool consistent = !expected.empty();
+  if (!consistent) {
+    for (const auto& [state, probability] : initial) sum += expected[state] = probability;
+  }
+  for (auto& [state, probability] : expected) probability /= sum;
+  for (const bool exact : {true, false}) {
+    automata::PlantStep step(model.plant);
+    const auto estimator = exact ? runtime::make_exact_estimator(step, {})
+                                 : runtime::make_k_best_estimator(step, {.k = everything, .patience = 0});
+    RC_ASSERT(estimator->start(seen).consistent == consistent);
+    same_belief(estimator->belief(), expected);
+  }
+}
+
+/// Ranks: whole numbers that add up along the best trajectory into each state, and whole sets of equal rank.
+RC_GTEST_PROP(Estimate, RanksAreCounted, ()) {
+  const Model model = *models();
+  const Log log = *logs(model.plant, 5);
+  const std::size_t k = up_to(1, 6);
+  automata::PlantStep step(model.plant);
+  const auto estimator = runtime::make_k_best_estimator(
+      step, {.k = k, .merge_trajectories = false, .observation_factor = false, .normalise = false, .ranks = true});
+  const reference::Step slow(model.plant);
+  reference::Ranks kept = reference::best(reference::initial_ranks(slow), k);
+  Ticks before;
+  for (const LogLine& line : log.lines) {
+    kept = reference::best(reference::ranked(slow, kept, line.action, line.observation, before, line.time), k);
+    before = line.time;
+    if (kept.empty()) return;
+    const runtime::Estimate& estimate = estimator->update(line.action, line.observation, line.time);
+    RC_ASSERT(estimate.consistent);
+    RC_ASSERT(estimator->belief().size() == kept.size());
+    for (const runtime::BeliefEntry& entry : estimator->belief()) {
+      const auto known = kept.find(entry.state);
+      RC_ASSERT(known != kept.end());
+      RC_ASSERT(estimate.rank + static_cast<std::uint64_t>(std::llround(-std::log10(entry.probability))) ==
+                known->second);
+    }
+  }
+}
+
 /// What a truncated belief leaves out of the exact posterior is never more than it says, however long it goes on.
 RC_GTEST_PROP(Estimate, MissingMassIsAnUpperBound, ()) {
-  const Model model = *models();
+  const Model model = *models({.max_attributes = 6, .open = chance(60)});
   const Log log = *logs(model.plant, 6);
-  const runtime::EstimatorOptions options{.k = up_to(1, 4), .factored = chance(50)};
+  const runtime::EstimatorOptions options{
+      .k = up_to(1, 4), .patience = chance(50) ? 0 : up_to(1, 32), .factored = chance(50)};
   automata::PlantStep step(model.plant);
   const auto estimator = runtime::make_k_best_estimator(step, options);
   const reference::Step slow(model.plant);

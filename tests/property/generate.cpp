@@ -71,7 +71,7 @@ class PlantDraw {
     add_interconnections();
     for (const auto& own : own_)
       for (VariableId attribute : own)
-        if (!is_control(attribute) && chance(70)) plant_.observables.push_back(attribute);
+        if (!is_control(attribute) && chance(shape_.open ? 95 : 70)) plant_.observables.push_back(attribute);
     return std::move(plant_);
   }
 
@@ -101,7 +101,7 @@ class PlantDraw {
     for (std::size_t i = 0; i < count; ++i) {
       std::vector<std::string> values = {"v0", "v1"};
       if (chance(40)) values.emplace_back("v2");
-      const bool commanded = i == 0 && (shape_.commanded || chance(70));
+      const bool commanded = i == 0 && (shape_.commanded || chance(shape_.open ? 30 : 70));
       const std::string name = owner + (commanded ? ".cmd" : ".a" + std::to_string(i));
       own_.back().push_back(plant_.variables.add({name, std::move(values)}));
       if (commanded) plant_.controls.push_back({own_.back().back(), ValueId(std::size_t{0})});
@@ -119,7 +119,8 @@ class PlantDraw {
     for (VariableId variable : own)
       if (!is_control(variable)) told.push_back(variable);
     for (automata::Mode& mode : component.modes)
-      if (!told.empty() && chance(60)) mode.constraint = draw_formula(plant_.variables, told, chance(30) ? 1 : 0);
+      if (!told.empty() && chance(60))
+        mode.constraint = draw_formula(plant_.variables, told, chance(shape_.open ? 70 : 30) ? 1 : 0);
 
     component.initial.assign(component.modes.size(), 0.0);
     component.initial[0] = 1;

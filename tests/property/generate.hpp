@@ -36,6 +36,8 @@ struct Shape {
   bool timed = true;
   bool densities = true;      ///< else all timed transitions are uniform between finite bounds
   bool distributions = true;  ///< several initial modes, weighted and branching nominal transitions
+  bool open =
+      false;  ///< nearly all that there is, is observed, and constraints leave room: readings are often unimplied
   bool rewards = false;
   bool commanded = false;  ///< every untimed nominal transition needs its component's command
 };

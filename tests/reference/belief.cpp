@@ -3,6 +3,7 @@
 #include "tests/reference/belief.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace rmpl::reference {
@@ -109,6 +110,63 @@ Belief timed_me(const Step& step, const Belief& belief, const automata::ControlA
     double& known = result[target];
     known = std::max(known, probability);
   });
+  return result;
+}
+
+namespace {
+
+/// Calls `visit` for each choice of one mode a component, with the sum of their ranks.
+void for_each_ranked(const std::vector<std::vector<double>>& distributions,
+                     const std::function<void(const Modes&, std::uint64_t)>& visit) {
+  for_each_choice(distributions, [&](const Modes& modes, double) {
+    std::uint64_t rank = 0;
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      rank += static_cast<std::uint64_t>(std::llround(-std::log10(distributions[i][modes[i].index()])));
+    }
+    visit(modes, rank);
+  });
+}
+
+void keep_least(Ranks& ranks, const SystemState& state, std::uint64_t rank) {
+  const auto [known, fresh] = ranks.try_emplace(state, rank);
+  if (!fresh) known->second = std::min(known->second, rank);
+}
+
+}  // namespace
+
+Ranks initial_ranks(const Step& step) {
+  std::vector<std::vector<double>> distributions;
+  for (const automata::Component& component : step.plant().components) distributions.push_back(component.initial);
+  Ranks result;
+  for_each_ranked(distributions, [&](const Modes& modes, std::uint64_t rank) {
+    if (step.possible(modes)) keep_least(result, {modes, std::vector<Ticks>(modes.size())}, rank);
+  });
+  return result;
+}
+
+Ranks ranked(const Step& step, const Ranks& ranks, const automata::ControlAction& action,
+             const automata::Observation& observation, Ticks before, Ticks now) {
+  Ranks result;
+  for (const auto& entry : ranks) {
+    const SystemState& state = entry.first;
+    std::vector<std::vector<double>> distributions;
+    for (std::size_t i = 0; i < state.modes.size(); ++i) {
+      distributions.push_back(step.distribution(i, state, action, before, now));
+    }
+    for_each_ranked(distributions, [&](const Modes& modes, std::uint64_t rank) {
+      if (!step.possible(modes) || !step.explains(modes, observation)) return;
+      keep_least(result, Step::advance(state, modes, now), entry.second + rank);
+    });
+  }
+  return result;
+}
+
+Ranks best(const Ranks& ranks, std::size_t k) {
+  std::vector<std::uint64_t> all;
+  for (const auto& [state, rank] : ranks) all.push_back(rank);
+  std::sort(all.begin(), all.end());
+  Ranks result = ranks;
+  if (all.size() > k) std::erase_if(result, [&](const auto& entry) { return entry.second > all[k - 1]; });
   return result;
 }
 

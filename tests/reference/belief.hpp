@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -42,6 +43,15 @@ MostLikely most_likely(const Belief& belief);
 /// observation, not summed, not weighted by the observation, not normalised. All of them; see `best`.
 Belief timed_me(const Step& step, const Belief& belief, const automata::ControlAction& action,
                 const automata::Observation& observation, automata::Ticks before, automata::Ticks now);
+
+/// Ranks of system states: the exponents of the nearest powers of ten, added up along the best trajectory into each
+/// state that is consistent with the observation.
+using Ranks = std::map<automata::SystemState, std::uint64_t>;
+Ranks initial_ranks(const Step& step);
+Ranks ranked(const Step& step, const Ranks& ranks, const automata::ControlAction& action,
+             const automata::Observation& observation, automata::Ticks before, automata::Ticks now);
+/// The k best states and all that are as good as the k-th.
+Ranks best(const Ranks& ranks, std::size_t k);
 
 /// The k most probable entries, ties to the first in order of modes, then clocks. `clear` is false where the last
 /// that was kept and the first that was not are too close for floating point to tell.

@@ -130,6 +130,7 @@ void fewest(const automata::Plant& plant, const automata::Observation& observati
       if (const auto candidate = snapshot.at_most(faults)) {
         result.cardinality = faults;
         result.diagnoses.push_back(diagnosis_of(*candidate, snapshot.statuses()));
+        if (options.first) return;
         snapshot.exclude(*candidate);
       } else if (result.cardinality) {
         return;
@@ -142,7 +143,7 @@ void fewest(const automata::Plant& plant, const automata::Observation& observati
 
 /// The same for a circuit, by cores and sections; false where the plant is none, or an input is not observed.
 bool fewest_of_circuit(const automata::Plant& plant, const std::vector<Statuses>& statuses,
-                       const automata::Observation& observation, const DiagnoseOptions& options, Diagnoses& result) {
+                       const automata::Observation& observation, CircuitDiagnosis::Scope scope, Diagnoses& result) {
   const auto circuit = circuit_of(plant);
   if (!circuit) return false;
   const auto report = [&](const FaultSet& faults) {
@@ -150,7 +151,6 @@ bool fewest_of_circuit(const automata::Plant& plant, const std::vector<Statuses>
     for (const automata::ComponentId component : faults) candidate[component.index()] = 1;
     result.diagnoses.push_back(diagnosis_of(candidate, statuses));
   };
-  const auto scope = options.count_only ? CircuitDiagnosis::Scope::count : CircuitDiagnosis::Scope::list;
   const auto minimal = CircuitDiagnosis(*circuit).solve(observation, scope, report);
   if (!minimal) return false;
   result.cardinality = minimal->cardinality;
@@ -159,18 +159,30 @@ bool fewest_of_circuit(const automata::Plant& plant, const std::vector<Statuses>
   return true;
 }
 
+/// Whether every component is as likely to fail as any other, and likelier not to: then fewer faults are likelier.
+bool equally_reliable(const std::vector<Statuses>& statuses) {
+  const auto alike = [&](const Statuses& s) {
+    return s.priors.size() == 2 && s.priors == statuses.front().priors && s.priors[0] > s.priors[1] && s.priors[1] > 0;
+  };
+  return std::all_of(statuses.begin(), statuses.end(), alike);
+}
+
 }  // namespace
 
 Diagnoses diagnose(const automata::Plant& plant, const automata::Observation& observation,
                    const DiagnoseOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Diagnoses result;
+  const std::vector<Statuses> statuses = all_statuses(plant);
+  using Scope = CircuitDiagnosis::Scope;
   if (!options.all_minimal) {
-    leading(plant, observation, options, result);
+    const bool fewest_will_do = options.k == 1 && equally_reliable(statuses) &&
+                                fewest_of_circuit(plant, statuses, observation, Scope::first, result);
+    if (!fewest_will_do) leading(plant, observation, options, result);
     result.count = result.diagnoses.size();
   } else {
-    const std::vector<Statuses> statuses = all_statuses(plant);
-    if (!fewest_of_circuit(plant, statuses, observation, options, result)) {
+    const Scope scope = options.first ? Scope::first : options.count_only ? Scope::count : Scope::list;
+    if (!fewest_of_circuit(plant, statuses, observation, scope, result)) {
       fewest(plant, observation, options, result);
       result.count = result.diagnoses.size();
       if (options.count_only) result.diagnoses.clear();

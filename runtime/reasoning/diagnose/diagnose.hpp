@@ -19,6 +19,7 @@ struct DiagnoseOptions {
   /// None that is more than so many times less likely than the best; at least 1. Without effect where `all_minimal`.
   double ratio = std::numeric_limits<double>::infinity();
   bool all_minimal = false;                                          ///< instead every diagnosis with the fewest faults
+  bool first = false;                                                ///< with `all_minimal`: only one of them
   bool count_only = false;                                           ///< with `all_minimal`: only how many there are
   std::size_t candidates = std::numeric_limits<std::size_t>::max();  ///< how many may be checked
 };
@@ -47,7 +48,8 @@ struct Diagnoses {
 /// consistent with the observations (of any attributes). The leading ones by prior, where an assignment with prior 0
 /// is none; or with `all_minimal` all those of the least number of faults, each once, whatever their priors. Where the
 /// plant is a circuit with all inputs observed (see `circuit_of`), the latter are found by cores and sections, which
-/// counts sets far too large to list.
+/// counts sets far too large to list; there one with the fewest faults, proved, is also the answer to `k` = 1 where all
+/// gates are equally likely to fail, since it is then one of the most probable.
 Diagnoses diagnose(const automata::Plant& plant, const automata::Observation& observation,
                    const DiagnoseOptions& options);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "runtime/reasoning/estimate/rank.hpp"
+
 namespace rmpl::runtime {
 namespace {
 
@@ -37,8 +39,6 @@ std::size_t MoveTable::KeyHash::operator()(const Key& key) const noexcept {
   return hash ^ (hash >> 32);
 }
 
-MoveTable::MoveTable(const automata::Plant& plant) : plant_(plant) {}
-
 /// A mode with timed exits none of which is enabled does not ask its clock.
 bool MoveTable::depends_on_clock(std::size_t component, const automata::Enabled& enabled) const {
   if (!enabled.timed.empty()) return true;
@@ -62,8 +62,9 @@ void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& 
     const Key key{&enabled[c], timed ? state.clock_starts[c].count : 0, (now - before).count};
     auto at = table.find(key);
     if (at == table.end()) {
-      const automata::ComponentId id(c);
-      at = table.try_emplace(key, step.moves(id, state.modes[c], enabled[c], state.clock_starts[c], before, now)).first;
+      auto own = step.moves(automata::ComponentId(c), state.modes[c], enabled[c], state.clock_starts[c], before, now);
+      if (ranks_) rank(own);
+      at = table.try_emplace(key, own).first;
     }
     moves.push_back(&at->second);
   }

@@ -37,7 +37,8 @@ class MoveTable {
  public:
   using Moves = std::vector<const ComponentMoves*>;  ///< by component
 
-  explicit MoveTable(const automata::Plant& plant);
+  /// `ranks`: probabilities as powers of ten.
+  explicit MoveTable(const automata::Plant& plant, bool ranks = false) : plant_(plant), ranks_(ranks) {}
 
   /// For each component; valid until what it rests on is forgotten.
   void look_up(automata::PlantStep& step, const automata::SystemState& state, const automata::ControlAction& action,
@@ -70,6 +71,7 @@ class MoveTable {
   [[nodiscard]] bool depends_on_clock(std::size_t component, const automata::Enabled& enabled) const;
 
   const automata::Plant& plant_;
+  const bool ranks_;
   Table lasting_;
   Table retired_;  ///< of what was forgotten: what is still to be let go of
   Table passing_;

@@ -11,6 +11,7 @@
 #include "runtime/reasoning/estimate/filter.hpp"
 #include "runtime/reasoning/estimate/groups.hpp"
 #include "runtime/reasoning/estimate/product.hpp"
+#include "runtime/reasoning/estimate/successor.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -43,6 +44,17 @@ class FactoredEstimator final : public Estimator {
     }
     if (parts_.empty()) take_as_one();
     summarise(std::all_of(parts_.begin(), parts_.end(), [](const Part& p) { return p.filter->estimate().consistent; }));
+  }
+
+  const Estimate& start(const Observation& observation) override {
+    CHECK(!updated_);
+    const auto seen = parts_.size() > 1 ? groups_->divide(observation) : std::vector<Observation>{observation};
+    bool explained = true;
+    for (std::size_t p = 0; p < parts_.size(); ++p) explained = parts_[p].filter->start(seen[p]) && explained;
+    // What one group cannot explain is left out of account in all.
+    for (std::size_t p = 0; !explained && p < parts_.size(); ++p) parts_[p].filter->start({});
+    summarise(explained);
+    return estimate_;
   }
 
   const Estimate& update(const ControlAction& action, const Observation& observation, Ticks now) override {
@@ -84,7 +96,8 @@ class FactoredEstimator final : public Estimator {
         parts_[p].filter->stay(input(p, now, deadline));
       }
     }
-    last_ = now;
+    before_ = std::exchange(last_, now);
+    updated_ = true;
     summarise(explained);
     return estimate_;
   }
@@ -98,6 +111,23 @@ class FactoredEstimator final : public Estimator {
     return joint_;
   }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
+  [[nodiscard]] std::optional<automata::Modes> likeliest_without(automata::ComponentId component,
+                                                                 automata::ModeId mode) const override {
+    if (!updated_) return std::nullopt;
+    automata::Modes whole(step_.plant().components.size());
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const Part& part = parts_[p];
+      const auto member = std::find(part.components.begin(), part.components.end(), component);
+      std::optional<Avoided> avoided;
+      if (member != part.components.end()) {
+        avoided = {automata::ComponentId(static_cast<std::size_t>(member - part.components.begin())), mode};
+      }
+      const auto own = likeliest_successor(*part.step, part.filter->before(), actions_[p], before_, last_, avoided);
+      if (!own) return std::nullopt;
+      for (std::size_t i = 0; i < part.components.size(); ++i) whole[part.components[i].index()] = (*own)[i];
+    }
+    return whole;
+  }
   [[nodiscard]] std::size_t groups() const override { return parts_.size(); }
   [[nodiscard]] std::size_t questions() const override {
     std::size_t sum = retired_questions_;
@@ -185,6 +215,7 @@ class FactoredEstimator final : public Estimator {
       kept *= 1 - own.missing_mass;
       kept_of_all *= 1 - own.missing_total;
     }
+    estimate_.rank = parts_.front().filter->estimate().rank;  // ranks have one group
     estimate_.missing_mass = parts_.size() == 1 ? parts_.front().filter->estimate().missing_mass : 1 - kept;
     estimate_.missing_total = parts_.size() == 1 ? parts_.front().filter->estimate().missing_total : 1 - kept_of_all;
   }
@@ -198,7 +229,9 @@ class FactoredEstimator final : public Estimator {
   std::vector<Part> parts_;
   std::vector<ControlAction> actions_;     ///< per part
   std::vector<Observation> observations_;  ///< per part
+  Ticks before_;                           ///< the update before the last
   Ticks last_;
+  bool updated_ = false;
   Estimate estimate_;
   mutable Belief joint_;
   mutable bool multiplied_ = false;

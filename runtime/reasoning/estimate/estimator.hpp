@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -44,11 +45,15 @@ struct Estimate {
   /// k-best: an upper bound of the probability, in the posterior that the exact estimator has, of all that the belief
   /// leaves out: what was not kept in any update since the start may all have come to where it explains everything.
   double missing_total = 0;
+  std::uint64_t rank = 0;  ///< with `EstimatorOptions::ranks`: of the best state
 };
 
 struct EstimatorOptions {
   std::size_t k = 16;                ///< system states kept by k-best; at least 1
   std::size_t candidates = 100'000;  ///< k-best: how many candidates an update may check before it is cut
+  /// k-best: a search that has checked so many candidates takes the observation factor into its bounds; most end
+  /// before.
+  std::size_t patience = 32;
   /// k-best: how long an update may search; the best states found until then are kept, at least one.
   std::optional<std::chrono::nanoseconds> deadline = std::nullopt;
   /// Keep the belief as a product over independent groups of components: exact, and exponential in the largest group
@@ -59,6 +64,11 @@ struct EstimatorOptions {
   bool merge_trajectories = true;  ///< add up trajectories that meet in one system state; off in `--thesis`
   bool observation_factor = true;  ///< apply the 1/m of semantics 4; off in `--thesis`
   bool normalise = true;           ///< off in `--thesis`: Fig. 6-11 returns f(tau) as it is
+  /// Count instead of weigh, as Livingstone2 does: a probability is a power of ten, the nearest one, whose exponent is
+  /// its rank; ranks of a trajectory add up; of trajectories that meet the best counts, and all states that are as good
+  /// as the k-th are kept. With the three above off. A probability of the belief is then 10 to the minus of the
+  /// difference of its rank to the best, which `Estimate::rank` tells.
+  bool ranks = false;
   /// Forget the clock of a component while its mode has no timed exit: exact on modes, and states that differ only in
   /// such clocks become one. The executive sets it; `estimate` keeps all clocks, as Fig. 6-10 does.
   bool live_clocks_only = false;
@@ -68,6 +78,9 @@ struct EstimatorOptions {
 class Estimator {
  public:
   virtual ~Estimator() = default;
+  /// Conditions the initial belief on what is seen at time 0, before any step; in place of what an earlier call was
+  /// told. Before the first update. Where nothing explains it, the belief is the initial one, and the estimate says so.
+  virtual const Estimate& start(const automata::Observation& observation) = 0;
   /// The belief after the control action that was in force since the last update and the observations at `now`, which
   /// is not before the last update.
   /// Throws TooManyStates where groups have to be taken together and that is too much.
@@ -76,6 +89,11 @@ class Estimator {
   /// Throws TooManyStates where more than a million states of a product are to be listed.
   [[nodiscard]] virtual const Belief& belief() const = 0;
   [[nodiscard]] virtual const Estimate& estimate() const = 0;  ///< of the last update, or of the initial belief
+  /// What was most likely at the last update, before its observation was looked at, without one mode of one component:
+  /// where the likeliest step leads that some state of the belief before can take. Nothing where no step avoids the
+  /// mode, or before the first update. A search; for explanations (explain/evidence.hpp), not for every cycle.
+  [[nodiscard]] virtual std::optional<automata::Modes> likeliest_without(automata::ComponentId component,
+                                                                         automata::ModeId mode) const = 0;
   /// How many independent groups the belief is kept as.
   [[nodiscard]] virtual std::size_t groups() const = 0;
   /// How often the constraint stores were asked since the start, and how often that took a solver.

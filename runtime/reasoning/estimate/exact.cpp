@@ -25,16 +25,18 @@ class Exact final : public Filter {
  public:
   Exact(automata::PlantStep& step, const EstimatorOptions& options)
       : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only) {
-    const std::size_t components = step.plant().components.size();
+    estimate_.modes = likeliest_initial_modes(step.plant());
+    estimate_.consistent = start({});
+  }
+
+  bool start(const automata::Observation& observation) override {
+    const std::size_t components = step_.plant().components.size();
+    const SystemState origin{Modes(components), std::vector<Ticks>(components)};
     Targets initial;
-    const SystemState start{Modes(components), std::vector<Ticks>(components)};
-    spread({start, 1.0}, step.initial_moves(), Ticks{}, initial);
-    estimate_.consistent = weigh(initial, {});
-    if (estimate_.consistent) {
-      settle();
-    } else {
-      estimate_.modes = likeliest_initial_modes(step.plant());
-    }
+    spread({origin, 1.0}, step_.initial_moves(), Ticks{}, initial);
+    const bool explained = weigh(initial, observation);
+    if (explained || weigh(initial, {})) settle();
+    return explained;
   }
 
   bool condition(const StepInput& input) override {
@@ -54,7 +56,10 @@ class Exact final : public Filter {
     last_ = input.now;
   }
 
-  void stay(const StepInput& input) override { last_ = input.now; }
+  void stay(const StepInput& input) override {
+    before_ = belief_;
+    last_ = input.now;
+  }
 
   void resume(Belief belief, double missing, Ticks now) override {
     belief_ = std::move(belief);
@@ -64,6 +69,7 @@ class Exact final : public Filter {
   }
 
   [[nodiscard]] const Belief& belief() const override { return belief_; }
+  [[nodiscard]] const Belief& before() const override { return before_; }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
 
  private:
@@ -100,7 +106,7 @@ class Exact final : public Filter {
   void settle() {
     put_in_order(posterior_);
     if (options_.normalise) normalise(posterior_);
-    belief_ = std::move(posterior_);
+    before_ = std::exchange(belief_, std::move(posterior_));
     posterior_ = {};
     tell_most_likely(belief_, estimate_);
   }
@@ -112,6 +118,7 @@ class Exact final : public Filter {
   Targets targets_;
   Belief posterior_;
   Belief belief_;
+  Belief before_;
   Estimate estimate_;
 };
 

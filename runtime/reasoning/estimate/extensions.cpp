@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rmpl::runtime {
@@ -19,10 +20,12 @@ automata::Modes modes_of(std::span<const std::uint32_t> candidate) {
 
 }  // namespace
 
-Evidence::Evidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting)
+Evidence::Evidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting,
+                   OpenReadings* open)
     : step_(step),
       observation_(std::move(observation)),
       lasting_(lasting),
+      open_(open),
       conflicts_(std::make_shared<ConflictSet>(lasting)) {}
 
 double Evidence::factor(const automata::Modes& modes) { return step_.observation_factor(modes, observation_); }
@@ -33,6 +36,19 @@ Conflict Evidence::blame(const automata::Modes& modes) {
   for (const automata::ComponentId c : refutation.components) conflict.push_back({c.value, modes[c.index()].value});
   if (refutation.lasting) lasting_.add(conflict);
   return conflict;
+}
+
+/// Each reading that the base leaves open stays open until one of the components that this rests on changes.
+FactorBound Evidence::factor_bound(const automata::Modes& base) const {
+  FactorBound bound{1, std::vector<double>(base.size(), 1.0)};
+  for (const automata::Assignment& reading : observation_) {
+    const std::vector<automata::ComponentId>* components = open_->components(base, reading);
+    if (components == nullptr) continue;
+    const auto values = static_cast<double>(step_.plant().variables[reading.variable].values.size());
+    bound.most /= values;
+    for (const automata::ComponentId c : *components) bound.gains[c.index()] *= values;
+  }
+  return bound;
 }
 
 Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
@@ -47,7 +63,12 @@ void Extensions::restart(Evidence& evidence, const std::vector<const ComponentMo
   moves_ = moves;
   found_.clear();
   best_ = 1;
+  mass_ = 1;
   started_ = false;
+  tight_ = false;
+  base_.clear();
+  factors_ = {};
+  offset_ = 0;
   for (const ComponentMoves* const component : moves_) best_ *= component->greatest();
 }
 
@@ -56,7 +77,62 @@ void Extensions::start() {
   std::vector<const OptimalSearch::Domain*> domains;
   domains.reserve(moves_.size());
   for (const ComponentMoves* const component : moves_) domains.push_back(&component->domain());
+  offset_ = 0;
+  if (!factors_.gains.empty()) adjust(domains);
   search_.restart(domains, evidence_->conflicts());
+}
+
+/// Domains of their own for the components that may gain: the base mode at its cost, the others at theirs less the
+/// gain, and all of them less the least, which goes into the offset.
+void Extensions::adjust(std::vector<const OptimalSearch::Domain*>& domains) {
+  adjusted_.clear();
+  adjusted_.reserve(domains.size());
+  offset_ = -std::log(factors_.most);
+  for (std::size_t c = 0; c < domains.size(); ++c) {
+    if (factors_.gains[c] == 1) continue;
+    const double gain = std::log(factors_.gains[c]);
+    std::vector<double> costs;
+    double least = std::numeric_limits<double>::infinity();
+    for (const OptimalSearch::Choice& choice : domains[c]->choices()) {
+      costs.resize(std::max<std::size_t>(costs.size(), choice.value + 1), std::numeric_limits<double>::infinity());
+      costs[choice.value] = choice.cost - (choice.value == base_[c].index() ? 0.0 : gain);
+      least = std::min(least, costs[choice.value]);
+    }
+    for (double& cost : costs) cost -= least;
+    offset_ += least;
+    domains[c] = &adjusted_.emplace_back(costs);
+  }
+}
+
+void Extensions::tighten() {
+  if (tight_) return;
+  tight_ = true;
+  if (!evidence_->bounds_factors()) return;
+  for (const ComponentMoves* const component : moves_) {
+    if (component->domain().choices().empty()) return;
+    base_.emplace_back(component->domain().choices().front().value);
+  }
+  factors_ = evidence_->factor_bound(base_);
+  if (factors_.most == 1) {
+    factors_ = {};
+    return;
+  }
+  mass_ = factors_.most;
+  for (std::size_t c = 0; c < moves_.size(); ++c) {
+    const double stays = prior(c, base_[c]);
+    double all = 0;
+    for (const OptimalSearch::Choice& choice : moves_[c]->domain().choices()) all += std::exp(-choice.cost);
+    mass_ *= stays + std::max(0.0, all - stays) * factors_.gains[c];
+  }
+  found_.clear();
+  start();
+}
+
+double Extensions::share(const automata::Modes& modes, double prior) const {
+  if (factors_.gains.empty()) return prior;
+  double share = prior * factors_.most;
+  for (std::size_t c = 0; c < modes.size(); ++c) share *= modes[c] == base_[c] ? 1.0 : factors_.gains[c];
+  return share;
 }
 
 void Extensions::check_one() {
@@ -72,12 +148,15 @@ void Extensions::check_one() {
   if (search_.next(check) != OptimalSearch::Outcome::solution) return;
   automata::Modes modes = modes_of(search_.values());
   const double probability = prior(modes);
-  found_.push_back({std::move(modes), probability, factor});
+  found_.push_back(
+      {std::move(modes), probability, factor, factors_.gains.empty() ? probability : bound_of(search_.cost())});
 }
 
 double Extensions::bound(std::size_t i) const {
   if (!started_) return best_;
-  return i < found_.size() ? found_[i].prior : std::exp(-search_.bound());
+  return i < found_.size() ? found_[i].bound : bound_of(search_.bound());
 }
+
+double Extensions::bound_of(double cost) const { return std::exp(-(cost + offset_)); }
 
 }  // namespace rmpl::runtime

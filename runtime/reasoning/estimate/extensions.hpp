@@ -12,21 +12,34 @@
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/estimate/component_moves.hpp"
+#include "runtime/reasoning/estimate/open_readings.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {
+
+/// What is known at once of the observation factor of all modes near some `base`: it is `most` at most for these, and a
+/// component that is in another mode multiplies it by `gains`, by component, at most: the readings that its mode in the
+/// base may be needed to leave open.
+struct FactorBound {
+  double most = 1;
+  std::vector<double> gains;
+};
 
 /// What one observation says of candidate states. Decision variables are components, their values modes, so that what
 /// is learnt about one source state holds for all.
 class Evidence {
  public:
   /// `lasting` holds the conflicts that need no observation; those found here are added to it.
-  Evidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting);
+  /// `open`, what is known of open readings, is null where the factor is not applied.
+  Evidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting, OpenReadings* open);
 
   /// The observation factor of semantics 4; 0 where modes and observation are jointly inconsistent.
   double factor(const automata::Modes& modes);
   /// The mode assignments to blame for a factor of 0.
   Conflict blame(const automata::Modes& modes);
+  [[nodiscard]] FactorBound factor_bound(const automata::Modes& base) const;
+  /// Whether it says more than that no factor is above 1.
+  [[nodiscard]] bool bounds_factors() const { return open_ != nullptr && !observation_.empty(); }
   /// All that is known to be inconsistent with this observation.
   [[nodiscard]] const std::shared_ptr<ConflictSet>& conflicts() const { return conflicts_; }
 
@@ -34,19 +47,22 @@ class Evidence {
   automata::PlantStep& step_;
   automata::Observation observation_;
   ConflictSet& lasting_;
+  OpenReadings* open_;
   std::shared_ptr<ConflictSet> conflicts_;
 };
 
 /// One target of a step. `prior` is P_T, the product of the moves' probabilities in order of component; `factor` the
-/// observation factor, above 0.
+/// observation factor, above 0; `bound` what both together are at most, for this target and all that are found later.
 struct Extension {
   automata::Modes modes;
   double prior;
   double factor;
+  double bound;
 };
 
-/// The consistent extensions of a source, in order of prior, found as far as somebody asks. They depend on the moves
-/// and the observation alone.
+/// The consistent extensions of a source, found as far as somebody asks. They depend on the moves and the observation
+/// alone. Their order is that of the prior; once it was tightened, that of an upper bound of prior and factor together,
+/// which is a product over the components, as the prior is: what a mode may gain in factor is taken off its cost.
 class Extensions {
  public:
   /// `moves`: per component. Evidence and moves must outlive this.
@@ -60,8 +76,15 @@ class Extensions {
   [[nodiscard]] const std::vector<Extension>& found() const { return found_; }
   /// Checks one candidate that holds no known conflict, if there is one; a consistent one is added to `found`.
   void check_one();
-  /// The prior of the i-th extension and of all after it is at most this (up to rounding); 0 where there is none.
+  /// Prior times factor of the i-th extension and of all after it are at most this (up to rounding); 0 where there is
+  /// none.
   [[nodiscard]] double bound(std::size_t i) const;
+  /// Takes the observation factor into account from now on; where that changes something, nothing counts as found.
+  /// Worth its while where a search goes on for long.
+  void tighten();
+  /// An upper bound of prior times factor summed over all extensions, and what of it is the share of one.
+  [[nodiscard]] double mass() const { return mass_; }
+  [[nodiscard]] double share(const automata::Modes& modes, double prior) const;
   /// The probability of moving to exactly these modes, before the observation.
   [[nodiscard]] double prior(const automata::Modes& modes) const {
     double product = 1;
@@ -76,12 +99,20 @@ class Extensions {
 
  private:
   void start();
+  void adjust(std::vector<const OptimalSearch::Domain*>& domains);
+  [[nodiscard]] double bound_of(double cost) const;
 
   Evidence* evidence_ = nullptr;
   std::vector<const ComponentMoves*> moves_;  ///< by component
   std::vector<ComponentMoves> own_;           ///< where nobody else has them
   double best_ = 1;                           ///< the product of the greatest priors
-  bool started_ = false;                      ///< most sources are too unlikely for a search ever to begin
+  double mass_ = 1;
+  bool started_ = false;  ///< most sources are too unlikely for a search ever to begin
+  bool tight_ = false;    ///< `tighten` was called
+  automata::Modes base_;  ///< then: the likeliest modes,
+  FactorBound factors_;   ///< what is known of the factors near them; without gains: nothing
+  double offset_ = 0;     ///< cost of what no choice can change
+  std::vector<OptimalSearch::Domain> adjusted_;
   OptimalSearch search_{{}};
   std::vector<Extension> found_;
 };

@@ -25,6 +25,9 @@ struct StepInput {
 class Filter {
  public:
   virtual ~Filter() = default;
+  /// The belief at time 0, given what is seen there; false, and the belief without it, where nothing explains that.
+  /// Before the first step; `estimate().consistent` tells whether there is an initial state at all.
+  virtual bool start(const automata::Observation& observation) = 0;
   /// Works out the belief after a step; false where nothing explains the observation. The belief stays as it was until
   /// `adopt` or `stay`, one of which follows each step, with the same input.
   virtual bool condition(const StepInput& input) = 0;
@@ -40,6 +43,8 @@ class Filter {
   virtual void resume(Belief belief, double missing, automata::Ticks now) = 0;
 
   [[nodiscard]] virtual const Belief& belief() const = 0;
+  /// The belief that the last step, which `adopt` or `stay` ended, started from.
+  [[nodiscard]] virtual const Belief& before() const = 0;
   /// Of the last step; `consistent` tells of the initial belief alone.
   [[nodiscard]] virtual const Estimate& estimate() const = 0;
 };

@@ -15,6 +15,7 @@
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
+#include "runtime/reasoning/estimate/rank.hpp"
 #include "runtime/reasoning/estimate/trajectories.hpp"
 
 namespace rmpl::runtime {
@@ -63,8 +64,8 @@ struct SourceKeyHash {
 
 /// What is remembered for one observation.
 struct Context {
-  Context(automata::PlantStep& step, const Observation& observation, ConflictSet& lasting)
-      : evidence(step, observation, lasting) {}
+  Context(automata::PlantStep& step, const Observation& observation, ConflictSet& lasting, OpenReadings* open)
+      : evidence(step, observation, lasting, open) {}
   Evidence evidence;
   std::unordered_map<SourceKey, Extensions, SourceKeyHash> extensions;
 };
@@ -75,16 +76,33 @@ class KBest final : public Filter {
       : step_(step),
         options_(options),
         clocks_(step.plant(), options.live_clocks_only),
-        table_(step.plant()),
+        table_(step.plant(), options.ranks),
+        open_(step),
         search_(clocks_, options_) {
     CHECK(options.k > 0);
-    const std::size_t components = step.plant().components.size();
-    const SystemState start{Modes(components), std::vector<Ticks>(components)};
-    Extensions initial(context({}).evidence, step.initial_moves());
-    const Source source{&start, 1.0, &initial};
     estimate_.modes = likeliest_initial_modes(step.plant());
-    estimate_.consistent = search({&source, 1}, {}, Ticks{}, options.k, {});
-    if (estimate_.consistent) settle();
+    estimate_.consistent = start({});
+  }
+
+  bool start(const Observation& observation) override {
+    const std::size_t components = step_.plant().components.size();
+    const SystemState origin{Modes(components), std::vector<Ticks>(components)};
+    auto moves = step_.initial_moves();
+    if (options_.ranks) rank(moves);
+    const auto look = [&](const Observation& seen) {
+      Extensions initial(context(seen).evidence, moves);
+      const Source source{&origin, 1.0, &initial};
+      belief_.clear();
+      missing_ratio_ = 0;
+      estimate_.checked = 0;
+      estimate_.rank = 0;
+      if (!search({&source, 1}, {}, Ticks{}, options_.k, {})) return false;
+      settle();
+      return true;
+    };
+    const bool explained = look(observation);
+    if (!explained && !observation.empty()) look({});
+    return explained;
   }
 
   bool condition(const StepInput& input) override {
@@ -111,6 +129,7 @@ class KBest final : public Filter {
   }
 
   void stay(const StepInput& input) override {
+    before_ = belief_;
     estimate_.missing_total = share_missing();
     last_ = input.now;
   }
@@ -125,11 +144,13 @@ class KBest final : public Filter {
   }
 
   [[nodiscard]] const Belief& belief() const override { return belief_; }
+  [[nodiscard]] const Belief& before() const override { return before_; }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
 
  private:
   Context& context(const Observation& observation) {
-    const auto [known, fresh] = contexts_.try_emplace(observation, step_, observation, lasting_);
+    const auto [known, fresh] = contexts_.try_emplace(observation, step_, observation, lasting_,
+                                                      options_.observation_factor ? &open_ : nullptr);
     if (fresh) ++remembered_;
     return known->second;
   }
@@ -201,18 +222,22 @@ class KBest final : public Filter {
   /// Takes the targets that were found last as the belief.
   void settle() {
     const double before = belief_.empty() ? 1.0 : total(belief_);
+    std::swap(before_, belief_);
     std::swap(belief_, search_.kept());
     const double kept = total(belief_);
     estimate_.missing_mass = search_.lost() > 0 ? search_.lost() / (search_.lost() + kept) : 0.0;
     missing_ratio_ = missing_ratio_ > 0 || search_.lost() > 0 ? (missing_ratio_ * before + search_.lost()) / kept : 0.0;
     estimate_.missing_total = share_missing();
-    if (options_.normalise) {
+    if (options_.ranks) {
+      estimate_.rank += count_from_best(belief_);
+    } else if (options_.normalise) {
       normalise(belief_);
     } else if (belief_.front().probability < least_scale) {
       const double scale = belief_.front().probability;
       for (BeliefEntry& entry : belief_) entry.probability /= scale;
     }
     tell_most_likely(belief_, estimate_);
+    if (options_.ranks) estimate_.modes = belief_.front().state.modes;
   }
 
   /// What is left where no extension explains the observation: the last belief predicted forward, wider in each
@@ -229,6 +254,7 @@ class KBest final : public Filter {
       std::size_t count = 0;
       for (const BeliefEntry& entry : belief_) {
         auto moves = step_.moves(entry.state, input.action, last_, input.now);
+        if (options_.ranks) rank(moves);
         count += restrict_to(blamed, moves);
         if (count > exact_limit) break;
         widened.push_back(std::make_unique<Extensions>(unseen.evidence, moves));
@@ -270,6 +296,7 @@ class KBest final : public Filter {
   const Clocks clocks_;
   MoveTable table_;
   MoveTable::Moves moves_;
+  OpenReadings open_;
   ConflictSet lasting_;
   std::map<Observation, Context> contexts_;
   std::map<Observation, Context> retired_;  ///< forgotten, and not yet let go of
@@ -283,6 +310,7 @@ class KBest final : public Filter {
   bool explained_ = true;     ///< by what `condition` found last
   double missing_ratio_ = 0;  ///< what was not kept since the start, at most, by what was
   Belief belief_;
+  Belief before_;
   Estimate estimate_;
 };
 

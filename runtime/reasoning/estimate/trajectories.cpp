@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <numeric>
 
 #include "base/check.hpp"
 
@@ -17,7 +18,14 @@ constexpr double stop_margin = 1e-9;
 
 constexpr std::size_t least_index = 256;
 
+/// A run whose unexplored mass is more than this share of what it found takes the observation factor into its bounds.
+constexpr double noticeable = 0.01;
+
 }  // namespace
+
+bool TrajectorySearch::by_bound(const Front& a, const Front& b) {
+  return a.bound != b.bound ? a.bound < b.bound : a.source > b.source;
+}
 
 void TrajectorySearch::run(std::span<const Source> sources, std::span<const Source> obligatory, automata::Ticks now,
                            std::size_t k, const Deadline& deadline) {
@@ -50,21 +58,13 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
 
 void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k,
                                  const Deadline& deadline) {
-  const auto by_bound = [](const Front& a, const Front& b) {
-    return a.bound != b.bound ? a.bound < b.bound : a.source > b.source;
-  };
-  fronts_.clear();
   cursors_.assign(sources.size(), 0);
   barriers_.assign(sources.size(), 0);
-  double mass = 0;
-  for (std::uint32_t s = 0; s < sources.size(); ++s) {
-    mass += sources[s].weight;
-    const double bound = sources[s].weight * sources[s].extensions->bound(0);
-    if (bound > 0) fronts_.push_back({bound, s});
-  }
-  std::make_heap(fronts_.begin(), fronts_.end(), by_bound);
+  line_up(sources);
+  tight_ = !options_.merge_trajectories || !options_.observation_factor;
 
   while (!fronts_.empty()) {
+    if (!tight_ && checked_ >= options_.patience) tighten(sources);
     if (deadline && count_ > 0 && std::chrono::steady_clock::now() >= *deadline) {
       cut_ = true;
       break;
@@ -111,9 +111,49 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
       std::push_heap(fronts_.begin(), fronts_.end(), by_bound);
     }
   }
-  // What was refuted counts as unexplored, unless nothing is left.
+  unexplored_ = fronts_.empty() ? 0.0 : unexplored(sources, now);
+}
+
+/// Puts the sources into the queue, each with what it has left.
+void TrajectorySearch::line_up(std::span<const Source> sources) {
+  fronts_.clear();
+  for (std::uint32_t s = 0; s < sources.size(); ++s) {
+    const double bound = sources[s].weight * sources[s].extensions->bound(cursors_[s]);
+    if (bound > 0) fronts_.push_back({bound, s});
+  }
+  std::make_heap(fronts_.begin(), fronts_.end(), by_bound);
+}
+
+/// From here on bounds know of the observation factor. What a source then finds again is known already.
+void TrajectorySearch::tighten(std::span<const Source> sources) {
+  tight_ = true;
+  for (const Source& source : sources) source.extensions->tighten();
+  // Of all: sources may share their extensions.
+  cursors_.assign(sources.size(), 0);
+  line_up(sources);
+}
+
+/// An upper bound of the worth of what was not looked at. What was refuted counts as such.
+double TrajectorySearch::unexplored(std::span<const Source> sources, automata::Ticks now) {
   constexpr double rounding = 1e-14;
-  unexplored_ = fronts_.empty() ? 0.0 : std::max(0.0, mass - explored_) + rounding * mass;
+  double mass = 0;
+  for (const Source& source : sources) mass += source.weight;
+  if (!options_.merge_trajectories || !options_.observation_factor) {
+    return std::max(0.0, mass - explored_) + rounding * mass;
+  }
+  const double found = std::accumulate(best_.begin(), best_.end(), 0.0);
+  if (mass - explored_ <= noticeable * found) return std::max(0.0, mass - explored_) + rounding * mass;
+  if (!tight_) tighten(sources);
+  mass = 0;
+  for (const Source& source : sources) mass += source.weight * source.extensions->mass();
+  double explored = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    for (std::uint32_t s = 0; s < sources.size(); ++s) {
+      const double probability = trajectory(s, sources[s], targets_[i], now);
+      if (probability > 0) explored += sources[s].extensions->share(targets_[i].state.modes, probability);
+    }
+  }
+  return std::max(0.0, mass - explored) + rounding * mass;
 }
 
 /// The target of an extension, and whether it is new; then it has no worth yet. Valid until the next call.
@@ -205,7 +245,8 @@ void TrajectorySearch::keep(std::size_t k) {
     }
   }
   put_in_order(kept_);
-  for (; kept_.size() > k; kept_.pop_back()) lost += kept_.back().probability;
+  // Whole sets of equal rank are kept.
+  for (; !options_.ranks && kept_.size() > k; kept_.pop_back()) lost += kept_.back().probability;
   if (!obligatory.empty()) {
     kept_.insert(kept_.end(), std::make_move_iterator(obligatory.begin()), std::make_move_iterator(obligatory.end()));
     put_in_order(kept_);

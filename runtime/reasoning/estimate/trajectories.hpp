@@ -58,6 +58,10 @@ class TrajectorySearch {
     std::uint32_t source;
   };
 
+  static bool by_bound(const Front& a, const Front& b);
+  void line_up(std::span<const Source> sources);
+  void tighten(std::span<const Source> sources);
+  double unexplored(std::span<const Source> sources, automata::Ticks now);
   void enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k, const Deadline& deadline);
   std::pair<Target*, bool> reach(const Source& source, const Extension& extension, automata::Ticks now);
   void weigh(Target& target, double factor, std::span<const Source> sources, automata::Ticks now);
@@ -82,6 +86,7 @@ class TrajectorySearch {
   double unexplored_ = 0;     ///< upper bound of the mass that was not looked at
   std::size_t checked_ = 0;
   bool cut_ = false;
+  bool tight_ = false;  ///< the sources were told to take the observation factor into account, or need not
   Belief kept_;
   double lost_ = 0;
 };

@@ -1,0 +1,93 @@
+// Readings that a few modes leave open, whatever all other components do: what the bound of the search knows of the
+// observation factor.
+//
+// A patch is a set of attributes with all constraints that read one of them; the border are the other attributes that
+// these read. If the constraints, under the modes of the components that they belong to, allow another value of the
+// reading beside every border that they allow at all, then no modes of other components imply the reading: any world
+// of the store can be changed inside the patch alone. The patch grows from the observed attribute, by the border
+// attributes that a counterexample rests on, and is made minimal by deletion.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "automata/plant.hpp"
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+
+namespace rmpl::runtime {
+
+class OpenReadings {
+ public:
+  /// Keeps a reference to the step, and looks at its plant when it is first asked.
+  explicit OpenReadings(automata::PlantStep& step) : step_(step), plant_(step.plant()) {}
+
+  /// Components whose modes in `modes` are enough to leave `reading` (of an attribute) unimplied, ascending; nothing
+  /// where none were found: the reading is implied, or it would have taken too much work. Remembered by those modes.
+  /// The pointer lasts until the next call.
+  const std::vector<automata::ComponentId>* components(const automata::Modes& modes, automata::Assignment reading);
+
+ private:
+  using Attribute = std::uint32_t;  ///< position of a variable, the first of those that are always equal
+  /// A conjunct of the store.
+  struct Told {
+    std::optional<automata::Assignment> under;
+    automata::Formula formula;
+    std::vector<Attribute> attributes;
+    std::vector<automata::ComponentId> components;  ///< whose modes it reads, the one that it is under among them
+  };
+  struct Patch {
+    std::vector<Attribute> inside;  ///< the reading's first
+    std::vector<Attribute> border;
+    std::vector<std::uint32_t> told;
+    std::vector<automata::ComponentId> components;
+  };
+  /// What was found out of a reading under some modes.
+  struct Lemma {
+    std::vector<automata::ComponentId> components;
+    std::vector<automata::ModeId> modes;
+    bool open;
+  };
+  enum class Finding : std::uint8_t { open, implied, unknown };
+
+  void look_at_plant();
+  void merge_equals();
+  void index_readers();
+  [[nodiscard]] Patch patch(std::vector<Attribute> inside, const automata::Modes& modes) const;
+  Lemma work_out(const automata::Modes& modes, automata::Assignment reading);
+  std::optional<Patch> open_patch(const automata::Modes& modes, automata::Assignment reading);
+  /// Whether every border of the patch allows another value; where one does not, it is left in `value_`.
+  Finding judge(const Patch& patch);
+  bool every_border(const Patch& patch, std::size_t depth);
+  /// The border attributes that the counterexample rests on.
+  std::vector<Attribute> blame(const Patch& patch);
+  /// The attributes `free` are to be chosen, the other ones have values.
+  void prepare(const Patch& patch, const std::vector<Attribute>& free);
+  /// Whether what is told of the patch can hold; `other`: the reading not being so.
+  bool solvable(bool other);
+  bool assign(std::size_t depth);
+
+  automata::PlantStep& step_;
+  const automata::Plant& plant_;
+  std::vector<std::optional<automata::ComponentId>> owner_;  ///< by variable
+  std::vector<Attribute> equal_;                             ///< by variable
+  std::vector<Told> told_;
+  std::vector<std::vector<std::uint32_t>> readers_;               ///< by attribute: positions in `told_`
+  std::unordered_map<std::uint64_t, std::vector<Lemma>> lemmas_;  ///< by reading; looked up, never iterated
+
+  // While one reading is worked out.
+  const automata::Modes* modes_ = nullptr;
+  Attribute read_ = 0;
+  automata::ValueId seen_;
+  std::size_t work_ = 0;                                 ///< assignments that may still be tried
+  std::vector<std::optional<automata::ValueId>> value_;  ///< by attribute
+  std::vector<Attribute> order_;                         ///< attributes to be assigned, in order
+  std::vector<std::vector<std::uint32_t>> due_;          ///< by depth: what can be judged then
+  bool other_ = false;
+};
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,88 @@
+// Evidence, by minimal conflicts of a store whose interconnections are assumptions.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/explain/evidence.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace rmpl::runtime {
+namespace {
+
+using automata::Assignment;
+using automata::Plant;
+using automata::ValueId;
+using automata::VariableId;
+
+constexpr ValueId told{1};
+
+/// No name of a plant holds a space.
+automata::Variables with_selectors(const Plant& plant) {
+  automata::Variables variables = plant.variables;
+  for (std::size_t i = 0; i < plant.interconnections.size(); ++i) {
+    variables.add({"interconnection " + std::to_string(i), {"left out", "told"}});
+  }
+  return variables;
+}
+
+}  // namespace
+
+Evidences::Evidences(const Plant& plant) : plant_(plant), theory_(with_selectors(plant)) {
+  for (std::size_t i = 0; i < plant.interconnections.size(); ++i) {
+    theory_.tell_if({VariableId(plant.variables.size() + i), told}, plant.interconnections[i]);
+  }
+  for (const automata::Component& component : plant.components) {
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      theory_.tell_if({component.mode, ValueId(m)}, component.modes[m].constraint);
+    }
+  }
+}
+
+std::vector<Assignment> Evidences::store(const automata::Modes& modes) const {
+  std::vector<Assignment> result;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    result.push_back({plant_.components[c].mode, ValueId(modes[c].index())});
+  }
+  for (std::size_t i = 0; i < plant_.interconnections.size(); ++i) {
+    result.push_back({VariableId(plant_.variables.size() + i), told});
+  }
+  return result;
+}
+
+bool Evidences::entails(const std::vector<Assignment>& store, Assignment reading) {
+  return !theory_.allows_other(store, reading);
+}
+
+Evidence Evidences::of(automata::ComponentId component, const automata::Modes& estimate, const automata::Modes& story,
+                       const automata::Observation& observation) {
+  Evidence evidence{component, estimate[component.index()], story, Evidence::Kind::outweighed, {}, {}, {}};
+  std::vector<Assignment> all(observation.begin(), observation.end());
+  const std::vector<Assignment> store = this->store(story);
+  all.insert(all.end(), store.begin(), store.end());
+  if (theory_.consistent(all)) {
+    outweigh(evidence, estimate, observation);
+    return evidence;
+  }
+  evidence.kind = Evidence::Kind::refuted;
+  for (const Assignment& part : theory_.minimal_conflict(theory_.conflict())) {
+    if (part.variable.index() >= plant_.variables.size()) {
+      evidence.interconnections.push_back(part.variable.index() - plant_.variables.size());
+    } else if (const auto owner = plant_.component_of(part.variable)) {
+      evidence.modes.push_back(*owner);
+    } else {
+      evidence.readings.push_back(part);
+    }
+  }
+  return evidence;
+}
+
+/// The readings that the estimate implies and the story leaves open: each made the story less likely by its 1/m.
+void Evidences::outweigh(Evidence& evidence, const automata::Modes& estimate,
+                         const automata::Observation& observation) {
+  const std::vector<Assignment> with = store(estimate);
+  const std::vector<Assignment> without = store(evidence.story);
+  for (const Assignment& reading : observation) {
+    if (entails(with, reading) && !entails(without, reading)) evidence.readings.push_back(reading);
+  }
+}
+
+}  // namespace rmpl::runtime
