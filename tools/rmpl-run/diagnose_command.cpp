@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "base/error.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/diagnose/diagnose.hpp"
 #include "tools/rmpl-run/commands.hpp"
@@ -38,7 +39,8 @@ examples:
   rmpl-run diagnose c17.tcca --observe 'N1 = true, N22.o = false'
   rmpl-run diagnose valves.tcca --observe 'flow = none' -k 3 --format json
   rmpl-run diagnose c432.tcca --observe 'N1 = true, N223.o = false' -k 10 --ratio 100
-  rmpl-run diagnose 74181.tcca --scenario 74181.000.scn --all-minimal --count)";
+  rmpl-run diagnose 74181.tcca --scenario 74181.000.scn --all-minimal --count
+  rmpl-run diagnose c880.tcca --scenario c880.000.scn --first)";
 
 /// The prior as a number that any reader of decimal numbers takes; also where it underflows a double.
 std::string probability_text(const Diagnosis& diagnosis) {
@@ -98,7 +100,10 @@ ExitStatus run(Options options, const Common& common) {
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   const auto observation = options.scenario.empty() ? assignments_option(options.observe, plant, "--observe", common)
                                                     : competition_observation(options.scenario, plant);
-  options.search.all_minimal = options.search.all_minimal || options.search.count_only;
+  if (options.search.first && options.search.count_only) {
+    throw base::InputError("--first and --count exclude each other: one diagnosis, or how many there are");
+  }
+  options.search.all_minimal = options.search.all_minimal || options.search.first || options.search.count_only;
   const Diagnoses found = runtime::diagnose(plant, observation, options.search);
   if (common.format == Format::json) {
     JsonLine json;
@@ -139,6 +144,7 @@ void add_diagnose(Program& program) {
   add_read(*command, "--ratio", options->search.ratio, ratio, "none more than R times less likely than the best")
       ->option_text("R");
   command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
+  command->add_flag("--first", options->search.first, "only one with the fewest faults, which proves their number");
   command->add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
   add_format(*command, program.common());
   command->add_flag("--stats", options->stats, "say on standard error what it cost");

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
@@ -31,6 +34,7 @@ using runtime::Estimator;
 using runtime::Event;
 using runtime::JsonLine;
 using runtime::LogLine;
+using runtime::LogReader;
 
 enum class Engine { exact, k_best };
 
@@ -41,12 +45,15 @@ struct Options {
   std::optional<std::size_t> k;
   std::optional<automata::Ticks> deadline;
   bool thesis = false;
+  bool ranks = false;
+  bool live_clocks = false;
   bool stats = false;
 };
 
 /// What an update cost, and what it may have missed.
 struct Cost {
   std::size_t checked = 0;
+  double dropped = 0;  ///< of what followed from the belief before
   double missing = 0;
 };
 
@@ -54,25 +61,33 @@ constexpr const char* footer =
     R"(Each line of the log is a JSON object: "time" in seconds, the "command" that was in force since the
 line before (absent variables are idle), and the "observations" at that time. For each a line comes out:
 "time", the most likely modes as "estimate", and the "belief", most probable first, with clocks in
-seconds since they started. The first step is from time 0 and the initial distribution. A trace of
-rmpl-run scenario is such a log; its first line, cycle 0, states where the run starts and is no step.
+seconds since they started. The first step is from time 0 and the initial distribution; lines before it,
+at time 0 and without a "command", tell what is seen at the start. Several lines may have one time. A
+trace of rmpl-run scenario is such a log. What comes from standard input is answered line by line.
 Where a search ended early, the line says "cut": true, and its belief may lack states.
-With --stats a line also has "checked", the candidates that were checked, and "missing_mass", an upper
-bound of the probability of all states that it does not list.
+With --stats a line also has "checked", the candidates that were checked; "dropped", at most what this
+update left out of all that follows from the belief before; and "missing_mass", an upper bound of the
+probability of all states that it does not list. With --ranks states have a "rank" in place of a
+probability.
 
-exit code: 0 done; 2 an input is wrong, and nothing was written; 3 interrupted
+exit code: 0 done; 2 an input is wrong, and of a file nothing was answered; 3 interrupted
 
 examples:
   rmpl-run estimate lander.tcca --log flight.jsonl
   rmpl-run estimate lander.tcca --log flight.jsonl --estimator exact
   rmpl-run estimate lander.tcca --log flight.jsonl -k 64 --deadline 5ms --stats
+  rmpl-run estimate lander.tcca --log flight.jsonl -k 5 --ranks --live-clocks
+  telemetry | rmpl-run estimate lander.tcca --log - --live-clocks
   echo '{"time": 0.5, "command": {"engine.cmd": "standby"}}' | rmpl-run estimate lander.tcca --log -)";
 
 std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Options& options) {
   runtime::EstimatorOptions estimator;
   if (options.k) estimator.k = estimator.listed = *options.k;
   if (options.deadline) estimator.deadline = std::chrono::nanoseconds(options.deadline->count);
-  estimator.merge_trajectories = estimator.observation_factor = estimator.normalise = !options.thesis;
+  const bool as_is = options.thesis || options.ranks;
+  estimator.merge_trajectories = estimator.observation_factor = estimator.normalise = !as_is;
+  estimator.ranks = options.ranks;
+  estimator.live_clocks_only = options.live_clocks;
   switch (options.engine) {
     case Engine::exact:
       return runtime::make_exact_estimator(step, estimator);
@@ -89,14 +104,17 @@ Belief listed(const Belief& belief, const Options& options) {
 }
 
 void write(JsonLine& json, const LogLine& line, const Estimate& estimate, const Belief& belief, const Cost* cost,
-           const automata::Plant& plant) {
+           bool ranks, const automata::Plant& plant) {
   json.clear();
   json.open('{');
   if (line.cycle) json.key("cycle").number(*line.cycle);
   json.key("time").seconds(line.time).key("estimate").modes(estimate.modes, plant);
-  json.key("belief").belief(belief, plant, line.time);
+  json.key("belief").belief(belief, plant, line.time, nullptr, ranks ? &estimate.rank : nullptr);
   if (estimate.cut) json.key("cut").boolean(true);
-  if (cost != nullptr) json.key("checked").number(cost->checked).key("missing_mass").number(cost->missing);
+  if (cost != nullptr) {
+    json.key("checked").number(cost->checked);
+    if (!ranks) json.key("dropped").number(cost->dropped).key("missing_mass").number(cost->missing);
+  }
   std::vector<Event> events;
   if (!estimate.consistent) {
     events.push_back(
@@ -125,82 +143,136 @@ double unlisted(const Estimate& estimate, const Belief& belief) {
 struct Account {
   Latency latency;
   std::size_t checked = 0;
-  double missing = 0;  ///< the most in any line
+  double dropped = 0;  ///< the most in any line, as is the next
+  double missing = 0;
 };
 
-void report(const Account& account, const Estimator& estimator, double seconds) {
+void report(const Account& account, const Estimator& estimator, bool ranks, double seconds) {
   const std::size_t groups = estimator.groups();
   std::ostringstream text;
   text << account.latency.count() << " cycles, " << groups << " independent group" << (groups == 1 ? "" : "s") << ", "
        << account.checked << " candidates checked, " << estimator.questions() << " questions to the store, "
        << estimator.solver_calls() << " solver calls, " << seconds << " s\n";
   if (account.latency.count() > 0) text << "a cycle: " << account.latency.text() << '\n';
-  text << "missing mass: at most " << account.missing << '\n';
+  if (!ranks) {
+    text << "missing mass: at most " << account.missing << "; dropped in one update: at most " << account.dropped
+         << '\n';
+  }
   print_error(text.str());
 }
+
+/// Answers a log line by line.
+class Flight {
+ public:
+  Flight(const automata::Plant& plant, const Options& options)
+      : plant_(plant), options_(options), step_(plant), estimator_(make_estimator(step_, options)) {
+    if (!estimator_->estimate().consistent) {
+      throw base::InputError(options.plant +
+                             ": no initial state is possible: the initial modes contradict the interconnections");
+    }
+  }
+
+  /// The answer to the next line; `name` is the log's, for messages.
+  std::string_view answer(const LogLine& line, const std::string& name) {
+    Belief belief;
+    const bool start = !begun_ && line.time == automata::Ticks{} && (!line.commanded || line.cycle == 0);
+    try {
+      if (start) {
+        take_in(line.observations);
+        estimator_->start(at_start_);
+      } else {
+        // Cycles that were left out went as the line before says.
+        for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) {
+          update(before_, line.time_of_unchanged(i));
+        }
+        update(line, line.time);
+      }
+      belief = listed(estimator_->belief(), options_);
+    } catch (const runtime::TooManyStates& error) {
+      throw base::LimitError(name + ":" + std::to_string(line.number) + ": " + error.what() +
+                             "; expected -k, to list the best of them, or --estimator k-best");
+    }
+    const Estimate& estimate = estimator_->estimate();
+    const Cost cost{estimate.checked, estimate.missing_mass, unlisted(estimate, belief)};
+    if (!start) {
+      cut_ = cut_ || estimate.cut;
+      account_.checked += cost.checked;
+      account_.dropped = std::max(account_.dropped, cost.dropped);
+      account_.missing = std::max(account_.missing, cost.missing);
+    }
+    before_ = line;
+    write(json_, line, estimate, belief, options_.stats && !start ? &cost : nullptr, options_.ranks, plant_);
+    return json_.text();
+  }
+
+  [[nodiscard]] bool cut() const { return cut_; }
+  [[nodiscard]] const Account& account() const { return account_; }
+  [[nodiscard]] const Estimator& estimator() const { return *estimator_; }
+
+ private:
+  void update(const LogLine& told, automata::Ticks time) {
+    begun_ = true;
+    const automata::ControlAction action = automata::action_from(plant_, told.command);
+    const runtime::Stopwatch stopwatch;
+    estimator_->update(action, told.observations, time);
+    account_.latency.add(stopwatch.seconds());
+  }
+
+  /// Of several readings of one attribute at the start the last counts.
+  void take_in(const automata::Observation& observation) {
+    for (const automata::Assignment& reading : observation) {
+      std::erase_if(at_start_, [&](const automata::Assignment& known) { return known.variable == reading.variable; });
+      at_start_.push_back(reading);
+    }
+    std::sort(at_start_.begin(), at_start_.end());
+  }
+
+  const automata::Plant& plant_;
+  const Options& options_;
+  automata::PlantStep step_;
+  std::unique_ptr<Estimator> estimator_;
+  JsonLine json_;
+  Account account_;
+  bool begun_ = false;  ///< a step was taken
+  bool cut_ = false;
+  automata::Observation at_start_;
+  LogLine before_;
+};
 
 ExitStatus run(const Options& options, const Common& common) {
   const auto begin = std::chrono::steady_clock::now();
   check_standard_input({options.plant, options.log});
   const compiler::Compilation compilation = load({options.plant}, common);
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
-  base::InputFile input(options.log);
-  // The log is read and checked in full before anything is printed.
-  const std::vector<LogLine> lines = runtime::read_log(input.stream(), input.name(), plant);
-  watch_for_interruption();
-
-  automata::PlantStep step(plant);
-  const auto estimator = make_estimator(step, options);
-  if (!estimator->estimate().consistent) {
-    throw base::InputError(options.plant +
-                           ": no initial state is possible: the initial modes contradict the interconnections");
+  // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
+  std::optional<std::size_t> lines;
+  if (std::filesystem::is_regular_file(options.log)) {
+    base::InputFile input(options.log);
+    LogReader reader(input.stream(), input.name(), plant);
+    for (lines = 0; reader.next(); ++*lines) {
+    }
   }
-  JsonLine json;
-  Account account;
-  bool cut = false;
+  watch_for_interruption();
+  Flight flight(plant, options);
+  base::InputFile input(options.log);
+  LogReader reader(input.stream(), input.name(), plant);
   std::size_t answered = 0;
-  const LogLine* before = nullptr;
-  for (const LogLine& line : lines) {
-    if (interrupted()) break;
-    const bool start = line.cycle == 0 && line.time == automata::Ticks{};  // a trace begins with where it starts
-    Belief belief;
-    try {
-      if (!start) {
-        const auto update = [&](const LogLine& told, automata::Ticks time) {
-          const automata::ControlAction action = automata::action_from(plant, told.command);
-          const runtime::Stopwatch stopwatch;
-          estimator->update(action, told.observations, time);
-          account.latency.add(stopwatch.seconds());
-        };
-        // Cycles that were left out went as the line before says.
-        for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) {
-          update(*before, line.time_of_unchanged(i));
-        }
-        update(line, line.time);
-      }
-      before = &line;
-      belief = listed(estimator->belief(), options);
-    } catch (const runtime::TooManyStates& error) {
-      throw base::LimitError(input.name() + ":" + std::to_string(line.number) + ": " + error.what() +
-                             "; expected -k, to list the best of them, or --estimator k-best");
-    }
-    const Estimate& estimate = estimator->estimate();
-    const Cost cost{estimate.checked, unlisted(estimate, belief)};
-    if (!start) {
-      cut = cut || estimate.cut;
-      account.checked += cost.checked;
-      account.missing = std::max(account.missing, cost.missing);
-    }
-    write(json, line, estimate, belief, options.stats && !start ? &cost : nullptr, plant);
-    print(std::string(json.text()) + "\n");  // whole lines, whatever ends the run
+  while (!interrupted()) {
+    const auto line = reader.next();
+    if (!line) break;
+    print(std::string(flight.answer(*line, input.name())) + "\n");  // whole lines, whatever ends the run
     ++answered;
   }
-  if (interrupted() && answered < lines.size()) {
-    tell("interrupted after " + std::to_string(answered) + " of " + std::to_string(lines.size()) + " lines");
+  const bool early = interrupted() && answered != lines;
+  if (early) {
+    tell("interrupted after " + std::to_string(answered) + (lines ? " of " + std::to_string(*lines) : std::string()) +
+         " lines");
   }
-  if (cut) tell("a search was cut short; a belief may lack states");
-  if (options.stats || common.verbose) report(account, *estimator, seconds_since(begin));
-  return answered < lines.size() ? ExitStatus::undecided : ExitStatus::done;
+  if (flight.cut()) tell("a search was cut short; a belief may lack states");
+  if (options.stats || common.verbose) {
+    report(flight.account(), flight.estimator(), options.ranks, seconds_since(begin));
+  }
+  return early ? ExitStatus::undecided : ExitStatus::done;
 }
 
 }  // namespace
@@ -221,11 +293,20 @@ void add_estimate(Program& program) {
   command->add_flag("--thesis", options->thesis,
                     "k-best as Fig. 6-11 of the thesis has it: trajectories that meet are not added up, the\n"
                     "observation factor is not applied, and nothing is normalised");
+  command->add_flag("--ranks", options->ranks,
+                    "count as Livingstone2 does: probabilities as powers of ten, compared as whole numbers, with no\n"
+                    "observation factor, and all states that are as good as the k-th");
+  command->add_flag("--live-clocks", options->live_clocks,
+                    "forget the clock of a component while nothing depends on it, as the executive does");
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
   command->footer(footer);
   program.add({command, [options, &common = program.common()] {
-                 if (options->engine == Engine::exact && (options->thesis || options->deadline)) {
-                   throw base::InputError("--thesis and --deadline are about k-best; expected --estimator k-best");
+                 if (options->engine == Engine::exact && (options->thesis || options->ranks || options->deadline)) {
+                   throw base::InputError(
+                       "--thesis, --ranks and --deadline are about k-best; expected --estimator k-best");
+                 }
+                 if (options->thesis && options->ranks) {
+                   throw base::InputError("--thesis and --ranks are two ways to count; expected one of them");
                  }
                  return within_limits([&] { return run(*options, common); });
                }});

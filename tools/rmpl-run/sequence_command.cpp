@@ -1,6 +1,9 @@
 // rmpl-run sequence: state estimates in, markings and goals out.
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/input_file.hpp"
@@ -23,9 +26,10 @@ constexpr const char* footer =
 cycle i; what line i + 1 holds is what cycle i reads back. So n + 1 lines are n cycles, and for each a
 line comes out: "cycle", "time", the "marking" with which it starts, its "goal", and the active "clocks".
 The run ends with the empty marking. With a plant its model says what follows from an estimate; without
-one, names are taken as they come. A trace of rmpl-run scenario is such a log.
+one, names are taken as they come. A trace of rmpl-run scenario is such a log. What comes from standard
+input is answered line by line: a cycle as soon as the line is there that it reads back.
 
-exit code: 0 done; 2 an input is wrong, and nothing was written
+exit code: 0 done; 2 an input is wrong, and of a file nothing was answered
 
 examples:
   rmpl-run sequence entry.rmpl --log estimates.jsonl
@@ -40,8 +44,23 @@ ExitStatus run(const Options& options, const Common& common) {
   const automata::Program& program = only_program(document, options.program);
   base::InputFile input(options.log);
   const bool modelled = !options.plant.empty() || !document.plants.empty();
-  print(modelled ? runtime::sequence_log(program, only_plant(document, options.plant), input.stream(), input.name())
-                 : runtime::sequence_log(program, input.stream(), input.name()));
+  // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
+  std::string held_back;
+  const bool hold_back = std::filesystem::is_regular_file(options.log);
+  const auto answer = [&](std::string_view line) {
+    const std::string whole = std::string(line) + "\n";
+    if (hold_back) {
+      held_back += whole;
+    } else {
+      print(whole);
+    }
+  };
+  if (modelled) {
+    runtime::sequence_log(program, only_plant(document, options.plant), input.stream(), input.name(), answer);
+  } else {
+    runtime::sequence_log(program, input.stream(), input.name(), answer);
+  }
+  print(held_back);
   return ExitStatus::done;
 }
 

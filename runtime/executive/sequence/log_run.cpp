@@ -27,45 +27,71 @@ struct Reading {
 /// Whether the estimate can hold; asked again with the observations.
 using Consistent = std::function<bool(const std::vector<Assignment>&)>;
 
-std::vector<Reading> readings_of(const std::vector<LogLine>& lines, const std::string& name,
-                                 const Consistent& consistent) {
-  std::vector<Reading> readings;
-  const std::vector<Assignment> nothing;
-  const std::vector<Assignment>* estimate = &nothing;
-  for (const LogLine& line : lines) {
-    if (line.estimate) estimate = &*line.estimate;
-    if (!consistent(*estimate)) {
-      throw base::InputError(name + ":" + std::to_string(line.number) +
+/// What the lines of a log say one after the other.
+class Readings {
+ public:
+  Readings(LogReader reader, std::string name, Consistent consistent)
+      : reader_(std::move(reader)), name_(std::move(name)), consistent_(std::move(consistent)) {}
+
+  struct Line {
+    LogLine text;
+    Reading reading;
+  };
+  std::optional<Line> next() {
+    auto text = reader_.next();
+    if (!text) return std::nullopt;
+    if (text->estimate) estimate_ = *text->estimate;
+    if (!consistent_(estimate_)) {
+      throw base::InputError(name_ + ":" + std::to_string(text->number) +
                              ": the estimate contradicts the plant model: no such state is possible");
     }
-    Reading& reading = readings.emplace_back();
-    reading.knowledge.assignments = *estimate;
-    reading.knowledge.assignments.insert(reading.knowledge.assignments.end(), line.observations.begin(),
-                                         line.observations.end());
-    reading.consistent = consistent(reading.knowledge.assignments);
-    if (!reading.consistent) reading.knowledge.assignments = *estimate;
+    Reading reading;
+    auto& known = reading.knowledge.assignments;
+    known = estimate_;
+    known.insert(known.end(), text->observations.begin(), text->observations.end());
+    reading.consistent = consistent_(known);
+    if (!reading.consistent) known = estimate_;
+    return Line{*std::move(text), std::move(reading)};
   }
-  return readings;
-}
+
+ private:
+  LogReader reader_;
+  std::string name_;
+  Consistent consistent_;
+  std::vector<Assignment> estimate_;
+};
+
+/// What the sequencer takes of what a line tells.
+using Understand = std::function<std::optional<Assignment>(Assignment)>;
 
 class LogRun {
  public:
   LogRun(const automata::Program& program, const automata::Variables& variables, automata::ProgramStep step)
       : program_(program), variables_(variables), step_(std::move(step)) {}
 
-  std::string run(const std::vector<LogLine>& lines, const std::vector<Reading>& readings) {
-    std::string text;
-    std::uint64_t number = 0;
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-      const LogLine& next = lines[i + 1];
-      for (std::uint64_t left_out = 0; left_out <= next.unchanged; ++left_out) {
-        cycle(++number, left_out == 0 ? lines[i].time : next.time_of_unchanged(left_out), readings[i]);
-        text += line_.text() + "\n";
-        if (step_.ended()) return text;
-        step_.finish(readings[left_out == next.unchanged ? i + 1 : i].knowledge);
+  void run(Readings& readings, const Understand& understand, const Answer& answer) {
+    const auto read = [&] {
+      auto line = readings.next();
+      if (!line) return line;
+      std::vector<Assignment> understood;
+      for (const Assignment& told : line->reading.knowledge.assignments) {
+        if (const auto known = understand(told)) understood.push_back(*known);
       }
+      line->reading.knowledge.assignments = std::move(understood);
+      return line;
+    };
+    auto line = read();
+    std::uint64_t number = 0;
+    for (auto next = line ? read() : std::nullopt; next; next = read()) {
+      for (std::uint64_t left_out = 0; !ended_ && left_out <= next->text.unchanged; ++left_out) {
+        cycle(++number, left_out == 0 ? line->text.time : next->text.time_of_unchanged(left_out), line->reading);
+        answer(line_.text());
+        ended_ = step_.ended();
+        const bool last = left_out == next->text.unchanged;
+        if (!ended_) step_.finish((last ? next : line)->reading.knowledge);
+      }
+      line = std::move(next);
     }
-    return text;
   }
 
  private:
@@ -102,25 +128,27 @@ class LogRun {
   const automata::Variables& variables_;
   automata::ProgramStep step_;
   JsonLine line_;
+  bool ended_ = false;
 };
 
 }  // namespace
 
-std::string sequence_log(const automata::Program& program, const automata::Plant& plant, std::istream& log,
-                         const std::string& name) {
-  const std::vector<LogLine> lines = read_log(log, name, plant);
+void sequence_log(const automata::Program& program, const automata::Plant& plant, std::istream& log,
+                  const std::string& name, const Answer& answer) {
   automata::Theory theory = automata::model_theory(plant);
-  const auto readings = readings_of(lines, name, [&](const auto& known) { return theory.consistent(known); });
-  return LogRun(program, plant.variables, automata::ProgramStep(program, plant)).run(lines, readings);
+  Readings readings({log, name, plant}, name, [&theory](const auto& known) { return theory.consistent(known); });
+  LogRun(program, plant.variables, automata::ProgramStep(program, plant))
+      .run(
+          readings, [](Assignment told) { return told; }, answer);
 }
 
-std::string sequence_log(const automata::Program& program, std::istream& log, const std::string& name) {
-  automata::Program open = program;
-  const std::vector<LogLine> lines = read_log(log, name, open.variables);
+void sequence_log(const automata::Program& program, std::istream& log, const std::string& name, const Answer& answer) {
   // The value that no text can name keeps every domain open: not to be known as v is not to be known as something else.
+  automata::Program open = program;
   for (std::size_t v = 0; v < open.variables.size(); ++v) {
     open.variables.add_value(automata::VariableId(v), "(any other)");
   }
+  automata::Variables names = program.variables;
   // Without a model, knowledge contradicts itself only where estimate and observations give a variable two values.
   const auto consistent = [](const std::vector<Assignment>& known) {
     std::vector<Assignment> sorted = known;
@@ -130,8 +158,14 @@ std::string sequence_log(const automata::Program& program, std::istream& log, co
              return a.variable == b.variable;
            }) == sorted.end();
   };
-  const auto readings = readings_of(lines, name, consistent);
-  return LogRun(open, open.variables, automata::ProgramStep(open)).run(lines, readings);
+  // The program asks of its own variables alone, and of a value that it has no word for only whether it is another.
+  const auto understand = [&program](Assignment told) -> std::optional<Assignment> {
+    if (told.variable.index() >= program.variables.size()) return std::nullopt;
+    const std::size_t other = program.variables[told.variable].values.size();
+    return Assignment{told.variable, automata::ValueId(std::min(told.value.index(), other))};
+  };
+  Readings readings({log, name, names}, name, consistent);
+  LogRun(open, open.variables, automata::ProgramStep(open)).run(readings, understand, answer);
 }
 
 }  // namespace rmpl::runtime

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/check.hpp"
+#include "runtime/reasoning/estimate/rank.hpp"
 
 namespace rmpl::runtime {
 
@@ -117,11 +118,16 @@ JsonLine& JsonLine::modes(const automata::Modes& modes, const automata::Plant& p
 }
 
 JsonLine& JsonLine::belief(const Belief& belief, const automata::Plant& plant, automata::Ticks now,
-                           const ClockTable* clocks) {
+                           const ClockTable* clocks, const std::uint64_t* rank) {
   open('[');
   for (const BeliefEntry& entry : belief) {
-    open('{').key("probability").number(entry.probability).key("modes").modes(entry.state.modes, plant);
-    key("clocks").open('{');
+    open('{');
+    if (rank != nullptr) {
+      key("rank").number(*rank + rank_of(entry.probability));
+    } else {
+      key("probability").number(entry.probability);
+    }
+    key("modes").modes(entry.state.modes, plant).key("clocks").open('{');
     for (std::size_t i = 0; i < entry.state.clock_starts.size(); ++i) {
       if (clocks != nullptr && !(*clocks)[i][entry.state.modes[i].index()]) continue;
       key(plant.components[i].name).seconds(now - entry.state.clock_starts[i]);

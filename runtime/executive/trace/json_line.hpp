@@ -46,9 +46,10 @@ class JsonLine {
   /// `{"component":"mode",…}` in declaration order.
   JsonLine& modes(const automata::Modes& modes, const automata::Plant& plant);
   /// `[{"probability":…,"modes":{…},"clocks":{…}},…]`, clocks in seconds since they started; with `clocks`, only
-  /// those that the table has for their component and mode.
+  /// those that the table has for their component and mode. With `rank`, that of the best, each has a `rank` in place
+  /// of the probability.
   JsonLine& belief(const Belief& belief, const automata::Plant& plant, automata::Ticks now,
-                   const ClockTable* clocks = nullptr);
+                   const ClockTable* clocks = nullptr, const std::uint64_t* rank = nullptr);
 
  private:
   void separate();

@@ -127,9 +127,9 @@ void LogReader::place(LogLine& line, bool first) const {
 }
 
 void LogReader::interpret(const std::string& text, LogLine& line) const {
-  static const std::vector<std::string_view> keys{"cycle",   "time",         "unchanged", "marking", "goal",
-                                                  "command", "observations", "estimate",  "belief",  "truth",
-                                                  "events",  "clocks",       "cut",       "checked", "missing_mass"};
+  static const std::vector<std::string_view> keys{
+      "cycle",  "time",  "unchanged", "marking", "goal", "command", "observations", "estimate",
+      "belief", "truth", "events",    "clocks",  "cut",  "checked", "missing_mass", "dropped"};
   const Json json = parse_object(text);
   for (const auto& [key, value] : json.items()) {
     if (key == "cycle") {
@@ -140,6 +140,7 @@ void LogReader::interpret(const std::string& text, LogLine& line) const {
       line.time = time_of(text, value);
     } else if (key == "command") {
       line.command = assignments(Role::command, key, value);
+      line.commanded = true;
     } else if (key == "observations") {
       line.observations = assignments(Role::observations, key, value);
     } else if (key == "estimate") {
@@ -150,7 +151,7 @@ void LogReader::interpret(const std::string& text, LogLine& line) const {
       expect(value.is_array(), key, "an array", value);
     } else if (key == "cut") {
       expect(value.is_boolean(), key, "true or false", value);
-    } else if (key == "checked" || key == "missing_mass") {
+    } else if (key == "checked" || key == "dropped" || key == "missing_mass") {
       expect(value.is_number(), key, "a number", value);
     } else {
       throw base::InputError(" unknown key '" + key + "'" + base::suggestion(key, keys));

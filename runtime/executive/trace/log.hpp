@@ -25,6 +25,7 @@ struct LogLine {
   automata::Ticks before;       ///< the time of the line before
   std::optional<std::vector<automata::Assignment>> estimate;  ///< sorted by variable, like all of these
   std::vector<automata::Assignment> command;                  ///< control variables
+  bool commanded = false;                                     ///< whether the line has a command, be it an empty one
   automata::Observation observations;
 
   /// The time of a cycle that was left out, from 1 to `unchanged`: they lie evenly between `before` and `time`.

@@ -266,7 +266,9 @@ TEST_F(TraceFile, RepeatsAsALogOfTheSequencer) {
   EXPECT_EQ(lines[5]["truth"], nlohmann::json({{"heater", "on"}}));
 
   std::ifstream log(path());
-  std::istringstream sequence(sequence_log(document.programs[0], document.plants[0], log, "out.jsonl"));
+  std::stringstream sequence;
+  sequence_log(document.programs[0], document.plants[0], log, "out.jsonl",
+               [&sequence](std::string_view line) { sequence << line << '\n'; });
   std::size_t cycle = 0;
   for (std::string line; std::getline(sequence, line);) {
     const auto repeated = nlohmann::json::parse(line);

@@ -19,7 +19,8 @@ using namespace rmpl::automata;
 std::vector<Json> sequence(const Program& program, const std::vector<Json>& log) {
   std::stringstream in;
   for (const Json& line : log) in << line.dump() << '\n';
-  std::istringstream out(sequence_log(program, in, "log"));
+  std::stringstream out;
+  sequence_log(program, in, "log", [&out](std::string_view line) { out << line << '\n'; });
   std::vector<Json> lines;
   for (std::string line; std::getline(out, line);) lines.push_back(Json::parse(line));
   return lines;

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "runtime/reasoning/diagnose/diagnose.hpp"
 #include "runtime/reasoning/diagnose/minimal.hpp"
 
 namespace rmpl::runtime {
@@ -121,6 +122,29 @@ TEST(Circuit, CompleteSetsEqualEnumeration) {
     });
     EXPECT_EQ(first->cardinality, fewest);
     EXPECT_TRUE(expected.contains(one));
+  }
+}
+
+/// Where all gates are equally likely to fail, one with the fewest faults is one of the most probable.
+TEST(Circuit, TheMostProbableDiagnosisHasTheFewestFaults) {
+  std::mt19937 random(1981);
+  for (int round = 0; round < 60; ++round) {
+    RandomCircuit made(random, 3, 7);
+    for (automata::Component& gate : made.plant.components) {
+      automata::Transition fails;
+      fails.from = automata::ModeId(0);
+      fails.to = automata::ModeId(1);
+      fails.weight = {automata::Weight::Kind::probability, 0.01};
+      gate.transitions.push_back(fails);
+    }
+    const auto shown = made.simulate({random() % 2 == 0, true, false}, random() % (1u << 7), random());
+    std::vector<Assignment> observation;
+    for (const std::size_t n : {0, 1, 2, 8, 9}) observation.push_back({made.nets[n], ValueId(shown[n] ? 1 : 0)});
+    const Diagnoses one = diagnose(made.plant, observation, {.k = 1});
+    const Diagnoses more = diagnose(made.plant, observation, {.k = 2});
+    ASSERT_EQ(one.diagnoses.size(), 1u);
+    EXPECT_NEAR(one.diagnoses[0].probability, more.diagnoses[0].probability, 1e-12) << "round " << round;
+    EXPECT_EQ(one.cardinality, more.diagnoses[0].faults.size());
   }
 }
 
