@@ -61,7 +61,8 @@ FilesRead& files_read() {
 /// A descriptor that is read in blocks.
 class InputFile::Buffer final : public std::streambuf {
  public:
-  Buffer(const std::string& path, const std::string& name) : name_(name), owned_(path != "-") {
+  Buffer(const std::string& path, const std::string& name, std::function<bool()> stop)
+      : name_(name), stop_(std::move(stop)), owned_(path != "-") {
     if (path.empty()) throw InputError("'' is no name of a file");
     file_ = owned_ ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO;
     if (file_ < 0) fail(name_, errno);
@@ -82,6 +83,7 @@ class InputFile::Buffer final : public std::streambuf {
     ssize_t count = 0;
     do {
       count = ::read(file_, block_.data(), block_.size());
+      if (count < 0 && errno == EINTR && stop_ && stop_()) return traits_type::eof();
     } while (count < 0 && errno == EINTR);
     if (count < 0) fail(name_, errno);
     setg(block_.data(), block_.data(), block_.data() + count);
@@ -94,14 +96,15 @@ class InputFile::Buffer final : public std::streambuf {
   }
 
   const std::string& name_;
+  std::function<bool()> stop_;
   bool owned_;
   int file_ = -1;
   std::array<char, std::size_t{1} << 16> block_;
 };
 
-InputFile::InputFile(const std::string& path)
+InputFile::InputFile(const std::string& path, std::function<bool()> stop)
     : name_(path == "-" ? standard_input : path),
-      buffer_(std::make_unique<Buffer>(path, name_)),
+      buffer_(std::make_unique<Buffer>(path, name_, std::move(stop))),
       stream_(buffer_.get()) {
   stream_.exceptions(std::ios::badbit);  // what the buffer throws comes out of whatever reads
 }

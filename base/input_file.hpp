@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <istream>
 #include <memory>
 #include <optional>
@@ -16,7 +17,8 @@ std::string read_file(const std::string& path);
 /// stream is opened, or out of what reads from it.
 class InputFile {
  public:
-  explicit InputFile(const std::string& path);
+  /// Where a signal comes while it waits for more, `stop` is asked whether that is the end.
+  explicit InputFile(const std::string& path, std::function<bool()> stop = {});
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;

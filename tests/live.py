@@ -6,6 +6,7 @@
 import json
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -48,6 +49,18 @@ def compare(command: list, late: int) -> None:
     assert run.returncode == 0
 
 
+def interrupt(command: list) -> None:
+    """While it waits for a line that does not come."""
+    with subprocess.Popen(
+        [*command, "--log", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0
+    ) as run:
+        told(run, LINES[0])
+        run.stdout.readline()
+        run.send_signal(signal.SIGINT)
+        assert run.wait(timeout=20) == 3
+        assert run.stderr.read() == b"rmpl-run: interrupted after 1 line\n"
+
+
 def resident(run: subprocess.Popen) -> int:
     status = pathlib.Path("/proc", str(run.pid), "status").read_text(encoding="utf-8")
     return int(re.search(r"VmRSS:\s*(\d+) kB", status).group(1))
@@ -77,6 +90,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
     compare([*estimate, "--estimator", "exact"], 0)
     compare(sequence, 1)
     compare([*sequence, plant], 1)
+    interrupt(estimate)
     fly_long(estimate, 0)
     fly_long(sequence, 1)
     print("answered line by line")

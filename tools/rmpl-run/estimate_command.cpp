@@ -254,7 +254,7 @@ ExitStatus run(const Options& options, const Common& common) {
   }
   watch_for_interruption();
   Flight flight(plant, options);
-  base::InputFile input(options.log);
+  base::InputFile input(options.log, interrupted);
   LogReader reader(input.stream(), input.name(), plant);
   std::size_t answered = 0;
   while (!interrupted()) {
@@ -266,7 +266,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const bool early = interrupted() && answered != lines;
   if (early) {
     tell("interrupted after " + std::to_string(answered) + (lines ? " of " + std::to_string(*lines) : std::string()) +
-         " lines");
+         (answered == 1 && !lines ? " line" : " lines"));
   }
   if (flight.cut()) tell("a search was cut short; a belief may lack states");
   if (options.stats || common.verbose) {
