@@ -44,23 +44,19 @@ ExitStatus run(const Options& options, const Common& common) {
   const automata::Program& program = only_program(document, options.program);
   base::InputFile input(options.log);
   const bool modelled = !options.plant.empty() || !document.plants.empty();
+  const automata::Plant* const plant = modelled ? &only_plant(document, options.plant) : nullptr;
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
-  std::string held_back;
-  const bool hold_back = std::filesystem::is_regular_file(options.log);
-  const auto answer = [&](std::string_view line) {
-    const std::string whole = std::string(line) + "\n";
-    if (hold_back) {
-      held_back += whole;
-    } else {
-      print(whole);
-    }
-  };
+  if (std::filesystem::is_regular_file(options.log)) {
+    print(modelled ? runtime::sequence_log(program, *plant, input.stream(), input.name())
+                   : runtime::sequence_log(program, input.stream(), input.name()));
+    return ExitStatus::done;
+  }
+  const auto answer = [](std::string_view line) { print(std::string(line) + "\n"); };
   if (modelled) {
-    runtime::sequence_log(program, only_plant(document, options.plant), input.stream(), input.name(), answer);
+    runtime::sequence_log(program, *plant, input.stream(), input.name(), answer);
   } else {
     runtime::sequence_log(program, input.stream(), input.name(), answer);
   }
-  print(held_back);
   return ExitStatus::done;
 }
 

@@ -168,4 +168,25 @@ void sequence_log(const automata::Program& program, std::istream& log, const std
   LogRun(open, open.variables, automata::ProgramStep(open)).run(readings, understand, answer);
 }
 
+namespace {
+
+Answer collect(std::string& text) {
+  return [&text](std::string_view line) { (text += line) += '\n'; };
+}
+
+}  // namespace
+
+std::string sequence_log(const automata::Program& program, const automata::Plant& plant, std::istream& log,
+                         const std::string& name) {
+  std::string text;
+  sequence_log(program, plant, log, name, collect(text));
+  return text;
+}
+
+std::string sequence_log(const automata::Program& program, std::istream& log, const std::string& name) {
+  std::string text;
+  sequence_log(program, log, name, collect(text));
+  return text;
+}
+
 }  // namespace rmpl::runtime

@@ -34,4 +34,9 @@ void sequence_log(const automata::Program& program, const automata::Plant& plant
 /// the program nor the log mentions.
 void sequence_log(const automata::Program& program, std::istream& log, const std::string& name, const Answer& answer);
 
+/// Both again, all answers together, each with its end of line.
+std::string sequence_log(const automata::Program& program, const automata::Plant& plant, std::istream& log,
+                         const std::string& name);
+std::string sequence_log(const automata::Program& program, std::istream& log, const std::string& name);
+
 }  // namespace rmpl::runtime

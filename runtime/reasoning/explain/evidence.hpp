@@ -47,7 +47,9 @@ class Evidences {
   bool entails(const std::vector<automata::Assignment>& store, automata::Assignment reading);
 
   const automata::Plant& plant_;
-  automata::Theory theory_;  ///< over the plant's variables, then one for each interconnection: whether it is told
+  /// Over the plant's variables, then one for each component, which of its modes is told, and one for each
+  /// interconnection, whether it is: what is not told says nothing.
+  automata::Theory theory_;
 };
 
 }  // namespace rmpl::runtime
