@@ -38,6 +38,7 @@ struct Shape {
   bool distributions = true;  ///< several initial modes, weighted and branching nominal transitions
   bool rewards = false;
   bool commanded = false;  ///< every untimed nominal transition needs its component's command
+  bool tangled = false;    ///< guards look at other components, and modes exclude each other: dead ends, late guards
 };
 
 /// A plant, printed as its JSON, which the programs read.
