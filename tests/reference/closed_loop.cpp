@@ -263,10 +263,15 @@ class Explorer {
     Sequencer sequencer = begun.sequencer;
     sequencer.finish(assumptions_of(plant_, next.modes));
     next.marking = sequencer.marking();
+    std::erase_if(next.clocks, [&](const auto& known) { return !sequencer.started().contains(known.first); });
     int rank = 0;
     for (const auto& [clock, c] : next.clocks) rank = std::max(rank, c.rank + 1);
     for (const auto& [clock, start] : sequencer.started())
       if (!next.clocks.contains(clock)) next.clocks[clock] = {sampled ? unit_ : Ticks{0}, after, rank};
+    // Ranks only order clocks: without gaps, states that differ in nothing else are one.
+    std::set<int> ranks;
+    for (const auto& [clock, c] : next.clocks) ranks.insert(c.rank);
+    for (auto& [clock, c] : next.clocks) c.rank = static_cast<int>(std::distance(ranks.begin(), ranks.find(c.rank)));
   }
 
   void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action) {
@@ -326,9 +331,9 @@ class Explorer {
         if (std::find(options.begin(), options.end(), std::pair(seen.modes[c], false)) == options.end())
           return std::nullopt;
       }
-      const auto clocks = seen.clocks.size();
+      const auto clocks = seen.clocks;
       finish(seen, begun, false);
-      if (seen.clocks.size() != clocks) return std::nullopt;
+      if (seen.clocks != clocks) return std::nullopt;
     }
     return seen.marking == state.marking ? first : std::nullopt;
   }

@@ -203,8 +203,10 @@ Outcome Loop::follow(const LoopState& state, const Modes& modes) const {
   Outcome result;
   result.state.marking = sequencer_.marking();
   result.state.modes = modes;
-  const std::vector<bool> live = cells_.live(result.state.marking);
+  std::vector<bool> live = cells_.live(result.state.marking);
   const auto& running = sequencer_.started();
+  // A clock that belongs to what is entered has stopped.
+  for (std::size_t c = 0; c < live.size(); ++c) live[c] = live[c] && running[c].has_value();
   std::vector<bool> known(live.size(), false);
   const auto keep = [&](ClockGroup group, std::size_t source) {
     std::erase_if(group.clocks, [&](ClockId clock) { return !live[clock.index()]; });
@@ -228,7 +230,7 @@ Outcome Loop::follow(const LoopState& state, const Modes& modes) const {
   }
   ClockGroup fresh{{}, cells_.start()};
   for (std::size_t c = 0; c < live.size(); ++c) {
-    if (running[c] && !known[c]) fresh.clocks.emplace_back(c);
+    if (live[c] && !known[c]) fresh.clocks.emplace_back(c);
   }
   keep(std::move(fresh), 0);
   std::sort(result.state.passed.begin(), result.state.passed.end());
