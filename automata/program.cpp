@@ -3,18 +3,23 @@
 #include "automata/program.hpp"
 
 #include <set>
-
-#include "base/error.hpp"
+#include <tuple>
+#include <utility>
 
 namespace rmpl::automata {
 namespace {
+
+bool comes_before(const Mismatch& a, const Mismatch& b) {
+  const auto key = [](const Mismatch& m) { return std::tie(m.origin.file, m.origin.line, m.origin.column, m.message); };
+  return key(a) < key(b);
+}
 
 /// Rewrites one program; collects every name that the plant lacks, so that all are reported at once.
 class Binder {
  public:
   Binder(const Program& program, const Plant& plant) : program_(program), plant_(plant) {}
 
-  Program run() {
+  Binding run() {
     Program bound = program_;
     bound.variables = plant_.variables;
     for (Location& location : bound.locations) {
@@ -23,21 +28,11 @@ class Binder {
       location.maintenance.constraint = bind(location.maintenance.constraint);
       for (Arc& arc : location.arcs) arc.guard.constraint = bind(arc.guard.constraint);
     }
-    if (!problems_.empty()) {
-      std::string message;
-      for (const std::string& problem : problems_) message += (message.empty() ? "" : "\n") + problem;
-      throw base::InputError(message);
-    }
-    return bound;
+    return {std::move(bound), {problems_.begin(), problems_.end()}};
   }
 
  private:
-  void report(const std::string& problem) {
-    const std::string place = origin_->line == 0 ? program_.name
-                                                 : origin_->file + ":" + std::to_string(origin_->line) + ":" +
-                                                       std::to_string(origin_->column);
-    problems_.insert(place + ": " + problem);
-  }
+  void report(std::string problem) { problems_.insert({*origin_, std::move(problem)}); }
 
   std::optional<VariableId> variable(VariableId id) {
     const std::string& name = program_.variables.name(id);
@@ -105,11 +100,11 @@ class Binder {
   const Program& program_;
   const Plant& plant_;
   const Origin* origin_ = nullptr;
-  std::set<std::string> problems_;
+  std::set<Mismatch, decltype(&comes_before)> problems_{&comes_before};
 };
 
 }  // namespace
 
-Program bind(const Program& program, const Plant& plant) { return Binder(program, plant).run(); }
+Binding bind(const Program& program, const Plant& plant) { return Binder(program, plant).run(); }
 
 }  // namespace rmpl::automata

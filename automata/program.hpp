@@ -36,7 +36,8 @@ struct Location {
   bool start = false;                ///< one of its parent's start locations
   std::vector<Assignment> goal;      ///< conjunction of mode assignments; empty means true
   std::optional<ClockId> clock_start;
-  Condition maintenance;  ///< applies to all that is inside
+  std::vector<ClockId> own_clocks;  ///< of a composite: inactive whenever it is entered; no other has them
+  Condition maintenance;            ///< applies to all that is inside
   std::vector<Arc> arcs;
   std::string label;  ///< what it is, for people: `engine = standby`, `when t1 >= 16200 s`, `EntrySequence()`
   Origin origin;
@@ -53,9 +54,20 @@ struct Program {
   bool operator==(const Program&) const = default;
 };
 
+/// What a program asks for and a plant lacks.
+struct Mismatch {
+  Origin origin;  ///< of the location that asks
+  std::string message;
+};
+
+/// A program bound to a plant; it means something only where nothing is lacking.
+struct Binding {
+  Program program;
+  std::vector<Mismatch> lacking;  ///< by place, then message; each once
+};
+
 /// The program with its variables and values replaced by the plant's. An atom `x = y` whose right side is no value of
-/// x but a variable of the same domain becomes an equality. Throws base::InputError naming every variable or value that
-/// the plant lacks, with its source line.
-Program bind(const Program& program, const Plant& plant);
+/// x but a variable of the same domain becomes an equality.
+Binding bind(const Program& program, const Plant& plant);
 
 }  // namespace rmpl::automata

@@ -1,6 +1,7 @@
 // Control programs as JSON, and back.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <set>
 #include <unordered_set>
 
 #include "automata/json/document.hpp"
@@ -29,6 +30,10 @@ Json location_to_json(const Location& location, std::size_t number, const Progra
     for (const Assignment& goal : location.goal) json["goal"].push_back(to_json(goal, program.variables));
   }
   if (location.clock_start) json["clock_start"] = program.clocks[location.clock_start->index()];
+  if (!location.own_clocks.empty()) {
+    json["own_clocks"] = Json::array();
+    for (const ClockId clock : location.own_clocks) json["own_clocks"].push_back(program.clocks[clock.index()]);
+  }
   if (!location.maintenance.is_trivial()) json["maintain"] = condition_to_json(location.maintenance, program);
   json["arcs"] = Json::array();
   for (const Arc& arc : location.arcs) {
@@ -42,8 +47,18 @@ Json location_to_json(const Location& location, std::size_t number, const Progra
   return json;
 }
 
-Location location_from_json(const Node& node, std::size_t position, std::size_t count, const Program& program) {
-  node.only({"number", "kind", "parent", "start", "goal", "clock_start", "maintain", "arcs", "label", "origin"});
+ClockId clock_from_json(const Node& node, const Program& program) {
+  const std::string clock = node.text();
+  const auto at = std::find(program.clocks.begin(), program.clocks.end(), clock);
+  if (at == program.clocks.end()) node.fail("the name of a clock, not '" + clock + "'");
+  return ClockId(static_cast<std::size_t>(at - program.clocks.begin()));
+}
+
+/// `owned` holds the clocks that belong to locations so far.
+Location location_from_json(const Node& node, std::size_t position, std::size_t count, const Program& program,
+                            std::set<ClockId>& owned) {
+  node.only({"number", "kind", "parent", "start", "goal", "clock_start", "own_clocks", "maintain", "arcs", "label",
+             "origin"});
   Location location;
   if (node.at("number").natural() != position + 1) node.at("number").fail(std::to_string(position + 1));
   const std::string kind = node.at("kind").text();
@@ -62,11 +77,14 @@ Location location_from_json(const Node& node, std::size_t position, std::size_t 
       location.goal.push_back(assignment_from_json(item, program.variables));
     }
   }
-  if (node.has("clock_start")) {
-    const std::string clock = node.at("clock_start").text();
-    const auto at = std::find(program.clocks.begin(), program.clocks.end(), clock);
-    if (at == program.clocks.end()) node.at("clock_start").fail("the name of a clock, not '" + clock + "'");
-    location.clock_start = ClockId(static_cast<std::size_t>(at - program.clocks.begin()));
+  if (node.has("clock_start")) location.clock_start = clock_from_json(node.at("clock_start"), program);
+  if (node.has("own_clocks")) {
+    if (!location.composite) node.at("own_clocks").fail("a composite to have them");
+    for (const Node& item : node.at("own_clocks").items()) {
+      const ClockId clock = clock_from_json(item, program);
+      if (!owned.insert(clock).second) item.fail("a clock that is nobody's own yet");
+      location.own_clocks.push_back(clock);
+    }
   }
   if (node.has("maintain")) location.maintenance = condition_from_json(node.at("maintain"), program);
   for (const Node& item : node.at("arcs").items()) {
@@ -108,8 +126,9 @@ Program program_from_json(const Node& node) {
   }
   const auto locations = node.at("locations").items();
   if (locations.empty()) node.at("locations").fail("at least one location");
+  std::set<ClockId> owned;
   for (std::size_t l = 0; l < locations.size(); ++l) {
-    program.locations.push_back(location_from_json(locations[l], l, locations.size(), program));
+    program.locations.push_back(location_from_json(locations[l], l, locations.size(), program, owned));
   }
   return program;
 }

@@ -97,7 +97,14 @@ void ProgramRules::begin(const Marking& marking, const ClockTimes& started, Tick
   }
 }
 
-Marking ProgramRules::finish(const HalfCycle& half, ProgramAnswers& answers) const {
+void ProgramRules::stop_own_clocks(LocationId entered, ClockTimes& started) const {
+  for (const ClockId clock : program_.locations[entered.index()].own_clocks) started[clock.index()].reset();
+  for (const LocationId child : children_[entered.index()]) {
+    if (program_.locations[child.index()].start) stop_own_clocks(child, started);
+  }
+}
+
+Marking ProgramRules::finish(const HalfCycle& half, ProgramAnswers& answers, ClockTimes& started) const {
   const auto& locations = program_.locations;
   std::vector<bool> next(locations.size(), false);
   std::vector<bool> leaves(locations.size(), false);  // has an enabled outgoing transition
@@ -127,6 +134,9 @@ Marking ProgramRules::finish(const HalfCycle& half, ProgramAnswers& answers) con
   for (std::size_t l = locations.size(); l-- > 0;) {
     if (next[l] && locations[l].parent) next[locations[l].parent->index()] = true;
   }
+  // 10. Update the list of clock references. An activation finds the clocks that are its own inactive.
+  started = half.started;
+  for (const LocationId target : targets) stop_own_clocks(target, started);
   return listed(next);
 }
 

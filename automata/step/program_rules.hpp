@@ -63,11 +63,13 @@ class ProgramRules {
   /// Steps 2 to 4 at `now`: leaves what goes on in `half`, and what is asserted in `asserted`.
   void begin(const Marking& marking, const ClockTimes& started, Ticks now, ProgramAnswers& answers, HalfCycle& half,
              Asserted& asserted) const;
-  /// Steps 7 to 9: the next marking. The clocks that are then active are those of `half`.
-  [[nodiscard]] Marking finish(const HalfCycle& half, ProgramAnswers& answers) const;
+  /// Steps 7 to 10: the next marking; `started` becomes when the clocks that are then active started.
+  [[nodiscard]] Marking finish(const HalfCycle& half, ProgramAnswers& answers, ClockTimes& started) const;
 
  private:
   void mark_fully(LocationId location, std::vector<bool>& marked) const;
+  /// The clocks of what is marked fully with a location become inactive.
+  void stop_own_clocks(LocationId entered, ClockTimes& started) const;
 
   const Program& program_;
   std::vector<std::vector<LocationId>> children_;

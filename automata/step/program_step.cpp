@@ -104,9 +104,7 @@ const Asserted& ProgramStep::begin(const Knowledge& knowledge, Ticks now) {
 void ProgramStep::finish(const Knowledge& knowledge) {
   know(knowledge);
   Answers answers(*this);
-  marking_ = rules_.finish(half_, answers);
-  // 10. Update the list of clock references.
-  started_ = half_.started;
+  marking_ = rules_.finish(half_, answers, started_);
 }
 
 }  // namespace rmpl::automata

@@ -57,6 +57,14 @@ class Summaries {
 
   [[nodiscard]] const Summary& operator[](std::size_t definition) const { return summaries_[definition]; }
 
+  /// A clock of a definition's own that is read where no path of an activation has started it.
+  struct Unstarted {
+    std::size_t definition;
+    std::string clock;
+    std::vector<Span> reads;
+  };
+  std::vector<Unstarted> unstarted;
+
  private:
   /// The members of a set of definitions that call each other form a loop: what one starts, another may read later.
   void close(std::size_t group) {
@@ -64,6 +72,7 @@ class Summaries {
     for (const std::size_t d : members) {
       caller_ = d;
       Summary whole = body(definitions_.all[d].definition->body);
+      take_own(d, whole);
       summaries_[d] = std::move(whole);
     }
     if (members.size() == 1) return satisfy_own(summaries_[members.front()], recursion_.recursive[group]);
@@ -77,6 +86,18 @@ class Summaries {
     }
     satisfy(all, parameters);
     for (const std::size_t d : members) summaries_[d] = all;
+  }
+
+  /// What concerns the clocks of a definition's own stays in it; those that it reads before it starts them are noted.
+  void take_own(std::size_t d, Summary& summary) {
+    for (const grammar::Name& clock : definitions_.all[d].definition->clocks) {
+      const std::string name = own(clock.text);
+      const auto needed = summary.needs.find(name);
+      if (needed != summary.needs.end()) unstarted.push_back({d, clock.text, needed->second});
+      if (needed != summary.needs.end()) summary.needs.erase(needed);
+      summary.starts.erase(name);
+      for (auto& [parameter, before] : summary.asks) before.erase(name);
+    }
   }
 
   static void satisfy_own(Summary& summary, bool recursive) {
@@ -136,8 +157,8 @@ class Summaries {
   Summary step(const grammar::Step& s) {
     return std::visit(
         base::Overloaded{[](const grammar::Goal&) { return Summary{}; },
-                         [](const grammar::ClockStart& c) {
-                           return Summary{{}, {c.clock.text}, {}};
+                         [&](const grammar::ClockStart& c) {
+                           return Summary{{}, {own(c.clock.text)}, {}};
                          },
                          [&](const grammar::Call& c) { return call(c); },
                          [&](const grammar::Block& b) { return body(b.body); },
@@ -182,7 +203,7 @@ class Summaries {
       std::set<std::string> names = clocks;
       for (std::size_t a = 0; a < c.arguments.size(); ++a) {
         const auto* name = std::get_if<grammar::Name>(&c.arguments[a].node);
-        if (name != nullptr && names.erase(callee.parameters[a].text) != 0) names.insert(name->text);
+        if (name != nullptr && names.erase(callee.parameters[a].text) != 0) names.insert(own(name->text));
       }
       return names;
     };
@@ -190,8 +211,8 @@ class Summaries {
       const auto ask = summaries_[known->second].asks.find(callee.parameters[a].text);
       const bool asked = ask != summaries_[known->second].asks.end();
       if (const auto* name = std::get_if<grammar::Name>(&c.arguments[a].node)) {
-        if (started[a]) result.starts.insert(name->text);
-        if (needed[a]) result.needs[name->text].push_back(name->span);
+        if (started[a]) result.starts.insert(own(name->text));
+        if (needed[a]) result.needs[own(name->text)].push_back(name->span);
         if (!asked || !is_parameter(name->text)) continue;
         Summary passed_on;
         passed_on.asks.emplace(name->text, here(ask->second));
@@ -222,7 +243,7 @@ class Summaries {
                            if (is_parameter(r.name.text)) into.asks.try_emplace(r.name.text);
                          },
                          [](const grammar::Comparison&) {}, [](const grammar::Membership&) {},
-                         [&](const grammar::ClockBound& b) { into.needs[b.clock.text].push_back(b.clock.span); },
+                         [&](const grammar::ClockBound& b) { into.needs[own(b.clock.text)].push_back(b.clock.span); },
                          [&](const grammar::Negation& n) { all(n); }, [&](const grammar::Conjunction& c) { all(c); },
                          [&](const grammar::Disjunction& d) { all(d); }, [&](const grammar::Implication& i) { all(i); },
                          [&](const grammar::Equivalence& e) { all(e); }},
@@ -232,6 +253,14 @@ class Summaries {
   [[nodiscard]] bool is_parameter(const std::string& name) const {
     const auto& parameters = definitions_.all[caller_].definition->parameters;
     return std::any_of(parameters.begin(), parameters.end(), [&](const grammar::Name& p) { return p.text == name; });
+  }
+
+  /// The name of a clock in the summaries: that of a definition's own is none that another could have.
+  [[nodiscard]] std::string own(const std::string& name) const {
+    const auto& clocks = definitions_.all[caller_].definition->clocks;
+    const bool found =
+        std::any_of(clocks.begin(), clocks.end(), [&](const grammar::Name& clock) { return clock.text == name; });
+    return found ? name + "@" : name;
   }
 
   const Definitions& definitions_;
@@ -277,6 +306,15 @@ class Starts {
 void check_clocks(const Definitions& definitions, const Recursion& recursion, const std::vector<std::size_t>& roots,
                   grammar::Diagnostics& diagnostics) {
   const Summaries summaries(definitions, recursion);
+  for (const auto& [definition, clock, reads] : summaries.unstarted) {
+    for (const Span span : reads) {
+      auto& error = diagnostics.error(Code::clock_never_started, span,
+                                      "clock " + backquoted(clock) + " is read, but nothing in " +
+                                          backquoted(definitions.all[definition].definition->name.text) +
+                                          " has started it before: each activation finds it inactive");
+      error.suggestion = "start it first, with `" + clock + " = 0`";
+    }
+  }
   const Starts starts(definitions);
   std::vector<std::string> clocks;
   for (const auto& [clock, span] : starts.first) clocks.push_back(clock);

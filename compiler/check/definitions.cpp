@@ -80,6 +80,7 @@ class CallCollector {
   void call(const grammar::Call& call, const Position& position) {
     const auto known = definitions_.by_name.find(call.definition.text);
     if (known == definitions_.by_name.end()) {
+      if (!definitions_.unknown.insert(call.definition.text).second) return;
       const std::size_t before = diagnostics_.error_count();
       auto& error = diagnostics_.error(Code::unknown_name, call.definition.span,
                                        "there is no definition " + backquoted(call.definition.text));
@@ -122,6 +123,15 @@ void declare(const grammar::Definition& definition, bool root, Uniqueness& names
   for (const grammar::Name& parameter : definition.parameters) parameters.add(parameter);
   if (!names.add(definition.name)) return;
   definitions.by_name.emplace(definition.name.text, definitions.all.size());
+  Uniqueness clocks("clock", diagnostics);
+  for (const grammar::Name& clock : definition.clocks) {
+    const bool parameter = std::any_of(definition.parameters.begin(), definition.parameters.end(),
+                                       [&](const grammar::Name& p) { return p.text == clock.text; });
+    if (clocks.add(clock) && parameter) {
+      diagnostics.error(Code::duplicate_name, clock.span,
+                        backquoted(clock.text) + " is a parameter of the definition already, and cannot be its clock");
+    }
+  }
   definitions.all.push_back({&definition, root, false, {}});
 }
 
@@ -173,6 +183,7 @@ std::optional<std::size_t> find_entry(const Definitions& definitions, const std:
     }
     if (candidates.size() == 1) return candidates.front();
     if (candidates.empty()) continue;
+    if (!definitions.unknown.empty()) return std::nullopt;
     std::vector<std::string> names;
     for (const std::size_t c : candidates) names.push_back(definitions.all[c].definition->name.text);
     auto& error =

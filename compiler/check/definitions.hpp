@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -40,6 +41,7 @@ struct Definitions {
   std::vector<Entry> all;
   std::unordered_map<std::string, std::size_t> by_name;
   std::unordered_map<const grammar::Call*, std::size_t> callees;  ///< of every call that is collected
+  std::set<std::string> unknown;                                  ///< called and not there; each is reported once
 };
 
 /// Collects the definitions. Reports double names and parameters, unknown callees, wrong numbers of arguments, and what
@@ -48,7 +50,8 @@ Definitions collect_definitions(const std::vector<ProgramSource>& files, grammar
 
 /// The entry point: the definition of that name, or where `main` is empty the one that no other calls. Definitions that
 /// came by import are candidates only where no other is left. Nothing where there is none, or where several are left;
-/// then it has been reported, at `blame` where no definition is to blame.
+/// then it has been reported, at `blame` where no definition is to blame; but for several, where a call of a definition
+/// that is not there has been reported: it may have been meant for one of them.
 std::optional<std::size_t> find_entry(const Definitions& definitions, const std::string& main,
                                       std::optional<grammar::Span> main_span, grammar::Span blame,
                                       grammar::Diagnostics& diagnostics);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -24,9 +25,10 @@ namespace {
 /// "take it or leave it", heaviest first; a branch ends where the rest cannot reach 1, or where the guards contradict.
 class Overfull {
  public:
-  Overfull(const automata::Plant& type, automata::ModeId mode, std::vector<std::size_t> faults)
-      : component_(type.components.front()), theory_(type.variables), faults_(std::move(faults)) {
-    theory_.tell(component_.modes[mode.index()].constraint);
+  /// `theory` knows the variables of the type and nothing else; it is asked of many modes, for it is dear to make.
+  Overfull(const automata::Component& component, automata::Theory& theory, automata::ModeId mode,
+           std::vector<std::size_t> faults)
+      : component_(component), theory_(theory), mode_(mode), faults_(std::move(faults)) {
     std::stable_sort(faults_.begin(), faults_.end(),
                      [&](std::size_t a, std::size_t b) { return weight(a) > weight(b); });
     rest_.resize(faults_.size() + 1, 0);
@@ -53,15 +55,16 @@ class Overfull {
   }
 
   bool compatible() {
-    std::vector<Formula> guards;
+    std::vector<Formula> guards{component_.modes[mode_.index()].constraint};
     for (const std::size_t t : taken_) {
       if (!component_.transitions[t].guard.is_true()) guards.push_back(component_.transitions[t].guard);
     }
-    return guards.empty() || theory_.allows({}, theory_.encode(automata::conjunction(std::move(guards))));
+    return theory_.allows({}, theory_.encode(automata::conjunction(std::move(guards))));
   }
 
   const automata::Component& component_;
-  automata::Theory theory_;
+  automata::Theory& theory_;
+  const automata::ModeId mode_;
   std::vector<std::size_t> faults_;  ///< positions of transitions, heaviest first
   std::vector<double> rest_;         ///< the sum of the weights from here on
   std::vector<std::size_t> taken_;
@@ -83,15 +86,32 @@ bool check_probability(const grammar::Number& probability, grammar::Diagnostics&
   return false;
 }
 
-void check_branch_sum(const grammar::TransitionText& text, grammar::Diagnostics& diagnostics) {
-  double sum = 0;
-  for (const grammar::Branch& branch : text.branches) {
-    if (!branch.weight) continue;
-    if (const auto* weight = std::get_if<grammar::ProbabilityWeight>(&*branch.weight)) sum += weight->probability.value;
+std::optional<std::vector<double>> probabilities_of(const std::vector<const grammar::Number*>& numbers,
+                                                    grammar::Span list, Code below, const std::string& of,
+                                                    grammar::Diagnostics& diagnostics) {
+  const std::size_t errors = diagnostics.error_count();
+  const bool weights = std::any_of(numbers.begin(), numbers.end(), [](const grammar::Number* number) {
+    return number->value > 1 && number->value == std::floor(number->value);
+  });
+  std::vector<double> result;
+  for (const grammar::Number* number : numbers) {
+    result.push_back(number->value);
+    if (!weights) check_probability(*number, diagnostics);
+    if (weights && number->value < 0) {
+      diagnostics.error(Code::probability_out_of_range, number->span, "the weight " + number->text + " is below 0");
+    }
   }
-  if (sum <= 1 + probability_tolerance) return;
-  diagnostics.error(Code::probabilities_exceed_one, join(text.branches.front().span, text.branches.back().span),
-                    "the probabilities of these targets sum to " + decimal(sum) + ", expected at most 1");
+  if (diagnostics.error_count() != errors) return std::nullopt;
+  const double sum = std::accumulate(result.begin(), result.end(), 0.0);
+  if (weights) {
+    for (double& share : result) share /= sum;
+    return result;
+  }
+  if (std::abs(sum - 1) <= probability_tolerance) return result;
+  auto& error = diagnostics.error(sum > 1 ? Code::probabilities_exceed_one : below, list,
+                                  "the " + of + " probabilities sum to " + decimal(sum) + ", expected 1");
+  error.suggestion = "shares are written as whole numbers: `3` and `1` for 3 of 4 and 1 of 4";
+  return std::nullopt;
 }
 
 void check_fault_sums(const automata::Plant& type, const std::vector<grammar::Span>& spans,
@@ -104,10 +124,12 @@ void check_fault_sums(const automata::Plant& type, const std::vector<grammar::Sp
       faults[transition.from.index()].push_back(t);
     }
   }
+  std::optional<automata::Theory> theory;
   for (std::size_t m = 0; m < faults.size(); ++m) {
     const auto add = [&](double sum, std::size_t t) { return sum + component.transitions[t].weight.value; };
     if (std::accumulate(faults[m].begin(), faults[m].end(), 0.0, add) <= 1 + probability_tolerance) continue;
-    const auto found = Overfull(type, automata::ModeId(m), std::move(faults[m])).find();
+    if (!theory) theory.emplace(type.variables);
+    const auto found = Overfull(component, *theory, automata::ModeId(m), std::move(faults[m])).find();
     if (!found) continue;
     const double sum = std::accumulate(found->begin(), found->end(), 0.0, add);
     auto& error = diagnostics.error(Code::probabilities_exceed_one, spans[found->back()],

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,12 @@ std::string decimal(double value);
 /// Whether a written probability is in [0, 1]; reports it where it is not.
 bool check_probability(const grammar::Number& probability, grammar::Diagnostics& diagnostics);
 
-/// Reports `-> { a with p, b with q }` where the probabilities sum above 1.
-void check_branch_sum(const grammar::TransitionText& text, grammar::Diagnostics& diagnostics);
+/// The probabilities that the numbers of one list mean, in its order: the numbers themselves, which sum to 1; or, where
+/// a whole number above 1 is among them, their shares in the sum of all. Nothing where they are neither; then that has
+/// been reported, a sum below 1 as `below`. `of`: what is drawn, for messages: "branch", "initial".
+std::optional<std::vector<double>> probabilities_of(const std::vector<const grammar::Number*>& numbers,
+                                                    grammar::Span list, grammar::Code below, const std::string& of,
+                                                    grammar::Diagnostics& diagnostics);
 
 /// Reports each mode of a component type, a plant of one component, whose fault probabilities sum above 1, and whose
 /// guards can hold together under the mode's constraint: found by proof, so that exclusive guards are no error. `spans`

@@ -24,10 +24,11 @@ struct Anything {};
 
 using Passed = std::variant<grammar::Name, PassedConstraint, Anything>;
 
-/// The parameters of one expansion of a definition.
+/// The parameters and clocks of one expansion of a definition.
 struct Environment {
   std::map<std::string, Passed, std::less<>> parameters;
-  const grammar::Call* call = nullptr;  ///< where the expansion comes from, for messages
+  std::map<std::string, grammar::Name, std::less<>> clocks;  ///< its own, and what they are called in the automaton
+  const grammar::Call* call = nullptr;                       ///< where the expansion comes from, for messages
 };
 
 }  // namespace rmpl::compiler

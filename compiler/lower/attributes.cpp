@@ -8,6 +8,7 @@ void declare(Part& part, const grammar::AttributeDeclaration& declaration, Uniqu
              grammar::Diagnostics& diagnostics) {
   const auto domain = domains.values(declaration.domain);
   for (const grammar::Name& name : declaration.names) {
+    if (!domain) part.broken.insert(name.text);
     if (!names.add(name) || !domain || !make_room(part, domain->values.size(), name.span, diagnostics)) continue;
     part.plant.variables.add({name.text, domain->values});
     part.declared.push_back(domain->span);

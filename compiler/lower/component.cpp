@@ -22,16 +22,21 @@ namespace {
 /// The names of a component type: its own attributes. A name of another component gets an error of its own.
 class ComponentResolver final : public Resolver {
  public:
-  using Resolver::Resolver;
+  ComponentResolver(const Part& part, const Vocabulary& vocabulary, grammar::Diagnostics& diagnostics)
+      : Resolver(vocabulary, diagnostics), part_(part) {}
 
  protected:
   void report_unknown(const grammar::Name& name) override {
+    if (is_broken(part_, name.text)) return;
     if (name.text.find('.') == std::string::npos) return Resolver::report_unknown(name);
     auto& error = diagnostics().error(Code::foreign_guard, name.span,
                                       backquoted(name.text) + " is no attribute of " + vocabulary().owner +
                                           ", which speaks of its own attributes only");
     error.suggestion = "declare an input, and connect it in the module or plant that holds the instance";
   }
+
+ private:
+  const Part& part_;
 };
 
 Vocabulary vocabulary_of(const Part& part) {
@@ -55,7 +60,7 @@ Part ComponentLowering::run(const grammar::ComponentDefinition& definition) {
   declare_attributes(definition);
   constrain_modes(definition);
   set_initial(definition);
-  ComponentResolver resolver(vocabulary_of(part_), diagnostics_);
+  ComponentResolver resolver(part_, vocabulary_of(part_), diagnostics_);
   for (const grammar::ComponentItem& item : definition.items) {
     if (const auto* text = std::get_if<grammar::TransitionText>(&item)) add_transitions(*text, resolver);
   }
@@ -99,7 +104,7 @@ void ComponentLowering::declare_attributes(const grammar::ComponentDefinition& d
 }
 
 void ComponentLowering::constrain_modes(const grammar::ComponentDefinition& definition) {
-  ComponentResolver resolver(vocabulary_of(part_), diagnostics_);
+  ComponentResolver resolver(part_, vocabulary_of(part_), diagnostics_);
   std::vector<bool> constrained(component().modes.size(), false);
   for (const grammar::ComponentItem& item : definition.items) {
     const auto* declaration = std::get_if<grammar::ModeDeclaration>(&item);
@@ -142,19 +147,28 @@ void ComponentLowering::add_transitions(const grammar::TransitionText& text, Res
   common.origin = origin_of(sources_, text.span);
   if (text.guard) common.guard = resolver.resolve(*text.guard);
   if (text.timing) common.timing = timing_of(*text.timing, diagnostics_);
-  if (text.braced) {
-    Uniqueness targets("target", diagnostics_);
-    for (const grammar::Branch& branch : text.branches) targets.add(branch.target);
-    check_branch_sum(text, diagnostics_);
+  if (!text.braced) {
+    const grammar::Branch& only = text.branches.front();
+    const auto weight = only.weight ? weight_of(*only.weight, diagnostics_) : std::nullopt;
+    return add_transition(text, only, weight.value_or(Weight{}), common);
   }
-  for (const grammar::Branch& branch : text.branches) add_transition(text, branch, common);
+  Uniqueness targets("target", diagnostics_);
+  std::vector<const grammar::Number*> numbers;
+  for (const grammar::Branch& branch : text.branches) {
+    targets.add(branch.target);
+    numbers.push_back(&std::get<grammar::ProbabilityWeight>(*branch.weight).probability);
+  }
+  const grammar::Span list = join(text.branches.front().span, text.branches.back().span);
+  const auto shares = probabilities_of(numbers, list, Code::branch_distribution, "branch", diagnostics_);
+  for (std::size_t b = 0; b < text.branches.size(); ++b) {
+    const double share = shares ? (*shares)[b] : 0;
+    add_transition(text, text.branches[b], {Weight::Kind::probability, share}, common);
+  }
 }
 
 void ComponentLowering::add_transition(const grammar::TransitionText& text, const grammar::Branch& branch,
-                                       Transition common) {
-  if (branch.weight) {
-    if (const auto weight = weight_of(*branch.weight, diagnostics_)) common.weight = *weight;
-  }
+                                       Weight weight, Transition common) {
+  common.weight = weight;
   const auto target = mode(branch.target);
   if (!target) {
     sources_of(text, ModeId(component().modes.size()));  // for the errors in the sources
@@ -179,9 +193,31 @@ void ComponentLowering::add_transition(const grammar::TransitionText& text, cons
     if (!make_room(part_, 1, branch.span, diagnostics_)) return;
     Transition transition = common;
     transition.from = source;
+    report_twin(transition, branch.span);
     component().transitions.push_back(std::move(transition));
     transition_spans_.push_back(branch.span);
   }
+}
+
+void ComponentLowering::report_twin(const Transition& transition, grammar::Span span) {
+  auto& same_way = by_ends_[{transition.from, transition.to}];
+  const auto bounds = [](const Transition& t) {
+    return t.timing ? std::optional(std::pair(t.timing->lower, t.timing->upper)) : std::nullopt;
+  };
+  const auto is_twin = [&](std::size_t t) {
+    const Transition& known = component().transitions[t];
+    return known.branch != transition.branch && known.guard == transition.guard && bounds(known) == bounds(transition);
+  };
+  const auto twin = std::find_if(same_way.begin(), same_way.end(), is_twin);
+  if (twin != same_way.end() && twins_.emplace(transition_spans_[*twin], span).second) {
+    const auto name = [&](ModeId mode) { return backquoted(component().modes[mode.index()].name); };
+    auto& warning = diagnostics_.warning(
+        Code::duplicate_transition, span,
+        "the transition from " + name(transition.from) + " to " + name(transition.to) + " is given twice");
+    warning.notes.push_back({transition_spans_[*twin], "the first is here"});
+  }
+  constexpr std::size_t looked_at = 64;
+  if (same_way.size() < looked_at) same_way.push_back(component().transitions.size());
 }
 
 std::vector<ModeId> ComponentLowering::sources_of(const grammar::TransitionText& text, ModeId target) {

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/check/domains.hpp"
@@ -31,7 +33,11 @@ class ComponentLowering {
   void constrain_modes(const grammar::ComponentDefinition& definition);
   void set_initial(const grammar::ComponentDefinition& definition);
   void add_transitions(const grammar::TransitionText& text, Resolver& resolver);
-  void add_transition(const grammar::TransitionText& text, const grammar::Branch& branch, automata::Transition common);
+  void add_transition(const grammar::TransitionText& text, const grammar::Branch& branch, automata::Weight weight,
+                      automata::Transition common);
+  /// Warns where the transition stands there already: same ends, guard and bounds. Looks at the first few of the same
+  /// ends only, so that a large model does not cost its square.
+  void report_twin(const automata::Transition& transition, grammar::Span span);
   std::vector<automata::ModeId> sources_of(const grammar::TransitionText& text, automata::ModeId target);
   std::optional<automata::ModeId> mode(const grammar::Name& name);
 
@@ -44,6 +50,8 @@ class ComponentLowering {
   std::map<std::string, automata::ModeId, std::less<>> modes_;
   std::vector<grammar::Span> mode_names_;        ///< per mode, where it is declared
   std::vector<grammar::Span> transition_spans_;  ///< per transition, for the check of sums
+  std::map<std::pair<automata::ModeId, automata::ModeId>, std::vector<std::size_t>> by_ends_;  ///< transitions
+  std::set<std::pair<grammar::Span, grammar::Span>> twins_;  ///< transitions that are given twice, and reported
   std::uint32_t branches_ = 0;
 };
 

@@ -3,7 +3,6 @@
 #include "compiler/lower/initial.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "compiler/check/domains.hpp"
 #include "compiler/check/probabilities.hpp"
@@ -21,7 +20,9 @@ std::optional<std::vector<double>> initial_distribution(const grammar::Initial& 
   for (const automata::Mode& mode : component.modes) names.push_back(mode.name);
   std::vector<double> distribution(component.modes.size(), 0);
   Uniqueness unique("initial mode", diagnostics);
-  double sum = 0;
+  const grammar::Number certain{initial.span, "1", 1};
+  std::vector<const grammar::Number*> numbers;
+  std::vector<std::size_t> modes;  // of the numbers
   for (const grammar::InitialMode& start : initial.modes) {
     if (!unique.add(start.mode)) continue;
     if (!start.probability && initial.modes.size() > 1) {
@@ -29,9 +30,6 @@ std::optional<std::vector<double>> initial_distribution(const grammar::Initial& 
           Code::initial_distribution, start.span,
           "initial mode " + backquoted(start.mode.text) + " needs a probability, since there are several");
     }
-    const double probability = start.probability ? start.probability->value : 1;
-    if (start.probability) check_probability(*start.probability, diagnostics);
-    sum += probability;
     const auto at = std::find(names.begin(), names.end(), start.mode.text);
     if (at == names.end()) {
       const std::size_t before = diagnostics.error_count();
@@ -39,21 +37,15 @@ std::optional<std::vector<double>> initial_distribution(const grammar::Initial& 
           diagnostics.error(Code::unknown_name, start.mode.span,
                             "component " + backquoted(component.type) + " has no mode " + backquoted(start.mode.text));
       suggest(error, before, start.mode.text, names);
-    } else {
-      distribution[static_cast<std::size_t>(at - names.begin())] = probability;
     }
+    numbers.push_back(start.probability ? &*start.probability : &certain);
+    modes.push_back(static_cast<std::size_t>(at - names.begin()));
   }
   if (diagnostics.error_count() != errors) return std::nullopt;
-  if (sum > 1 + probability_tolerance) {
-    diagnostics.error(Code::probabilities_exceed_one, initial.span,
-                      "the initial probabilities sum to " + decimal(sum) + ", expected 1");
-    return std::nullopt;
-  }
-  if (sum < 1 - probability_tolerance) {
-    diagnostics.error(Code::initial_distribution, initial.span,
-                      "the initial probabilities sum to " + decimal(sum) + ", expected 1");
-    return std::nullopt;
-  }
+  const auto probabilities =
+      probabilities_of(numbers, initial.span, Code::initial_distribution, "initial", diagnostics);
+  if (!probabilities) return std::nullopt;
+  for (std::size_t m = 0; m < modes.size(); ++m) distribution[modes[m]] = (*probabilities)[m];
   return distribution;
 }
 

@@ -123,6 +123,9 @@ void ModelLowering::add_instances(const grammar::InstanceDeclaration& declaratio
     if (names.add(name)) fresh.push_back(&name);
   }
   Type* type = find_type(declaration.type);
+  if (type == nullptr || type->open) {
+    for (const Name* name : fresh) part.broken.insert(name->text);
+  }
   if (type == nullptr) return;
   if (type->open) return report_cycle(*type, declaration.type);
   if (path_.size() >= module_depth_limit) {
@@ -170,6 +173,7 @@ ModelLowering::Type* ModelLowering::find_type(const Name& name) {
     error.suggestion = "make it a module";
     return nullptr;
   }
+  if (!unknown_.insert(name.text).second) return nullptr;
   auto& error =
       diagnostics_.error(Code::unknown_name, name.span, "there is no component or module " + backquoted(name.text));
   std::vector<std::string> candidates;

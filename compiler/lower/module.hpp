@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,8 @@ class ModelLowering {
   Domains domains_;
   std::map<std::string, Type, std::less<>> types_;
   std::vector<const grammar::ModuleDefinition*> plants_;
-  std::vector<Type*> order_;  ///< as written
+  std::vector<Type*> order_;                    ///< as written
+  std::set<std::string, std::less<>> unknown_;  ///< types that there are not; each is reported once
   /// The instances that led to the type that is being lowered, for the note of a cycle.
   std::vector<std::pair<Type*, grammar::Name>> path_;
 };

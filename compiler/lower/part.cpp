@@ -53,6 +53,7 @@ void instantiate(Part& whole, const std::string& instance, const Part& type) {
   for (const automata::Control& control : type.plant.controls) {
     plant.controls.push_back({VariableId(control.variable.index() + offset), control.idle});
   }
+  for (const std::string& name : type.broken) whole.broken.insert(qualified(instance, name));
   for (const VariableId observable : type.plant.observables) {
     plant.observables.emplace_back(observable.index() + offset);
   }
@@ -64,6 +65,14 @@ std::string first_clash(const Part& whole, const std::string& instance, const Pa
     if (whole.plant.variables.find(name)) return name;
   }
   return {};
+}
+
+bool is_broken(const Part& part, std::string_view name) {
+  if (part.broken.empty()) return false;
+  for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.', dot + 1)) {
+    if (part.broken.contains(name.substr(0, dot))) return true;
+  }
+  return part.broken.contains(name);
 }
 
 automata::Origin origin_of(const grammar::Sources& sources, grammar::Span span) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,8 @@ namespace rmpl::compiler {
 struct Part {
   automata::Plant plant;
   std::vector<grammar::Span> declared;  ///< per variable, where its domain is written; a mode variable's: the type
-  std::size_t size = 0;                 ///< values, modes and transitions: what a copy costs
+  std::set<std::string, std::less<>> broken;  ///< names that an error left without meaning: no more is said of them
+  std::size_t size = 0;                       ///< values, modes and transitions: what a copy costs
 };
 
 /// How large a part may become, in values, modes and transitions.
@@ -38,6 +40,9 @@ void instantiate(Part& whole, const std::string& instance, const Part& type);
 
 /// The first name of `type` as `instance` that `whole` already has, empty where there is none.
 std::string first_clash(const Part& whole, const std::string& instance, const Part& type);
+
+/// Whether the name, or what it is a part of (`engine` of `engine.temp`), was left without meaning by an error.
+bool is_broken(const Part& part, std::string_view name);
 
 /// A span as a place in the automata.
 automata::Origin origin_of(const grammar::Sources& sources, grammar::Span span);

@@ -15,6 +15,21 @@ using grammar::Name;
 
 namespace {
 
+/// The names of a part; of one that an error left without meaning no more is said.
+class PartResolver final : public Resolver {
+ public:
+  PartResolver(const Vocabulary& vocabulary, const Part& part, grammar::Diagnostics& diagnostics)
+      : Resolver(vocabulary, diagnostics), part_(part) {}
+
+ protected:
+  void report_unknown(const Name& name) override {
+    if (!is_broken(part_, name.text)) Resolver::report_unknown(name);
+  }
+
+ private:
+  const Part& part_;
+};
+
 class Connector {
  public:
   Connector(const grammar::ModuleDefinition& definition, Part& part, grammar::Diagnostics& diagnostics)
@@ -23,7 +38,7 @@ class Connector {
         diagnostics_(diagnostics),
         resolver_({part.plant.variables, &part.declared,
                    (definition.plant ? "plant " : "module ") + backquoted(definition.name.text), Code::unknown_name},
-                  diagnostics) {
+                  part, diagnostics) {
     for (const automata::Component& component : part.plant.components) modes_.insert(component.mode);
     for (const automata::Control& control : part.plant.controls) controls_.emplace(control.variable, std::nullopt);
     for (const VariableId observable : part.plant.observables) observables_.emplace(observable, std::nullopt);
@@ -82,7 +97,7 @@ class Connector {
   const grammar::ModuleDefinition& definition_;
   Part& part_;
   grammar::Diagnostics& diagnostics_;
-  Resolver resolver_;
+  PartResolver resolver_;
   std::unordered_set<VariableId> modes_;
   Places controls_;     ///< with the place of the declaration, unless a module within has made it
   Places observables_;  ///< likewise

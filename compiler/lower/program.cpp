@@ -64,7 +64,7 @@ class ProgramLowering {
     resolver_.enter(&environment);
     program_.name = definition.name.text;
     const LocationId whole = draft_.composite(definition.name.text + "()", definition.name.span, {});
-    expand(entry_, "", whole);
+    expand(entry_, "", whole, environment);
     if (purpose_ == Purpose::run) resolver_.check_values();
     if (draft_.complete()) draft_.connect();
     return {std::move(program_), draft_.complete()};
@@ -259,7 +259,7 @@ class ProgramLowering {
       made = {{{true, *onward}}, {}};
     } else {
       const LocationId id = draft_.composite(call.definition.text + "(" + arguments + ")", span, {});
-      made = expand(callee, std::move(arguments), id);
+      made = expand(callee, std::move(arguments), id, environment);
     }
     resolver_.enter(caller);
     environments_.pop_back();
@@ -316,18 +316,33 @@ class ProgramLowering {
     return found;
   }
 
-  Fragment expand(std::size_t definition, std::string arguments, LocationId composite) {
+  /// The environment is that of the expansion. A tail call of a definition with clocks of its own enters the composite
+  /// anew, for it finds them inactive; any other leads to its starts, which marks the same.
+  Fragment expand(std::size_t definition, std::string arguments, LocationId composite, Environment& environment) {
     const std::size_t expansion = draft_.open_expansion();
     expansions_.push_back({definition, std::move(arguments)});
     open_.push_back(expansion);
     reached_[definition] = true;
+    const grammar::Definition& text = *definitions_.all[definition].definition;
+    add_own_clocks(text, composite, environment);
     Fragment made = draft_.inside(composite, [&] {
-      Fragment inner = body(definitions_.all[definition].definition->body, true);
-      draft_.close_expansion(expansion, inner.starts);
+      Fragment inner = body(text.body, true);
+      draft_.close_expansion(expansion, text.clocks.empty() ? inner.starts : std::vector{target(composite)});
       return inner;
     });
     open_.pop_back();
     return made;
+  }
+
+  /// Each expansion has clocks of its own, called after its composite: `t@2` is the `t` of location 2.
+  void add_own_clocks(const grammar::Definition& definition, LocationId composite, Environment& environment) {
+    for (const grammar::Name& declared : definition.clocks) {
+      const std::string unique = declared.text + "@" + std::to_string(composite.index() + 1);
+      if (const auto clock = resolver_.own(declared, unique)) {
+        environment.clocks.emplace(declared.text, grammar::Name{declared.span, unique});
+        draft_[composite].own_clocks.push_back(*clock);
+      }
+    }
   }
 
   const Definitions& definitions_;

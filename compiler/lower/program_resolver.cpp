@@ -56,12 +56,19 @@ const Passed* ProgramResolver::passed(const std::string& name) const {
   return known == environment_->parameters.end() ? nullptr : &known->second;
 }
 
+const Name* ProgramResolver::own_clock(const std::string& name) const {
+  if (environment_ == nullptr) return nullptr;
+  const auto known = environment_->clocks.find(name);
+  return known == environment_->clocks.end() ? nullptr : &known->second;
+}
+
 void ProgramResolver::annotate(grammar::Diagnostic& diagnostic) {
   if (environment_ == nullptr || environment_->call == nullptr || environment_->parameters.empty()) return;
   diagnostic.notes.push_back({environment_->call->definition.span, "in the expansion of this call"});
 }
 
 std::optional<Name> ProgramResolver::meaning(const Name& name) {
+  if (const Name* clock = own_clock(name.text)) return Name{name.span, clock->text};
   const Passed* argument = passed(name.text);
   if (argument == nullptr) return name;
   if (const auto* stands_for = std::get_if<Name>(argument)) return *stands_for;
@@ -106,30 +113,38 @@ Formula ProgramResolver::clock(const grammar::ClockBound& bound) {
   return automata::clock_bound(clock_named(name->text), comparison_of(bound.relation), *ticks);
 }
 
+bool ProgramResolver::report_variable(const Name& clock) {
+  const auto variable = program_.variables.find(clock.text);
+  if (!variable) return false;
+  auto& error =
+      diagnostics().error(Code::duplicate_name, clock.span,
+                          "clock " + backquoted(clock.text) + " has the name of a variable of " + vocabulary().owner);
+  if (const auto place = vocabulary().declaration(*variable)) {
+    error.notes.push_back({*place, "the domain of the variable is here"});
+  }
+  annotate(error);
+  return true;
+}
+
+std::optional<ClockId> ProgramResolver::own(const Name& declared, const std::string& unique) {
+  if (report_variable(declared)) return std::nullopt;
+  return clock_named(unique);
+}
+
 std::optional<ClockId> ProgramResolver::start(const Name& name) {
   const auto meant = meaning(name);
-  if (!meant) return std::nullopt;
-  if (const auto variable = program_.variables.find(meant->text)) {
-    auto& error = diagnostics().error(
-        Code::duplicate_name, meant->span,
-        "clock " + backquoted(meant->text) + " has the name of a variable of " + vocabulary().owner);
-    if (const auto place = vocabulary().declaration(*variable)) {
-      error.notes.push_back({*place, "the domain of the variable is here"});
-    }
-    annotate(error);
-    return std::nullopt;
-  }
+  if (!meant || report_variable(*meant)) return std::nullopt;
   return clock_named(meant->text);
 }
 
 std::optional<VariableId> ProgramResolver::variable(const Name& name) {
-  if (closed()) return Resolver::variable(name);
+  if (closed() && own_clock(name.text) == nullptr) return Resolver::variable(name);
   const auto meant = meaning(name);
   if (!meant) return std::nullopt;
   if (const auto known = program_.variables.find(meant->text)) return known;
   if (clocks_.count(meant->text) != 0) {
     auto& error = diagnostics().error(Code::wrong_kind_of_name, meant->span,
-                                      backquoted(meant->text) + " is a clock, and a variable is needed");
+                                      backquoted(name.text) + " is a clock, and a variable is needed");
     error.suggestion = "compare a clock with <, <=, > or >=";
     return std::nullopt;
   }
@@ -253,11 +268,13 @@ void ProgramResolver::add_assignment(const grammar::Comparison& comparison, gram
 
 Passed ProgramResolver::pass(const grammar::Argument& argument) {
   if (const auto* name = std::get_if<Name>(&argument.node)) {
+    if (const Name* clock = own_clock(name->text)) return Passed{Name{name->span, clock->text}};
     const Passed* own = passed(name->text);
     return own != nullptr ? *own : Passed{*name};
   }
   const auto& constraint = std::get<grammar::Constraint>(argument.node);
   if (const auto* reference = std::get_if<grammar::Reference>(&constraint.node)) {
+    if (const Name* clock = own_clock(reference->name.text)) return Passed{Name{reference->name.span, clock->text}};
     const Passed* own = passed(reference->name.text);
     return own != nullptr ? *own : Passed{reference->name};
   }

@@ -30,6 +30,8 @@ class ProgramResolver final : public Resolver {
 
   /// A conjunction of mode assignments (thesis 5.1.1); `true` is the empty one. What is none is reported.
   std::vector<automata::Assignment> goal(const grammar::Constraint& constraint);
+  /// A clock of one expansion's own; nothing where the name is a variable of the plant, and then it has been reported.
+  std::optional<automata::ClockId> own(const grammar::Name& declared, const std::string& unique);
   /// The clock that a step starts; nothing where the name is a variable of the plant, and then it has been reported.
   std::optional<automata::ClockId> start(const grammar::Name& name);
   /// Without a plant, once all is resolved: reports each `x = y` of a condition whose y is a variable or a clock, too.
@@ -57,6 +59,9 @@ class ProgramResolver final : public Resolver {
   void add_assignment(const grammar::Comparison& comparison, grammar::Span span, Goals& goals);
   void report_goal(grammar::Span span, const std::string& found);
   [[nodiscard]] const Passed* passed(const std::string& name) const;
+  /// What a clock of the expansion's own is called in the automaton; null where it has none of that name.
+  [[nodiscard]] const grammar::Name* own_clock(const std::string& name) const;
+  bool report_variable(const grammar::Name& clock);
   automata::ClockId clock_named(const std::string& name);
 
   automata::Program& program_;

@@ -39,9 +39,14 @@ class PropertyLowering {
         diagnostics_(diagnostics),
         resolver_({plant.variables, nullptr, "plant " + backquoted(plant.name), Code::not_in_plant}, diagnostics) {}
 
-  std::vector<PlantProperty> run(const grammar::PropertyFile& file) {
+  /// `start`: of the file, to blame where it states nothing.
+  std::vector<PlantProperty> run(const grammar::PropertyFile& file, grammar::Span start) {
     PlantProperty settings;
     add_all(file.defaults, settings);
+    if (file.properties.empty()) {
+      auto& error = diagnostics_.error(Code::no_property, start, "the file states no property");
+      error.suggestion = "add `property \"name\" { never …; }`";
+    }
     std::vector<PlantProperty> result;
     std::map<std::string, grammar::Span> names;
     for (const grammar::PropertyDefinition& definition : file.properties) {
@@ -149,8 +154,9 @@ class PropertyLowering {
 }  // namespace
 
 std::vector<PlantProperty> lower_properties(const grammar::Sources& sources, const grammar::PropertyFile& file,
-                                            const automata::Plant& plant, grammar::Diagnostics& diagnostics) {
-  return PropertyLowering(sources, plant, diagnostics).run(file);
+                                            grammar::Span start, const automata::Plant& plant,
+                                            grammar::Diagnostics& diagnostics) {
+  return PropertyLowering(sources, plant, diagnostics).run(file, start);
 }
 
 }  // namespace rmpl::compiler

@@ -12,9 +12,10 @@
 
 namespace rmpl::compiler {
 
-/// The properties in the order of the file. They mean something only where nothing is reported.
+/// The properties in the order of the file, which begins at `start`. They mean something only where nothing is
+/// reported.
 std::vector<automata::PlantProperty> lower_properties(const grammar::Sources& sources,
-                                                      const grammar::PropertyFile& file, const automata::Plant& plant,
-                                                      grammar::Diagnostics& diagnostics);
+                                                      const grammar::PropertyFile& file, grammar::Span start,
+                                                      const automata::Plant& plant, grammar::Diagnostics& diagnostics);
 
 }  // namespace rmpl::compiler

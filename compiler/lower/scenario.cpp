@@ -49,7 +49,7 @@ class ScenarioLowering {
   }
 
  private:
-  /// Cycle, duration and seed come first: other parts are judged by them.
+  /// Cycle, duration, seed and the kind of plant come first: other parts are judged by them.
   void set_frame(const grammar::ScenarioDefinition& definition) {
     const grammar::Span* cycle = nullptr;
     const grammar::Span* duration = nullptr;
@@ -65,6 +65,7 @@ class ScenarioLowering {
                                     const auto length = ticks_of(part.duration, diagnostics_);
                                     if (once(part.span, duration, "duration") && length) scenario_.duration = *length;
                                   },
+                                  [&](const grammar::PlantPart& part) { scenario_.rules_only = part.rules_only; },
                                   [&](const grammar::SeedPart& part) {
                                     if (once(part.span, seed, "seed")) scenario_.seed = part.seed;
                                   },
@@ -83,6 +84,13 @@ class ScenarioLowering {
     return false;
   }
 
+  /// Where the plant follows the rules only, it has readings and nothing behind them.
+  void report_no_truth(grammar::Span span, const std::string& what, const std::string& instead) {
+    if (!scenario_.rules_only) return;
+    diagnostics_.error(Code::scenario_without_truth, span, what + ", and the plant follows the rules only").suggestion =
+        instead;
+  }
+
   void report_cycle(grammar::Span span) {
     diagnostics_.error(Code::scenario_finer_than_cycle, span, "a cycle is longer than 0");
   }
@@ -91,9 +99,11 @@ class ScenarioLowering {
   void add(const grammar::CyclePart&) {}
   void add(const grammar::DurationPart&) {}
   void add(const grammar::SeedPart&) {}
-  void add(const grammar::PlantPart& part) { scenario_.rules_only = part.rules_only; }
+  void add(const grammar::PlantPart&) {}
 
   void add(const grammar::TruthPart& part) {
+    report_no_truth(part.span, "`truth` gives modes that are real",
+                    "leave it out: the estimate starts as the plant says");
     for (const grammar::AssignmentText& text : part.modes) {
       const auto mode = mode_of(text);
       if (!mode) continue;
@@ -109,6 +119,7 @@ class ScenarioLowering {
   }
 
   void add(const grammar::FaultEvent& event) {
+    report_no_truth(event.span, "nothing can fail", "dictate the readings that tell of it: `at … observe x = v`");
     const auto at = time_of(event.at, event.span);
     const auto mode = mode_of(event.mode);
     if (!at || !mode) return;
@@ -145,6 +156,8 @@ class ScenarioLowering {
   }
 
   void add(const grammar::ExpectText& text) {
+    if (text.truth)
+      report_no_truth(text.span, "`expect truth` speaks of what is real", "expect the estimate: leave out `truth`");
     automata::Expectation expectation;
     switch (text.kind) {
       case grammar::ExpectText::Kind::eventually:

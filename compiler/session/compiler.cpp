@@ -101,7 +101,8 @@ CompiledProperties compile_properties(const std::string& path, const automata::P
   auto& [sources, diagnostics] = result.findings;
   const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, provider.read(path));
   const auto properties = grammar::parse_properties(sources, file, diagnostics);
-  if (properties.whole) result.properties = lower_properties(sources, properties.tree, plant, diagnostics);
+  if (properties.whole)
+    result.properties = lower_properties(sources, properties.tree, {file, 0, 0}, plant, diagnostics);
   if (diagnostics.has_errors()) result.properties.reset();
   return result;
 }

@@ -104,7 +104,14 @@ const File& Files::read(const std::string& path, const std::string& id, std::str
 std::optional<automata::Document> Files::read_document(std::uint32_t index) {
   const std::string_view text = sources_[index].text();
   try {
-    return automata::document_from_json(automata::parse_json(text));
+    const automata::Json json = automata::parse_json(text);
+    if (!json.is_object() || !json.contains("format")) {
+      auto& error = diagnostics_.error(Code::document_schema, {index, 0, 0},
+                                       "this is no compiled document: it does not say its `format`");
+      error.suggestion = "`rmplc compile -o FILE.json` writes one";
+      return std::nullopt;
+    }
+    return automata::document_from_json(json);
   } catch (const automata::Json::parse_error& error) {
     const auto at = static_cast<std::uint32_t>(std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0));
     diagnostics_.error(Code::document_schema, {index, at, at}, "the text is no JSON: syntax error here");

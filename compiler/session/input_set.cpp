@@ -30,7 +30,7 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
   if (!roots[Kind::plant].empty()) {
     plant = this->plant(roots[Kind::plant], {roots[Kind::plant].front()->index, 0, 0});
   } else if (document_.plants.size() == 1) {
-    plant = {0, &parts_.emplace_back(Part{document_.plants.front(), {}, 0})};
+    plant = {0, &parts_.emplace_back(Part{document_.plants.front(), {}, {}, 0})};
   }
   if (plant.part != nullptr) bind_adopted(*plant.part);
   if (!roots[Kind::program].empty()) {
@@ -90,12 +90,16 @@ void InputSet::bind_adopted(const Part& plant) {
 
 automata::Program InputSet::bound(const automata::Program& program, const Part* plant, Span blame) {
   if (plant == nullptr || program.variables == plant->plant.variables) return program;
-  try {
-    return automata::bind(program, plant->plant);
-  } catch (const base::InputError& error) {
-    diagnostics_.error(Code::not_in_plant, blame, error.what());
-    return program;
+  automata::Binding binding = automata::bind(program, plant->plant);
+  for (const automata::Mismatch& lacking : binding.lacking) {
+    const automata::Origin& asks = lacking.origin;
+    const bool known = asks.line > 0;
+    diagnostics_.error(Code::not_in_plant, blame,
+                       known ? lacking.message + ", at " + asks.file + ":" + std::to_string(asks.line) + ":" +
+                                   std::to_string(asks.column) + " of its source"
+                             : lacking.message);
   }
+  return binding.lacking.empty() ? std::move(binding.program) : program;
 }
 
 InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
@@ -115,7 +119,7 @@ std::optional<Part> InputSet::lower_plant(const Roots& roots, Span blame) {
   const std::size_t errors = diagnostics_.error_count();
   if (roots.front()->kind == Kind::document) {
     const auto& plants = roots.front()->document->plants;
-    if (plants.size() == 1) return Part{plants.front(), {}, 0};
+    if (plants.size() == 1) return Part{plants.front(), {}, {}, 0};
     diagnostics_.error(plants.empty() ? Code::no_plant : Code::several_plants, blame,
                        "the compiled document holds " + std::to_string(plants.size()) + " plants, expected one");
     return std::nullopt;
@@ -181,7 +185,8 @@ std::optional<automata::Program> InputSet::lower_program(const Roots& roots, con
       entries.push_back(d);
     }
   }
-  check_clocks(definitions, recursion, entries, diagnostics_);
+  // What a definition that is not there would start is not known.
+  if (definitions.unknown.empty()) check_clocks(definitions, recursion, entries, diagnostics_);
   return diagnostics_.error_count() == errors ? std::move(program) : std::nullopt;
 }
 

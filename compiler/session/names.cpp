@@ -120,6 +120,10 @@ class Walk {
       declare(parameter.span, NameKind::parameter);
       own_.emplace(parameter.text, Declared{parameter.span, NameKind::parameter, nullptr, {}});
     }
+    for (const Name& clock : definition.clocks) {
+      declare(clock.span, NameKind::clock);
+      own_.emplace(clock.text, Declared{clock.span, NameKind::clock, nullptr, {}});
+    }
     add(definition.body);
     own_.clear();
   }

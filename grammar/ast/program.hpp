@@ -123,12 +123,13 @@ struct Choice {
   Number probability;
 };
 
-/// `Name(parameters) :: { body }`, preceded by `model` in a model program.
+/// `Name(parameters) :: { clock t; body }`, preceded by `model` in a model program.
 struct Definition {
   Span span;
   bool model = false;
   Name name;
   std::vector<Name> parameters;
+  std::vector<Name> clocks;  ///< its own, as declared at its start
   Body body;
 };
 

@@ -105,13 +105,25 @@ const auto clock_bound_def =
                                                set<&ClockBound::relation, ClockRelation::greater>[greater]) >
            field<&ClockBound::bound>[duration]];
 
+/// Never there: what a name in the place of a constraint lacks, clocks where the language has them.
+struct RelationMissing : x3::parser<RelationMissing> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+
+  template <class C, class R, class Attribute>
+  bool parse(Iterator& first, const Iterator&, const C& context, R&, Attribute&) const {
+    throw x3::expectation_failure<Iterator>(
+        first, state_of(context).has_clocks() ? "`=`, `!=`, `in` or a comparison of a clock" : "`=`, `!=` or `in`");
+  }
+};
+constexpr RelationMissing relation_missing;
+
 // A bare name is a parameter. Where another name or number follows it, an operator is missing.
 const auto reference_def = record[field<&Reference::name>[name] >> !(value | number)];
 
-const auto atom_def =
-    record[field<&Constraint::node>[truth] | field<&Constraint::node>[comparison] |
-           field<&Constraint::node>[membership] | field<&Constraint::node>[clock_bound] |
-           field<&Constraint::node>[reference] | (name > Missing("`=`, `!=`, `in` or a comparison of a clock"))];
+const auto atom_def = record[field<&Constraint::node>[truth] | field<&Constraint::node>[comparison] |
+                             field<&Constraint::node>[membership] | field<&Constraint::node>[clock_bound] |
+                             field<&Constraint::node>[reference] | (name > relation_missing)];
 
 const auto negation_def = record[not_sign > append<&Negation::operands>[nested[unary]]];
 

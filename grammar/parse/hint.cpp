@@ -191,12 +191,16 @@ std::optional<Hint> sign_hint(const Unexpected& place) {
 /// What stands in the place of a value, a string or a bound.
 std::optional<Hint> value_hint(const Unexpected& place) {
   const bool number = std::isdigit(static_cast<unsigned char>(place.found.front())) != 0;
+  if (place.expected == "a value" && number && !place.clocks) {
+    return say("a value is a name, which begins with a letter: `zero`, `v" + std::string(place.found) + "`");
+  }
   if (place.expected == "a value" && place.found == "0") return say("a clock is started by a step of its own: `t = 0`");
   if (place.expected == "a value" && number) return say("a clock is compared with <, <=, > or >=");
   if (place.expected == "a value" && place.found.front() == '"') return say("a value is written without quotes");
   if (place.expected == "a duration" && is_word(place.found)) {
     const std::string_view before = without_blank_behind(place.before);
     const bool compared = before.ends_with('<') || before.ends_with('>') || before.ends_with('=');
+    if (compared && !place.clocks) return say("values are compared with `=`, `!=` and `in` only");
     if (compared) return say("only clocks are compared with <, <=, > and >=");
   }
   if (place.expected.starts_with("a string") && is_word(place.found)) {

@@ -14,6 +14,7 @@ struct Unexpected {
   std::string_view found;     ///< the token, as `token_at` cuts it
   std::string_view behind;    ///< the text from its end on
   std::string_view expected;  ///< what could have stood there; keywords and signs between backquotes
+  bool clocks = true;         ///< the text may speak of clocks
 };
 
 /// What to do about it.

@@ -7,17 +7,17 @@
 namespace rmpl::grammar {
 namespace {
 
-/// The tree of a whole text, or of a part where it has errors.
+/// The tree of a whole text, or of a part where it has errors. `clocks`: the language has them.
 template <class Parser, class Tree>
 Parse<Tree> parse_whole(const Parser& parser, Tree tree, const Sources& sources, std::uint32_t file,
-                        Diagnostics& diagnostics) {
+                        Diagnostics& diagnostics, bool clocks = false) {
   const std::size_t errors_before = diagnostics.error_count();
   if (sources[file].is_cut()) {
     diagnostics.error(Code::text_too_long, {file, 0, 0}, "text too long: at most 4 GiB were expected");
     return {std::move(tree), false};
   }
   if (!check_encoding(sources, file, diagnostics)) return {std::move(tree), false};
-  ParseState state(sources, file, diagnostics);
+  ParseState state(sources, file, diagnostics, clocks);
   const Context context = x3::make_context<StateTag>(state);
   Iterator first = state.begin();
   if (sources[file].text().starts_with("\xEF\xBB\xBF")) first += 3;  // a byte order mark
@@ -34,7 +34,7 @@ Parse<Tree> parse_whole(const Parser& parser, Tree tree, const Sources& sources,
 }  // namespace
 
 Parse<ProgramFile> parse_program(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
-  return parse_whole(program_file, ProgramFile{}, sources, file, diagnostics);
+  return parse_whole(program_file, ProgramFile{}, sources, file, diagnostics, true);
 }
 
 Parse<PlantFile> parse_plant(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {

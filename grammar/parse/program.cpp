@@ -8,10 +8,14 @@ namespace {
 const Rule<struct DefinitionId, Definition> definition{"a definition"};
 const Rule<struct VariableId, VariableDeclaration> variable{"a variable"};
 
+/// `clock t, u;` A goal may ask for a mode of what is called `clock`: then no name follows.
+const auto clocks = (Keyword("clock") >> &name) > comma_list(append<&Definition::clocks>[name]) >
+                    named("`,` or `;`", semicolon);
+
 const auto definition_def =
     record[-set<&Definition::model, true>[Keyword("model") >> &name] >> field<&Definition::name>[name] > open_paren >
            -comma_list(append<&Definition::parameters>[name]) > named("a parameter, `,` or `)`", close_paren) >
-           defined_as > open_brace > field<&Definition::body>[body] > close_brace];
+           defined_as > open_brace > *clocks > field<&Definition::body>[body] > close_brace];
 
 const auto variable_def = record[Keyword("variable") >> comma_list(append<&VariableDeclaration::names>[name]) > colon >
                                  domain_reference<&VariableDeclaration::domain>() > semicolon];

@@ -30,8 +30,8 @@ char expected_bracket(std::string_view expected) {
 
 }  // namespace
 
-ParseState::ParseState(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics)
-    : text_(sources[file].text()), file_(file), diagnostics_(diagnostics), brackets_(text_) {}
+ParseState::ParseState(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics, bool clocks)
+    : text_(sources[file].text()), file_(file), diagnostics_(diagnostics), brackets_(text_), clocks_(clocks) {}
 
 Span ParseState::span(const char* from, const char* to) const {
   return {file_, static_cast<std::uint32_t>(from - begin()), static_cast<std::uint32_t>(to - begin())};
@@ -71,7 +71,8 @@ void ParseState::report_token(const char* where, std::string_view found, const s
                              (word && is_reserved(found) ? "the reserved word `" : "`") + std::string(found) + "`");
   const char* behind = at + found.size();
   const std::string_view before(begin(), static_cast<std::size_t>(at - begin()));
-  if (const auto found_hint = hint({before, found, {behind, static_cast<std::size_t>(end() - behind)}, expected})) {
+  if (const auto found_hint =
+          hint({before, found, {behind, static_cast<std::size_t>(end() - behind)}, expected, clocks_})) {
     error.suggestion = found_hint->suggestion;
     const std::string_view replaced = found_hint->replaced;
     if (!replaced.empty()) {

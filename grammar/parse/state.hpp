@@ -26,12 +26,14 @@ enum class Resume {
 /// The state of one parse, reached by every rule through the context.
 class ParseState {
  public:
-  ParseState(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
+  /// `clocks`: whether the language has them, so that messages may speak of them.
+  ParseState(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics, bool clocks);
 
   [[nodiscard]] const char* begin() const { return text_.data(); }
   [[nodiscard]] const char* end() const { return text_.data() + text_.size(); }
   [[nodiscard]] Span span(const char* from, const char* to) const;
   [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+  [[nodiscard]] bool has_clocks() const { return clocks_; }
 
   /// Reports that `expected` was not found at `where` (white space is skipped first). One place is reported once.
   /// After a hundred errors throws Abandoned.
@@ -69,6 +71,7 @@ class ParseState {
   std::uint32_t file_;
   Diagnostics& diagnostics_;
   Brackets brackets_;
+  const bool clocks_;
   std::size_t depth_ = 0;
   std::size_t errors_ = 0;
   const char* last_error_ = nullptr;

@@ -53,6 +53,7 @@ enum class Code : std::uint16_t {
   no_default = 215,
   direction = 216,
   negative_rate = 217,
+  branch_distribution = 218,
   // Control programs.
   clock_never_started = 300,
   clock_not_allowed = 301,
@@ -76,6 +77,9 @@ enum class Code : std::uint16_t {
   scenario_not_a_command = 404,
   scenario_after_end = 405,
   scenario_finer_than_cycle = 406,
+  scenario_without_truth = 407,
+  // Lint.
+  duplicate_transition = 500,
   // Compiled documents.
   document_schema = 600,
   // Properties.
@@ -83,6 +87,7 @@ enum class Code : std::uint16_t {
   property_repeated_part = 701,
   property_not_a_mode = 702,
   property_period = 703,
+  no_property = 704,
   // Netlists.
   netlist_syntax = 800,
   netlist_gate = 801,

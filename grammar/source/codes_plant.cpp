@@ -55,9 +55,16 @@ constexpr std::array table = {
         "The mean of an exponential density and the standard deviation of a normal one are above 0, and the density "
         "has some of its mass between the time bounds.",
         "heating -> on in [0, inf] ~ exponential(0 s);", "heating -> on in [0, inf] ~ exponential(60 s);"},
-    CodeInfo{Code::initial_distribution, "initial distribution",
-             "The initial probabilities of a component sum to 1. One mode alone is certain.",
-             "initial off 0.9, on 0.05;", "initial off 0.9, on 0.1;"},
+    CodeInfo{
+        Code::initial_distribution, "initial distribution",
+        "The initial probabilities of a component sum to 1, or are shares, where a whole number above 1 is among them. "
+        "One mode alone is certain.",
+        "initial off 0.9, on 0.05;", "initial off 0.9, on 0.1;"},
+    CodeInfo{
+        Code::branch_distribution, "branches of a transition",
+        "The probabilities of the branches of a transition sum to 1. Where a whole number above 1 is among them, all "
+        "are shares of their sum.",
+        "off -> { on with 0.9, stuck with 0.05 };", "off -> { on with 0.9, stuck with 0.1 };"},
     CodeInfo{Code::no_default, "control variable without an idle value",
              "A control variable has a value while nothing is commanded; `default` names it.", "control engine.cmd;",
              "control engine.cmd default none;"},

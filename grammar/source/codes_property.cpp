@@ -8,6 +8,8 @@ namespace rmpl::grammar {
 namespace {
 
 constexpr std::array table = {
+    CodeInfo{Code::no_property, "no property", "A file of properties states at least one.", "faults 1;",
+             R"(faults 1; property "p" { never engine = failed; })"},
     CodeInfo{Code::property_without_claim, "property claims nothing",
              "A property makes one claim: `never`, `reach` or `after … within …`.", R"(property "p" { faults 1; })",
              R"(property "p" { never engine = failed; faults 1; })"},

@@ -29,6 +29,11 @@ constexpr std::array table = {
              "duration 1 min;\nat 100 s fault engine = failed;", "duration 2 min;\nat 100 s fault engine = failed;"},
     CodeInfo{Code::scenario_finer_than_cycle, "cycle out of range", "The executive's cycle is longer than 0.",
              "cycle 0 s;", "cycle 0.5 s;"},
+    CodeInfo{Code::scenario_without_truth, "no truth to speak of",
+             "A plant that follows the rules only has readings, and no modes behind them: nothing can fail in it, and "
+             "`truth` and `expect truth` have nothing to speak of.",
+             "plant \"p.tcca\" rules only;\nat 10 s fault engine = failed;",
+             "plant \"p.tcca\" rules only;\nat 10 s observe engine.thrust = zero;"},
 };
 
 }  // namespace

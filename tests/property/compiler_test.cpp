@@ -39,7 +39,7 @@ RC_GTEST_PROP(Compiler, LowersByTheTable, ()) {
   RC_LOG() << grammar::render_text(compilation.findings(), false);
   RC_ASSERT(compilation.ok());
   RC_ASSERT(compilation.document().programs.size() == 1u);
-  const automata::Program found = automata::bind(compilation.document().programs.front(), model.plant);
+  const automata::Program found = automata::bind(compilation.document().programs.front(), model.plant).program;
   const automata::Program expected = reference::lower(source.source, model.plant.variables);
   RC_ASSERT(found.clocks == expected.clocks);
   RC_ASSERT(found.locations.size() == expected.locations.size());
@@ -52,6 +52,7 @@ RC_GTEST_PROP(Compiler, LowersByTheTable, ()) {
     RC_ASSERT(location.start == twin.start);
     RC_ASSERT(location.goal == twin.goal);
     RC_ASSERT(location.clock_start == twin.clock_start);
+    RC_ASSERT(location.own_clocks == twin.own_clocks);
     RC_ASSERT(location.maintenance == twin.maintenance);
     same_arcs(location.arcs, twin.arcs);
   }

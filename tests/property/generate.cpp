@@ -141,6 +141,7 @@ class PlantDraw {
     t.to = ModeId((from.index() + up_to(1, component.modes.size() - 1)) % component.modes.size());
     t.branch = branch_++;
     if (!own.empty() && chance(60)) t.guard = draw_formula(plant_.variables, own, chance(30) ? 1 : 0);
+    if (shape_.tangled && chance(40)) t.guard = draw_formula(plant_.variables, mode_variables(), 0);
     if (component.is_fault(t)) {
       draw_fault(t, fault_left);
       if (t.weight.kind != Weight::Kind::none) component.transitions.push_back(t);
@@ -193,7 +194,28 @@ class PlantDraw {
     return timing;
   }
 
+  [[nodiscard]] std::vector<VariableId> mode_variables() const {
+    std::vector<VariableId> result;
+    for (const Component& component : plant_.components) result.push_back(component.mode);
+    return result;
+  }
+
+  /// Two modes of different components that cannot be together; neither is one to start in.
+  void add_exclusion() {
+    if (plant_.components.size() < 2) return;
+    const std::size_t first = up_to(0, plant_.components.size() - 2);
+    const auto later_mode = [&](const Component& component) {
+      return automata::is(component.mode, ValueId(up_to(1, component.modes.size() - 1)));
+    };
+    plant_.interconnections.push_back(automata::negation(
+        automata::conjunction({later_mode(plant_.components[first]),
+                               later_mode(plant_.components[up_to(first + 1, plant_.components.size() - 1)])})));
+  }
+
   void add_interconnections() {
+    if (shape_.tangled) {
+      for (std::size_t i = up_to(0, 2); i > 0; --i) add_exclusion();
+    }
     const std::vector<VariableId> attributes = [&] {
       std::vector<VariableId> result;
       for (const auto& own : own_) result.insert(result.end(), own.begin(), own.end());

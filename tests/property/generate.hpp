@@ -40,6 +40,7 @@ struct Shape {
       false;  ///< nearly all that there is, is observed, and constraints leave room: readings are often unimplied
   bool rewards = false;
   bool commanded = false;  ///< every untimed nominal transition needs its component's command
+  bool tangled = false;    ///< guards look at other components, and modes exclude each other: dead ends, late guards
 };
 
 /// A plant, printed as its JSON, which the programs read.

@@ -42,6 +42,7 @@ class ProgramDraw {
     location.start = !parent || chance(60);
     location.label = "composite";
     if (chance(40)) location.maintenance = condition();
+    if (chance(30) && owned_ < program_.clocks.size()) location.own_clocks.emplace_back(owned_++);
     program_.locations.push_back(std::move(location));
     const std::size_t children = up_to(1, 4);
     const std::size_t first = program_.locations.size();
@@ -102,6 +103,7 @@ class ProgramDraw {
 
   const automata::Plant& plant_;
   automata::Program program_;
+  std::size_t owned_ = 0;  ///< how many of the clocks belong to a composite
 };
 
 }  // namespace

@@ -28,9 +28,15 @@ class SourceDraw {
   /// Clocks are started first of all in the program, so that every path to a reader starts them.
   Statement definition(std::size_t position) {
     self_ = position;
+    source_.has_own.push_back(position > 0 && chance(50));
     Statement body = statement(3);
-    if (position > 0) return body;
+    if (position > 0 && !source_.has_own.back()) return body;
     Statement whole{.kind = Statement::Kind::sequence};
+    if (position > 0) {
+      whole.parts.push_back({.kind = Statement::Kind::clock_start, .clock = ClockId(source_.clocks.size())});
+      whole.parts.push_back(std::move(body));
+      return whole;
+    }
     for (std::size_t clock = 0; clock < source_.clocks.size(); ++clock)
       whole.parts.push_back({.kind = Statement::Kind::clock_start, .clock = ClockId(clock)});
     whole.parts.push_back(std::move(body));
@@ -50,7 +56,7 @@ class SourceDraw {
         draw_goal(s);
         break;
       case Kind::clock_start:
-        s.clock = ClockId(up_to(0, source_.clocks.size() - 1));
+        s.clock = clock();
         break;
       case Kind::call:
         if (self_ + 1 < definitions_) {
@@ -85,6 +91,9 @@ class SourceDraw {
     return s;
   }
 
+  /// One of the program's, or the definition's own.
+  ClockId clock() { return ClockId(up_to(0, source_.clocks.size() - (source_.has_own.back() ? 0 : 1))); }
+
   void add_parts(Statement& s, std::size_t count, int depth) {
     for (std::size_t i = 0; i < count; ++i) s.parts.push_back(statement(depth - 1));
   }
@@ -105,7 +114,7 @@ class SourceDraw {
         const auto comparison =
             pick<automata::Comparison>({automata::Comparison::at_least, automata::Comparison::less,
                                         automata::Comparison::at_most, automata::Comparison::greater});
-        return automata::clock_bound(ClockId(up_to(0, source_.clocks.size() - 1)), comparison,
+        return automata::clock_bound(clock(), comparison,
                                      Ticks{static_cast<std::int64_t>(up_to(0, 6)) * Ticks::per_second / 2});
       }
       const automata::VariableId variable = pick(all_variables(plant_));

@@ -22,6 +22,7 @@ Shape small() {
   shape.max_components = 2;
   shape.max_attributes = 3;
   shape.commanded = chance(50);
+  shape.tangled = chance(50);
   return shape;
 }
 

@@ -40,6 +40,12 @@ Drawn draw_question(const automata::Plant& plant) {
   return drawn;
 }
 
+Shape drawn_shape() {
+  Shape shape;
+  shape.tangled = chance(50);
+  return shape;
+}
+
 /// How many steps of a run change a mode.
 std::size_t changes(const verifier::Witness& witness) {
   std::size_t count = 0;
@@ -77,14 +83,14 @@ Drawn draw_response(const automata::Plant& plant) {
 }
 
 RC_GTEST_PROP(Reachability, DenseResponseIsTheGrid, ()) {
-  const Model model = *models();
+  const Model model = *models(drawn_shape());
   const Drawn drawn = draw_response(model.plant);
   const reference::Step slow(model.plant);
   compare_response(model, drawn, reference::fewest_steps_dense(slow, drawn.question, Ticks::of_seconds(1)));
 }
 
 RC_GTEST_PROP(Reachability, SampledResponseIsTheTicks, ()) {
-  const Model model = *models();
+  const Model model = *models(drawn_shape());
   Drawn drawn = draw_response(model.plant);
   const Ticks period = pick<Ticks>({{Ticks::per_second}, {Ticks::per_second / 2}, {3 * Ticks::per_second / 4}});
   drawn.options.period = period;
@@ -93,7 +99,7 @@ RC_GTEST_PROP(Reachability, SampledResponseIsTheTicks, ()) {
 }
 
 RC_GTEST_PROP(Reachability, DenseIsTheGrid, ()) {
-  const Model model = *models();
+  const Model model = *models(drawn_shape());
   const Drawn drawn = draw_question(model.plant);
   const reference::Step slow(model.plant);
   compare(model, drawn, reference::fewest_steps_dense(slow, drawn.question, Ticks::of_seconds(1)));
@@ -181,7 +187,7 @@ std::vector<Faults> minimal_sets(const automata::Plant& plant, reference::Questi
 }
 
 RC_GTEST_PROP(Reachability, CutSetsAreTheMinimalOnes, ()) {
-  const automata::Plant plant = with_unlikely_faults((*models()).plant);
+  const automata::Plant plant = with_unlikely_faults((*models(drawn_shape())).plant);
   Drawn drawn = draw_question(plant);
   drawn.options.faults = 2;
   drawn.options.cut_sets = true;
@@ -195,7 +201,7 @@ RC_GTEST_PROP(Reachability, CutSetsAreTheMinimalOnes, ()) {
 
 RC_GTEST_PROP(Reachability, FewestFaultsAreThoseOfTheLeastBudget, ()) {
   // What ties two halves together lets faults of both come only at once.
-  const Model model = chance(50) ? *models() : *mirrored(half);
+  const Model model = chance(50) ? *models(drawn_shape()) : *mirrored(half);
   Drawn drawn = draw_question(model.plant);
   const bool sampled = chance(30);
   drawn.options.faults.reset();
@@ -217,7 +223,7 @@ RC_GTEST_PROP(Reachability, FewestFaultsAreThoseOfTheLeastBudget, ()) {
 }
 
 RC_GTEST_PROP(Reachability, SampledIsTheTicks, ()) {
-  const Model model = *models();
+  const Model model = *models(drawn_shape());
   Drawn drawn = draw_question(model.plant);
   const Ticks period = pick<Ticks>({{Ticks::per_second}, {Ticks::per_second / 2}, {3 * Ticks::per_second / 4}});
   drawn.options.period = period;

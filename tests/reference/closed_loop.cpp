@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/reference/belief.hpp"
+#include "tests/reference/endless.hpp"
 
 namespace rmpl::reference {
 
@@ -44,13 +45,6 @@ struct State {
   auto operator<=>(const State&) const = default;
 };
 
-struct Edge {
-  std::size_t target;
-  bool time;                    ///< it takes time
-  bool same;                    ///< nothing changes on it
-  std::vector<bool> impatient;  ///< per component: it could have left its mode, and stays
-};
-
 /// The first half of a cycle.
 struct Begun {
   Sequencer sequencer;
@@ -67,7 +61,7 @@ class Explorer {
         plant_(step.plant()),
         adviser_(adviser),
         question_(question),
-        unit_(question.period.value_or(Ticks::of_seconds(1))) {
+        unit_(question.period.value_or(question.unit)) {
     const auto widen = [&](Ticks bound) {
       if (!bound.is_infinite()) cap_ = std::max(cap_, bound);
     };
@@ -88,11 +82,12 @@ class Explorer {
       if (!late || !implies(state.modes)) number(state);
     }
     for (std::size_t s = 0; s < states_.size() && states_.size() < most_states; ++s) {
-      edges_.emplace_back();
       const State state = *states_[s];
       look(state);
+      judged_.resize(states_.size(), false);
       if (state.marking.empty() && !late) continue;
       if (state.late && *state.late > question_.within) continue;
+      judged_[s] = true;
       if (question_.period)
         cycles(s, state, state, true);
       else
@@ -173,7 +168,7 @@ class Explorer {
                                                : to >= t->timing->lower;
       if (possible) result.emplace_back(t->to, false);
     }
-    if (!certain || !question_.period) result.emplace_back(state.modes[component], false);
+    if (!certain) result.emplace_back(state.modes[component], false);
     return result;
   }
 
@@ -185,17 +180,38 @@ class Explorer {
     return at->second;
   }
 
-  /// Whether a component could leave its mode sooner or later, if all stayed as it is.
-  bool could_leave(const Modes& modes, std::size_t component, const ControlAction& action) {
-    bool untimed = false, untimed_leaves = false, timed_leaves = false;
-    for (const Transition* t : enabled(modes, component, action)) {
-      if (plant_.components[component].is_fault(*t)) continue;
-      if (t->weight.kind != automata::Weight::Kind::none && t->weight.value <= 0) continue;
-      const bool leaves = t->to != modes[component];
-      (t->timing ? timed_leaves : untimed_leaves) |= leaves;
-      untimed = untimed || !t->timing;
+  /// What a component may do without a fault at some reading of its clock: `late` at one beyond all bounds.
+  std::set<ModeId> nominal(const State& state, std::size_t component, const ControlAction& action, bool late) {
+    std::set<ModeId> result;
+    const Ticks first = question_.period ? unit_ : Ticks{0};
+    for (Ticks to = late ? cap_ : first; to <= cap_; to += unit_)
+      for (const auto& [mode, fault] : choices(state, component, action, question_.period ? to - unit_ : to, to))
+        if (!fault) result.insert(mode);
+    return result;
+  }
+
+  const Exits& exits(const State& state, const ControlAction& action) {
+    const auto [at, fresh] = exits_.try_emplace({state.modes, action});
+    Exits& found = at->second;
+    if (!fresh) return found;
+    std::vector<std::vector<ModeId>> some;
+    std::vector<std::size_t> sizes;
+    for (std::size_t c = 0; c < state.modes.size(); ++c) {
+      found.enabled.push_back(nominal(state, c, action, true));
+      found.enabled.back().erase(state.modes[c]);
+      found.open.emplace_back();
+      const auto modes = nominal(state, c, action, false);
+      some.emplace_back(modes.begin(), modes.end());
+      sizes.push_back(modes.size());
     }
-    return untimed ? untimed_leaves : timed_leaves;
+    for (const auto& tuple : tuples(sizes)) {
+      Modes next;
+      for (std::size_t c = 0; c < tuple.size(); ++c) next.push_back(some[c][tuple[c]]);
+      if (!step_.possible(next)) continue;
+      for (std::size_t c = 0; c < next.size(); ++c)
+        if (found.enabled[c].contains(next[c])) found.open[c].insert(next[c]);
+    }
+    return found;
   }
 
   [[nodiscard]] State later(State state) const {
@@ -223,6 +239,9 @@ class Explorer {
     for (std::size_t c = 0; c < plant_.components.size(); ++c) {
       options.push_back(choices(state, c, begun.advice.action, state.component_clocks[c], at_end.component_clocks[c]));
       sizes.push_back(options.back().size());
+      // Where a fault is certain it is what the budget leaves out that would come next.
+      const auto is_fault = [](const auto& option) { return option.second; };
+      if (std::all_of(options.back().begin(), options.back().end(), is_fault)) judged_[from] = false;
     }
     for (const auto& tuple : tuples(sizes)) {
       State next = at_end;
@@ -244,18 +263,21 @@ class Explorer {
     Sequencer sequencer = begun.sequencer;
     sequencer.finish(assumptions_of(plant_, next.modes));
     next.marking = sequencer.marking();
+    std::erase_if(next.clocks, [&](const auto& known) { return !sequencer.started().contains(known.first); });
     int rank = 0;
     for (const auto& [clock, c] : next.clocks) rank = std::max(rank, c.rank + 1);
     for (const auto& [clock, start] : sequencer.started())
       if (!next.clocks.contains(clock)) next.clocks[clock] = {sampled ? unit_ : Ticks{0}, after, rank};
+    // Ranks only order clocks: without gaps, states that differ in nothing else are one.
+    std::set<int> ranks;
+    for (const auto& [clock, c] : next.clocks) ranks.insert(c.rank);
+    for (auto& [clock, c] : next.clocks) c.rank = static_cast<int>(std::distance(ranks.begin(), ranks.find(c.rank)));
   }
 
   void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action) {
-    std::vector<bool> impatient;
-    for (std::size_t c = 0; c < state.modes.size(); ++c)
-      impatient.push_back(state.modes[c] == next.modes[c] && could_leave(state.modes, c, action));
-    const bool same = state.modes == next.modes && state.marking == next.marking;
-    edges_[from].push_back({number(next), time, same, std::move(impatient)});
+    std::vector<bool> moves;
+    for (std::size_t c = 0; c < state.modes.size(); ++c) moves.push_back(state.modes[c] != next.modes[c]);
+    edges_.push_back({from, number(next), time, state.faults == next.faults, std::move(moves), &exits(state, action)});
   }
 
   void dense(std::size_t from, const State& state) {
@@ -309,89 +331,35 @@ class Explorer {
         if (std::find(options.begin(), options.end(), std::pair(seen.modes[c], false)) == options.end())
           return std::nullopt;
       }
-      const auto clocks = seen.clocks.size();
+      const auto clocks = seen.clocks;
       finish(seen, begun, false);
-      if (seen.clocks.size() != clocks) return std::nullopt;
+      if (seen.clocks != clocks) return std::nullopt;
     }
     return seen.marking == state.marking ? first : std::nullopt;
   }
 
-  /// Strongly connected states, by what each reaches: slow, and plain.
   void find_endless() {
-    edges_.resize(states_.size());
-    std::vector<std::size_t> component(states_.size(), states_.size());
-    std::vector<std::vector<std::size_t>> back(states_.size());
-    for (std::size_t s = 0; s < states_.size(); ++s)
-      for (const Edge& e : edges_[s]) back[e.target].push_back(s);
-    const auto reach = [&](std::size_t start, const auto& next) {
-      std::vector<bool> seen(states_.size(), false);
-      std::vector<std::size_t> queue{start};
-      seen[start] = true;
-      while (!queue.empty()) {
-        const std::size_t s = queue.back();
-        queue.pop_back();
-        next(s, [&](std::size_t t) {
-          if (!seen[t]) queue.push_back(t);
-          seen[t] = true;
-        });
-      }
-      return seen;
-    };
-    for (std::size_t s = 0; s < states_.size(); ++s) {
-      if (component[s] != states_.size()) continue;
-      const bool loops = !edges_[s].empty() && !back[s].empty();
-      if (!loops) {
-        component[s] = s;
-        continue;
-      }
-      const auto ahead = reach(s, [&](std::size_t v, const auto& go) {
-        for (const Edge& e : edges_[v]) go(e.target);
-      });
-      const auto behind = reach(s, [&](std::size_t v, const auto& go) {
-        for (const std::size_t source : back[v]) go(source);
-      });
-      std::vector<std::size_t> members;
-      for (std::size_t t = 0; t < states_.size(); ++t)
-        if (ahead[t] && behind[t]) {
-          component[t] = s;
-          members.push_back(t);
-        }
-      judge(members, component);
+    answer_.runs_for_ever = runs_for_ever(edges_, plant_.components.size());
+    judged_.resize(states_.size(), false);
+    answer_.stops = comes_to_a_stop(edges_, judged_);
+    // Waiting: time alone goes by in one state, or, in dense time, while the marking goes round.
+    for (const RunEdge& e : edges_) {
+      const bool stays = e.to == e.from && e.time;
+      if (stays && is_shut(*e.exits) && round_is_shut(*states_[e.from])) answer_.waits_for_ever = true;
     }
   }
 
-  void judge(const std::vector<std::size_t>& members, const std::vector<std::size_t>& component) {
-    bool time = false;
-    bool changes = false;
-    std::vector<bool> patient(plant_.components.size(), false);
-    for (const std::size_t s : members)
-      for (const Edge& e : edges_[s]) {
-        if (component[e.target] != component[s]) continue;
-        time = time || e.time;
-        changes = changes || states_[s]->modes != states_[e.target]->modes;
-        for (std::size_t c = 0; c < patient.size(); ++c) patient[c] = patient[c] || !e.impatient[c];
-      }
-    const bool fair = std::all_of(patient.begin(), patient.end(), [](bool p) { return p; });
-    if (!time) return;
-    answer_.runs_for_ever = answer_.runs_for_ever || fair;
-    // Waiting: time alone goes by in one state, or, in dense time, while the marking goes round.
-    for (const std::size_t s : members)
-      for (const Edge& e : edges_[s]) {
-        const bool stays = e.target == s && e.time && e.same;
-        const bool nothing_to_come =
-            std::none_of(e.impatient.begin(), e.impatient.end(), [](bool impatient) { return impatient; });
-        if (stays && nothing_to_come && round_is_patient(*states_[s])) answer_.waits_for_ever = true;
-      }
+  static bool is_shut(const Exits& exits) {
+    return std::all_of(exits.open.begin(), exits.open.end(), [](const auto& open) { return open.empty(); });
   }
 
-  /// Whether in all cycles of a round no component could leave its mode.
-  bool round_is_patient(const State& state) {
+  /// Whether in all cycles of a round no component could leave its mode at last.
+  bool round_is_shut(const State& state) {
     State seen = state;
     for (auto& [clock, c] : seen.clocks) c.side = after;
     do {
       const Begun begun = begin(seen, seen);
-      for (std::size_t c = 0; c < plant_.components.size(); ++c)
-        if (could_leave(seen.modes, c, begun.advice.action)) return false;
+      if (!is_shut(exits(seen, begun.advice.action))) return false;
       finish(seen, begun, false);
     } while (seen.marking != state.marking);
     return true;
@@ -407,7 +375,9 @@ class Explorer {
   LoopAnswer answer_;
   std::map<State, std::size_t> numbers_;
   std::vector<const State*> states_;
-  std::vector<std::vector<Edge>> edges_;
+  std::vector<bool> judged_;  ///< by state: it was explored, and no fault is certain in it
+  std::vector<RunEdge> edges_;
+  std::map<std::pair<Modes, ControlAction>, Exits> exits_;
   std::map<std::pair<Modes, std::vector<Assignment>>, Advice> advice_;
   std::map<std::tuple<Modes, std::size_t, ControlAction>, std::vector<const Transition*>> enabled_;
 };

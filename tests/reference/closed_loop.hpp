@@ -22,8 +22,9 @@ using Adviser = std::function<Advice(const automata::Modes&, const std::vector<a
 
 struct LoopQuestion {
   std::size_t faults = 0;
-  std::optional<automata::Ticks> period;  ///< none: dense time, in steps of 1 s, of which all bounds are multiples
-  automata::Formula formula;              ///< asked of all modes that are met
+  std::optional<automata::Ticks> period;                  ///< none: dense time, in steps of `unit`
+  automata::Ticks unit = automata::Ticks::of_seconds(1);  ///< all bounds are multiples of it
+  automata::Formula formula;                              ///< asked of all modes that are met
   automata::Ticks within;
 };
 
@@ -37,12 +38,14 @@ struct LoopAnswer {
   bool late = false;          ///< nor at any time up to `within`
   bool waits_for_ever = false;
   bool runs_for_ever = false;  ///< waiting or not
+  bool stops = false;          ///< while the program runs it comes to where, but for faults, time never passes again
 };
 
 /// Every state is a point: whole units on each clock. In dense time a cycle sees a clock that reads n as a little less
 /// than n, as n, or as a little more; as time goes by only more, and a clock that was started in an earlier cycle ahead
-/// of one that was started later. A run for ever is a cycle of states on which time passes, and on which no component
-/// could leave its mode all the while and does not.
+/// of one that was started later. Runs for ever, and states that cannot be left: endless.hpp. To find the latter in
+/// dense time, halves of the greatest unit are needed: where a bound has passed and the next has not come yet, fewer
+/// steps are possible than at either.
 LoopAnswer explore_loop(const automata::Program& program, const Step& step, const Adviser& adviser,
                         const LoopQuestion& question);
 

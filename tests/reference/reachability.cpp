@@ -201,7 +201,7 @@ class Dense : public Search {
         untimed = true;
       }
     }
-    // An exit whose bound is passed (its guard came to hold late) is certain: beside it only certain ones are possible.
+    // An exit whose bound is passed (its guard came to hold late) is certain: only certain ones are possible, now.
     const Ticks clock = state.clocks[component];
     bool passed = false;
     for (const Transition* t : enabled(state.modes, component, action))
@@ -211,7 +211,7 @@ class Dense : public Search {
       const bool timed = t->timing && clock >= (passed ? t->timing->upper : t->timing->lower);
       if (untimed ? is_untimed_nominal(automaton, *t) : timed) nominal.push_back({t->to, 0});
     }
-    if (!untimed) nominal.push_back({state.modes[component], 0});
+    if (!untimed && !passed) nominal.push_back({state.modes[component], 0});
     if (fault_sum < 1) result.insert(result.end(), nominal.begin(), nominal.end());
     return result;
   }

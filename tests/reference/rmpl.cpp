@@ -7,6 +7,7 @@
 
 namespace rmpl::reference {
 
+using automata::ClockId;
 using automata::Condition;
 using automata::Location;
 using automata::LocationId;
@@ -16,16 +17,19 @@ namespace {
 
 class Printer {
  public:
-  Printer(const Rmpl& source, const automata::Variables& variables) : source_(source), variables_(variables) {}
+  Printer(const Rmpl& source, const automata::Variables& variables)
+      : source_(source), variables_(variables), clocks_(source.clocks) {
+    clocks_.emplace_back(own_clock);
+  }
 
   [[nodiscard]] std::string text(const Statement& s) const {
     const auto body = [&](std::size_t part) { return "{ " + text(s.parts[part]) + " }"; };
-    const auto constraint = [&] { return automata::to_text(s.constraint, variables_, source_.clocks); };
+    const auto constraint = [&] { return automata::to_text(s.constraint, variables_, clocks_); };
     switch (s.kind) {
       case Statement::Kind::goal:
         return automata::to_text(automata::conjunction_of(s.goal), variables_);
       case Statement::Kind::clock_start:
-        return source_.clocks[s.clock.index()] + " = 0";
+        return clocks_[s.clock.index()] + " = 0";
       case Statement::Kind::sequence:
         return joined(s.parts, "; ");
       case Statement::Kind::parallel:
@@ -66,6 +70,7 @@ class Printer {
 
   const Rmpl& source_;
   const automata::Variables& variables_;
+  std::vector<std::string> clocks_;
 };
 
 class Lowering {
@@ -77,7 +82,7 @@ class Lowering {
   }
 
   Program lower() {
-    composite(std::nullopt, {}, source_.definitions[0]);
+    definition(std::nullopt, 0);
     return std::move(program_);
   }
 
@@ -113,15 +118,39 @@ class Lowering {
     return {{self}, {{self, {}}}};
   }
 
+  /// Each use of a definition has a clock of its own, called after the number of its composite.
+  Piece definition(std::optional<LocationId> parent, std::size_t position) {
+    const ClockId outer = own_;
+    if (source_.has_own[position]) {
+      own_ = ClockId(program_.clocks.size());
+      program_.clocks.push_back(std::string(own_clock) + "@" + std::to_string(program_.locations.size() + 1));
+    }
+    const LocationId self(program_.locations.size());
+    Piece made = composite(parent, {}, source_.definitions[position]);
+    if (source_.has_own[position]) at(self).own_clocks = {own_};
+    own_ = outer;
+    return made;
+  }
+
+  [[nodiscard]] ClockId clock(ClockId written) const {
+    return written.index() < source_.clocks.size() ? written : own_;
+  }
+
+  [[nodiscard]] automata::Formula formula(automata::Formula written) const {
+    if (written.kind == automata::Formula::Kind::clock) written.clock = clock(written.clock);
+    for (automata::Formula& operand : written.operands) operand = formula(operand);
+    return written;
+  }
+
   Piece piece(LocationId parent, const Statement& s) {
-    const Condition entailed{true, s.constraint};
-    const Condition not_entailed{false, s.constraint};
+    const Condition entailed{true, formula(s.constraint)};
+    const Condition not_entailed{false, formula(s.constraint)};
     switch (s.kind) {
       case Statement::Kind::goal:
       case Statement::Kind::clock_start: {
         const LocationId self = add(parent);
         at(self).goal = s.goal;
-        if (s.kind == Statement::Kind::clock_start) at(self).clock_start = s.clock;
+        if (s.kind == Statement::Kind::clock_start) at(self).clock_start = clock(s.clock);
         return {{self}, {{self, {}}}};
       }
       case Statement::Kind::sequence: {
@@ -140,7 +169,7 @@ class Lowering {
       case Statement::Kind::maintaining:
         return composite(parent, entailed, s.parts[0]);
       case Statement::Kind::call:
-        return composite(parent, {}, source_.definitions[s.callee]);
+        return definition(parent, s.callee);
       case Statement::Kind::if_then:
       case Statement::Kind::if_else:
       case Statement::Kind::unless:
@@ -206,6 +235,7 @@ class Lowering {
 
   const Rmpl& source_;
   Program program_;
+  ClockId own_{};  ///< of the definition that is being lowered
 };
 
 void add_callees(const Statement& s, std::set<std::size_t>& callees) {
@@ -223,7 +253,8 @@ std::string to_text(const Rmpl& source, const automata::Variables& variables) {
     if (called.contains(i)) add_callees(source.definitions[i], called);
   std::string result;
   for (std::size_t i : called)
-    result += name_of_definition(i) + "() :: { " + Printer(source, variables).text(source.definitions[i]) + " }\n";
+    result += name_of_definition(i) + "() :: { " + (source.has_own[i] ? "clock own; " : "") +
+              Printer(source, variables).text(source.definitions[i]) + " }\n";
   return result;
 }
 

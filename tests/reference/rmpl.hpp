@@ -34,11 +34,16 @@ struct Statement {
   std::size_t callee = 0;
 };
 
-/// Definitions over the variables of a table; the first is the program, and none calls itself or an earlier one.
+/// Definitions over the variables of a table; the first is the program, and none calls itself or an earlier one. The
+/// clock behind the last of `clocks` is the definition's own, where it has one.
 struct Rmpl {
   std::vector<Statement> definitions;
   std::vector<std::string> clocks;
+  std::vector<bool> has_own;  ///< per definition
 };
+
+/// The name of a definition's own clock in the text.
+inline constexpr const char* own_clock = "own";
 
 /// The name of a definition in the text.
 std::string name_of_definition(std::size_t position);

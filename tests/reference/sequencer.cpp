@@ -44,6 +44,7 @@ Sequencer::Locations Sequencer::full_marking(LocationId location) const {
 
 Sequencer::Goal Sequencer::begin(const std::vector<Assignment>& knowledge, automata::Ticks now) {
   // 1. Update active clocks.
+  interpretation_ = Clocks(program_.clocks.size());
   for (const auto& [clock, start] : started_) interpretation_[clock.index()] = now - start;
 
   // 2. Check maintenance constraints for marked composites.
@@ -106,7 +107,9 @@ void Sequencer::finish(const std::vector<Assignment>& knowledge) {
   }
 
   // 9. Take transitions; a composite stays marked while something inside it is.
-  for (LocationId target : targets) next.merge(full_marking(target));
+  Locations newly_entered;
+  for (LocationId target : targets) newly_entered.merge(full_marking(target));
+  next.insert(newly_entered.begin(), newly_entered.end());
   Locations ancestors;
   for (LocationId location : next)
     for (auto parent = at(location).parent; parent; parent = at(*parent).parent) ancestors.insert(*parent);
@@ -115,6 +118,8 @@ void Sequencer::finish(const std::vector<Assignment>& knowledge) {
 
   // 10. Update the list of clock references.
   started_.merge(started_next_);
+  for (LocationId entered : newly_entered)
+    for (automata::ClockId clock : at(entered).own_clocks) started_.erase(clock);
 }
 
 }  // namespace rmpl::reference

@@ -17,6 +17,7 @@
 #include "runtime/executive/trace/trace_writer.hpp"
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/latency.hpp"
+#include "tools/rmpl-run/scenario_junit.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/models.hpp"
 #include "tools/shared/progress.hpp"
@@ -166,8 +167,8 @@ runtime::StoryFocus focus_of(const Options& options, const automata::Plant& plan
 }
 
 /// Flies one scenario, and tells its story to standard output as it happens.
-ScenarioResult fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
-                   const Common& common, Graphs& graphs) {
+Flown fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
+          const Common& common, Graphs& graphs) {
   const automata::Plant& plant = document.plants[scenario.plant];
   const automata::Program& program = document.programs[scenario.program];
   const base::Painter painter = output_painter(common.color);
@@ -200,13 +201,14 @@ ScenarioResult fly(const automata::Document& document, const automata::Scenario&
   run.real_time = options.real_time;
   run.interrupted = interrupted;
   const auto begin = std::chrono::steady_clock::now();
-  const ScenarioResult result = runtime::run_scenario(document, scenario, run, observers);
-  if (options.stats || common.verbose) account.report(scenario.name, seconds_since(begin));
+  ScenarioResult result = runtime::run_scenario(document, scenario, run, observers);
+  const double seconds = seconds_since(begin);
+  if (options.stats || common.verbose) account.report(scenario.name, seconds);
   if (trace) trace->keep();
   if (common.format == Format::text) {
     print((common.quiet ? scenario.name + ": " : "\n") + runtime::summary(scenario, result, painter));
   }
-  return result;
+  return {&scenario, std::move(result), seconds};
 }
 
 ExitStatus status_of(Judgement::Verdict verdict) {
@@ -227,25 +229,37 @@ ExitStatus worse(ExitStatus a, ExitStatus b) {
   return a == ExitStatus::done ? b : a;
 }
 
+std::string to_json(const std::vector<Flown>& flights) {
+  JsonLine json;
+  json.open('{').key("scenarios").open('[');
+  for (const Flown& flown : flights) runtime::write_result(json, *flown.scenario, flown.result);
+  json.close(']').close('}');
+  return json.text() + "\n";
+}
+
 ExitStatus run(const Options& options, const Common& common) {
   const compiler::Compilation compilation = load({options.file}, common);
   const automata::Document& document = compilation.document();
   watch_for_interruption();
   ExitStatus status = ExitStatus::done;
   Graphs graphs;
-  JsonLine json;
-  json.open('{').key("scenarios").open('[');
-  bool told_before = false;
+  std::vector<Flown> flights;
   for (const automata::Scenario* scenario : selected(document, options)) {
-    if (told_before && !common.quiet && common.format == Format::text) print("\n");
-    told_before = true;
-    const ScenarioResult result = fly(document, *scenario, options, common, graphs);
-    runtime::write_result(json, *scenario, result);
-    status = worse(status, status_of(result.verdict()));
-    if (result.interrupted) break;
+    if (!flights.empty() && !common.quiet && common.format == Format::text) print("\n");
+    flights.push_back(fly(document, *scenario, options, common, graphs));
+    status = worse(status, status_of(flights.back().result.verdict()));
+    if (flights.back().result.interrupted) break;
   }
-  json.close(']').close('}');
-  if (common.format == Format::json) print(std::string(json.text()) + "\n");
+  switch (common.format) {
+    case Format::text:
+      break;
+    case Format::json:
+      print(to_json(flights));
+      break;
+    case Format::junit:
+      print(to_junit(options.file, flights));
+      break;
+  }
   return status;
 }
 
@@ -272,7 +286,7 @@ void add_scenario(Program& program) {
   add_read(*command, "--to", options->to, duration, "tell the story up to this time")->option_text("TIME");
   add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
                    "draw the plant with this seed instead of the scenario's");
-  add_format(*command, program.common());
+  add_format(*command, program.common(), true);
   add_choice<Engine>(*command, "--estimator", options->engine, {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
                      "how the executive estimates (default: k-best)");
   add_k(*command, options->k);

@@ -61,7 +61,8 @@ ClockCells::ClockCells(const automata::Program& program) {
 }
 
 // A location that is marked fully starts what it holds; one that is marked because something inside it is does not. So
-// each is there twice: as itself, and, `count` further, marked fully.
+// each is there twice: as itself, and, `count` further, marked fully; there what its own clocks read before is
+// forgotten.
 void ClockCells::find_reads(const automata::Program& program) {
   const std::size_t count = program.locations.size();
   std::vector<std::vector<std::size_t>> leads(2 * count);
@@ -75,12 +76,16 @@ void ClockCells::find_reads(const automata::Program& program) {
     leads[l].push_back(location.parent->index());
     if (location.start) leads[count + location.parent->index()].push_back(count + l);
   }
+  std::vector<std::vector<bool>> forgets(2 * count, std::vector<bool>(program.clocks.size(), false));
+  for (std::size_t l = 0; l < count; ++l) {
+    for (const ClockId clock : program.locations[l].own_clocks) forgets[count + l][clock.index()] = true;
+  }
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t l = 0; l < leads.size(); ++l) {
       for (const std::size_t next : leads[l]) {
         for (std::size_t c = 0; c < program.clocks.size(); ++c) {
-          if (!reads_[next][c] || reads_[l][c]) continue;
+          if (!reads_[next][c] || reads_[l][c] || forgets[l][c]) continue;
           reads_[l][c] = true;
           changed = true;
         }

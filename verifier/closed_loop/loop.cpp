@@ -49,6 +49,11 @@ bool leaves_for_sure(const Choice& choice, ModeId mode) {
   return choice.faults == 0 && choice.mode != mode && choice.clock.upper == unbounded;
 }
 
+void include(std::vector<ModeId>& modes, ModeId mode) {
+  const auto at = std::lower_bound(modes.begin(), modes.end(), mode);
+  if (at == modes.end() || *at != mode) modes.insert(at, mode);
+}
+
 }  // namespace
 
 Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
@@ -146,6 +151,19 @@ std::vector<Choice> Loop::choices_of(const LoopState& state, const Turn& turn, C
   return choices(plant()[component], state.modes[component.index()], enabled[component.index()], time_);
 }
 
+void Loop::open_exits(const Modes& from, const Modes& to, const Box& bounds, Exits& exits) const {
+  // No period ends as a clock reads 0.
+  const bool never = !time_.is_dense() &&
+                     std::any_of(bounds.begin(), bounds.end(), [](const ClockBound& b) { return b.clock.upper == 0; });
+  if (never) return;
+  for (std::size_t c = 0; c < from.size(); ++c) {
+    const auto bound =
+        std::find_if(bounds.begin(), bounds.end(), [c](const ClockBound& b) { return b.component == ComponentId(c); });
+    const bool lasts = bound == bounds.end() || bound->clock.upper == unbounded;
+    if (from[c] != to[c] && lasts) include(exits.open[c], to[c]);
+  }
+}
+
 Turn Loop::work_out(const LoopState& state, unsigned faults) {
   Turn turn;
   sequencer_.resume(state.marking, started(state));
@@ -158,13 +176,17 @@ Turn Loop::work_out(const LoopState& state, unsigned faults) {
   std::vector<std::vector<Choice>> all;
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     all.push_back(choices_of(state, turn, ComponentId(c)));
-    turn.overdue.push_back(std::any_of(all.back().begin(), all.back().end(),
-                                       [&](const Choice& choice) { return leaves_for_sure(choice, state.modes[c]); }));
+    turn.exits.enabled.emplace_back();
+    for (const Choice& choice : all.back()) {
+      if (leaves_for_sure(choice, state.modes[c])) include(turn.exits.enabled.back(), choice.mode);
+    }
   }
+  turn.exits.open.resize(state.modes.size());
   std::set<std::tuple<Modes, unsigned, Box>> seen;
   for_each_joint(all, faults, [&](const Modes& modes, unsigned cost, const Box& bounds) {
     meter_.poll();
     if (!seen.emplace(modes, cost, bounds).second || !step_.possible(modes)) return;
+    if (cost == 0) open_exits(state.modes, modes, bounds, turn.exits);
     sequencer_.finish({automata::assignments_of(plant(), modes)});
     Outcome outcome = follow(state, modes);
     outcome.faults = cost;
@@ -181,8 +203,10 @@ Outcome Loop::follow(const LoopState& state, const Modes& modes) const {
   Outcome result;
   result.state.marking = sequencer_.marking();
   result.state.modes = modes;
-  const std::vector<bool> live = cells_.live(result.state.marking);
+  std::vector<bool> live = cells_.live(result.state.marking);
   const auto& running = sequencer_.started();
+  // A clock that belongs to what is entered has stopped.
+  for (std::size_t c = 0; c < live.size(); ++c) live[c] = live[c] && running[c].has_value();
   std::vector<bool> known(live.size(), false);
   const auto keep = [&](ClockGroup group, std::size_t source) {
     std::erase_if(group.clocks, [&](ClockId clock) { return !live[clock.index()]; });
@@ -206,7 +230,7 @@ Outcome Loop::follow(const LoopState& state, const Modes& modes) const {
   }
   ClockGroup fresh{{}, cells_.start()};
   for (std::size_t c = 0; c < live.size(); ++c) {
-    if (running[c] && !known[c]) fresh.clocks.emplace_back(c);
+    if (live[c] && !known[c]) fresh.clocks.emplace_back(c);
   }
   keep(std::move(fresh), 0);
   std::sort(result.state.passed.begin(), result.state.passed.end());
@@ -266,7 +290,7 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
         }
       }
       intervals = std::move(both);
-      restless = restless || turn.overdue[c];
+      restless = restless || !turn.exits.open[c].empty();
     }
     std::vector<Wait> longer;
     for (const Wait& wait : result) {

@@ -53,6 +53,14 @@ struct Wait {
   bool endless = false;  ///< it may last for ever, and then nothing but a fault would ever end it
 };
 
+/// The ways out of modes that are enabled in a cycle however late it is, so that chance takes them at last where they
+/// stay open: per component, the modes that they lead to, ascending.
+struct Exits {
+  std::vector<std::vector<automata::ModeId>> enabled;
+  std::vector<std::vector<automata::ModeId>> open;  ///< those that some joint step takes to a possible state
+  auto operator<=>(const Exits&) const = default;
+};
+
 /// The cycle that starts in a state. It is the same wherever the clocks are in their cells.
 struct Turn {
   std::vector<automata::Assignment> goal;  ///< that was acted on: empty where goals contradict each other
@@ -61,7 +69,7 @@ struct Turn {
   automata::ControlAction action;
   std::vector<Outcome> outcomes;  ///< those with fewer faults first
   std::vector<Wait> waits;
-  std::vector<bool> overdue;  ///< per component: an exit that has no upper bound, and will be taken at last, is enabled
+  Exits exits;
 };
 
 /// All states of the loop met so far. Works cycles out on the step functions themselves.
@@ -105,6 +113,8 @@ class Loop {
   /// The turn, perhaps without its waits.
   std::shared_ptr<Worked> cycle(LoopStateId id, unsigned faults = 0);
   [[nodiscard]] std::shared_ptr<Worked> known(LoopStateId id);
+  /// Notes the exits that a joint step to a possible state takes.
+  void open_exits(const automata::Modes& from, const automata::Modes& to, const Box& bounds, Exits& exits) const;
   [[nodiscard]] Turn work_out(const LoopState& state, unsigned faults);
   [[nodiscard]] std::vector<std::optional<automata::Ticks>> started(const LoopState& state) const;
   /// What follows `state` where the plant is in `modes` and the sequencer has finished the cycle.
@@ -128,7 +138,7 @@ class Loop {
   automata::ProgramStep sequencer_;
   std::map<LoopState, LoopStateId> numbers_;
   std::vector<const LoopState*> states_;
-  std::unordered_map<LoopStateId, std::shared_ptr<Worked>, IdHash> turns_;            ///< of states not yet explored
+  std::unordered_map<LoopStateId, std::shared_ptr<Worked>, IdHash> turns_;           ///< of states not yet explored
   base::BoundedCache<LoopStateId, std::shared_ptr<Worked>, IdHash> explored_turns_;  ///< the last of the others
 };
 

@@ -37,10 +37,11 @@ Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time) : step_
 BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses) {
   const auto [at, fresh] = numbers_.try_emplace({mode, all, pauses}, BehaviourId(table_.size()));
   if (!fresh) return at->second;
-  Behaviour behaviour{std::move(all), std::move(pauses), false, false};
+  Behaviour behaviour{std::move(all), std::move(pauses)};
   for (const Choice& choice : behaviour.choices) {
     if (choice.mode != mode) behaviour.changes = true;
-    if (choice.mode == mode && choice.faults == 0 && choice.clock.is_trivial()) behaviour.free_to_stay = true;
+    if (choice.mode == mode && choice.faults == 0 && choice.clock.lower <= 0)
+      behaviour.stays_until = choice.clock.upper;
   }
   table_.push_back(std::move(behaviour));
   return at->second;

@@ -16,10 +16,11 @@ namespace rmpl::verifier {
 
 /// What one component may do in one step, and how long it lets time pass. Numbered: equal numbers, equal behaviour.
 struct Behaviour {
-  std::vector<Choice> choices;  ///< see `choices` in choices.hpp
-  std::vector<Interval> waits;  ///< see `waits` there
-  bool changes = false;         ///< some choice is another mode
-  bool free_to_stay = false;    ///< it may stay whatever its clock reads
+  std::vector<Choice> choices;        ///< see `choices` in choices.hpp
+  std::vector<Interval> waits;        ///< see `waits` there
+  bool changes = false;               ///< some choice is another mode
+  Units stays_until = -1;             ///< it may stay while its clock reads at most this; below 0: not from the start
+  [[nodiscard]] bool free_to_stay() const { return stays_until == unbounded; }
 };
 
 /// A position in `Behaviours`.

@@ -91,11 +91,11 @@ class Collector {
       return;
     }
     if (time_.is_dense()) {
-      add(mode_, 0, share);
       Units certain = unbounded;
       for (const TransitionId id : enabled_.timed) {
         certain = std::min(certain, time_.at_most(component_.transitions[id.index()].timing->upper));
       }
+      add(mode_, 0, intersection(share, {0, certain}));
       for (const TransitionId id : enabled_.timed) {
         const Transition& t = component_.transitions[id.index()];
         add(t.to, 0, intersection(share, {time_.at_least(t.timing->lower), certain}));

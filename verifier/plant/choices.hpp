@@ -23,9 +23,9 @@ struct Choice {
 ///
 /// Faults first: one with time bounds only within them. They leave a nominal share while their probabilities sum to
 /// less than 1. It goes to the untimed nominal transitions where there are any. Otherwise:
-/// - dense: a timed exit may be taken from its lower bound on, until an upper bound is passed (its guard having become
-///   true late): beside an exit that is certain only certain ones are possible. Staying is always possible, it is time
-///   that stops at the upper bound. A rate weighs nothing in an instant.
+/// - dense: a timed exit may be taken from its lower bound on, and staying is possible, until an upper bound is passed
+///   (its guard having become true late): the exit is then certain, in the first step in which it is enabled, and only
+///   certain ones are possible. At the bound itself it is time that stops. A rate weighs nothing in an instant.
 /// - sampled: an exit whose upper bound is reached at the end of the period is certain; beside one only certain ones
 /// are
 ///   possible. Before that, staying is possible, and each exit whose bounds the period has entered.

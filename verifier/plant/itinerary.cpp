@@ -13,22 +13,31 @@ using automata::Modes;
 
 namespace {
 
+ComponentId renamed_component(ComponentId component, const Permutation& permutation) {
+  const auto at = std::find_if(permutation.begin(), permutation.end(),
+                               [&](const Renaming& r) { return r.component == component.value; });
+  return at != permutation.end() ? ComponentId(at->to) : component;
+}
+
 Box renamed_box(const Box& box, const Permutation& permutation) {
   Box result = box;
-  for (ClockBound& bound : result) {
-    const auto at = std::find_if(permutation.begin(), permutation.end(),
-                                 [&](const Renaming& r) { return r.component == bound.component.value; });
-    if (at != permutation.end()) bound.component = ComponentId(at->to);
-  }
+  for (ClockBound& bound : result) bound.component = renamed_component(bound.component, permutation);
   std::sort(result.begin(), result.end());
   return result;
 }
 
+Late renamed_late(Late late, const Permutation& permutation) {
+  for (ComponentId& component : late) component = renamed_component(component, permutation);
+  std::sort(late.begin(), late.end());
+  return late;
+}
+
 /// The move from these modes that leads to the target in the same way.
-JointStep counterpart(const JointStep& move, const Permutation& names, const Modes& from, Situations& situations) {
+JointStep counterpart(const JointStep& move, const Permutation& names, const Modes& from, const Late& late,
+                      Situations& situations) {
   const Modes target = renamed(move.target, names);
   const Box bounds = renamed_box(move.bounds, names);
-  const auto moves = situations.moves(situations.number(from));
+  const auto moves = situations.moves(situations.number(from), renamed_late(late, names));
   const auto found = std::find_if(moves->begin(), moves->end(), [&](const JointStep& m) {
     return m.target == target && m.faults == move.faults && m.hold == move.hold && m.bounds == bounds;
   });
@@ -58,8 +67,9 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
 
     Leg leg{renamed(entered->situation.modes, names), entered->phase, std::nullopt, std::nullopt};
     if (state) {
-      const auto moves = system.situations().moves(PlantSystem::situation_of(state->discrete));
-      leg.move = counterpart((*moves)[next.label.move], names, legs.back().modes, system.situations());
+      const Late late = system.late(*state);
+      const auto moves = system.situations().moves(PlantSystem::situation_of(state->discrete), late);
+      leg.move = counterpart((*moves)[next.label.move], names, legs.back().modes, late, system.situations());
     }
     if (next.label.wait != PlantSystem::no_wait) {
       leg.wait = renamed_box(entered->situation.waits[next.label.wait], names);

@@ -36,9 +36,12 @@ void JointSteps::use_as(const JointSteps& other) {
   symmetry_ = other.symmetry_;
 }
 
-void JointSteps::enumerate(const Modes& modes, const ControlAction& action, const std::vector<BehaviourId>& idling,
-                           const std::vector<BehaviourId>& here, const Visit& visit) {
+void JointSteps::enumerate(const Modes& modes, const Late& late, const ControlAction& action,
+                           const std::vector<BehaviourId>& idling, const std::vector<BehaviourId>& here,
+                           const Visit& visit) {
   modes_ = modes;
+  late_.assign(modes.size(), false);
+  for (const ComponentId c : late) late_[c.index()] = true;
   action_ = action;
   idling_ = idling;
   here_ = here;
@@ -118,7 +121,7 @@ void JointSteps::all(const Visit& visit) {
   Options options;
   for (std::size_t c = 0; c < modes_.size(); ++c) {
     const Behaviour& behaviour = behaviours_[here_[c]];
-    if (!behaviour.changes && behaviour.free_to_stay) continue;
+    if (!behaviour.changes && behaviour.free_to_stay()) continue;
     auto& own = options.emplace_back();
     for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
     ahead_.decided[c] = false;
@@ -130,7 +133,19 @@ void JointSteps::all(const Visit& visit) {
 bool JointSteps::calm(const Modes& modes) {
   if (!behaviours_.step().possible(modes) || !behaviours_.step().consistent(modes, idle_)) return false;
   behaviours_.read(modes, idle_, there_);
-  return std::all_of(there_.begin(), there_.end(), [&](BehaviourId id) { return behaviours_[id].free_to_stay; });
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (!may_stay(c, there_[c], modes)) return false;
+  }
+  return true;
+}
+
+/// Whether a component may stay in `modes` with this behaviour: a step away at most, so that its clock has started anew
+/// or reads what it reads here.
+bool JointSteps::may_stay(std::size_t component, BehaviourId behaviour, const Modes& modes) const {
+  const Behaviour& there = behaviours_[behaviour];
+  if (there.free_to_stay() || there.stays_until < 0) return there.free_to_stay();
+  if (modes[component] != modes_[component]) return true;
+  return behaviour == idling_[component] && !late_[component];
 }
 
 /// Whether the change can be made a step earlier, under idle controls, and disturbs nothing of what remains: all others
@@ -143,12 +158,12 @@ bool JointSteps::goes_first(const Option& option) {
   for (std::size_t c = 0; c < next.size(); ++c) {
     const Behaviour& commanded = behaviours_[there_commanded_[c]];
     if (c == option.component) {
-      if (!commanded.free_to_stay) return false;
+      if (commanded.stays_until < 0) return false;
       continue;
     }
     const bool same = there_[c] == idling_[c] && there_commanded_[c] == here_[c];
-    const bool active = behaviours_[here_[c]].changes || !behaviours_[here_[c]].free_to_stay;
-    if (!same && (active || !commanded.free_to_stay)) return false;
+    const bool active = behaviours_[here_[c]].changes || !behaviours_[here_[c]].free_to_stay();
+    if (!same && (active || !commanded.free_to_stay())) return false;
   }
   return true;
 }
@@ -162,7 +177,7 @@ void JointSteps::irreducible(const Visit& visit) {
   for (std::size_t c = 0; c < modes_.size(); ++c) {
     const Behaviour& behaviour = behaviours_[here_[c]];
     const bool concerned = here_[c] != idling_[c];
-    if (concerned || !behaviour.free_to_stay) {
+    if (concerned || !may_stay(c, here_[c], modes_)) {
       auto& own = core.emplace_back();
       for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
       ahead_.decided[c] = false;

@@ -28,6 +28,10 @@ struct ClockBound {
 /// A box: all of its bounds hold. Sorted by component, trivial bounds left out.
 using Box = std::vector<ClockBound>;
 
+/// Components whose clocks may be past the bound up to which they can stay under idle controls, in dense time;
+/// ascending.
+using Late = std::vector<automata::ComponentId>;
+
 /// Which joint steps are of interest.
 enum class Steps {
   all,
@@ -55,8 +59,9 @@ class JointSteps {
   using Visit = std::function<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;
 
   /// Every step from the possible `modes` under the action that changes a mode; the behaviours there are `idling` with
-  /// idle controls, `here` under the action.
-  void enumerate(const automata::Modes& modes, const automata::ControlAction& action,
+  /// idle controls, `here` under the action. Where steps are left out, no component but those that are `late` is past
+  /// the bound up to which it can stay with idle controls.
+  void enumerate(const automata::Modes& modes, const Late& late, const automata::ControlAction& action,
                  const std::vector<BehaviourId>& idling, const std::vector<BehaviourId>& here, const Visit& visit);
 
  private:
@@ -80,6 +85,7 @@ class JointSteps {
   /// Whether the modes are possible and let every component stay where it is with idle controls; their behaviours with
   /// idle controls are then in `there_`.
   [[nodiscard]] bool calm(const automata::Modes& modes);
+  [[nodiscard]] bool may_stay(std::size_t component, BehaviourId behaviour, const automata::Modes& modes) const;
   [[nodiscard]] bool goes_first(const Option& option);
 
   Behaviours& behaviours_;
@@ -96,6 +102,7 @@ class JointSteps {
   automata::ControlAction idle_;
   std::vector<BehaviourId> idling_;  ///< with idle controls
   std::vector<BehaviourId> here_;    ///< under the action
+  std::vector<bool> late_;           ///< by component
   bool calm_ = false;
   PartialModes ahead_;  ///< what is decided of the modes that a step leads to
   automata::Modes next_;

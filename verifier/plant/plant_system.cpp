@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 
+
 namespace rmpl::verifier {
 
 using automata::ComponentId;
@@ -41,7 +42,7 @@ void PlantSystem::successors(const SymbolicState& state, const Visit& visit) {
 
 SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
   if (!symmetry_.trivial()) {
-    auto& [modes, live, waits] = entered.situation;
+    auto& [modes, live, waits, stays_until] = entered.situation;
     const std::size_t others = observer_.timed(entered.phase) ? 1 : 0;
     Permutation permutation = symmetry_.sort(modes, live, others, entered.zone, applied != nullptr);
     if (applied != nullptr) *applied = std::move(permutation);
@@ -64,7 +65,7 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
   const Phase phase = phase_of(state.discrete);
   const Situation here = situations_[id];
   const Place place{here, observer_.timed(phase)};
-  const auto moves = situations_.moves(id);
+  const auto moves = situations_.moves(id, late(here, place, state.zone));
   for (std::size_t m = 0; m < moves->size(); ++m) {
     const JointStep& move = (*moves)[m];
     if (fault_count(state.faults) + move.faults > situations_.faults()) continue;
@@ -97,6 +98,21 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
     }
     step_into(next, zone);
   }
+}
+
+Late PlantSystem::late(const Situation& situation, const Place& place, const Zone& zone) const {
+  Late result;
+  if (!situations_.time().is_dense()) return result;
+  for (std::size_t i = 0; i < situation.live.size(); ++i) {
+    const Units bound = situation.stays_until[i];
+    if (bound >= 0 && zone.upper(place.clock_of(situation.live[i])) > bound) result.push_back(situation.live[i]);
+  }
+  return result;
+}
+
+Late PlantSystem::late(const SymbolicState& state) {
+  const Situation here = situations_[situation_of(state.discrete)];
+  return late(here, {here, observer_.timed(phase_of(state.discrete))}, state.zone);
 }
 
 void PlantSystem::enter(Situation&& situation, Phase phase, unsigned faults, const Zone& zone, Label label,

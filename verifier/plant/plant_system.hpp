@@ -61,6 +61,9 @@ class PlantSystem : public TransitionSystem {
   /// The state that is visited in its place; `applied`, where wanted, becomes the permutation that leads there.
   SymbolicState sorted(Entered&& entered, Permutation* applied);
 
+  /// The components that may be late in the state.
+  [[nodiscard]] Late late(const SymbolicState& state);
+
   [[nodiscard]] Situations& situations() { return situations_; }
   [[nodiscard]] const Observer& observer() const { return observer_; }
 
@@ -80,6 +83,7 @@ class PlantSystem : public TransitionSystem {
   /// Visits the state entered with `zone`, as it is when it has waited in each way that it can.
   void enter(Situation&& situation, Phase phase, unsigned faults, const Zone& zone, Label label,
              const VisitEntered& visit) const;
+  [[nodiscard]] Late late(const Situation& situation, const Place& place, const Zone& zone) const;
   [[nodiscard]] static bool within(Zone& zone, const Box& box, const Place& place);
   [[nodiscard]] static bool wait(Zone& zone, const Box& box, const Place& place);
   [[nodiscard]] bool in_time(Zone& zone, Phase phase) const;

@@ -88,9 +88,11 @@ Modes Situations::modes(SituationId id) const {
 
 Situation Situations::describe(const Modes& modes) {
   behaviours_.read(modes, actions_.front(), behaviours_here_);
-  Situation result{modes, {}, waits(behaviours_here_)};
+  Situation result{modes, {}, waits(behaviours_here_), {}};
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    if (limits_[c][modes[c].index()] && behaviours_.moves(ComponentId(c))) result.live.emplace_back(c);
+    if (!limits_[c][modes[c].index()] || !behaviours_.moves(ComponentId(c))) continue;
+    result.live.emplace_back(c);
+    result.stays_until.push_back(behaviours_[behaviours_here_[c]].stays_until);
   }
   return result;
 }
@@ -122,15 +124,16 @@ std::vector<Box> Situations::waits(const std::vector<BehaviourId>& behaviours) c
   return boxes;
 }
 
-std::shared_ptr<const std::vector<JointStep>> Situations::moves(SituationId id) {
-  if (const auto known = moves_.find(id); known != moves_.end()) return known->second;
+std::shared_ptr<const std::vector<JointStep>> Situations::moves(SituationId id, const Late& late) {
+  const std::pair key(id, late);
+  if (const auto known = moves_.find(key); known != moves_.end()) return known->second;
   if (moves_.size() >= remembered) moves_.clear();
-  auto worked_out = std::make_shared<const std::vector<JointStep>>(work_out(modes(id)));
-  moves_.emplace(id, worked_out);
+  auto worked_out = std::make_shared<const std::vector<JointStep>>(work_out(modes(id), late));
+  moves_.emplace(key, worked_out);
   return worked_out;
 }
 
-std::vector<JointStep> Situations::work_out(const Modes& modes) {
+std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late) {
   std::vector<JointStep> result;
   std::vector<BehaviourId> idling;
   behaviours_.read(modes, actions_.front(), idling);
@@ -153,7 +156,7 @@ std::vector<JointStep> Situations::work_out(const Modes& modes) {
         if (std::count(idle_waits.begin(), idle_waits.end(), box) == 0) add(modes, 0, true, box);
       }
     }
-    joint_steps_.enumerate(modes, action, idling, behaviours_here_,
+    joint_steps_.enumerate(modes, late, action, idling, behaviours_here_,
                            [&](const Modes& next, unsigned faults, const Box& box) { add(next, faults, false, box); });
   });
   std::stable_partition(result.begin(), result.end(), [](const JointStep& m) { return m.hold; });

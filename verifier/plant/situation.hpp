@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "verifier/plant/joint_steps.hpp"
@@ -32,6 +32,7 @@ struct Situation {
   automata::Modes modes;
   std::vector<automata::ComponentId> live;  ///< ascending
   std::vector<Box> waits;                   ///< see `waits` in choices.hpp; within one of these boxes time may pass
+  std::vector<Units> stays_until;           ///< of the live ones: see `Behaviour`, with idle controls
 };
 
 /// All situations met so far, by number, in the order in which they were met; what may happen in them is worked out
@@ -64,7 +65,8 @@ class Situations {
   /// Appends the greatest constants that each live clock is compared with.
   void append_limits(const automata::Modes& modes, std::vector<ClockLimits>& result) const;
   /// Every joint step that changes a mode with no more faults than `faults`; holds first. Always in the same order.
-  std::shared_ptr<const std::vector<JointStep>> moves(SituationId id);
+  /// `late` matters only where steps are left out.
+  std::shared_ptr<const std::vector<JointStep>> moves(SituationId id, const Late& late);
 
   /// The possible modes of the initial distribution, or with the given modes in its place for their components.
   std::vector<automata::Modes> initial(const std::vector<automata::Assignment>& from);
@@ -72,7 +74,7 @@ class Situations {
  private:
   std::uint32_t position_of(const automata::ControlAction& action);
   [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
-  [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes);
+  [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes, const Late& late);
 
   automata::PlantStep& step_;
   Behaviours behaviours_;
@@ -85,7 +87,7 @@ class Situations {
   std::vector<automata::ControlAction> actions_;                 ///< those of moves, in the order in which they came up
   std::map<automata::ControlAction, std::uint32_t> action_positions_;
   std::vector<BehaviourId> behaviours_here_;
-  std::unordered_map<SituationId, std::shared_ptr<const std::vector<JointStep>>> moves_;  ///< a few of the last
+  std::map<std::pair<SituationId, Late>, std::shared_ptr<const std::vector<JointStep>>> moves_;  ///< a few of the last
 };
 
 }  // namespace rmpl::verifier

@@ -106,7 +106,9 @@ class LoopReplay {
     sequencer_.finish({automata::assignments_of(plant(), modes)});
     marking_ = sequencer_.marking();
     for (std::size_t c = 0; c < started_.size(); ++c) {
-      if (!started_[c] && sequencer_.started()[c]) started_[c] = now;
+      const bool runs = sequencer_.started()[c].has_value();
+      if (!runs) started_[c].reset();
+      if (runs && !started_[c]) started_[c] = now;
     }
   }
 

@@ -30,7 +30,7 @@ class Rules {
       const bool some_passed =
           std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
                       [&](automata::TransitionId id) { return now_ > transition(id).timing->upper; });
-      return from == to || leads(enabled_.timed, to, [&](const automata::Transition& t) {
+      return (from == to && !some_passed) || leads(enabled_.timed, to, [&](const automata::Transition& t) {
                return now_ >= (some_passed ? t.timing->upper : t.timing->lower);
              });
     }

@@ -90,6 +90,12 @@ TEST_F(PlantErrors, Probabilities) {
   EXPECT_THAT(in_component("any -> f with 0.6; any -> g with 0.6;"),
               ElementsAre("RMPL0201 p.tcca:2:27", "RMPL0201 p.tcca:2:27"));
   EXPECT_THAT(in_component("m -> { n with 0.9, m with 0.3 };"), ElementsAre("RMPL0201 p.tcca:2:8"));
+  EXPECT_THAT(in_component("m -> { n with 0.6, m with 0.3 };"), ElementsAre("RMPL0218 p.tcca:2:8"));
+  EXPECT_THAT(in_component("m -> { n with 3, m with 1 };"), IsEmpty());
+  EXPECT_THAT(in_component("m -> { n with 0.5, m with 2 };"), IsEmpty());
+  EXPECT_THAT(in_component("m -> { n with 1.5, m with 0.5 };"), ElementsAre("RMPL0200 p.tcca:2:15"));
+  EXPECT_THAT(in_component("m -> n when a = x; m -> n when a = y; m, n -> n when a = x;"),
+              ElementsAre("RMPL0500 p.tcca:2:47"));
   EXPECT_THAT(errors("p.tcca", "component C { mode m; mode n; initial m 0.9, n 0.9; }\nplant P { c : C; }\n"),
               ElementsAre("RMPL0201 p.tcca:1:31"));
   EXPECT_THAT(errors("p.tcca", "component C { mode m; mode n; initial m 0.1, n 0.2; }\nplant P { c : C; }\n"),

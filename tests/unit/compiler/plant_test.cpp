@@ -25,7 +25,7 @@ component Valve {
   fault stuck reward -20;
   closed -> open when cmd = open in [1 s, 2 s] ~ normal(1.5 s, 0.2 s);
   any nominal -> stuck with rate 3.6 /h;
-  open -> { closed with 0.25, stuck with 0.5 } when cmd != open after 1 min;
+  open -> { closed with 1, stuck with 3 } when cmd != open after 1 min;
 }
 module Feed {
   input flow : Level;

@@ -113,6 +113,24 @@ TEST_F(ProgramErrors, Clocks) {
   EXPECT_THAT(errors("p.rmpl", "P() :: { if x = on thennext { when t > 1 s donext { t = 0; P() } } }\n"), IsEmpty());
 }
 
+TEST_F(ProgramErrors, OwnClocks) {
+  EXPECT_THAT(errors("p.rmpl", "P() :: { t = 0; Q() } Q() :: { clock t; when t > 1 s donext x = on }"),
+              ElementsAre("RMPL0300 p.rmpl:1:46"));
+  EXPECT_THAT(errors("p.rmpl", "P() :: { Q(); when t > 1 s donext x = on } Q() :: { clock t; t = 0 }"),
+              ElementsAre("RMPL0300 p.rmpl:1:20"));
+  EXPECT_THAT(errors("p.rmpl", "P() :: { clock t; next { when t > 1 s donext t = 0 } }"),
+              ElementsAre("RMPL0300 p.rmpl:1:31"));
+  EXPECT_THAT(errors("p.rmpl", "P() :: { clock t, t; t = 0 }"), ElementsAre("RMPL0101 p.rmpl:1:19"));
+  EXPECT_THAT(errors("p.rmpl", "P() :: { Q(y) } Q(t) :: { clock t; t = 0 }"), ElementsAre("RMPL0101 p.rmpl:1:33"));
+  EXPECT_THAT(errors("p.rmpl", "P() :: { clock t; t = 0; when t = on donext x = on }"),
+              ElementsAre("RMPL0106 p.rmpl:1:31"));
+}
+
+TEST_F(ProgramErrors, OneMistakeOneError) {
+  EXPECT_THAT(errors("p.rmpl", "P() :: { R(); R(); when t > 1 s donext x = on } Q() :: { x = on }"),
+              ElementsAre("RMPL0100 p.rmpl:1:10"));
+}
+
 TEST_F(ProgramErrors, Recursion) {
   EXPECT_THAT(errors("p.rmpl", "P() :: { P() }\n"), ElementsAre("RMPL0302 p.rmpl:1:10"));
   EXPECT_THAT(errors("p.rmpl", "P() :: { P(); x = on }\n"), ElementsAre("RMPL0303 p.rmpl:1:10"));

@@ -48,6 +48,24 @@ class Programs : public Workspace {
   std::vector<std::string> body(const std::string& source) { return of("P() :: { " + source + " }"); }
 };
 
+TEST_F(Programs, EachCallHasClocksOfItsOwn) {
+  const Compilation result = compile_text(
+      "p.rmpl",
+      "P() :: { Q(); Q() } Q() :: { clock t; t = 0; when t > 1 s donext R(t) } R(u) :: { when u > 2 s donext x = on }");
+  ASSERT_TRUE(result.ok());
+  const automata::Program& program = result.document().programs.at(0);
+  EXPECT_THAT(program.clocks, ElementsAre("t@2", "t@8"));
+  EXPECT_THAT(program.locations.at(1).own_clocks, ElementsAre(automata::ClockId(std::size_t{0})));
+  EXPECT_THAT(program.locations.at(7).own_clocks, ElementsAre(automata::ClockId(std::size_t{1})));
+  EXPECT_EQ(program.locations.at(10).label, "R(t@8)");
+}
+
+TEST_F(Programs, ATailCallEntersWhatHasClocksAnew) {
+  EXPECT_THAT(body("clock t; t = 0; when t > 1 s donext P()"),
+              ElementsAre("1 (P())", "2 [1*] t@1 = 0: -> 3",
+                          "3 [1] when t@1 > 1 s: not-entailed t@1 > 1 s -> 3; t@1 > 1 s -> 1"));
+}
+
 TEST_F(Programs, MarsEntryHasTheTwelveLocationsOfTheThesis) {
   const Compilation result = compile_files({rmpl::paths::source() + "/tests/unit/grammar/listings/fig_b_2.rmpl"});
   ASSERT_TRUE(result.ok());

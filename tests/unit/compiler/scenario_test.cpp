@@ -34,7 +34,7 @@ plant Lander { engine : Engine; control engine.cmd default none; observe engine.
 TEST_F(Scenarios, AreLowered) {
   const Compilation result = compile_text("s.scn", R"(scenario "one" {
   program "p.rmpl" main P;
-  plant "p.tcca" rules only;
+  plant "p.tcca";
   cycle 0.25 s; duration 6 h; seed 7;
   truth engine = off;
   at 5 s fault engine = failed;
@@ -45,14 +45,14 @@ TEST_F(Scenarios, AreLowered) {
   expect truth never engine = failed;
   expect finished within 5 h;
 }
-scenario "two" { program "p.rmpl"; plant "p.tcca"; }
+scenario "two" { program "p.rmpl"; plant "p.tcca" rules only; }
 )");
   ASSERT_THAT(grammar::render_text(result.findings(), false), IsEmpty());
   const automata::Document& document = result.document();
   EXPECT_EQ(document.plants.size(), 1u);
   ASSERT_EQ(document.scenarios.size(), 2u);
   const automata::Scenario& one = document.scenarios[0];
-  EXPECT_TRUE(one.rules_only);
+  EXPECT_FALSE(one.rules_only);
   EXPECT_EQ(one.cycle, Ticks{Ticks::per_second / 4});
   EXPECT_EQ(one.duration, Ticks::of_seconds(6 * 3600));
   EXPECT_EQ(one.seed, 7u);
@@ -73,8 +73,18 @@ scenario "two" { program "p.rmpl"; plant "p.tcca"; }
   EXPECT_TRUE(one.expectations[1].truth);
   EXPECT_EQ(one.expectations[1].kind, automata::Expectation::Kind::never);
   EXPECT_EQ(one.expectations[2].kind, automata::Expectation::Kind::finished);
-  EXPECT_FALSE(document.scenarios[1].rules_only);
+  EXPECT_TRUE(document.scenarios[1].rules_only);
   EXPECT_EQ(document.programs[document.scenarios[1].program].variables, document.plants[0].variables);
+}
+
+TEST_F(Scenarios, WithRulesOnlyThereIsNoTruth) {
+  const auto with_rules = [&](const std::string& parts) {
+    return errors("s.scn", "scenario \"s\" {\nprogram \"p.rmpl\";\n" + parts + "\nplant \"p.tcca\" rules only;}\n");
+  };
+  EXPECT_THAT(with_rules("truth engine = off;"), ElementsAre("RMPL0407 s.scn:3:1"));
+  EXPECT_THAT(with_rules("at 5 s fault engine = failed;"), ElementsAre("RMPL0407 s.scn:3:1"));
+  EXPECT_THAT(with_rules("expect truth never engine = failed;"), ElementsAre("RMPL0407 s.scn:3:1"));
+  EXPECT_THAT(with_rules("expect never engine = failed;"), IsEmpty());
 }
 
 TEST_F(Scenarios, MissingAndRepeatedParts) {

@@ -77,7 +77,7 @@ TEST_F(Session, NamesKnowTheirDeclarations) {
 }
 
 TEST_F(Session, NamesAreFoundAmongErrors) {
-  memory_.put("p.tcca", "component C { input a : { x, y }; mode m; mode n; m -> when a = x; n -> m when a = y }");
+  memory_.put("p.tcca", "component C { input a : { x, y }; mode m; mode n; m -> when a = x; n -> m when a = y; }");
   const Compilation result = compile(Strings{"p.tcca"}, {}, memory_);
   ASSERT_FALSE(result.ok());
   EXPECT_THAT(mentions(result, "p.tcca"), testing::Contains("y p.tcca:1:30").Times(2));

@@ -58,7 +58,7 @@ TEST(ConstraintParse, CommentsAreBlanks) {
 
 TEST(ConstraintParse, ABareNameIsAReference) {
   EXPECT_EQ(parsed("c & !d"), "(& c (! d))");
-  EXPECT_EQ(parsed("c d"), "1:3 expected `=`, `!=`, `in` or a comparison of a clock, found `d`\n");
+  EXPECT_EQ(parsed("c d"), "1:3 expected `=`, `!=` or `in`, found `d`\n");
 }
 
 TEST(ConstraintParse, PlacesIncludeParentheses) {

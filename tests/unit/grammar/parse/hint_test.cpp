@@ -76,6 +76,12 @@ TEST(Hint, StatementsOfOtherLanguages) {
   EXPECT_EQ(procedure.diagnostics.all().at(0).suggestion, "a definition is written `Name() :: { … }`");
 }
 
+TEST(Hint, OnlyProgramsHaveClocks) {
+  EXPECT_EQ(in_component("mode a { x = 0 };"), "a value is a name, which begins with a letter: `zero`, `v0`");
+  EXPECT_EQ(in_component("mode a { x > y };"), "values are compared with `=`, `!=` and `in` only");
+  EXPECT_EQ(in_program("when x = 0 donext a = b"), "a clock is started by a step of its own: `t = 0`");
+}
+
 TEST(Hint, ReservedWordsAreNoNames) {
   const std::string in = "`in` is a reserved word and cannot be a name";
   EXPECT_EQ(in_component("input in : { a, b };"), in);

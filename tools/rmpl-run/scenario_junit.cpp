@@ -1,0 +1,61 @@
+// Expectations, one case each.
+// SPDX-License-Identifier: MIT
+#include "tools/rmpl-run/scenario_junit.hpp"
+
+#include "verifier/verdict/junit.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+using runtime::Judgement;
+using verifier::TestCase;
+
+TestCase::Outcome outcome_of(Judgement::Verdict verdict) {
+  switch (verdict) {
+    case Judgement::Verdict::met:
+      return TestCase::Outcome::success;
+    case Judgement::Verdict::failed:
+      return TestCase::Outcome::failure;
+    case Judgement::Verdict::undecided:
+      return TestCase::Outcome::error;
+  }
+  return TestCase::Outcome::error;
+}
+
+/// Where the expectation stands, and what was the case when it failed.
+std::string details(const automata::Expectation& expectation, const Judgement& judgement) {
+  std::string text;
+  if (expectation.origin.line > 0) {
+    text =
+        expectation.origin.file + ":" + std::to_string(expectation.origin.line) + ": expect " + expectation.text + "\n";
+  }
+  if (judgement.time) text += "at " + automata::format_seconds(*judgement.time) + " s\n";
+  if (!judgement.evidence.empty()) text += judgement.evidence + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string to_junit(const std::string& suite, const std::vector<Flown>& flights) {
+  std::vector<TestCase> cases;
+  for (const Flown& flown : flights) {
+    const automata::Scenario& scenario = *flown.scenario;
+    double seconds = flown.seconds;
+    for (std::size_t i = 0; i < scenario.expectations.size(); ++i) {
+      const Judgement& judgement = flown.result.judgements[i];
+      cases.push_back({scenario.expectations[i].text, scenario.name, seconds, outcome_of(judgement.verdict),
+                       judgement.reason, details(scenario.expectations[i], judgement)});
+      seconds = 0;
+    }
+    if (!scenario.expectations.empty()) continue;
+    cases.push_back({"flown to its end",
+                     scenario.name,
+                     seconds,
+                     outcome_of(flown.result.verdict()),
+                     flown.result.interrupted ? "interrupted" : "",
+                     {}});
+  }
+  return verifier::to_junit(suite, cases);
+}
+
+}  // namespace rmpl::tools
