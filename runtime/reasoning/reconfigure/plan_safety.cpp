@@ -35,11 +35,13 @@ std::vector<bool> Planner::relied_on(const Modes& modes, const Objective& object
       open.emplace_back(c, wanted);
     }
   };
-  for (const ComponentId c : islands_.components(objective.island)) seek(c, objective.target[c.index()]);
+  for (const ComponentId c : islands_.components(objective.island)) {
+    if (objective.wanted[c.index()]) seek(c, objective.target[c.index()]);
+  }
   while (!open.empty()) {
     const auto [component, wanted] = open.back();
     open.pop_back();
-    const Policy& policy = policies_.of(component, objective.named);
+    const Policy& policy = policies_.of(component, objective.permitted);
     const NominalTransition* t = policy.next(modes[component.index()], wanted);
     if (t != nullptr && !t->timed) relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
@@ -55,19 +57,53 @@ std::vector<bool> Planner::relied_on(const Modes& modes, const Objective& object
   return relied;
 }
 
+std::vector<bool> Planner::on_the_way(const Modes& modes, const Objective& objective) {
+  std::vector<bool> way(modes.size());
+  std::vector<ComponentId> open;
+  const auto add = [&](ComponentId c) {
+    if (way[c.index()]) return;
+    way[c.index()] = true;
+    open.push_back(c);
+  };
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (objective.wanted[c]) add(ComponentId(c));
+  }
+  while (!open.empty()) {
+    const ComponentId component = open.back();
+    open.pop_back();
+    const ModeId from = modes[component.index()];
+    for (const NominalTransition& t : graph_.transitions(component)) {
+      // Of those that are astray themselves what leads on; of those that they go through whatever they may do.
+      const ModeId aim = objective.target[component.index()];
+      if (astray(modes, objective, component) &&
+          (!graph_.leads(component, from, t.from) || !graph_.leads(component, t.to, aim))) {
+        continue;
+      }
+      for (const Support& support : t.supports) {
+        for (const Requirement& r : support) {
+          if (const auto upstream = component_of_[r.variable.index()]) add(*upstream);
+        }
+      }
+    }
+  }
+  return way;
+}
+
 bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
   const Modes& reached = step.outcome.modes;
   const auto brief = nominal_.fleeting(reached, idle_, objective.island);
   return std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(), [&](const NominalMove& move) {
     const ComponentId c = move.component;
-    return reached[c.index()] == objective.target[c.index()] && std::find(brief.begin(), brief.end(), c) != brief.end();
+    return objective.wanted[c.index()] && reached[c.index()] == objective.target[c.index()] &&
+           std::find(brief.begin(), brief.end(), c) != brief.end();
   });
 }
 
 bool Planner::has_waits(const Modes& modes, const Objective& objective) {
   for (const ComponentId c : islands_.components(objective.island)) {
+    if (!objective.wanted[c.index()]) continue;
     const ModeId target = objective.target[c.index()];
-    const Policy& policy = policies_.of(c, objective.named);
+    const Policy& policy = policies_.of(c, objective.permitted);
     for (const auto* t = policy.next(modes[c.index()], target); t != nullptr; t = policy.next(t->to, target)) {
       if (t->timed) return true;
     }
