@@ -165,7 +165,6 @@ bool is_enough(const Step& step, const Modes& modes, const ControlAction& action
   if (!step.models().consistent(assumptions_of(plant, modes, action))) return false;
   const ControlAction idle = automata::idle_action(plant);
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    const automata::Component& automaton = plant.components[i];
     const auto transitions = nominal_transitions(step, i);
     for (const Transition* t : transitions) {
       if (t->from != modes[i] || t->to == t->from || t->timing) continue;

@@ -104,7 +104,7 @@ bool Planner::may_take(const Modes& modes, const Objective& objective, bool idle
 }
 
 std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective& objective) const {
-  std::vector<std::uint64_t> key{objective.island};
+  std::vector<std::uint64_t> key{objective.island, *objective.keeps_number};
   for (const ComponentId c : islands_.components(objective.island)) {
     key.push_back(std::uint64_t{modes[c.index()].value} << 32 | objective.target[c.index()].value);
   }
@@ -121,8 +121,7 @@ std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective
 }
 
 std::optional<IslandPlan> Planner::recall(const Modes& modes, const Objective& objective) {
-  // What is kept is a matter of the whole plant.
-  if (objective.keeps) return std::nullopt;
+  if (!objective.keeps_number) return std::nullopt;
   const RememberedStep* const known = remembered_.find(question(modes, objective));
   // What the other islands are in tolerates the action, or no action of this one.
   if (known == nullptr || !nominal_.tolerates(modes, known->action)) return std::nullopt;
@@ -191,7 +190,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
     taken.emplace_back(std::move(current), std::move(step));
     current = std::move(next);
   }
-  if (safe && order == Order::downstream_first && !objective.keeps) {
+  if (safe && order == Order::downstream_first && objective.keeps_number) {
     for (const auto& [before, step] : taken) {
       auto key = question(before, objective);
       if (remembered_.find(key) != nullptr) continue;

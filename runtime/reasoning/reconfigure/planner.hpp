@@ -39,6 +39,9 @@ struct Objective {
   /// Housekeeping: what every state on the way satisfies. It waits for no timed transition but of components that are
   /// astray themselves. Empty for what the goal needs.
   std::function<bool(const automata::Modes&)> keeps = {};
+  /// Plans of objectives with the same number may be remembered for each other: 0 where nothing is kept. None where
+  /// what is kept is no matter of the island alone.
+  std::optional<std::uint64_t> keeps_number = 0;
 };
 
 /// A plan for one island.
@@ -132,6 +135,13 @@ class Planner {
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
                const NominalOutcome& outcome);
+  /// What the policies that lead the seeds to their targets go through: modes that they rely on, components that they
+  /// move.
+  struct Followed {
+    std::vector<bool> relied, moved;
+  };
+  Followed followed(const automata::Modes& modes, const Objective& objective,
+                    std::span<const automata::ComponentId> seeds);
   /// Per component, whether its mode is its goal, or what a policy that leads another there requires or commands from.
   std::vector<bool> relied_on(const automata::Modes& modes, const Objective& objective);
 

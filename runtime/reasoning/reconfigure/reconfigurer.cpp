@@ -49,6 +49,7 @@ class PolicyReconfigurer : public Reconfigurer {
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
     if (goal.is_true()) return at_rest(std::nullopt);
     Asked& asked = goals_.find(goal);
+    if (asked.memory.number == 0) asked.memory.number = ++goals_asked_;
     checked_ = 0;
     Reconfiguration answer = settled(modes, asked);
     answer.checked = checked_;
@@ -57,6 +58,7 @@ class PolicyReconfigurer : public Reconfigurer {
 
  private:
   struct Memory {
+    std::uint64_t number = 0;  ///< of the goal; 0 before it was asked
     std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
   };
   using Asked = RecentGoals<Memory>::Entry;
@@ -119,7 +121,7 @@ class PolicyReconfigurer : public Reconfigurer {
     if (!step_.possible(modes)) {
       result = refusal({std::nullopt, "the estimated modes contradict each other"}, {});
     } else if (interpreter_.entailed(modes, asked.goal)) {
-      result = housekeeping(modes, asked.goal);
+      result = housekeeping(modes, asked);
     } else {
       result = towards(modes, asked);
     }
@@ -228,25 +230,27 @@ class PolicyReconfigurer : public Reconfigurer {
     return result;
   }
 
-  /// While what is needed waits, a command for components that are no part of the way.
+  /// While what is needed waits, a command for components that are no part of the way, or a repair of one: nothing is
+  /// served by leaving a fault while time passes.
   std::optional<PlannedStep> beside(const Modes& modes, const Modes& target, const Needed& needed,
                                     const Prospects& prospects) {
     const std::vector<bool> way = planner_.on_the_way(modes, {needed.target, needed.permitted, 0, needed.wanted});
     for (const ComponentId c : planner_.order()) {
-      if (way[c.index()] || target[c.index()] == modes[c.index()]) continue;
+      const bool broken = step_.plant()[c].modes[modes[c.index()].index()].fault;
+      if ((way[c.index()] && !broken) || target[c.index()] == modes[c.index()]) continue;
       Modes aim = modes;
       aim[c.index()] = target[c.index()];
       std::vector<bool> wanted(modes.size());
       wanted[c.index()] = true;
       const auto others_rest = [&](const Modes& after) {
         for (std::size_t i = 0; i < after.size(); ++i) {
-          if (way[i] && after[i] != modes[i]) return false;
+          if (way[i] && i != c.index() && after[i] != modes[i]) return false;
         }
         return true;
       };
       const Permitted permitted = prospects.permitted(aim);
       planner_.renew_budget(housekeeping_trials);
-      auto found = planner_.next(modes, {aim, permitted, islands_.of(c), wanted, others_rest});
+      auto found = planner_.next(modes, {aim, permitted, islands_.of(c), wanted, others_rest, std::nullopt});
       auto* const plan = std::get_if<IslandPlan>(&found);
       if (plan != nullptr && !plan->first.idle) return std::move(plan->first);
     }
@@ -254,7 +258,9 @@ class PolicyReconfigurer : public Reconfigurer {
   }
 
   /// Then housekeeping: what is worth more, under which the goal stays entailed.
-  Reconfiguration housekeeping(const Modes& modes, const Goal& goal) {
+  Reconfiguration housekeeping(const Modes& modes, const Asked& asked) {
+    const Goal& goal = asked.goal;
+    const auto number = goal.rest() ? std::nullopt : std::optional(asked.memory.number);
     const Prospects prospects(*graph_, modes, goal, true);
     planner_.renew_budget(housekeeping_trials);
     std::vector<Offer> offers;
@@ -269,7 +275,7 @@ class PolicyReconfigurer : public Reconfigurer {
             wanted[c] = candidate[c] != modes[c] || prospects.commandable(ComponentId(c));
           }
           const Permitted permitted = prospects.permitted(candidate);
-          const auto failed = plan(modes, {candidate, permitted, 0, wanted, keeps}, offers);
+          const auto failed = plan(modes, {candidate, permitted, 0, wanted, keeps, number}, offers);
           if (!failed) return std::nullopt;
           std::vector<ComponentId> blamed;
           if (++failures >= failure_limit) return blamed;
@@ -327,6 +333,7 @@ class PolicyReconfigurer : public Reconfigurer {
   GoalInterpreter interpreter_;
   Planner planner_;
   RecentGoals<Memory> goals_;
+  std::uint64_t goals_asked_ = 0;
   std::size_t checked_ = 0;
 };
 
