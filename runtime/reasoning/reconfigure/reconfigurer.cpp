@@ -188,6 +188,10 @@ class PolicyReconfigurer : public Reconfigurer {
             needed.target[c.index()] = candidate[c.index()];
             needed.wanted[c.index()] = true;
           }
+          // What the goal asks for and has is to be there still, or again.
+          for (std::size_t c = 0; c < modes.size(); ++c) {
+            needed.wanted[c] = needed.wanted[c] || goal.restricts(ComponentId(c));
+          }
           needed.permitted = prospects.permitted(needed.target);
           auto failed = plan(modes, {needed.target, needed.permitted, 0, needed.wanted}, needed.offers);
           if (!failed) return std::nullopt;
