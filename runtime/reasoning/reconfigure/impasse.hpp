@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "automata/ids.hpp"
+#include "automata/logic/ids.hpp"
 #include "runtime/reasoning/reconfigure/reason.hpp"
 
 namespace rmpl::runtime {
