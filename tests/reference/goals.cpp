@@ -3,8 +3,6 @@
 #include "tests/reference/goals.hpp"
 
 #include <algorithm>
-#include <deque>
-#include <map>
 
 namespace rmpl::reference {
 
@@ -70,82 +68,59 @@ std::set<ModeId> closure(const std::vector<const Transition*>& transitions, Mode
   return reached;
 }
 
-bool names(const automata::Formula& goal, automata::VariableId variable, automata::ValueId value) {
-  if (goal.kind == automata::Formula::Kind::negation) return false;
-  if (goal.kind == automata::Formula::Kind::member && goal.variable == variable)
-    return goal.values == std::vector{value};
-  return std::any_of(goal.operands.begin(), goal.operands.end(),
-                     [&](const automata::Formula& operand) { return names(operand, variable, value); });
+void collect(const automata::Plant& plant, std::size_t component, const automata::Formula& goal, int negations,
+             std::set<ModeId>& found) {
+  using Kind = automata::Formula::Kind;
+  if (goal.kind == Kind::member && goal.variable == plant.components[component].mode && negations % 2 == 0) {
+    const std::size_t modes = plant.components[component].modes.size();
+    if (modes > 2 && goal.values.size() == modes - 1) return;
+    for (const automata::ValueId v : goal.values) found.insert(ModeId(v.index()));
+  }
+  if (goal.kind == Kind::equivalence) return;
+  for (std::size_t i = 0; i < goal.operands.size(); ++i) {
+    const bool negates = goal.kind == Kind::negation || (goal.kind == Kind::implication && i == 0);
+    collect(plant, component, goal.operands[i], negations + (negates ? 1 : 0), found);
+  }
 }
 
 }  // namespace
 
-std::vector<std::set<ModeId>> reachable_modes(const Step& step, const Modes& modes, const automata::Formula& goal) {
-  const automata::Plant& plant = step.plant();
-  std::vector<Modes> possible = all_states(plant);
-  std::erase_if(possible, [&](const Modes& state) { return !step.possible(state); });
-  const std::vector<ControlAction> actions = all_actions(plant);
-  std::vector<std::set<ModeId>> reached;
-  for (const ModeId mode : modes) reached.push_back({mode});
-
-  const auto in_reach = [&](std::size_t i, ModeId mode) { return reached[i].contains(mode); };
-  const auto enables = [&](std::size_t i, const Transition& t, const Modes& state, const ControlAction& action) {
-    return state[i] == t.from && step.models().consistent(assumptions_of(plant, state, action)) &&
-           step.enabled(t, state, action);
-  };
-  // What is out of reach does not matter: whatever modes the components have that are not in reach, the guard is
-  // implied.
-  const auto supported = [&](std::size_t i, const Transition& t) {
-    for (const Modes& state : possible) {
-      for (const ControlAction& action : actions) {
-        if (!enables(i, t, state, action)) continue;
-        const bool firm = std::all_of(possible.begin(), possible.end(), [&](const Modes& other) {
-          for (std::size_t j = 0; j < other.size(); ++j)
-            if ((j == i || in_reach(j, state[j])) && other[j] != state[j]) return true;
-          return !step.models().consistent(assumptions_of(plant, other, action)) || enables(i, t, other, action);
-        });
-        if (firm) return true;
-      }
-    }
-    return false;
-  };
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-      const automata::Component& automaton = plant.components[i];
-      const auto transitions = nominal_transitions(step, i);
-      for (const Transition* t : transitions) {
-        if (!in_reach(i, t->from) || in_reach(i, t->to)) continue;
-        const auto back = closure(transitions, t->to, [](const Transition&) { return true; });
-        const bool repair = t->from == modes[i] && automaton.modes[t->from.index()].fault;
-        const bool permitted = t->timing || back.contains(t->from) || repair ||
-                               names(goal, automaton.mode, automata::ValueId(t->to.index()));
-        if (!permitted || !supported(i, *t)) continue;
-        reached[i].insert(t->to);
-        grown = true;
-      }
-    }
-  }
-  return reached;
+std::set<ModeId> named_modes(const automata::Plant& plant, std::size_t component, const automata::Formula& goal) {
+  std::set<ModeId> found;
+  collect(plant, component, goal, 0, found);
+  return found;
 }
 
-std::optional<GoalState> best_goal_state(const Step& step, const Modes& modes, const automata::Formula& goal) {
-  const automata::Plant& plant = step.plant();
-  const std::vector<std::set<ModeId>> reachable = reachable_modes(step, modes, goal);
+bool is_forbidden(const Step& step, std::size_t component, const Transition& t, const automata::Formula& goal) {
+  const automata::Component& automaton = step.plant().components[component];
+  if (automaton.is_fault(t) || automaton.modes[t.from.index()].fault || !can_be_taken(t)) return false;
+  const auto transitions = nominal_transitions(step, component);
+  const auto further = closure(transitions, t.to, [](const Transition&) { return true; });
+  if (further.contains(t.from)) return false;
+  const std::set<ModeId> named = named_modes(step.plant(), component, goal);
+  return std::none_of(named.begin(), named.end(), [&](ModeId m) { return further.contains(m); });
+}
 
-  std::optional<GoalState> best;
-  for (const Modes& candidate : all_states(plant)) {
-    double reward = 0;
-    bool reached = true;
-    for (std::size_t i = 0; i < candidate.size(); ++i) {
-      reached = reached && reachable[i].contains(candidate[i]);
-      reward += plant.components[i].modes[candidate[i].index()].reward;
+const Transition* forbidden_step(const Step& step, const Modes& modes, const ControlAction& action,
+                                 const automata::Formula& goal) {
+  const automata::Plant& plant = step.plant();
+  const ControlAction idle = automata::idle_action(plant);
+  const bool can_idle = step.models().consistent(assumptions_of(plant, modes, idle));
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    for (const Transition& t : plant.components[i].transitions) {
+      if (t.from != modes[i] || !step.enabled(t, modes, action) || !is_forbidden(step, i, t, goal)) continue;
+      if (can_idle && step.enabled(t, modes, idle)) continue;
+      for (const Modes& next : nominal_successors(step, modes, action))
+        if (next[i] == t.to) return &t;
     }
-    if (!reached || !step.possible(candidate)) continue;
-    if (!step.models().entails(assumptions_of(plant, candidate), goal)) continue;
-    if (!best || reward > best->reward) best = GoalState{candidate, reward};
   }
-  return best;
+  return nullptr;
+}
+
+double reward_of(const automata::Plant& plant, const Modes& modes) {
+  double reward = 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) reward += plant.components[i].modes[modes[i].index()].reward;
+  return reward;
 }
 
 namespace {
@@ -190,15 +165,11 @@ bool is_enough(const Step& step, const Modes& modes, const ControlAction& action
   if (!step.models().consistent(assumptions_of(plant, modes, action))) return false;
   const ControlAction idle = automata::idle_action(plant);
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    const automata::Component& automaton = plant.components[i];
     const auto transitions = nominal_transitions(step, i);
     for (const Transition* t : transitions) {
       if (t->from != modes[i] || t->to == t->from || t->timing) continue;
       if (!step.enabled(*t, modes, action) || step.enabled(*t, modes, idle)) continue;
-      const auto back = closure(transitions, t->to, [](const Transition&) { return true; });
-      const bool repair = automaton.modes[t->from.index()].fault;
-      if (!back.contains(t->from) && !repair && !names(goal, automaton.mode, automata::ValueId(t->to.index())))
-        return false;
+      if (is_forbidden(step, i, *t, goal)) return false;
     }
   }
   const auto choices = nominal_choices(step, modes, action);
@@ -273,15 +244,19 @@ bool reversible(const Step& step, const Modes& from, const Modes& to) {
 
 }  // namespace
 
-std::optional<std::vector<ControlAction>> shortest_reversible_plan(const Step& step, const Modes& from,
-                                                                   const Modes& to) {
-  if (!stable(step, from)) return std::nullopt;
-  std::map<Modes, std::vector<ControlAction>> plans = {{from, {}}};
-  std::deque<Modes> queue = {from};
-  while (!queue.empty()) {
-    const Modes state = queue.front();
-    queue.pop_front();
-    if (state == to) return plans[state];
+namespace {
+
+/// The states that single, certain, reversible commands reach, with how many it takes, nearest first; a state that does
+/// not satisfy `goes_on` is reached and not left.
+template <class GoesOn>
+std::vector<std::pair<Modes, std::size_t>> reached(const Step& step, const Modes& from, const GoesOn& goes_on) {
+  std::vector<std::pair<Modes, std::size_t>> found;
+  if (!stable(step, from)) return found;
+  std::set<Modes> seen = {from};
+  found.emplace_back(from, 0);
+  for (std::size_t next = 0; next < found.size(); ++next) {
+    const auto [state, count] = found[next];
+    if (!goes_on(state)) continue;
     for (const ControlAction& action : all_actions(step.plant())) {
       if (!is_single(step.plant(), action)) continue;
       if (!step.models().consistent(assumptions_of(step.plant(), state, action))) continue;
@@ -291,12 +266,30 @@ std::optional<std::vector<ControlAction>> shortest_reversible_plan(const Step& s
         continue;
       if (!stable(step, *successors.begin())) continue;
       if (!reversible(step, state, *successors.begin())) continue;
-      const auto [place, is_new] = plans.try_emplace(*successors.begin(), plans[state]);
-      if (!is_new) continue;
-      place->second.push_back(action);
-      queue.push_back(place->first);
+      if (seen.insert(*successors.begin()).second) found.emplace_back(*successors.begin(), count + 1);
     }
   }
+  return found;
+}
+
+}  // namespace
+
+double best_kept_reward(const Step& step, const Modes& modes, const automata::Formula& goal) {
+  double best = reward_of(step.plant(), modes);
+  const auto entails = [&](const Modes& state) {
+    return step.models().entails(assumptions_of(step.plant(), state), goal);
+  };
+  for (const auto& [state, count] : reached(step, modes, entails))
+    if (entails(state)) best = std::max(best, reward_of(step.plant(), state));
+  return best;
+}
+
+std::optional<std::size_t> fewest_commands(const Step& step, const Modes& modes, const automata::Formula& goal) {
+  const auto entails = [&](const Modes& state) {
+    return step.models().entails(assumptions_of(step.plant(), state), goal);
+  };
+  for (const auto& [state, count] : reached(step, modes, [&](const Modes& s) { return !entails(s); }))
+    if (entails(state)) return count;
   return std::nullopt;
 }
 

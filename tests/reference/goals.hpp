@@ -11,21 +11,29 @@
 
 namespace rmpl::reference {
 
-/// Per component, the modes that the goal interpreter may choose: those it reaches by nominal transitions that are
-/// timed, reversible, repairs of its mode, or lead to a mode that the goal names: assigns outside negations. A
-/// transition counts only where some consistent state and control action imply its guard, by modes that the other
-/// components reach.
-std::vector<std::set<automata::ModeId>> reachable_modes(const Step& step, const automata::Modes& modes,
-                                                        const automata::Formula& goal);
+/// The modes of a component that a goal names: atoms under an even number of negations, an antecedent counting as one;
+/// an inequality and an equivalence name none.
+std::set<automata::ModeId> named_modes(const automata::Plant& plant, std::size_t component,
+                                       const automata::Formula& goal);
 
-struct GoalState {
-  automata::Modes modes;
-  double reward = 0;
-};
+/// A step that must not be taken by command: a nominal transition, from no fault, without a way back by nominal
+/// transitions, whose target leads to no mode of its component that the goal names.
+bool is_forbidden(const Step& step, std::size_t component, const automata::Transition& t,
+                  const automata::Formula& goal);
 
-/// Over the reachable modes of each component: the state that is consistent, entails the goal, and has the greatest
-/// summed reward; of several the one that is first in declaration order. Nothing where there is none.
-std::optional<GoalState> best_goal_state(const Step& step, const automata::Modes& modes, const automata::Formula& goal);
+/// What a command does for which no goal asks: the first forbidden step that it may take and idling may not.
+const automata::Transition* forbidden_step(const Step& step, const automata::Modes& modes,
+                                           const automata::ControlAction& action, const automata::Formula& goal);
+
+/// The greatest summed reward among the states that are reached from one that entails the goal by single commands with
+/// one outcome each, all of which can be undone, through states that entail it and in which nothing happens of itself.
+double best_kept_reward(const Step& step, const automata::Modes& modes, const automata::Formula& goal);
+
+/// The fewest such commands after which the goal is entailed first. Nothing where there are none.
+std::optional<std::size_t> fewest_commands(const Step& step, const automata::Modes& modes,
+                                           const automata::Formula& goal);
+
+double reward_of(const automata::Plant& plant, const automata::Modes& modes);
 
 /// Every state that one nominal step may lead to: timed exits may fire or not.
 std::set<automata::Modes> nominal_successors(const Step& step, const automata::Modes& modes,
@@ -41,12 +49,5 @@ std::optional<automata::ControlAction> cheapest_action(const Step& step, const s
 /// Every state in which a nominal execution of the commands, one a step, may end.
 std::set<automata::Modes> nominal_outcomes(const Step& step, const automata::Modes& modes,
                                            const std::vector<automata::ControlAction>& commands);
-
-/// The fewest control actions, idle or one control off idle, that lead from one state to another through states in
-/// which nothing happens of itself, by steps with one outcome that every component can undo. Nothing where there are
-/// none.
-std::optional<std::vector<automata::ControlAction>> shortest_reversible_plan(const Step& step,
-                                                                             const automata::Modes& from,
-                                                                             const automata::Modes& to);
 
 }  // namespace rmpl::reference

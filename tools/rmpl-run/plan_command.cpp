@@ -1,6 +1,7 @@
 // rmpl-run plan: the goal state and the nominal command sequence that leads there.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -30,8 +31,8 @@ struct Options {
 };
 
 constexpr const char* footer =
-    R"(The goal state is the best one, by reward, that entails the goal and can be reached; the commands are
-those that lead there if nothing fails, one a cycle. A wait is for a timed transition. Components that
+    R"(The commands are those that lead to the goal state if nothing fails, one a cycle: first what the goal
+needs, then what is worth more by reward. A wait is for a transition that needs no command. Components that
 --from does not name are in their most likely initial mode.
 
 A policy says for each current and target mode of a component what to achieve next: modes of others and a
@@ -84,6 +85,7 @@ void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan) 
   json.close(']').key("outcome").string(name_of(plan.outcome));
   if (plan.component) json.key("component").string(plant[*plan.component].name);
   if (!plan.reason.empty()) json.key("reason").string(plan.reason);
+  if (const std::string would = runtime::remedy(plan.why, plant); !would.empty()) json.key("remedy").string(would);
   json.close('}');
 }
 
@@ -95,6 +97,15 @@ std::string joined(const std::vector<automata::Assignment>& assignments, const a
   return text;
 }
 
+/// Where the model says so, and what would permit it; a line where there is something to say.
+std::string hint(const automata::Plant& plant, const runtime::Reason& why) {
+  const automata::Origin origin = runtime::origin_of(plant, why);
+  const std::string would = runtime::remedy(why, plant);
+  if (would.empty()) return "";
+  const std::string place = std::filesystem::path(origin.file).filename().string() + ":" + std::to_string(origin.line);
+  return "  " + (origin.line == 0 ? "" : place + ": ") + would + "\n";
+}
+
 std::string text_of(const automata::Plant& plant, const Plan& plan) {
   std::string text;
   switch (plan.outcome) {
@@ -102,7 +113,7 @@ std::string text_of(const automata::Plant& plant, const Plan& plan) {
       text = "no plan";
       if (plan.component) text += " for " + plant[*plan.component].name;
       if (!plan.reason.empty()) text += ": " + plan.reason;
-      return text + "\n";
+      return text + "\n" + hint(plant, plan.why);
     case Plan::Outcome::nothing_to_do:
       text = "nothing to do: the goal is achieved\n";
       break;

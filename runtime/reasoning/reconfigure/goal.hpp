@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,11 @@ class Goal {
   /// Whether the conjuncts over a component's mode alone permit this mode.
   [[nodiscard]] bool permits(automata::ComponentId component, automata::ModeId mode) const {
     return permitted_[component.index()][mode.index()];
+  }
+  /// Whether they leave some mode of it out.
+  [[nodiscard]] bool restricts(automata::ComponentId component) const {
+    const auto& permitted = permitted_[component.index()];
+    return std::find(permitted.begin(), permitted.end(), false) != permitted.end();
   }
   /// What modes alone do not decide, and its negation; nothing where they decide all.
   struct Rest {

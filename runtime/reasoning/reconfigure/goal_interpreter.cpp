@@ -3,6 +3,7 @@
 #include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rmpl::runtime {
@@ -19,45 +20,6 @@ using automata::VariableId;
 
 namespace {
 
-/// A candidate's decisions, and how conflicts in terms of assignments become conflicts in terms of decisions.
-class Candidate {
- public:
-  Candidate(const Plant& plant, std::span<const std::uint32_t> values) : values_(values) {
-    for (std::size_t c = 0; c < values.size(); ++c) {
-      assignments_.push_back({plant.components[c].mode, ValueId(values[c])});
-    }
-  }
-  [[nodiscard]] const std::vector<Assignment>& assignments() const { return assignments_; }
-  [[nodiscard]] Conflict conflict(const std::vector<Assignment>& blamed) const {
-    Conflict result;
-    for (std::uint32_t c = 0; c < values_.size(); ++c) {
-      if (std::find(blamed.begin(), blamed.end(), assignments_[c]) != blamed.end()) result.push_back({c, values_[c]});
-    }
-    return result;
-  }
-  /// After the store was found to permit a world of the candidate in which the goal fails: that world is one of every
-  /// state whose components all have modes that it satisfies. So only those components are to blame that could be in a
-  /// mode that it does not satisfy.
-  [[nodiscard]] Conflict refuted_by_world(const Plant& plant, const Theory& theory,
-                                          const std::vector<std::vector<bool>>& possible) const {
-    const auto value = [&](VariableId v) { return theory.value(v); };
-    Conflict result;
-    for (std::uint32_t c = 0; c < values_.size(); ++c) {
-      const Component& component = plant.components[c];
-      for (std::size_t m = 0; m < component.modes.size(); ++m) {
-        if (!possible[c][m] || evaluate(component.modes[m].constraint, value)) continue;
-        result.push_back({c, values_[c]});
-        break;
-      }
-    }
-    return result;
-  }
-
- private:
-  std::span<const std::uint32_t> values_;
-  std::vector<Assignment> assignments_;
-};
-
 /// Whether the argument of `refuted_by_world` holds: neither Q, nor a mode constraint, nor the goal reads a mode.
 bool reads_modes(const Plant& plant, const automata::Formula& goal) {
   const auto reads = [&](const automata::Formula& formula) {
@@ -71,104 +33,252 @@ bool reads_modes(const Plant& plant, const automata::Formula& goal) {
          });
 }
 
-}  // namespace
-
-std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, const Goal& goal,
-                                                        std::optional<Choice>& last) {
-  const Plant& plant = step_.plant();
-  Theory& theory = step_.theory();
-  const Reachable reachable = graph_.reachable(modes, goal.named());
-  Reachable possible = reachable;
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    for (std::size_t m = 0; m < possible[c].size(); ++m) {
-      possible[c][m] = possible[c][m] && goal.permits(ComponentId(c), ModeId(m));
-    }
-  }
-  checked_ = 0;
-  if (last && last->possible == possible) return last->state;
-  OptimalSearch::Costs costs;
-  for (std::size_t c = 0; c < modes.size(); ++c) {
+/// After the store was found to permit a world of the candidate in which the goal fails: that world is one of every
+/// state whose components all have modes that it satisfies. So only those components are to blame that could be in a
+/// mode that it does not satisfy.
+std::vector<ComponentId> refuted_by_world(const Plant& plant, const Theory& theory,
+                                          const std::vector<std::vector<bool>>& possible) {
+  const auto value = [&](VariableId v) { return theory.value(v); };
+  std::vector<ComponentId> blamed;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const Component& component = plant.components[c];
-    const auto& may = possible[c];
-    double best = -std::numeric_limits<double>::infinity();
-    for (std::size_t m = 0; m < may.size(); ++m) {
-      if (may[m]) best = std::max(best, component.modes[m].reward);
-    }
-    auto& cost = costs.emplace_back();
-    for (std::size_t m = 0; m < may.size(); ++m) {
-      cost.push_back(may[m] ? best - component.modes[m].reward : std::numeric_limits<double>::infinity());
-    }
-  }
-
-  // The rest of a goal is refuted in two ways: it cannot hold with some of the modes, or need not hold.
-  const auto& rest = goal.rest();
-  const bool local = rest && !reads_modes(plant, rest->formula);
-  const auto check = [&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
-    if (!rest) return refuted(values);
-    const Candidate candidate(plant, values);
-    const auto& assignments = candidate.assignments();
-    if (!theory.allows(assignments, rest->holds)) return candidate.conflict(theory.conflict());
-    if (!theory.allows(assignments, rest->fails)) return std::nullopt;
-    return local ? candidate.refuted_by_world(plant, theory, possible) : candidate.conflict(assignments);
-  };
-  OptimalSearch search(costs);
-  const auto outcome = search.next(check);
-  checked_ = search.checked();
-  switch (outcome) {
-    case OptimalSearch::Outcome::solution: {
-      Modes goal_state;
-      for (const std::uint32_t m : search.values()) goal_state.emplace_back(m);
-      last = Choice{std::move(possible), goal_state};
-      return goal_state;
-    }
-    case OptimalSearch::Outcome::exhausted:
-    case OptimalSearch::Outcome::budget:
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      if (!possible[c][m] || evaluate(component.modes[m].constraint, value)) continue;
+      blamed.emplace_back(c);
       break;
+    }
   }
-  return impasse(modes, goal, reachable);
+  return blamed;
 }
 
-/// Why no state has these modes, as a conflict.
-std::optional<Conflict> GoalInterpreter::refuted(std::span<const std::uint32_t> values) {
+Modes modes_of(std::span<const std::uint32_t> values) {
   Modes modes;
   for (const std::uint32_t m : values) modes.emplace_back(m);
-  if (step_.possible(modes)) return std::nullopt;
-  Conflict conflict;
-  for (const ComponentId c : step_.refutation(modes, {}).components) conflict.push_back({c.value, values[c.index()]});
-  return conflict;
+  return modes;
+}
+
+}  // namespace
+
+bool GoalInterpreter::entailed(const Modes& modes, const Goal& goal) {
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (!goal.permits(ComponentId(c), modes[c])) return false;
+  }
+  return !goal.rest() || step_.theory().entails(assignments_of(step_.plant(), modes), goal.rest()->holds);
+}
+
+namespace {
+
+/// What a candidate is judged by, least important last: one number where each count outweighs all that come after it.
+struct Merits {
+  double irreversible = 0, uncommandable = 0, leaving = 0, reward = 0, moved = 0;
+};
+
+/// Weights that keep the order of merits; 2^53 is as far as whole numbers are exact.
+Merits weights_for(const Merits& greatest) {
+  Merits weight;
+  for (double unit = 1;; unit /= 10) {
+    weight.moved = 1;
+    weight.reward = greatest.moved + 1;
+    weight.leaving = weight.reward * (std::ceil(greatest.reward * unit) + 1);
+    weight.uncommandable = weight.leaving * (greatest.leaving + 1);
+    weight.irreversible = weight.uncommandable * (greatest.uncommandable + 1);
+    if (weight.irreversible * (greatest.irreversible + 1) <= std::ldexp(1.0, 53) || unit < 1e-18) return weight;
+  }
+}
+
+}  // namespace
+
+OptimalSearch::Costs GoalInterpreter::costs(const Modes& modes, const Goal& goal, const Prospects& prospects,
+                                            const Possible& possible) const {
+  std::vector<std::vector<Merits>> merits(modes.size());
+  Merits greatest;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const ComponentId id(c);
+    std::int64_t best = std::numeric_limits<std::int64_t>::min();
+    for (std::size_t m = 0; m < possible[c].size(); ++m) {
+      if (possible[c][m]) best = std::max(best, rewards_[c][m]);
+    }
+    Merits most;
+    for (std::size_t m = 0; m < possible[c].size(); ++m) {
+      Merits& at = merits[c].emplace_back();
+      if (!possible[c][m]) continue;
+      const bool moved = modes[c] != ModeId(m);
+      const auto& transitions = graph_.transitions(id);
+      const bool leaving = std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
+        return t.from == ModeId(m) && t.to != t.from && t.comes_by_itself && t.possible;
+      });
+      at.irreversible = *prospects.steps(id, ModeId(m));
+      at.uncommandable = moved && !prospects.commandable(id) ? 1 : 0;
+      at.leaving = moved && leaving && !goal.named()[c][m] ? 1 : 0;
+      at.reward = static_cast<double>(best - rewards_[c][m]);
+      at.moved = moved ? 1 : 0;
+      most = {std::max(most.irreversible, at.irreversible), std::max(most.uncommandable, at.uncommandable),
+              std::max(most.leaving, at.leaving), std::max(most.reward, at.reward), std::max(most.moved, at.moved)};
+    }
+    greatest = {greatest.irreversible + most.irreversible, greatest.uncommandable + most.uncommandable,
+                greatest.leaving + most.leaving, greatest.reward + most.reward, greatest.moved + most.moved};
+  }
+  const Merits weight = weights_for(greatest);
+  const double coarse = greatest.reward > 0 ? (weight.leaving / weight.reward - 1) / greatest.reward : 1;
+  const double unit = coarse < 1 ? coarse : 1;
+  OptimalSearch::Costs costs(modes.size());
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (std::size_t m = 0; m < possible[c].size(); ++m) {
+      const Merits& at = merits[c][m];
+      costs[c].push_back(possible[c][m]
+                             ? at.irreversible * weight.irreversible + at.uncommandable * weight.uncommandable +
+                                   at.leaving * weight.leaving + std::floor(at.reward * unit) * weight.reward + at.moved
+                             : std::numeric_limits<double>::infinity());
+    }
+  }
+  return costs;
+}
+
+/// Why no state has these modes, or why it does not imply the goal: components to blame. The rest of a goal is refuted
+/// in two ways: it cannot hold with some of the modes, or need not hold.
+std::optional<std::vector<ComponentId>> GoalInterpreter::refuted(const Modes& candidate, const Goal& goal, bool local,
+                                                                 const Possible& possible) {
+  const auto& rest = goal.rest();
+  if (!rest) {
+    if (step_.possible(candidate)) return std::nullopt;
+    return step_.refutation(candidate, {}).components;
+  }
+  Theory& theory = step_.theory();
+  const auto assignments = assignments_of(step_.plant(), candidate);
+  std::vector<ComponentId> blamed;
+  if (theory.allows(assignments, rest->holds)) {
+    if (!theory.allows(assignments, rest->fails)) return std::nullopt;
+    if (local) return refuted_by_world(step_.plant(), theory, possible);
+    for (std::size_t c = 0; c < candidate.size(); ++c) blamed.emplace_back(c);
+    return blamed;
+  }
+  for (const Assignment& a : theory.conflict()) blamed.push_back(*step_.plant().component_of(a.variable));
+  return blamed;
+}
+
+std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, const Goal& goal,
+                                                        const Prospects& prospects, const HasPlan& has_plan) {
+  Possible possible(modes.size());
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (std::size_t m = 0; m < goal.named()[c].size(); ++m) {
+      possible[c].push_back(prospects.steps(ComponentId(c), ModeId(m)).has_value() &&
+                            goal.permits(ComponentId(c), ModeId(m)));
+    }
+  }
+  const bool local = goal.rest() && !reads_modes(step_.plant(), goal.rest()->formula);
+  OptimalSearch search(costs(modes, goal, prospects, possible));
+  const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
+    const Modes candidate = modes_of(values);
+    auto blamed = refuted(candidate, goal, local, possible);
+    if (!blamed) blamed = has_plan(candidate);
+    if (!blamed) return std::nullopt;
+    Conflict conflict;
+    for (const ComponentId c : *blamed) conflict.push_back({c.value, values[c.index()]});
+    std::sort(conflict.begin(), conflict.end());
+    return conflict;
+  });
+  checked_ = search.checked();
+  if (outcome == OptimalSearch::Outcome::solution) return modes_of(search.values());
+  return impasse(modes, goal, prospects);
+}
+
+std::vector<ComponentId> GoalInterpreter::needed(const Modes& modes, const Modes& target, const Goal& goal) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  Possible possible(modes.size());
+  OptimalSearch::Costs costs;  // first to change, then to stay: of equal sets the first declared
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    possible[c].assign(goal.named()[c].size(), false);
+    const bool same = modes[c] == target[c];
+    const bool must = !goal.permits(ComponentId(c), modes[c]);
+    possible[c][target[c].index()] = true;
+    if (!must) possible[c][modes[c].index()] = true;
+    costs.push_back({same ? never : 1.0, must ? never : 0.0});
+  }
+  const bool local = goal.rest() && !reads_modes(step_.plant(), goal.rest()->formula);
+  Modes candidate = modes;
+  OptimalSearch search(costs);
+  const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
+    for (std::size_t c = 0; c < modes.size(); ++c) candidate[c] = values[c] == 0 ? target[c] : modes[c];
+    const auto blamed = refuted(candidate, goal, local, possible);
+    if (!blamed) return std::nullopt;
+    Conflict conflict;
+    for (const ComponentId c : *blamed) conflict.push_back({c.value, values[c.index()]});
+    std::sort(conflict.begin(), conflict.end());
+    return conflict;
+  });
+  std::vector<ComponentId> result;
+  for (std::size_t c = 0; c < modes.size() && outcome == OptimalSearch::Outcome::solution; ++c) {
+    if (candidate[c] != modes[c]) result.emplace_back(c);
+  }
+  return result;
 }
 
 /// Goes upstream as long as it is another component that bars the way: the last one is to blame.
-Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Goal& goal, const Reachable& reachable,
-                                      ComponentId component, std::vector<bool> asked) {
+Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Prospects& prospects, ComponentId component,
+                                      std::vector<bool> asked) {
   const Plant& plant = step_.plant();
   const auto name = [&](ComponentId c, ModeId m) { return "'" + plant[c].modes[m.index()].name + "'"; };
   std::string purpose;
   std::vector<bool> visited(modes.size());
   for (;;) {
     std::string wanted;
+    std::optional<ModeId> aim;
     for (std::size_t m = 0; m < asked.size(); ++m) {
-      if (asked[m]) wanted += (wanted.empty() ? "" : " or ") + name(component, ModeId(m));
+      if (!asked[m]) continue;
+      wanted += (wanted.empty() ? "" : " or ") + name(component, ModeId(m));
+      if (!aim) aim = ModeId(m);
     }
-    if (wanted.empty()) return {component, "the goal permits no mode of '" + plant[component].name + "'"};
-    const auto obstacle = graph_.obstacle(component, asked, reachable, goal.named());
-    if (!obstacle || visited[component.index()]) {
-      return {component, "no permitted nominal transitions lead '" + plant[component].name + "' from " +
-                             name(component, modes[component.index()]) + " to " + wanted + purpose};
+    Reason why;
+    why.purpose = Reason::Purpose::goal;
+    why.component = component;
+    why.aim = aim;
+    if (wanted.empty()) {
+      why.obstacle = Reason::Obstacle::excluded;
+      return {component, "the goal permits no mode of '" + plant[component].name + "'", why};
+    }
+    const Prospects::Barrier barrier = prospects.barrier(component, asked);
+    const auto* const t = barrier.transition;
+    if (t != nullptr && barrier.requirement == nullptr) {
+      why.obstacle = Reason::Obstacle::forbidden;
+      why.step = TransitionOf{component, t->id};
+      return {component,
+              "it takes '" + plant[component].name + "' from " + name(component, t->from) + " to " +
+                  name(component, t->to) + purpose +
+                  ", which cannot be undone, and the goal names no mode that this leads to",
+              why};
+    }
+    const auto upstream = t == nullptr ? std::nullopt : graph_.component_of(*barrier.requirement);
+    if (!upstream || visited[component.index()]) {
+      why.obstacle = t == nullptr ? Reason::Obstacle::missing : Reason::Obstacle::unsupported;
+      if (t != nullptr) why.step = TransitionOf{component, t->id};
+      return {component,
+              "no permitted nominal transitions lead '" + plant[component].name + "' from " +
+                  name(component, modes[component.index()]) + " to " + wanted + purpose,
+              why};
     }
     visited[component.index()] = true;
-    purpose = ", as it takes for '" + plant[component].name + "' to go from " +
-              name(component, obstacle->transition->from) + " to " + name(component, obstacle->transition->to) +
-              purpose;
-    component = *plant.component_of(obstacle->requirement->variable);
+    purpose = ", as it takes for '" + plant[component].name + "' to go from " + name(component, t->from) + " to " +
+              name(component, t->to) + purpose;
+    component = *upstream;
     asked.assign(plant[component].modes.size(), false);
-    for (const ValueId v : obstacle->requirement->values) asked[v.index()] = true;
+    for (const ValueId v : barrier.requirement->values) asked[v.index()] = true;
   }
 }
 
+namespace {
+
+Reason excluded_reason() {
+  Reason why;
+  why.purpose = Reason::Purpose::goal;
+  why.obstacle = Reason::Obstacle::excluded;
+  return why;
+}
+
+}  // namespace
+
 /// The most telling of: a component that cannot reach what the goal asks of it; modes that are the only ones left and
 /// exclude each other or the goal.
-Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Reachable& reachable) {
+Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Prospects& prospects) {
   const Plant& plant = step_.plant();
   std::vector<Assignment> forced;
   for (std::size_t c = 0; c < modes.size(); ++c) {
@@ -177,20 +287,33 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Rea
     std::vector<bool> asked(component.modes.size());
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       asked[m] = goal.permits(ComponentId(c), ModeId(m));
-      if (asked[m] && reachable[c][m]) left.emplace_back(m);
+      if (asked[m] && prospects.steps(ComponentId(c), ModeId(m))) left.emplace_back(m);
     }
-    if (left.empty()) return out_of_reach(modes, goal, reachable, ComponentId(c), std::move(asked));
+    if (left.empty()) return out_of_reach(modes, prospects, ComponentId(c), std::move(asked));
     if (left.size() == 1) forced.push_back({component.mode, ValueId(left.front().index())});
   }
   const auto& rest = goal.rest();
   Theory& theory = step_.theory();
   const bool excluded = rest ? !theory.allows(forced, rest->holds) : !theory.consistent(forced);
-  if (!excluded) return {std::nullopt, "no state that can be reached implies the goal"};
+  if (!excluded) return {std::nullopt, "no state that can be reached implies the goal", excluded_reason()};
 
-  if (theory.conflict().empty()) return {std::nullopt, "nothing that the plant can be in implies the goal"};
+  if (theory.conflict().empty())
+    return {std::nullopt, "nothing that the plant can be in implies the goal", excluded_reason()};
+
+  // What would permit more is a step that must not be taken, where there is one.
+  for (const Assignment& a : std::vector<Assignment>(theory.conflict())) {
+    const ComponentId c = *plant.component_of(a.variable);
+    std::vector<bool> others(plant[c].modes.size(), true);
+    others[modes[c.index()].index()] = false;
+    const Prospects::Barrier barrier = prospects.barrier(c, others);
+    if (barrier.transition == nullptr || barrier.requirement != nullptr) continue;
+    Impasse forbidden = out_of_reach(modes, prospects, c, std::move(others));
+    forbidden.reason = "no state that can be reached implies the goal: " + forbidden.reason;
+    return forbidden;
+  }
 
   // The one to blame is a component in a fault mode, where there is one: the others do what they are asked.
-  Impasse result;
+  Impasse result{std::nullopt, {}, excluded_reason()};
   for (const Assignment& a : theory.conflict()) {
     const ComponentId c = *plant.component_of(a.variable);
     if (!result.component || (plant[c].modes[a.value.index()].fault &&
@@ -200,6 +323,8 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Rea
     result.reason +=
         (result.reason.empty() ? "" : " & ") + plant.variables.name(a.variable) + " = " + plant.variables.value(a);
   }
+  result.why.component = result.component;
+  if (result.component) result.why.aim = modes[result.component->index()];
   result.reason = "no state that can be reached implies the goal: " + result.reason +
                   (rest ? " exclude it" : " exclude each other, and are all that is left");
   return result;

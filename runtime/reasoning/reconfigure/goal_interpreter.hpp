@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -11,45 +11,53 @@
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 #include "runtime/reasoning/reconfigure/goal.hpp"
+#include "runtime/reasoning/reconfigure/impasse.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/reconfigure/prospects.hpp"
+#include "runtime/reasoning/reconfigure/rewards.hpp"
 
 namespace rmpl::runtime {
 
-/// Why there is no goal state, or no way to it.
-struct Impasse {
-  std::optional<automata::ComponentId> component;  ///< to blame, where there is one
-  std::string reason;
-};
-
-/// Chooses, over the modes that each component reaches (`NominalGraph::reachable`), the state that is consistent,
-/// entails the goal, and has the greatest summed reward; of several the first in declaration order of components, then
-/// modes. An OCSP solved by conflict-directed best-first search, as in Fig. 6-16.
+/// Chooses, over the modes that each component can be aimed at, the state that is consistent, entails the goal and has
+/// a plan. The first by: fewest irreversible steps; fewest components moved that are not commandable; fewest moved to
+/// modes that they leave by themselves and that the goal does not name; greatest summed reward; fewest components
+/// moved; then by modes, components in declaration order. An OCSP solved by conflict-directed best-first search, as in
+/// Fig. 6-16: that there is no plan is one more conflict.
 class GoalInterpreter {
  public:
-  GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph) : step_(step), graph_(graph) {}
+  GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph)
+      : step_(step), graph_(graph), rewards_(whole_rewards(step.plant())) {}
 
-  using Reachable = std::vector<std::vector<bool>>;  ///< per component, per mode
-  /// What the last interpretation of a goal chose, and among which modes: the choice depends on nothing else, and along
-  /// a plan the reachable modes stay as they are.
-  struct Choice {
-    Reachable possible;
-    automata::Modes state;
-  };
-
-  /// `last`: of the same goal, if there was one; takes the new choice.
+  /// Nothing where a candidate has a plan; else those of its modes that cannot be come to together.
+  using HasPlan = std::function<std::optional<std::vector<automata::ComponentId>>(const automata::Modes& candidate)>;
+  /// The goal state; an impasse where none is left. Candidates that `has_plan` refuses are told to it one by one.
   std::variant<automata::Modes, Impasse> interpret(const automata::Modes& modes, const Goal& goal,
-                                                   std::optional<Choice>& last);
-  /// How many candidates the last interpretation checked; none where the choice was known.
+                                                   const Prospects& prospects, const HasPlan& has_plan);
+
+  /// A smallest set of the changes that, made alone, is consistent and entails the goal; of several the first in
+  /// declaration order. In that order.
+  std::vector<automata::ComponentId> needed(const automata::Modes& modes, const automata::Modes& target,
+                                            const Goal& goal);
+
+  /// Whether the store of these modes implies the goal.
+  bool entailed(const automata::Modes& modes, const Goal& goal);
+
+  /// How many candidates the last interpretation checked.
   [[nodiscard]] std::size_t checked() const { return checked_; }
 
  private:
-  std::optional<Conflict> refuted(std::span<const std::uint32_t> values);
-  Impasse out_of_reach(const automata::Modes& modes, const Goal& goal, const Reachable& reachable,
-                       automata::ComponentId component, std::vector<bool> asked);
-  Impasse impasse(const automata::Modes& modes, const Goal& goal, const Reachable& reachable);
+  using Possible = std::vector<std::vector<bool>>;  ///< per component, per mode
+  OptimalSearch::Costs costs(const automata::Modes& modes, const Goal& goal, const Prospects& prospects,
+                             const Possible& possible) const;
+  std::optional<std::vector<automata::ComponentId>> refuted(const automata::Modes& candidate, const Goal& goal,
+                                                            bool local, const Possible& possible);
+  Impasse out_of_reach(const automata::Modes& modes, const Prospects& prospects, automata::ComponentId component,
+                       std::vector<bool> asked);
+  Impasse impasse(const automata::Modes& modes, const Goal& goal, const Prospects& prospects);
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;
+  WholeRewards rewards_;
   std::size_t checked_ = 0;
 };
 

@@ -18,29 +18,53 @@ using automata::TransitionId;
 
 namespace {
 
-template <class Usable>
-std::vector<bool> closure(const std::vector<NominalTransition>& transitions, std::size_t modes, ModeId from,
-                          const Usable& usable) {
-  std::vector<bool> reached(modes);
-  reached[from.index()] = true;
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (const NominalTransition& t : transitions) {
-      if (!reached[t.from.index()] || reached[t.to.index()] || !usable(t)) continue;
-      reached[t.to.index()] = grown = true;
+/// Per mode, the modes that the transitions lead to.
+std::vector<std::vector<bool>> closure(const std::vector<NominalTransition>& transitions, std::size_t modes) {
+  std::vector<std::vector<bool>> leads(modes, std::vector<bool>(modes));
+  for (std::size_t m = 0; m < modes; ++m) {
+    auto& reached = leads[m];
+    reached[m] = true;
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const NominalTransition& t : transitions) {
+        if (!reached[t.from.index()] || reached[t.to.index()]) continue;
+        reached[t.to.index()] = grown = true;
+      }
     }
   }
-  return reached;
+  return leads;
 }
 
-void collect_names(const automata::Plant& plant, const Formula& formula, NamedModes& named) {
-  if (formula.kind == Formula::Kind::negation) return;
-  if (formula.kind == Formula::Kind::member && formula.values.size() == 1) {
-    if (const auto component = plant.component_of(formula.variable)) {
-      named[component->index()][formula.values.front().index()] = true;
-    }
+/// `x != v` reads like this where the domain is small: all values but one of three or more.
+bool is_inequality(const automata::Plant& plant, const Formula& atom) {
+  const std::size_t size = plant.variables[atom.variable].values.size();
+  return size > 2 && atom.values.size() + 1 == size;
+}
+
+void collect_names(const automata::Plant& plant, const Formula& formula, bool positive, NamedModes& named) {
+  using Kind = Formula::Kind;
+  switch (formula.kind) {
+    case Kind::member:
+      if (const auto component = plant.component_of(formula.variable);
+          positive && component && !is_inequality(plant, formula)) {
+        for (const automata::ValueId v : formula.values) named[component->index()][v.index()] = true;
+      }
+      return;
+    case Kind::negation:
+      return collect_names(plant, formula.operands.front(), !positive, named);
+    case Kind::implication:
+      collect_names(plant, formula.operands[0], !positive, named);
+      return collect_names(plant, formula.operands[1], positive, named);
+    case Kind::conjunction:
+    case Kind::disjunction:
+      for (const Formula& operand : formula.operands) collect_names(plant, operand, positive, named);
+      return;
+    case Kind::constant:
+    case Kind::equality:
+    case Kind::clock:
+    case Kind::equivalence:
+      return;
   }
-  for (const Formula& operand : formula.operands) collect_names(plant, operand, named);
 }
 
 }  // namespace
@@ -48,7 +72,7 @@ void collect_names(const automata::Plant& plant, const Formula& formula, NamedMo
 NamedModes named_modes(const automata::Plant& plant, const Formula& goal) {
   NamedModes named;
   for (const Component& component : plant.components) named.emplace_back(component.modes.size());
-  collect_names(plant, goal, named);
+  collect_names(plant, goal, true, named);
   return named;
 }
 
@@ -75,13 +99,20 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
                              .repair = component.modes[t.from.index()].fault,
                              .reversible = false,
                              .possible = finder.possible(ComponentId(c), t.to),
-                             .supports = std::move(supports)});
+                             .comes_by_itself = false,
+                             .supports = std::move(supports),
+                             .silent = {}});
+      NominalTransition& added = transitions.back();
+      for (const Support& support : added.supports) {
+        added.silent.push_back(needs_no_command(plant, support));
+        added.comes_by_itself =
+            added.comes_by_itself || (added.silent.back() && std::none_of(support.begin(), support.end(), [&](auto& r) {
+                                        return component_of_[r.variable.index()].has_value();
+                                      }));
+      }
     }
-    for (NominalTransition& t : transitions) {
-      const auto back =
-          closure(transitions, component.modes.size(), t.to, [](const NominalTransition&) { return true; });
-      t.reversible = back[t.from.index()];
-    }
+    leads_.push_back(closure(transitions, component.modes.size()));
+    for (NominalTransition& t : transitions) t.reversible = leads_[c][t.to.index()][t.from.index()];
   }
   dependents_.resize(plant.components.size());
   for (std::size_t c = 0; c < transitions_.size(); ++c) {
@@ -126,61 +157,11 @@ bool NominalGraph::meets(const Requirement& requirement, const std::vector<std::
                                    [&](automata::ValueId v) { return reached[component->index()][v.index()]; });
 }
 
-std::vector<std::vector<bool>> NominalGraph::reachable(const automata::Modes& modes, const NamedModes& named) const {
-  std::vector<std::vector<bool>> reached;
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    reached.emplace_back(named[c].size())[modes[c].index()] = true;
-  }
-  const auto supported = [&](const Support& support) {
-    return std::all_of(support.begin(), support.end(), [&](const Requirement& r) { return meets(r, reached); });
-  };
-  // What a component reaches is looked at again where one that it depends on has come further.
-  std::vector<std::size_t> queue(modes.size());
-  std::iota(queue.begin(), queue.end(), std::size_t{0});
-  std::vector<bool> queued(modes.size(), true);
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const std::size_t c = queue[next];
-    queued[c] = false;
-    bool further = false;
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (const NominalTransition& t : transitions_[c]) {
-        if (!reached[c][t.from.index()] || reached[c][t.to.index()] || !permitted(t, named[c])) continue;
-        if (std::any_of(t.supports.begin(), t.supports.end(), supported)) {
-          reached[c][t.to.index()] = grown = further = true;
-        }
-      }
-    }
-    for (const ComponentId dependent : dependents_[c]) {
-      if (!further || queued[dependent.index()]) continue;
-      queued[dependent.index()] = true;
-      queue.push_back(dependent.index());
-    }
-  }
-  return reached;
-}
-
-std::optional<NominalGraph::Obstacle> NominalGraph::obstacle(ComponentId component, const std::vector<bool>& wanted,
-                                                             const std::vector<std::vector<bool>>& reached,
-                                                             const NamedModes& named) const {
-  const std::vector<bool>& names = named[component.index()];
-  const std::vector<bool>& own = reached[component.index()];
-  std::optional<Obstacle> first;
-  for (const NominalTransition& t : transitions(component)) {
-    if (!own[t.from.index()] || own[t.to.index()] || !permitted(t, names)) continue;
-    const auto further = closure(transitions(component), names.size(), t.to,
-                                 [&](const NominalTransition& next) { return permitted(next, names); });
-    const bool leads = std::inner_product(further.begin(), further.end(), wanted.begin(), false, std::logical_or<>(),
-                                          std::logical_and<>());
-    if (!leads || (first && !wanted[t.to.index()])) continue;
-    const Support& support = t.supports.front();
-    const auto unmet =
-        std::find_if(support.begin(), support.end(), [&](const Requirement& r) { return !meets(r, reached); });
-    if (unmet == support.end()) continue;
-    first = Obstacle{&t, &*unmet};
-    if (wanted[t.to.index()]) break;
-  }
-  return first;
+bool NominalGraph::leads_to_named(ComponentId component, ModeId from, const NamedModes& named) const {
+  const auto& reached = leads_[component.index()][from.index()];
+  const auto& names = named[component.index()];
+  return std::inner_product(reached.begin(), reached.end(), names.begin(), false, std::logical_or<>(),
+                            std::logical_and<>());
 }
 
 }  // namespace rmpl::runtime

@@ -21,15 +21,21 @@ struct NominalTransition {
   bool repair = false;      ///< leaves a fault mode
   bool reversible = false;  ///< nominal transitions lead back from `to` to `from`: computed, not declared (6.3.1)
   bool possible = false;    ///< some state has mode `to`; else the transition is never taken, whatever enables it
+  bool comes_by_itself = false;  ///< some support asks neither for a command nor for modes of others
   std::vector<Support> supports;
+  std::vector<bool> silent;  ///< per support: it can be met with every control idle
 };
 
 /// Per component, per mode: whether the configuration goal names the mode (6.3.3).
 using NamedModes = std::vector<std::vector<bool>>;
 
-/// The modes that a goal names: those that it assigns by an atom `a = m` outside negations. `a != m` names none: what
-/// is left open is no reason to do what cannot be undone.
+/// The modes that a goal names: those of its atoms that stand under an even number of negations, an antecedent counting
+/// as one; each mode of `a in {...}`. `a != m` names none: what is left open is no reason to do what cannot be undone.
+/// Neither does an equivalence, which asks for its sides as much as it forbids them.
 NamedModes named_modes(const automata::Plant& plant, const automata::Formula& goal);
+
+/// Per component, per position in `NominalGraph::transitions`: whether reconfiguration may take the transition.
+using Permitted = std::vector<std::vector<bool>>;
 
 /// Per component, the graph over its modes. Computed once; its cost is that of the supports.
 class NominalGraph {
@@ -43,34 +49,42 @@ class NominalGraph {
   /// Nothing where the transition is a fault or cannot be brought about.
   [[nodiscard]] const NominalTransition* find(automata::ComponentId component, automata::TransitionId id) const;
 
-  /// Whether reconfiguration may count on a transition: it is timed, can be undone, repairs the fault that it leaves
-  /// (no nominal transition enters a fault, so it is the current one), or leads to a mode that the goal names (6.3.3).
-  [[nodiscard]] static bool permitted(const NominalTransition& transition, const std::vector<bool>& named) {
-    return transition.timed || transition.reversible || transition.repair || named[transition.to.index()];
+  /// Its position in `transitions`.
+  [[nodiscard]] std::size_t position(automata::ComponentId component, const NominalTransition& transition) const {
+    return static_cast<std::size_t>(&transition - transitions_[component.index()].data());
   }
 
-  /// Per component, per mode: whether permitted transitions lead there from `modes`, each by a support whose modes the
-  /// other components reach too: what hangs behind a failed driver is out of reach.
-  [[nodiscard]] std::vector<std::vector<bool>> reachable(const automata::Modes& modes, const NamedModes& named) const;
+  /// Whether a transition needs no leave: it can be undone, or leaves a fault (no nominal transition enters one, so it
+  /// is the current mode).
+  [[nodiscard]] static bool harmless(const NominalTransition& transition) {
+    return transition.reversible || transition.repair || transition.from == transition.to;
+  }
+  /// Whether nominal transitions lead a component from one mode to another; every mode leads to itself.
+  [[nodiscard]] bool leads(automata::ComponentId component, automata::ModeId from, automata::ModeId to) const {
+    return leads_[component.index()][from.index()][to.index()];
+  }
+  /// Whether some mode that the goal names can be come to from the mode.
+  [[nodiscard]] bool leads_to_named(automata::ComponentId component, automata::ModeId from,
+                                    const NamedModes& named) const;
 
-  /// Why a component does not get out of what it reaches towards any of the wanted modes, though its own permitted
-  /// transitions lead there.
-  struct Obstacle {
-    const NominalTransition* transition;  ///< would lead further; to a wanted mode, where there is such a one
-    const Requirement* requirement;       ///< that nothing in reach meets, of its simplest support
-  };
-  [[nodiscard]] std::optional<Obstacle> obstacle(automata::ComponentId component, const std::vector<bool>& wanted,
-                                                 const std::vector<std::vector<bool>>& reached,
-                                                 const NamedModes& named) const;
+  /// Others whose supports read the component's mode.
+  [[nodiscard]] const std::vector<automata::ComponentId>& dependents(automata::ComponentId component) const {
+    return dependents_[component.index()];
+  }
+  /// Whether some of the modes reached meet a requirement; one on a control always counts as met.
+  [[nodiscard]] bool meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const;
+  /// The component whose mode a requirement is about, if it is one.
+  [[nodiscard]] std::optional<automata::ComponentId> component_of(const Requirement& requirement) const {
+    return component_of_[requirement.variable.index()];
+  }
 
   /// The components that may change their mode of themselves: some untimed transition needs no command. While one part
   /// of the plant is commanded, these do not stand still, so their islands are planned together.
   [[nodiscard]] std::vector<automata::ComponentId> restless(const automata::Plant& plant) const;
 
  private:
-  [[nodiscard]] bool meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const;
-
   std::vector<std::vector<NominalTransition>> transitions_;
+  std::vector<std::vector<std::vector<bool>>> leads_;               ///< per component, from, to
   std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
   std::vector<std::vector<automata::ComponentId>> dependents_;      ///< by component: others whose supports read it
 };

@@ -3,8 +3,10 @@
 #include "runtime/reasoning/reconfigure/nominal_step.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/check.hpp"
+#include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {
 
@@ -63,40 +65,144 @@ std::vector<NominalOutcome> NominalStep::combinations(const Modes& modes, const 
   return all;
 }
 
-bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::size_t island, const NamedModes& named,
-                          const NominalMove* intended, const Modes* keep) {
+std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Support* support) {
+  return least_action(modes, support, [](const ControlAction&) { return true; });
+}
+
+std::optional<ControlAction> NominalStep::resting_action(const Modes& modes) {
+  if (tolerates(modes, idle_action(plant()))) return idle_action(plant());
+  auto resting = least_action(modes, nullptr, [&](const ControlAction& action) {
+    const automata::AllEnabled& enabled = step_.enabled(modes, action);
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      const auto& untimed = enabled[c].untimed;
+      if (std::any_of(untimed.begin(), untimed.end(),
+                      [&](TransitionId id) { return nominal(ComponentId(c), id).to != modes[c]; })) {
+        return false;
+      }
+    }
+    return true;
+  });
+  return resting ? resting : least_action(modes);
+}
+
+template <class Suits>
+std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Support* support, const Suits& suits) {
+  const auto& controls = plant().controls;
+  OptimalSearch::Costs costs;
+  ControlAction action = idle_action(plant());
+  for (const automata::Control& control : controls) {
+    auto& cost = costs.emplace_back(plant().variables[control.variable].values.size(), 1.0);
+    cost[control.idle.index()] = 0;
+    if (support == nullptr) continue;
+    const auto asked = std::find_if(support->begin(), support->end(),
+                                    [&](const Requirement& r) { return r.variable == control.variable; });
+    if (asked == support->end()) continue;
+    for (std::size_t v = 0; v < cost.size(); ++v) {
+      if (std::binary_search(asked->values.begin(), asked->values.end(), automata::ValueId(v))) continue;
+      cost[v] = std::numeric_limits<double>::infinity();
+    }
+    const bool idle = std::binary_search(asked->values.begin(), asked->values.end(), control.idle);
+    action[costs.size() - 1] = idle ? control.idle : asked->values.front();
+  }
+  if (tolerates(modes, action) && suits(action)) return action;
+  OptimalSearch search(costs);
+  constexpr std::size_t action_limit = 1u << 12;
+  search.set_budget(action_limit);
+  const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
+    for (std::size_t i = 0; i < action.size(); ++i) action[i] = automata::ValueId(values[i]);
+    std::vector<automata::Assignment> store = assignments_of(plant(), modes);
+    const auto commands = assignments_of(plant(), action);
+    store.insert(store.end(), commands.begin(), commands.end());
+    Conflict conflict;
+    if (step_.theory().consistent(store)) {
+      if (suits(action)) return std::nullopt;
+      for (std::uint32_t i = 0; i < action.size(); ++i) conflict.push_back({i, values[i]});
+      return conflict;
+    }
+    for (const automata::Assignment& a : step_.theory().conflict()) {
+      for (std::uint32_t i = 0; i < action.size(); ++i) {
+        if (controls[i].variable == a.variable) conflict.push_back({i, values[i]});
+      }
+    }
+    std::sort(conflict.begin(), conflict.end());
+    return conflict;
+  });
+  if (outcome != OptimalSearch::Outcome::solution) return std::nullopt;
+  return action;
+}
+
+bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::size_t island,
+                          const Permitted& permitted, const NominalMove* intended, const Modes* keep) {
+  refused_.reset();
   const ControlAction idle = idle_action(plant());
   if (action == idle) return true;
+  // Where the model does not tolerate idle controls, nothing happens without a command.
+  static const Enabled nothing;
+  const bool can_idle = tolerates(modes, idle);
   const automata::AllEnabled without = step_.enabled(modes, idle);
   const automata::AllEnabled with = step_.enabled(modes, action);
   for (const ComponentId c : islands_.components(island)) {
-    if (&with[c.index()] == &without[c.index()]) continue;
-    const auto& names = named[c.index()];
+    const Enabled& anyway = can_idle ? without[c.index()] : nothing;
+    if (&with[c.index()] == &anyway) continue;
     const bool own = intended != nullptr && intended->component == c;
     for (const TransitionId id : with[c.index()].untimed) {
       const NominalTransition& t = nominal(c, id);
-      if (t.from == t.to || contains(without[c.index()].untimed, id) || (own && intended->transition == &t)) continue;
+      if (t.from == t.to || contains(anyway.untimed, id) || (own && intended->transition == &t)) continue;
       const bool undoes = !own && keep != nullptr && (*keep)[c.index()] == t.from;
-      if (NominalGraph::permitted(t, names) && !undoes) continue;
+      if (is_permitted(c, t, permitted) && !undoes) continue;
       const auto ways = combinations(modes, with, island, NominalMove{c, &t});
       if (std::any_of(ways.begin(), ways.end(), [&](const NominalOutcome& o) { return step_.possible(o.modes); })) {
+        if (!undoes) refused_ = TransitionOf{c, id};
         return false;
       }
     }
     for (const TransitionId id : with[c.index()].timed) {
       const NominalTransition& t = nominal(c, id);
-      if (t.from == t.to || contains(without[c.index()].timed, id) || (own && intended->transition == &t)) continue;
-      const bool undone = t.reversible || t.repair || names[t.to.index()];
-      if (intended != nullptr && !undone) return false;
+      if (t.from == t.to || contains(anyway.timed, id) || (own && intended->transition == &t)) continue;
+      if (!t.possible || is_permitted(c, t, permitted)) continue;
+      refused_ = TransitionOf{c, id};
+      return false;
     }
   }
   return true;
 }
 
+bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t island, const Permitted& permitted) {
+  const ControlAction idle = idle_action(plant());
+  Modes state = after;
+  for (const ComponentId c : islands_.components(island)) {
+    std::vector<automata::ModeId> open{after[c.index()]};
+    for (std::size_t next = 0; next < open.size(); ++next) {
+      state[c.index()] = open[next];
+      if (!step_.consistent(state, idle)) continue;
+      const Enabled& enabled = step_.enabled(c, state, idle);
+      for (const auto* ids : {&enabled.untimed, &enabled.timed}) {
+        for (const TransitionId id : *ids) {
+          const NominalTransition& t = nominal(c, id);
+          if (!t.possible || std::find(open.begin(), open.end(), t.to) != open.end()) continue;
+          if (is_permitted(c, t, permitted)) {
+            open.push_back(t.to);
+            continue;
+          }
+          if (before[c.index()] == t.from && step_.consistent(before, idle)) {
+            const Enabled& anyway = step_.enabled(c, before, idle);
+            if (contains(anyway.untimed, id) || contains(anyway.timed, id)) continue;
+          }
+          refused_ = TransitionOf{c, id};
+          return true;
+        }
+      }
+    }
+    state[c.index()] = after[c.index()];
+  }
+  return false;
+}
+
 std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const ControlAction& action, NominalMove move,
-                                                const NamedModes& named, const Modes* keep) {
+                                                const Permitted& permitted, const Modes* keep) {
   const std::size_t island = islands_.of(move.component);
-  if (!tolerates(modes, action) || !permits(modes, action, island, named, &move, keep)) return std::nullopt;
+  refused_.reset();
+  if (!tolerates(modes, action) || !permits(modes, action, island, permitted, &move, keep)) return std::nullopt;
   const automata::AllEnabled& enabled = step_.enabled(modes, action);
   NominalOutcome outcome{modes, {}};
   for (const ComponentId c : islands_.components(island)) {
@@ -116,11 +222,12 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
     outcome.moves.push_back({c, taken});
   }
   if (!step_.possible(outcome.modes)) return std::nullopt;
+  if (action != idle_action(plant()) && risks(modes, outcome.modes, island, permitted)) return std::nullopt;
   return outcome;
 }
 
 bool NominalStep::join_others(const Modes& modes, const ControlAction& action, std::size_t island,
-                              const NamedModes& named, NominalOutcome& outcome) {
+                              const Permitted& permitted, NominalOutcome& outcome) {
   const auto join = [&outcome](const std::vector<NominalMove>& moves) {
     for (const NominalMove& move : moves) {
       outcome.modes[move.component.index()] = move.transition->to;
@@ -141,7 +248,7 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
     if (step_.possible(drift.modes)) {
       join(drift.moves);
     } else {
-      const std::vector<NominalOutcome> ways = outcomes(modes, action, other, named);
+      const std::vector<NominalOutcome> ways = outcomes(modes, action, other, permitted);
       if (ways.empty()) return false;
       join(ways.front().moves);
     }
@@ -165,9 +272,9 @@ std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const Control
 }
 
 std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t island,
-                                                  const NamedModes& named) {
+                                                  const Permitted& permitted) {
   std::vector<NominalOutcome> result;
-  if (!tolerates(modes, action) || !permits(modes, action, island, named, nullptr, nullptr)) return result;
+  if (!tolerates(modes, action) || !permits(modes, action, island, permitted, nullptr, nullptr)) return result;
   const automata::AllEnabled enabled = step_.enabled(modes, action);
   std::vector<NominalOutcome> all = combinations(modes, enabled, island, {});
   const bool moves = std::any_of(all.begin(), all.end(), [](const NominalOutcome& o) { return !o.moves.empty(); });
@@ -183,8 +290,11 @@ std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const Cont
       }
     }
   }
+  const bool commanded = action != idle_action(plant());
   for (NominalOutcome& outcome : all) {
-    if (!outcome.moves.empty() && step_.possible(outcome.modes)) result.push_back(std::move(outcome));
+    if (outcome.moves.empty() || !step_.possible(outcome.modes)) continue;
+    if (commanded && risks(modes, outcome.modes, island, permitted)) return {};
+    result.push_back(std::move(outcome));
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/reconfigure/islands.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/reconfigure/reason.hpp"
 
 namespace rmpl::runtime {
 
@@ -37,17 +38,26 @@ class NominalStep {
     return step_.permits(modes, action);
   }
 
+  /// All controls idle; where the store does not tolerate that, the tolerated action with the fewest controls off idle,
+  /// of several the first by values. Nothing where it tolerates none. With `support`, of those that meet it.
+  std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Support* support = nullptr);
+  /// Likewise; where it cannot be idle, before all others one under which no untimed transition changes a mode.
+  std::optional<automata::ControlAction> resting_action(const automata::Modes& modes);
+
+  /// Why the last action that was asked about was not permitted, where that was the reason.
+  [[nodiscard]] const std::optional<TransitionOf>& refused() const { return refused_; }
+
   /// The step in which a component takes the given transition under the action: of the others each takes its heaviest
   /// enabled untimed transition (the first of several), and no timed one fires. Nothing where the transition is not
   /// enabled, the step would end in an impossible state, or the action takes or risks a step that is not permitted
   /// (`permits`). With `keep`, also nothing where the action moves another component away from its mode there.
   std::optional<NominalOutcome> take(const automata::Modes& modes, const automata::ControlAction& action,
-                                     NominalMove move, const NamedModes& named, const automata::Modes* keep);
+                                     NominalMove move, const Permitted& permitted, const automata::Modes* keep);
 
   /// Adds to a step of one island what goes on in the others meanwhile: each of their components takes its heaviest
   /// enabled untimed transition, or an island goes some other way where that one is impossible. Whether there is a way.
   bool join_others(const automata::Modes& modes, const automata::ControlAction& action, std::size_t island,
-                   const NamedModes& named, NominalOutcome& outcome);
+                   const Permitted& permitted, NominalOutcome& outcome);
 
   /// The components of the island whose mode a timed nominal transition with an upper bound ends while the action is
   /// held; none where the modes do not tolerate it.
@@ -58,7 +68,7 @@ class NominalStep {
   /// untimed transitions, where some are enabled; else each timed transition by itself. Those that change nothing are
   /// left out.
   std::vector<NominalOutcome> outcomes(const automata::Modes& modes, const automata::ControlAction& action,
-                                       std::size_t island, const NamedModes& named);
+                                       std::size_t island, const Permitted& permitted);
 
  private:
   const NominalTransition& nominal(automata::ComponentId component, automata::TransitionId id) const;
@@ -71,11 +81,23 @@ class NominalStep {
   /// Whether all that the action enables, idling does not, and the model does not exclude, may be taken. A step that
   /// cannot be undone is left to chance neither as a side effect nor as the other branch of an intended one.
   bool permits(const automata::Modes& modes, const automata::ControlAction& action, std::size_t island,
-               const NamedModes& named, const NominalMove* intended, const automata::Modes* keep);
+               const Permitted& permitted, const NominalMove* intended, const automata::Modes* keep);
+
+  template <class Suits>
+  std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Support* support,
+                                                      const Suits& suits);
+  /// Whether in the state that a command leads to time alone could take a forbidden step, and could not before.
+  bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t island,
+             const Permitted& permitted);
+  [[nodiscard]] bool is_permitted(automata::ComponentId c, const NominalTransition& t,
+                                  const Permitted& permitted) const {
+    return permitted[c.index()][graph_.position(c, t)];
+  }
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;
   const Islands& islands_;
+  std::optional<TransitionOf> refused_;
 };
 
 }  // namespace rmpl::runtime

@@ -231,7 +231,7 @@ class OneStepReconfigurer final : public Reconfigurer {
     for (const TransitionId id : enabled.untimed) {
       const NominalTransition* const t = graph_->find(component, id);
       if (t == nullptr || t->from == t->to || contains(idle.untimed, id)) continue;
-      if (!NominalGraph::permitted(*t, goal.named()[component.index()])) return t;
+      if (!NominalGraph::harmless(*t) && !graph_->leads_to_named(component, t->to, goal.named())) return t;
     }
     return nullptr;
   }

@@ -18,7 +18,8 @@ Plan no_plan(Reconfiguration answer) {
           .goal_state = std::move(answer.goal_state),
           .commands = {},
           .component = answer.component,
-          .reason = std::move(answer.reason)};
+          .reason = std::move(answer.reason),
+          .why = answer.why};
 }
 
 }  // namespace
@@ -32,15 +33,19 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
     switch (answer.outcome) {
       case Reconfiguration::Outcome::nothing_to_do:
         plan.outcome = plan.commands.empty() ? Plan::Outcome::nothing_to_do : Plan::Outcome::plan;
-        plan.goal_state = std::move(current);
+        if (!plan.goal_state) plan.goal_state = std::move(current);
         return plan;
       case Reconfiguration::Outcome::no_plan:
         return no_plan(std::move(answer));
       case Reconfiguration::Outcome::command:
       case Reconfiguration::Outcome::wait:
         CHECK(answer.expected && "a command and a wait lead somewhere");
-        plan.goal_state = std::move(answer.goal_state);
+        if (!plan.goal_state) plan.goal_state = std::move(answer.goal_state);
         plan.commands.push_back(std::move(answer.action));
+        if (*answer.expected == current) {
+          plan.outcome = Plan::Outcome::plan;
+          return plan;
+        }
         current = std::move(*answer.expected);
         break;
     }
@@ -49,7 +54,8 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
           .goal_state = std::move(plan.goal_state),
           .commands = {},
           .component = std::nullopt,
-          .reason = "the commands towards the goal lead in a circle"};
+          .reason = "the commands towards the goal lead in a circle",
+          .why = {.purpose = Reason::Purpose::goal, .obstacle = Reason::Obstacle::not_found}};
 }
 
 Plan make_one_step_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {

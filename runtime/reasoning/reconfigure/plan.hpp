@@ -15,11 +15,13 @@ namespace rmpl::runtime {
 struct Plan {
   enum class Outcome { plan, no_plan, nothing_to_do };
   Outcome outcome = Outcome::nothing_to_do;
-  /// With `plan` and `nothing_to_do`: the state that is reached. With `no_plan`: the one that was aimed at, if any.
+  /// With `plan` and `nothing_to_do`: the one that the first answer told. With `no_plan`: the one that was aimed at, if
+  /// any.
   std::optional<automata::Modes> goal_state;
   std::vector<automata::ControlAction> commands;   ///< with `plan`: at least one; idle means to wait
   std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one
   std::string reason;                              ///< with `no_plan`: in words
+  Reason why;                                      ///< with `no_plan`: as data
 };
 
 /// Asks `reconfigurer` again and again, from `modes` on, moving to the state that each answer expects. A wait is one

@@ -25,23 +25,43 @@ bool Planner::is_safe(const Modes& modes, const Objective& objective, const Cont
 }
 
 std::vector<bool> Planner::relied_on(const Modes& modes, const Objective& objective) {
-  std::vector<bool> relied(modes.size());
+  std::vector<ComponentId> seeds;
+  for (const ComponentId c : islands_.components(objective.island)) {
+    if (objective.wanted[c.index()]) seeds.push_back(c);
+  }
+  return followed(modes, objective, seeds).relied;
+}
+
+std::vector<bool> Planner::on_the_way(const Modes& modes, const Objective& objective) {
+  std::vector<ComponentId> seeds;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (objective.wanted[c]) seeds.emplace_back(c);
+  }
+  Followed way = followed(modes, objective, seeds);
+  for (std::size_t c = 0; c < modes.size(); ++c) way.relied[c] = way.relied[c] || way.moved[c];
+  return std::move(way.relied);
+}
+
+Planner::Followed Planner::followed(const Modes& modes, const Objective& objective,
+                                    std::span<const ComponentId> seeds) {
+  Followed result{std::vector<bool>(modes.size()), std::vector<bool>(modes.size())};
   std::set<std::pair<ComponentId, ModeId>> sought;
   std::vector<std::pair<ComponentId, ModeId>> open;
   const auto seek = [&](ComponentId c, ModeId wanted) {
     if (modes[c.index()] == wanted) {
-      relied[c.index()] = true;
+      result.relied[c.index()] = true;
     } else if (sought.emplace(c, wanted).second) {
       open.emplace_back(c, wanted);
+      result.moved[c.index()] = true;
     }
   };
-  for (const ComponentId c : islands_.components(objective.island)) seek(c, objective.target[c.index()]);
+  for (const ComponentId c : seeds) seek(c, objective.target[c.index()]);
   while (!open.empty()) {
     const auto [component, wanted] = open.back();
     open.pop_back();
-    const Policy& policy = policies_.of(component, objective.named);
+    const Policy& policy = policies_.of(component, objective.permitted);
     const NominalTransition* t = policy.next(modes[component.index()], wanted);
-    if (t != nullptr && !t->timed) relied[component.index()] = true;
+    if (t != nullptr && !t->timed) result.relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
       for (const Support& support : t->supports) {
         for (const Requirement& r : support) {
@@ -52,7 +72,7 @@ std::vector<bool> Planner::relied_on(const Modes& modes, const Objective& object
       }
     }
   }
-  return relied;
+  return result;
 }
 
 bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
@@ -60,14 +80,16 @@ bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
   const auto brief = nominal_.fleeting(reached, idle_, objective.island);
   return std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(), [&](const NominalMove& move) {
     const ComponentId c = move.component;
-    return reached[c.index()] == objective.target[c.index()] && std::find(brief.begin(), brief.end(), c) != brief.end();
+    return objective.wanted[c.index()] && reached[c.index()] == objective.target[c.index()] &&
+           std::find(brief.begin(), brief.end(), c) != brief.end();
   });
 }
 
 bool Planner::has_waits(const Modes& modes, const Objective& objective) {
   for (const ComponentId c : islands_.components(objective.island)) {
+    if (!objective.wanted[c.index()]) continue;
     const ModeId target = objective.target[c.index()];
-    const Policy& policy = policies_.of(c, objective.named);
+    const Policy& policy = policies_.of(c, objective.permitted);
     for (const auto* t = policy.next(modes[c.index()], target); t != nullptr; t = policy.next(t->to, target)) {
       if (t->timed) return true;
     }

@@ -42,7 +42,7 @@ std::vector<automata::ControlAction> Planner::promising(const Modes& modes, cons
     open.push_back(c);
   };
   for (const automata::ComponentId c : islands_.components(objective.island)) {
-    if (modes[c.index()] != objective.target[c.index()]) involve(c);
+    if (astray(modes, objective, c)) involve(c);
   }
   while (!open.empty()) {
     const automata::ComponentId c = open.back();
@@ -81,8 +81,10 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, c
 /// The same rules on irreversible steps hold; what is achieved may be undone on the path.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
                                std::span<const automata::ControlAction> actions) {
+  const auto& components = ordered_[objective.island];
+  const automata::ComponentId served =
+      *std::find_if(components.begin(), components.end(), [&](auto c) { return astray(modes, objective, c); });
   bool excluded = false;
-  std::size_t tried = 0;
   std::unordered_map<Modes, Path, automata::ModesHash> paths;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<PlannedStep> first_steps;
@@ -103,30 +105,33 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
     path.settled = true;
     const Modes current = *entry.modes;
     const Path reached = path;
-    if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded};
-    if (++settled > search_limit || tried > trial_limit) {
+    if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded, current};
+    if (++settled > search_limit || tried_ > trial_limit) {
       otherwise.reason += "; the search for another way was given up after " + std::to_string(settled - 1) + " states";
-      return {std::move(otherwise), excluded};
+      return {std::move(otherwise), excluded, {}};
     }
-    tried += actions.size();
+    tried_ += actions.size();
     for (const automata::ControlAction& action : actions) {
-      for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.island, objective.named)) {
+      for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.island, objective.permitted)) {
         if (waits == Waits::safe && !is_safe(current, objective, action, outcome)) {
           excluded = true;
           continue;
         }
+        if (!may_take(current, objective, action == idle_, outcome)) continue;
         Distance distance = reached.distance + Distance{0, 1};
-        for (const NominalMove& move : outcome.moves) distance.irreversible += move.transition->reversible ? 0 : 1;
+        for (const NominalMove& move : outcome.moves) {
+          distance.irreversible += NominalGraph::harmless(*move.transition) ? 0 : 1;
+        }
         std::size_t first = reached.first;
         if (first == none) {
           first = first_steps.size();
-          first_steps.push_back({action, outcome.moves.front().component, outcome, action == idle_});
+          first_steps.push_back({action, outcome.moves.front().component, served, outcome, action == idle_});
         }
         offer(outcome.modes, distance, first);
       }
     }
   }
-  return {std::move(otherwise), excluded};
+  return {std::move(otherwise), excluded, {}};
 }
 
 }  // namespace rmpl::runtime

@@ -77,63 +77,79 @@ Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Isl
 
 bool Planner::arrived(const Modes& modes, const Objective& objective) const {
   const auto& components = islands_.components(objective.island);
-  return std::all_of(components.begin(), components.end(),
-                     [&](ComponentId c) { return modes[c.index()] == objective.target[c.index()]; });
+  return std::all_of(components.begin(), components.end(), [&](ComponentId c) { return !astray(modes, objective, c); });
 }
 
 std::string Planner::name(ComponentId component, ModeId mode) const {
   return "'" + nominal_.plant()[component].modes[mode.index()].name + "'";
 }
 
-Planner::Choice Planner::next(const Modes& modes, const Objective& objective) {
+std::variant<IslandPlan, Impasse> Planner::next(const Modes& modes, const Objective& objective) {
   CHECK(!arrived(modes, objective) && "there is something to do");
-  Choice choice = first_step(modes, objective);
-  auto* const step = std::get_if<PlannedStep>(&choice);
-  if (step == nullptr || nominal_.join_others(modes, step->action, objective.island, objective.named, step->outcome)) {
-    return choice;
+  auto result = planned(modes, objective);
+  auto* const plan = std::get_if<IslandPlan>(&result);
+  if (plan == nullptr ||
+      nominal_.join_others(modes, plan->first.action, objective.island, objective.permitted, plan->first.outcome)) {
+    return result;
   }
   return Impasse{std::nullopt, "what happens next of itself contradicts the model"};
 }
 
+bool Planner::may_take(const Modes& modes, const Objective& objective, bool idle, const NominalOutcome& outcome) {
+  if (!objective.keeps) return true;
+  if (!objective.keeps(outcome.modes)) return false;
+  return !idle || std::all_of(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
+    return !move.transition->timed || astray(modes, objective, move.component);
+  });
+}
+
 std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective& objective) const {
-  std::vector<std::uint64_t> key{objective.island};
+  std::vector<std::uint64_t> key{objective.island, *objective.keeps_number};
   for (const ComponentId c : islands_.components(objective.island)) {
     key.push_back(std::uint64_t{modes[c.index()].value} << 32 | objective.target[c.index()].value);
   }
-  // Few modes are named, most often none but targets.
   for (const ComponentId c : islands_.components(objective.island)) {
-    const std::vector<bool>& named = objective.named[c.index()];
-    for (auto at = std::find(named.begin(), named.end(), true); at != named.end();
-         at = std::find(at + 1, named.end(), true)) {
-      key.push_back(std::uint64_t{c.value} << 32 | static_cast<std::uint32_t>(at - named.begin()));
+    if (objective.wanted[c.index()]) key.push_back(std::uint64_t{1} << 63 | c.value);
+    // Few irreversible steps are permitted, most often none.
+    const auto& transitions = graph_.transitions(c);
+    for (std::size_t i = 0; i < transitions.size(); ++i) {
+      if (NominalGraph::harmless(transitions[i]) || !objective.permitted[c.index()][i]) continue;
+      key.push_back(std::uint64_t{c.value} << 32 | i);
     }
   }
   return key;
 }
 
-std::optional<PlannedStep> Planner::recall(const Modes& modes, const Objective& objective) {
+std::optional<IslandPlan> Planner::recall(const Modes& modes, const Objective& objective) {
+  if (!objective.keeps_number) return std::nullopt;
   const RememberedStep* const known = remembered_.find(question(modes, objective));
   // What the other islands are in tolerates the action, or no action of this one.
   if (known == nullptr || !nominal_.tolerates(modes, known->action)) return std::nullopt;
-  PlannedStep step{known->action, known->component, {modes, known->moves}, known->idle};
-  for (const NominalMove& move : known->moves) step.outcome.modes[move.component.index()] = move.transition->to;
-  return step;
+  IslandPlan plan{{known->action, known->component, known->serves, {modes, known->moves}, known->idle}, modes};
+  for (const NominalMove& move : known->moves) plan.first.outcome.modes[move.component.index()] = move.transition->to;
+  for (const ComponentId c : islands_.components(objective.island)) plan.end[c.index()] = known->end[c.index()];
+  return plan;
 }
 
-Planner::Choice Planner::first_step(const Modes& modes, const Objective& objective) {
+std::variant<IslandPlan, Impasse> Planner::planned(const Modes& modes, const Objective& objective) {
   if (auto known = recall(modes, objective)) return std::move(*known);
+  const auto plan_of = [](auto& found) -> std::variant<IslandPlan, Impasse> {
+    if (auto* const impasse = std::get_if<Impasse>(&found.first)) return std::move(*impasse);
+    return IslandPlan{std::get<PlannedStep>(std::move(found.first)), std::move(found.end)};
+  };
   Trace trace = follow(modes, objective, Order::downstream_first);
-  if (trace.safe) return std::move(trace.first);
-  auto* const stuck = std::get_if<Impasse>(&trace.first);
+  if (trace.safe) return plan_of(trace);
+  const auto* const stuck = std::get_if<Impasse>(&trace.first);
   if (stuck == nullptr) {
     Trace other = follow(modes, objective, Order::lasting_first);
-    if (other.safe) return std::move(other.first);
+    if (other.safe) return plan_of(other);
   }
   Found safe = search(modes, objective, stuck == nullptr ? Impasse{} : *stuck, Waits::safe);
-  if (std::holds_alternative<PlannedStep>(safe.first)) return std::move(safe.first);
-  if (stuck == nullptr) return std::move(trace.first);
-  if (!safe.excluded) return std::move(safe.first);
-  return search(modes, objective, *stuck, Waits::any).first;
+  if (std::holds_alternative<PlannedStep>(safe.first)) return plan_of(safe);
+  if (stuck == nullptr) return plan_of(trace);
+  if (!safe.excluded) return plan_of(safe);
+  Found any = search(modes, objective, *stuck, Waits::any);
+  return plan_of(any);
 }
 
 Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, Order order) {
@@ -144,36 +160,53 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
   while (!arrived(current, objective)) {
     if (!seen.insert(current).second) {
       const ComponentId astray = taken.front().second.component;
-      return {Impasse{astray, "the commands that achieve " + name(astray, objective.target[astray.index()]) + " for '" +
-                                  nominal_.plant()[astray].name + "' lead in a circle"},
-              false};
+      return {Impasse{astray,
+                      "the commands that achieve " + name(astray, objective.target[astray.index()]) + " for '" +
+                          nominal_.plant()[astray].name + "' lead in a circle",
+                      {.purpose = Reason::Purpose::goal,
+                       .obstacle = Reason::Obstacle::not_found,
+                       .component = astray,
+                       .aim = objective.target[astray.index()]}},
+              false,
+              {}};
     }
     // Where a safe walk begins that is known already, the rest is known.
-    if (safe && order == Order::downstream_first && !taken.empty() && recall(current, objective)) break;
+    if (safe && order == Order::downstream_first && !taken.empty()) {
+      if (auto rest = recall(current, objective)) {
+        current = std::move(rest->end);
+        break;
+      }
+    }
     Choice choice = walk(current, objective, order);
-    if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false};
+    if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false, {}};
     auto& step = std::get<PlannedStep>(choice);
+    if (!may_take(current, objective, step.idle, step.outcome)) {
+      return {Impasse{step.component, "what is done beside the goal would not leave it achieved, or would wait"},
+              false,
+              {}};
+    }
     safe = safe && is_safe(current, objective, step.action, step.outcome);
     Modes next = step.outcome.modes;
     taken.emplace_back(std::move(current), std::move(step));
     current = std::move(next);
   }
-  if (safe && order == Order::downstream_first) {
+  if (safe && order == Order::downstream_first && objective.keeps_number) {
     for (const auto& [before, step] : taken) {
       auto key = question(before, objective);
       if (remembered_.find(key) != nullptr) continue;
-      remembered_.add(key, {step.action, step.component, step.outcome.moves, step.idle});
+      remembered_.add(key, {step.action, step.component, step.serves, step.outcome.moves, step.idle, current});
     }
   }
-  return {std::move(taken.front().second), safe};
+  return {std::move(taken.front().second), safe, std::move(current)};
 }
 
 Planner::Choice Planner::advance(const Modes& modes, const Objective& objective, Order order) {
   std::optional<Choice> first;
   for (const ComponentId c : ordered_[objective.island]) {
-    if (modes[c.index()] == objective.target[c.index()]) continue;
+    if (!astray(modes, objective, c)) continue;
     Choice choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
-    const auto* const step = std::get_if<PlannedStep>(&choice);
+    auto* const step = std::get_if<PlannedStep>(&choice);
+    if (step != nullptr) step->serves = c;
     if (order == Order::downstream_first) return choice;
     const bool early = step != nullptr && is_brief(*step, objective) && has_waits(step->outcome.modes, objective);
     if (step != nullptr && !early) return choice;
@@ -192,10 +225,12 @@ Planner::Choice Planner::walk(const Modes& modes, const Objective& objective, Or
   // Nothing is served by leaving a fault while time passes: a repair that can be commanded at once goes before a wait.
   for (const ComponentId c : components) {
     const ModeId target = objective.target[c.index()];
-    if (modes[c.index()] == target || !nominal_.plant()[c].modes[modes[c.index()].index()].fault) continue;
+    if (!astray(modes, objective, c) || !nominal_.plant()[c].modes[modes[c.index()].index()].fault) continue;
     Choice repair = achieve(modes, objective, c, std::span(&target, 1));
-    const auto* command = std::get_if<PlannedStep>(&repair);
-    if (command != nullptr && !command->idle && command->component == c) return repair;
+    auto* const command = std::get_if<PlannedStep>(&repair);
+    if (command == nullptr || command->idle || command->component != c) continue;
+    command->serves = c;
+    return repair;
   }
   return choice;
 }
@@ -204,19 +239,29 @@ Planner::Choice Planner::achieve(const Modes& modes, const Objective& objective,
                                  std::span<const ModeId> wanted) {
   const Plant& plant = nominal_.plant();
   const ModeId current = modes[component.index()];
-  const Policy& policy = policies_.of(component, objective.named);
+  const Policy& policy = policies_.of(component, objective.permitted);
   const ModeId* nearest = nullptr;
   for (const ModeId& mode : wanted) {
     const auto& distance = policy.distance(current, mode);
     if (distance && (nearest == nullptr || *distance < *policy.distance(current, *nearest))) nearest = &mode;
   }
   if (nearest == nullptr) {
-    return Impasse{component, "no permitted nominal transitions lead '" + plant[component].name + "' from " +
-                                  name(component, current) + " to " + name(component, wanted.front())};
+    return Impasse{component,
+                   "no permitted nominal transitions lead '" + plant[component].name + "' from " +
+                       name(component, current) + " to " + name(component, wanted.front()),
+                   {.purpose = Reason::Purpose::goal,
+                    .obstacle = Reason::Obstacle::missing,
+                    .component = component,
+                    .aim = wanted.front()}};
   }
   if (order_.in_cycle(component)) {
-    return Impasse{component, "no permitted sequence of commands leads '" + plant[component].name + "' from " +
-                                  name(component, current) + " to " + name(component, *nearest)};
+    return Impasse{component,
+                   "no permitted sequence of commands leads '" + plant[component].name + "' from " +
+                       name(component, current) + " to " + name(component, *nearest),
+                   {.purpose = Reason::Purpose::goal,
+                    .obstacle = Reason::Obstacle::not_found,
+                    .component = component,
+                    .aim = *nearest}};
   }
   return bring_about(modes, objective, component, *policy.next(current, *nearest));
 }
@@ -234,7 +279,7 @@ std::optional<Distance> Planner::distance(const Modes& modes, const Objective& o
   Distance sum;
   for (const ModeRequirement& r : way.modes) {
     if (is_met(r, modes)) continue;
-    const Policy& policy = policies_.of(r.component, objective.named);
+    const Policy& policy = policies_.of(r.component, objective.permitted);
     // What is not part of the goal state has to be undone again.
     const ModeId target = objective.target[r.component.index()];
     std::optional<Distance> nearest;
@@ -260,16 +305,39 @@ const ModeRequirement* Planner::first_pending(const Modes& modes, const Way& way
   return first;
 }
 
-ControlAction Planner::action_for(const Support& support) const {
-  const auto& controls = nominal_.plant().controls;
-  ControlAction action = idle_;
-  for (const Requirement& r : support) {
-    for (std::size_t i = 0; i < controls.size(); ++i) {
-      if (controls[i].variable != r.variable) continue;
-      if (!std::binary_search(r.values.begin(), r.values.end(), idle_[i])) action[i] = r.values.front();
-    }
+/// The step of a way of which only the command is missing.
+Planner::Choice Planner::command(const Modes& modes, const Objective& objective, ComponentId component,
+                                 const NominalTransition& transition, const Support& support) {
+  const Plant& plant = nominal_.plant();
+  const auto change = [&](ComponentId c, const char* goes, ModeId from, ModeId to) {
+    return "'" + plant[c].name + "' " + goes + " from " + name(c, from) + " to " + name(c, to);
+  };
+  auto action = nominal_.least_action(modes, &support);
+  auto outcome = action
+                     ? nominal_.take(modes, *action, {component, &transition}, objective.permitted, &objective.target)
+                     : std::nullopt;
+  if (outcome) {
+    const bool idle =
+        *action == idle_ || (!nominal_.tolerates(modes, idle_) && action == nominal_.resting_action(modes));
+    return PlannedStep{std::move(*action), component, component, std::move(*outcome), idle};
   }
-  return action;
+  Reason why{.purpose = Reason::Purpose::goal,
+             .obstacle = Reason::Obstacle::side_effect,
+             .component = component,
+             .aim = transition.to,
+             .step = TransitionOf{component, transition.id}};
+  const std::string purpose = change(component, "to go", transition.from, transition.to);
+  if (action && nominal_.refused()) {
+    const TransitionOf refused = *nominal_.refused();
+    const auto& t = plant[refused.component].transitions[refused.transition.index()];
+    why.obstacle = Reason::Obstacle::forbidden;
+    why.step = refused;
+    return Impasse{component,
+                   "what causes " + purpose + " would let " + change(refused.component, "go", t.from, t.to) +
+                       ", which is irreversible, and the goal does not name a mode that this leads to",
+                   why};
+  }
+  return Impasse{component, "every command that would cause " + purpose + " undoes what is achieved", why};
 }
 
 Planner::Choice Planner::bring_about(const Modes& modes, const Objective& objective, ComponentId component,
@@ -294,16 +362,7 @@ Planner::Choice Planner::bring_about(const Modes& modes, const Objective& object
       choice = achieve(modes, objective, pending->component, wanted);
       if (auto* stuck = std::get_if<Impasse>(&*choice)) stuck->reason += ", as it takes for " + purpose();
     } else {
-      ControlAction action = action_for(*way->support);
-      auto outcome = nominal_.take(modes, action, {component, &transition}, objective.named, &objective.target);
-      if (outcome) {
-        const bool idle = action == idle_;
-        choice = PlannedStep{std::move(action), component, std::move(*outcome), idle};
-      } else {
-        choice = Impasse{component, "every command that would cause " + purpose() +
-                                        " undoes what is achieved, or takes an irreversible step that the goal does "
-                                        "not name"};
-      }
+      choice = command(modes, objective, component, transition, *way->support);
     }
     if (std::holds_alternative<PlannedStep>(*choice)) return std::move(*choice);
     if (!obstacle) obstacle = std::get<Impasse>(std::move(*choice));

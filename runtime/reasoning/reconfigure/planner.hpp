@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <variant>
@@ -11,7 +12,7 @@
 #include "automata/step/plant_step.hpp"
 #include "base/bounded_cache.hpp"
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
-#include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
+#include "runtime/reasoning/reconfigure/impasse.hpp"
 #include "runtime/reasoning/reconfigure/islands.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/nominal_step.hpp"
@@ -24,6 +25,7 @@ namespace rmpl::runtime {
 struct PlannedStep {
   automata::ControlAction action;   ///< idle: wait
   automata::ComponentId component;  ///< the one that is to change its mode
+  automata::ComponentId serves;     ///< the one on whose way that is
   NominalOutcome outcome;
   bool idle = false;
 };
@@ -31,8 +33,21 @@ struct PlannedStep {
 /// What a planner is asked: everything but the state that it starts from.
 struct Objective {
   const automata::Modes& target;
-  const NamedModes& named;  ///< modes to which an irreversible step may lead
-  std::size_t island;       ///< only its components are looked at
+  const Permitted& permitted;       ///< transitions that may be taken
+  std::size_t island;               ///< only its components are looked at
+  const std::vector<bool>& wanted;  ///< by component: it is to come to its target; others may end where they are
+  /// Housekeeping: what every state on the way satisfies. It waits for no timed transition but of components that are
+  /// astray themselves. Empty for what the goal needs.
+  std::function<bool(const automata::Modes&)> keeps = {};
+  /// Plans of objectives with the same number may be remembered for each other: 0 where nothing is kept. None where
+  /// what is kept is no matter of the island alone.
+  std::optional<std::uint64_t> keeps_number = 0;
+};
+
+/// A plan for one island.
+struct IslandPlan {
+  PlannedStep first;
+  automata::Modes end;  ///< other islands as they were
 };
 
 /// Goals are achieved one by one, downstream first; the policy of a component names the transition to take, and what
@@ -51,8 +66,17 @@ class Planner {
  public:
   Planner(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands);
 
-  /// The first step from `modes`, which differ from the target in the island.
-  std::variant<PlannedStep, Impasse> next(const automata::Modes& modes, const Objective& objective);
+  /// The first step from `modes`, which differ from the target in some wanted component of the island, and where the
+  /// plan ends.
+  std::variant<IslandPlan, Impasse> next(const automata::Modes& modes, const Objective& objective);
+  /// The searches of one answer share a budget; this renews it.
+  void renew_budget(std::size_t trials = trial_limit) { tried_ = trial_limit - trials; }
+  /// All controls idle, or what the model tolerates that is nearest to it and, if possible, changes nothing.
+  std::optional<automata::ControlAction> resting_action(const automata::Modes& modes) {
+    return nominal_.resting_action(modes);
+  }
+  /// The components that the ways of the wanted ones lead through, themselves among them.
+  std::vector<bool> on_the_way(const automata::Modes& modes, const Objective& objective);
 
   /// Components in the order in which their goals are achieved.
   [[nodiscard]] const std::vector<automata::ComponentId>& order() const { return order_.downstream_first(); }
@@ -64,7 +88,7 @@ class Planner {
 
   /// States that a search visits at most, before it gives up.
   static constexpr std::size_t search_limit = 1u << 14;
-  /// Control actions that it tries at most, over all states.
+  /// Control actions that the searches of one answer try at most, over all states.
   static constexpr std::size_t trial_limit = 1u << 16;
 
  private:
@@ -75,13 +99,21 @@ class Planner {
   struct Trace {
     Choice first;
     bool safe;
+    automata::Modes end;
   };
   /// What a search finds; `excluded`: ways were left out because of unsafe waits.
   struct Found {
     Choice first;
     bool excluded;
+    automata::Modes end;
   };
-  Choice first_step(const automata::Modes& modes, const Objective& objective);
+  std::variant<IslandPlan, Impasse> planned(const automata::Modes& modes, const Objective& objective);
+  [[nodiscard]] static bool astray(const automata::Modes& modes, const Objective& objective, automata::ComponentId c) {
+    return objective.wanted[c.index()] && modes[c.index()] != objective.target[c.index()];
+  }
+  /// Whether the step may be part of a plan: it keeps what is to be kept, and waits for nothing that it must not.
+  static bool may_take(const automata::Modes& modes, const Objective& objective, bool idle,
+                       const NominalOutcome& outcome);
   Trace follow(const automata::Modes& modes, const Objective& objective, Order order);
   Choice walk(const automata::Modes& modes, const Objective& objective, Order order);
   /// Of the components that are astray, the first that can be brought on without reaching a goal too early.
@@ -90,6 +122,8 @@ class Planner {
                  std::span<const automata::ModeId> wanted);
   Choice bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                      const NominalTransition& transition);
+  Choice command(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                 const NominalTransition& transition, const Support& support);
   /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
   /// upstream of it. It can take others, to bring a component out of the way that is where it should be in the end.
   [[nodiscard]] std::vector<automata::ControlAction> promising(const automata::Modes& modes,
@@ -101,6 +135,13 @@ class Planner {
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
                const NominalOutcome& outcome);
+  /// What the policies that lead the seeds to their targets go through: modes that they rely on, components that they
+  /// move.
+  struct Followed {
+    std::vector<bool> relied, moved;
+  };
+  Followed followed(const automata::Modes& modes, const Objective& objective,
+                    std::span<const automata::ComponentId> seeds);
   /// Per component, whether its mode is its goal, or what a policy that leads another there requires or commands from.
   std::vector<bool> relied_on(const automata::Modes& modes, const Objective& objective);
 
@@ -109,21 +150,21 @@ class Planner {
   /// Of the requirements that the modes do not meet yet, the one furthest downstream, and of several of its component
   /// the first; or null.
   [[nodiscard]] const ModeRequirement* first_pending(const automata::Modes& modes, const Way& way) const;
-  [[nodiscard]] automata::ControlAction action_for(const Support& support) const;
   [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
   [[nodiscard]] std::string name(automata::ComponentId component, automata::ModeId mode) const;
 
   /// What the island and the objective have to do with where a walk leads, as a key.
   std::vector<std::uint64_t> question(const automata::Modes& modes, const Objective& objective) const;
   /// The first step of a safe walk that was followed before, or part of one.
-  std::optional<PlannedStep> recall(const automata::Modes& modes, const Objective& objective);
+  std::optional<IslandPlan> recall(const automata::Modes& modes, const Objective& objective);
 
   /// What is remembered of a step: all but the modes of other islands.
   struct RememberedStep {
     automata::ControlAction action;
-    automata::ComponentId component;
+    automata::ComponentId component, serves;
     std::vector<NominalMove> moves;
     bool idle;
+    automata::Modes end;  ///< of the whole plant; the island's are looked at
   };
   /// Beyond about so many remembered steps they are forgotten.
   static constexpr std::size_t memory_limit = 1u << 11;
@@ -134,6 +175,7 @@ class Planner {
   Policies policies_;
   Ways ways_;
   NominalStep nominal_;
+  std::size_t tried_ = 0;
   automata::ControlAction idle_;
   std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
   std::vector<std::vector<automata::ComponentId>> ordered_;         ///< per island, downstream first

@@ -9,15 +9,16 @@ namespace rmpl::runtime {
 using automata::ComponentId;
 using automata::ModeId;
 
-Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t modes, const std::vector<bool>& named)
+Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t modes, const std::vector<bool>& permitted)
     : modes_(modes), cells_(modes * modes) {
   for (std::size_t target = 0; target < modes; ++target) {
     Cell* const row = &cells_[target * modes];
     row[target].distance = Distance{};
     const auto through = [&](const NominalTransition& t) -> std::optional<Distance> {
       const auto& rest = row[t.to.index()].distance;
-      if (!rest || t.from == t.to || !t.possible || !NominalGraph::permitted(t, named)) return std::nullopt;
-      return *rest + Distance{t.reversible ? 0u : 1u, 1u};
+      if (!rest || t.from == t.to || !t.possible || !permitted[static_cast<std::size_t>(&t - transitions.data())])
+        return std::nullopt;
+      return *rest + Distance{NominalGraph::harmless(t) ? 0u : 1u, 1u};
     };
     for (bool shorter = true; shorter;) {
       shorter = false;
@@ -38,17 +39,22 @@ Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t mo
 
 Policies::Policies(const automata::Plant& plant, const NominalGraph& graph)
     : graph_(graph), policies_(plant.components.size()) {
-  NamedModes none;
-  for (const auto& component : plant.components) none.emplace_back(component.modes.size());
-  for (std::size_t c = 0; c < plant.components.size(); ++c) of(ComponentId(c), none);
+  Permitted harmless(plant.components.size());
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    modes_.push_back(plant.components[c].modes.size());
+    for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
+      harmless[c].push_back(NominalGraph::harmless(t));
+    }
+    of(ComponentId(c), harmless);
+  }
 }
 
-const Policy& Policies::of(ComponentId component, const NamedModes& named) {
-  const std::vector<bool>& modes = named[component.index()];
+const Policy& Policies::of(ComponentId component, const Permitted& permitted) {
+  const std::vector<bool>& bits = permitted[component.index()];
   auto& known = policies_[component.index()];
-  const auto at = known.find(modes);
+  const auto at = known.find(bits);
   if (at != known.end()) return at->second;
-  return known.emplace(modes, Policy(graph_.transitions(component), modes.size(), modes)).first->second;
+  return known.emplace(bits, Policy(graph_.transitions(component), modes_[component.index()], bits)).first->second;
 }
 
 PolicyTable policy_table(const automata::Plant& plant, ComponentId component) {
@@ -57,7 +63,8 @@ PolicyTable policy_table(const automata::Plant& plant, ComponentId component) {
 
 PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph, ComponentId component) {
   const std::size_t modes = plant[component].modes.size();
-  const Policy policy(graph.transitions(component), modes, std::vector<bool>(modes, true));
+  const auto& transitions = graph.transitions(component);
+  const Policy policy(transitions, modes, std::vector<bool>(transitions.size(), true));
 
   PolicyTable table;
   for (std::size_t current = 0; current < modes; ++current) {
@@ -68,8 +75,7 @@ PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph
       if (current == target) {
         entry.kind = PolicyEntry::Kind::arrived;
       } else if (next != nullptr) {
-        const bool uncommanded = std::any_of(next->supports.begin(), next->supports.end(),
-                                             [&](const Support& s) { return needs_no_command(plant, s); });
+        const bool uncommanded = std::find(next->silent.begin(), next->silent.end(), true) != next->silent.end();
         entry.kind = uncommanded ? PolicyEntry::Kind::wait : PolicyEntry::Kind::command;
         entry.transition = next->id;
         entry.irreversible = !next->reversible;

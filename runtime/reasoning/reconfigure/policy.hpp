@@ -21,11 +21,11 @@ struct Distance {
 };
 constexpr Distance operator+(Distance a, Distance b) { return {a.irreversible + b.irreversible, a.steps + b.steps}; }
 
-/// The policy of one component, where the irreversible steps to certain modes are permitted: per current and target
+/// The policy of one component, where certain irreversible steps are permitted: per current and target
 /// mode the first transition of a shortest way, ties in declaration order.
 class Policy {
  public:
-  Policy(const std::vector<NominalTransition>& transitions, std::size_t modes, const std::vector<bool>& named);
+  Policy(const std::vector<NominalTransition>& transitions, std::size_t modes, const std::vector<bool>& permitted);
 
   /// The transition to take; null in the target mode itself and where no way leads there.
   [[nodiscard]] const NominalTransition* next(automata::ModeId current, automata::ModeId target) const {
@@ -49,17 +49,18 @@ class Policy {
   std::vector<Cell> cells_;
 };
 
-/// The policies of all components. Those that permit no irreversible step are computed at construction, others when a
-/// goal first names such a mode.
+/// The policies of all components. Those that permit no irreversible step are computed at construction, others when
+/// they are first asked for.
 class Policies {
  public:
   Policies(const automata::Plant& plant, const NominalGraph& graph);
 
-  const Policy& of(automata::ComponentId component, const NamedModes& named);
+  const Policy& of(automata::ComponentId component, const Permitted& permitted);
 
  private:
   const NominalGraph& graph_;
-  std::vector<std::map<std::vector<bool>, Policy>> policies_;  ///< per component, by the modes that are named
+  std::vector<std::size_t> modes_;                             ///< per component, how many
+  std::vector<std::map<std::vector<bool>, Policy>> policies_;  ///< per component, by what is permitted
 };
 
 /// One entry of a policy table.
@@ -76,7 +77,8 @@ struct PolicyEntry {
   std::vector<Support> supports;      ///< with `wait` and `command`
 };
 
-/// Table 6.2 for any component: `entries[current][target]`, over all modes, every irreversible step permitted.
+/// Table 6.2 for any component: `entries[current][target]`, over all modes, every irreversible step permitted: each
+/// target is one that a goal may name.
 struct PolicyTable {
   std::vector<std::vector<PolicyEntry>> entries;
 };

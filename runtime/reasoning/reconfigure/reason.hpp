@@ -40,13 +40,13 @@ struct Reason {
   Purpose purpose = Purpose::none;
   Obstacle obstacle = Obstacle::none;
   /// Which conjunct of the goal is not achieved yet, by its position in `conjuncts_of(goal)`; with `Purpose::goal`.
-  std::optional<std::uint32_t> conjunct;
+  std::optional<std::uint32_t> conjunct = std::nullopt;
   /// The component on whose way the answer lies, and the mode that it is to come to.
-  std::optional<automata::ComponentId> component;
-  std::optional<automata::ModeId> aim;
+  std::optional<automata::ComponentId> component = std::nullopt;
+  std::optional<automata::ModeId> aim = std::nullopt;
   /// The next step of that way, of `component` or of one that it depends on: what the command brings about, what is
   /// waited for, or what is barred.
-  std::optional<TransitionOf> step;
+  std::optional<TransitionOf> step = std::nullopt;
   bool operator==(const Reason&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include "runtime/reasoning/reconfigure/islands.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/planner.hpp"
+#include "runtime/reasoning/reconfigure/prospects.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
 
 namespace rmpl::runtime {
@@ -30,6 +31,7 @@ Reconfiguration refusal(Impasse impasse, std::optional<Modes> goal_state) {
   answer.goal_state = std::move(goal_state);
   answer.component = impasse.component;
   answer.reason = std::move(impasse.reason);
+  answer.why = impasse.why;
   return answer;
 }
 
@@ -45,48 +47,106 @@ class PolicyReconfigurer : public Reconfigurer {
         goals_(step) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
-    if (goal.is_true()) return idle(Reconfiguration::Outcome::nothing_to_do);
-    auto& asked = goals_.find(goal);
-    auto& answers = asked.memory.answers;
-    if (const auto known = answers.find(modes); known != answers.end()) return known->second;
-    if (answers.size() >= answer_limit) answers.clear();
-    Reconfiguration fresh = answers.emplace(modes, answer(modes, asked)).first->second;
-    fresh.checked = interpreter_.checked();
-    return fresh;
+    if (goal.is_true()) return at_rest(std::nullopt);
+    Asked& asked = goals_.find(goal);
+    if (asked.memory.number == 0) asked.memory.number = ++goals_asked_;
+    checked_ = 0;
+    Reconfiguration answer = settled(modes, asked);
+    answer.checked = checked_;
+    return answer;
   }
 
  private:
   struct Memory {
-    std::optional<GoalInterpreter::Choice> chosen;
+    std::uint64_t number = 0;  ///< of the goal; 0 before it was asked
     std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
   };
   using Asked = RecentGoals<Memory>::Entry;
 
-  [[nodiscard]] Reconfiguration idle(Reconfiguration::Outcome outcome) const {
+  /// The next step of one island; whether it achieves what does not last, and whether the island has to be waited for.
+  struct Offer {
+    IslandPlan plan;
+    std::size_t island;
+    bool brief, waits;
+  };
+  /// What the goal needs of a goal state, and the islands' plans for it.
+  struct Needed {
+    std::vector<ComponentId> components;
+    Modes target;  ///< the estimate, with those changes alone
+    Permitted permitted;
+    std::vector<bool> wanted;
+    std::vector<Offer> offers;
+  };
+  /// Failed plans after which those for rewards are told apart no more, and after which no more are looked for.
+  static constexpr std::size_t exact_failures = 32;
+  static constexpr std::size_t failure_limit = 256;
+  static constexpr std::size_t housekeeping_trials = 1u << 11;
+
+  [[nodiscard]] Reconfiguration at_rest(std::optional<Modes> modes) const {
     Reconfiguration answer;
-    answer.outcome = outcome;
     answer.action = idle_;
+    answer.goal_state = std::move(modes);
     return answer;
   }
 
+  /// The answer, and those along the plan that it begins: the goal state is chosen anew in every state, by what is best
+  /// from there, so that choices that are equally good could lead in a circle. Where they do nothing more is done for
+  /// reward: commands come to an end.
+  Reconfiguration settled(const Modes& modes, Asked& asked) {
+    auto& answers = asked.memory.answers;
+    if (const auto known = answers.find(modes); known != answers.end()) return known->second;
+    if (answers.size() >= answer_limit) answers.clear();
+    std::vector<std::pair<Modes, Reconfiguration>> path;
+    Modes current = modes;
+    while (!answers.contains(current)) {
+      const auto again = std::find_if(path.begin(), path.end(), [&](const auto& p) { return p.first == current; });
+      if (again != path.end()) {
+        for (auto at = again; at != path.end(); ++at) {
+          if (interpreter_.entailed(at->first, asked.goal)) at->second = achieved(at->first);
+        }
+        break;
+      }
+      path.emplace_back(current, answer(current, asked));
+      const auto& expected = path.back().second.expected;
+      if (!expected || *expected == current) break;
+      current = *expected;
+    }
+    Reconfiguration result = path.front().second;
+    for (auto& [state, found] : path) answers.insert_or_assign(std::move(state), std::move(found));
+    return result;
+  }
+
   Reconfiguration answer(const Modes& modes, Asked& asked) {
-    Reconfiguration result = chosen(modes, asked);
+    Reconfiguration result;
+    if (!step_.possible(modes)) {
+      result = refusal({std::nullopt, "the estimated modes contradict each other"}, {});
+    } else if (interpreter_.entailed(modes, asked.goal)) {
+      result = housekeeping(modes, asked);
+    } else {
+      result = towards(modes, asked);
+    }
     if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = idle_;
     return result;
   }
 
-  /// The next step of one island; whether it achieves what does not last, and whether the island has to be waited for.
-  struct Offer {
-    PlannedStep step;
-    bool brief, waits;
-  };
+  /// Nothing to do, but for what the model asks for.
+  Reconfiguration achieved(const Modes& modes) {
+    Reconfiguration result = at_rest(modes);
+    const auto action = planner_.resting_action(modes);
+    if (!action || *action == idle_) return result;
+    result.outcome = Reconfiguration::Outcome::command;
+    result.action = *action;
+    result.expected = modes;
+    result.why.purpose = Reason::Purpose::model;
+    return result;
+  }
 
   /// The first command that need not be put off until another island has been waited for; else the first wait; else the
   /// first command.
   static std::size_t best(const std::vector<Offer>& offers) {
     const auto waiting = std::count_if(offers.begin(), offers.end(), [](const Offer& o) { return o.waits; });
     const auto rank = [&](const Offer& o) {
-      if (o.step.idle) return 1;
+      if (o.plan.first.idle) return 1;
       return o.brief && waiting > (o.waits ? 1 : 0) ? 2 : 0;
     };
     const auto at = std::min_element(offers.begin(), offers.end(),
@@ -94,62 +154,180 @@ class PolicyReconfigurer : public Reconfigurer {
     return static_cast<std::size_t>(at - offers.begin());
   }
 
-  /// Islands do not touch each other, so each is planned by itself; the first that has a command has its turn, in the
-  /// order of goals, and the plant is waited for only where none has.
-  Reconfiguration chosen(const Modes& modes, Asked& asked) {
-    if (!step_.possible(modes)) return refusal({std::nullopt, "the estimated modes contradict each other"}, {});
-    auto interpreted = interpreter_.interpret(modes, asked.goal, asked.memory.chosen);
-    if (auto* impasse = std::get_if<Impasse>(&interpreted)) return refusal(std::move(*impasse), {});
-    Modes target = std::get<Modes>(std::move(interpreted));
-
-    std::vector<Offer> offers;
+  /// Islands do not touch each other, so each is planned by itself, in the order of goals. An impasse, and its island.
+  std::optional<std::pair<Impasse, std::size_t>> plan(const Modes& modes, Objective objective,
+                                                      std::vector<Offer>& offers) {
     std::vector<bool> planned(islands_.count());
     for (const ComponentId c : planner_.order()) {
       const std::size_t island = islands_.of(c);
-      if (modes[c.index()] == target[c.index()] || planned[island]) continue;
+      if (!objective.wanted[c.index()] || modes[c.index()] == objective.target[c.index()] || planned[island]) continue;
       planned[island] = true;
-      const Objective objective{target, asked.goal.named(), island};
-      auto choice = planner_.next(modes, objective);
-      if (auto* impasse = std::get_if<Impasse>(&choice)) return refusal(std::move(*impasse), std::move(target));
-      auto& step = std::get<PlannedStep>(choice);
-      const bool brief = planner_.is_brief(step, objective);
-      offers.push_back({std::move(step), brief, planner_.has_waits(modes, objective)});
+      objective.island = island;
+      auto found = planner_.next(modes, objective);
+      if (auto* impasse = std::get_if<Impasse>(&found)) return std::pair{std::move(*impasse), island};
+      auto& way = std::get<IslandPlan>(found);
+      const bool brief = planner_.is_brief(way.first, objective);
+      offers.push_back({std::move(way), island, brief, planner_.has_waits(modes, objective)});
     }
-    if (offers.empty()) {
-      Reconfiguration result = idle(Reconfiguration::Outcome::nothing_to_do);
-      result.goal_state = std::move(target);
-      return result;
+    return std::nullopt;
+  }
+
+  /// First what the goal needs.
+  Reconfiguration towards(const Modes& modes, Asked& asked) {
+    const Goal& goal = asked.goal;
+    const Prospects prospects(*graph_, modes, goal, false);
+    planner_.renew_budget();
+    Needed needed;
+    std::size_t failures = 0;
+    std::optional<Impasse> obstacle;
+    std::optional<Modes> refused;
+    auto interpreted = interpreter_.interpret(
+        modes, goal, prospects, [&](const Modes& candidate) -> std::optional<std::vector<ComponentId>> {
+          needed = Needed{interpreter_.needed(modes, candidate, goal), modes, {}, std::vector<bool>(modes.size()), {}};
+          for (const ComponentId c : needed.components) {
+            needed.target[c.index()] = candidate[c.index()];
+            needed.wanted[c.index()] = true;
+          }
+          // What the goal asks for and has is to be there still, or again.
+          for (std::size_t c = 0; c < modes.size(); ++c) {
+            needed.wanted[c] = needed.wanted[c] || goal.restricts(ComponentId(c));
+          }
+          needed.permitted = prospects.permitted(needed.target);
+          auto failed = plan(modes, {needed.target, needed.permitted, 0, needed.wanted}, needed.offers);
+          if (!failed) return std::nullopt;
+          if (!obstacle) {
+            obstacle = std::move(failed->first);
+            refused = candidate;
+          }
+          std::vector<ComponentId> blamed;
+          if (++failures >= failure_limit) return blamed;
+          for (const ComponentId c : needed.components) {
+            if (islands_.of(c) == failed->second) blamed.push_back(c);
+          }
+          return blamed;
+        });
+    checked_ += interpreter_.checked();
+    if (auto* impasse = std::get_if<Impasse>(&interpreted)) {
+      Impasse barred = obstacle ? std::move(*obstacle) : std::move(*impasse);
+      barred.why.purpose = Reason::Purpose::goal;
+      barred.why.conjunct = open_conjunct(modes, goal, {});
+      return refusal(std::move(barred), std::move(refused));
     }
-    PlannedStep* const chosen = &offers[best(offers)].step;
+    Modes end = modes;
+    for (const Offer& offer : needed.offers) {
+      for (const ComponentId c : islands_.components(offer.island)) end[c.index()] = offer.plan.end[c.index()];
+    }
+    const PlannedStep& step = needed.offers[best(needed.offers)].plan.first;
     Reconfiguration result;
-    result.outcome = chosen->idle ? Reconfiguration::Outcome::wait : Reconfiguration::Outcome::command;
-    result.action = std::move(chosen->action);
-    result.goal_state = std::move(target);
-    result.expected = std::move(chosen->outcome.modes);
-    result.component = chosen->component;
-    result.why = reason_of(*chosen, *result.goal_state, asked.goal, modes);
-    result.irreversible =
-        !chosen->idle && std::any_of(chosen->outcome.moves.begin(), chosen->outcome.moves.end(),
-                                     [](const NominalMove& move) { return !move.transition->reversible; });
+    if (auto aside = step.idle ? beside(modes, std::get<Modes>(interpreted), needed, prospects) : std::nullopt) {
+      result = told(modes, *aside, needed.target, goal, Reason::Purpose::reward);
+    } else {
+      result = told(modes, step, needed.target, goal, Reason::Purpose::goal);
+    }
+    result.goal_state = std::get<Modes>(std::move(interpreted));
+    if (interpreter_.entailed(end, goal) && step_.possible(end)) {
+      const std::size_t checked = checked_;
+      auto rest = settled(end, asked);
+      if (rest.goal_state) result.goal_state = std::move(rest.goal_state);
+      checked_ = checked;
+    }
     return result;
   }
 
-  Reason reason_of(const PlannedStep& step, const Modes& target, const Goal& goal, const Modes& modes) {
-    Reason reason;
-    const std::vector<Formula> conjuncts = conjuncts_of(goal.formula());
-    const auto now = assignments_of(step_.plant(), modes);
-    reason.purpose = Reason::Purpose::reward;
-    for (std::uint32_t i = 0; i < conjuncts.size() && reason.purpose == Reason::Purpose::reward; ++i) {
-      if (step_.theory().entails(now, step_.theory().encode(conjuncts[i]))) continue;
-      reason.purpose = Reason::Purpose::goal;
-      reason.conjunct = i;
+  /// While what is needed waits, a command for components that are no part of the way, or a repair of one: nothing is
+  /// served by leaving a fault while time passes.
+  std::optional<PlannedStep> beside(const Modes& modes, const Modes& target, const Needed& needed,
+                                    const Prospects& prospects) {
+    const std::vector<bool> way = planner_.on_the_way(modes, {needed.target, needed.permitted, 0, needed.wanted});
+    for (const ComponentId c : planner_.order()) {
+      const bool broken = step_.plant()[c].modes[modes[c.index()].index()].fault;
+      if ((way[c.index()] && !broken) || target[c.index()] == modes[c.index()]) continue;
+      Modes aim = modes;
+      aim[c.index()] = target[c.index()];
+      std::vector<bool> wanted(modes.size());
+      wanted[c.index()] = true;
+      const auto others_rest = [&](const Modes& after) {
+        for (std::size_t i = 0; i < after.size(); ++i) {
+          if (way[i] && i != c.index() && after[i] != modes[i]) return false;
+        }
+        return true;
+      };
+      const Permitted permitted = prospects.permitted(aim);
+      planner_.renew_budget(housekeeping_trials);
+      auto found = planner_.next(modes, {aim, permitted, islands_.of(c), wanted, others_rest, std::nullopt});
+      auto* const plan = std::get_if<IslandPlan>(&found);
+      if (plan != nullptr && !plan->first.idle) return std::move(plan->first);
     }
-    reason.component = step.component;
-    reason.aim = target[step.component.index()];
+    return std::nullopt;
+  }
+
+  /// Then housekeeping: what is worth more, under which the goal stays entailed.
+  Reconfiguration housekeeping(const Modes& modes, const Asked& asked) {
+    const Goal& goal = asked.goal;
+    const auto number = goal.rest() ? std::nullopt : std::optional(asked.memory.number);
+    const Prospects prospects(*graph_, modes, goal, true);
+    planner_.renew_budget(housekeeping_trials);
+    std::vector<Offer> offers;
+    std::size_t failures = 0;
+    const auto keeps = [&](const Modes& after) { return interpreter_.entailed(after, goal); };
+    auto interpreted = interpreter_.interpret(
+        modes, goal, prospects, [&](const Modes& candidate) -> std::optional<std::vector<ComponentId>> {
+          offers.clear();
+          if (candidate == modes) return std::nullopt;
+          std::vector<bool> wanted(modes.size());
+          for (std::size_t c = 0; c < modes.size(); ++c) {
+            wanted[c] = candidate[c] != modes[c] || prospects.commandable(ComponentId(c));
+          }
+          const Permitted permitted = prospects.permitted(candidate);
+          const auto failed = plan(modes, {candidate, permitted, 0, wanted, keeps, number}, offers);
+          if (!failed) return std::nullopt;
+          std::vector<ComponentId> blamed;
+          if (++failures >= failure_limit) return blamed;
+          for (const ComponentId c : islands_.components(failed->second)) {
+            if (failures < exact_failures || candidate[c.index()] != modes[c.index()]) blamed.push_back(c);
+          }
+          return blamed;
+        });
+    checked_ += interpreter_.checked();
+    if (std::holds_alternative<Impasse>(interpreted) || offers.empty()) return achieved(modes);
+    Modes target = std::get<Modes>(std::move(interpreted));
+    Reconfiguration result = told(modes, offers[best(offers)].plan.first, target, goal, Reason::Purpose::reward);
+    result.goal_state = std::move(target);
+    return result;
+  }
+
+  Reconfiguration told(const Modes& modes, const PlannedStep& step, const Modes& target, const Goal& goal,
+                       Reason::Purpose purpose) {
+    Reconfiguration result;
+    result.outcome = step.action == idle_ ? Reconfiguration::Outcome::wait : Reconfiguration::Outcome::command;
+    result.action = step.action;
+    result.expected = step.outcome.modes;
+    result.component = step.component;
+    result.irreversible = !step.idle && std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(),
+                                                    [](const NominalMove& m) { return !m.transition->reversible; });
+    result.why.purpose = purpose;
+    if (purpose == Reason::Purpose::goal) result.why.conjunct = open_conjunct(modes, goal, step.serves);
+    result.why.component = step.serves;
+    result.why.aim = target[step.serves.index()];
     for (const NominalMove& move : step.outcome.moves) {
-      if (move.component == step.component) reason.step = TransitionOf{move.component, move.transition->id};
+      if (move.component == step.component) result.why.step = TransitionOf{move.component, move.transition->id};
     }
-    return reason;
+    return result;
+  }
+
+  /// The first conjunct that is not entailed yet, of those that ask for modes of the component where there is one.
+  std::optional<std::uint32_t> open_conjunct(const Modes& modes, const Goal& goal, std::optional<ComponentId> served) {
+    const auto now = assignments_of(step_.plant(), modes);
+    const std::vector<Formula> conjuncts = conjuncts_of(goal.formula());
+    std::optional<std::uint32_t> first;
+    for (std::uint32_t i = 0; i < conjuncts.size(); ++i) {
+      const auto variables = variables_of(conjuncts[i]);
+      const bool about = served && std::binary_search(variables.begin(), variables.end(), step_.plant()[*served].mode);
+      if ((first && !about) || step_.theory().entails(now, step_.theory().encode(conjuncts[i]))) continue;
+      if (about) return i;
+      first = i;
+    }
+    return first;
   }
 
   automata::PlantStep& step_;
@@ -159,6 +337,8 @@ class PolicyReconfigurer : public Reconfigurer {
   GoalInterpreter interpreter_;
   Planner planner_;
   RecentGoals<Memory> goals_;
+  std::uint64_t goals_asked_ = 0;
+  std::size_t checked_ = 0;
 };
 
 }  // namespace

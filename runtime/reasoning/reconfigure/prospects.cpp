@@ -1,0 +1,177 @@
+// What each component can come to: closures over its nominal transitions.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/reconfigure/prospects.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace rmpl::runtime {
+
+using automata::ComponentId;
+using automata::ModeId;
+using automata::Modes;
+
+Prospects::Prospects(const NominalGraph& graph, const Modes& modes, const Goal& goal, bool keeping)
+    : graph_(graph), modes_(modes), goal_(goal), steps_(modes.size()), commandable_(modes.size()) {
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    drift_.emplace_back(goal.named()[c].size())[modes[c].index()] = true;
+  }
+  passed_ = drift_;
+  spread(drift_, [&](ComponentId, const NominalTransition& t) {
+    for (std::size_t i = 0; i < t.supports.size(); ++i) {
+      if (t.silent[i] && supported(t.supports[i], drift_)) return true;
+    }
+    return false;
+  });
+  spread(passed_, [&](ComponentId c, const NominalTransition& t) {
+    if (!supported(t)) return false;
+    if (drifts(c, t)) return true;
+    const bool leave = NominalGraph::harmless(t) || graph_.leads_to_named(c, t.to, goal_.named());
+    return leave && (!keeping || goal_.permits(c, t.to));
+  });
+  for (std::size_t c = 0; c < modes.size(); ++c) count_steps(ComponentId(c));
+  find_commandable();
+}
+
+/// What a component reaches is looked at again where one that it depends on has come further.
+template <class Usable>
+void Prospects::spread(std::vector<std::vector<bool>>& reached, const Usable& usable) const {
+  std::vector<std::size_t> queue(reached.size());
+  std::iota(queue.begin(), queue.end(), std::size_t{0});
+  std::vector<bool> queued(reached.size(), true);
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const std::size_t c = queue[next];
+    queued[c] = false;
+    bool further = false;
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const NominalTransition& t : graph_.transitions(ComponentId(c))) {
+        if (!reached[c][t.from.index()] || reached[c][t.to.index()] || !t.possible) continue;
+        if (usable(ComponentId(c), t)) reached[c][t.to.index()] = grown = further = true;
+      }
+    }
+    if (!further) continue;
+    for (const ComponentId dependent : graph_.dependents(ComponentId(c))) {
+      if (queued[dependent.index()]) continue;
+      queued[dependent.index()] = true;
+      queue.push_back(dependent.index());
+    }
+  }
+}
+
+bool Prospects::supported(const Support& support, const std::vector<std::vector<bool>>& reached) const {
+  return std::all_of(support.begin(), support.end(), [&](const Requirement& r) { return graph_.meets(r, reached); });
+}
+
+bool Prospects::supported(const NominalTransition& t) const {
+  return std::any_of(t.supports.begin(), t.supports.end(), [&](const Support& s) { return supported(s, passed_); });
+}
+
+/// Whether it may be taken with all controls idle.
+bool Prospects::drifts(ComponentId c, const NominalTransition& t) const {
+  if (!drift_[c.index()][t.from.index()] || !drift_[c.index()][t.to.index()]) return false;
+  for (std::size_t i = 0; i < t.supports.size(); ++i) {
+    if (t.silent[i] && supported(t.supports[i], drift_)) return true;
+  }
+  return false;
+}
+
+void Prospects::count_steps(ComponentId c) {
+  const auto& names = goal_.named()[c.index()];
+  auto& steps = steps_[c.index()];
+  steps.assign(names.size(), std::nullopt);
+  steps[modes_[c.index()].index()] = 0;
+  for (bool fewer = true; fewer;) {
+    fewer = false;
+    for (const NominalTransition& t : graph_.transitions(c)) {
+      const auto& before = steps[t.from.index()];
+      auto& after = steps[t.to.index()];
+      if (!before || !passed_[c.index()][t.to.index()] || !supported(t)) continue;
+      const std::uint32_t count = *before + (NominalGraph::harmless(t) || drifts(c, t) ? 0 : 1);
+      if (after && *after <= count) continue;
+      after = count;
+      fewer = true;
+    }
+  }
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    if (steps[m] && *steps[m] > 0 && !names[m]) steps[m] = std::nullopt;
+  }
+}
+
+/// Whether commands, or components that are commanded, decide whether the transition is taken: some support in reach
+/// asks for them, and none is met whatever they do.
+bool Prospects::felt(ComponentId c, const NominalTransition& t) const {
+  bool felt = false;
+  for (const Support& support : t.supports) {
+    bool asks = false;
+    bool met = true;
+    for (const Requirement& r : support) {
+      const auto other = graph_.component_of(r);
+      if (other == c) continue;
+      const bool now = other && std::binary_search(r.values.begin(), r.values.end(),
+                                                   automata::ValueId(modes_[other->index()].index()));
+      if (!other) {
+        asks = true;
+      } else if (commandable_[other->index()]) {
+        const auto& reached = passed_[other->index()];
+        for (std::size_t m = 0; m < reached.size(); ++m) {
+          asks =
+              asks || (reached[m] && now != std::binary_search(r.values.begin(), r.values.end(), automata::ValueId(m)));
+        }
+      }
+      met = met && now;
+    }
+    if (!asks && met) return false;
+    felt = felt || (asks && supported(support, passed_));
+  }
+  return felt;
+}
+
+void Prospects::find_commandable() {
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t c = 0; c < modes_.size(); ++c) {
+      if (commandable_[c]) continue;
+      for (const NominalTransition& t : graph_.transitions(ComponentId(c))) {
+        if (t.from != modes_[c] || t.to == t.from || !passed_[c][t.to.index()] || !felt(ComponentId(c), t)) continue;
+        commandable_[c] = grown = true;
+        break;
+      }
+    }
+  }
+}
+
+Permitted Prospects::permitted(const Modes& target) const {
+  Permitted permitted(modes_.size());
+  for (std::size_t c = 0; c < modes_.size(); ++c) {
+    const ComponentId id(c);
+    const bool named = goal_.named()[c][target[c].index()];
+    for (const NominalTransition& t : graph_.transitions(id)) {
+      permitted[c].push_back(NominalGraph::harmless(t) || (named && graph_.leads(id, t.to, target[c])) ||
+                             drifts(id, t));
+    }
+  }
+  return permitted;
+}
+
+Prospects::Barrier Prospects::barrier(ComponentId component, const std::vector<bool>& wanted) const {
+  const auto& own = passed_[component.index()];
+  Barrier first;
+  for (const NominalTransition& t : graph_.transitions(component)) {
+    if (!own[t.from.index()] || own[t.to.index()] || !t.possible) continue;
+    bool leads = false;
+    for (std::size_t m = 0; m < wanted.size(); ++m)
+      leads = leads || (wanted[m] && graph_.leads(component, t.to, ModeId(m)));
+    if (!leads || (first.transition != nullptr && !wanted[t.to.index()])) continue;
+    const Support& support = t.supports.front();
+    const auto unmet =
+        std::find_if(support.begin(), support.end(), [&](const Requirement& r) { return !graph_.meets(r, passed_); });
+    const bool leave = NominalGraph::harmless(t) || graph_.leads_to_named(component, t.to, goal_.named());
+    if (leave && unmet == support.end()) continue;
+    first = {&t, leave ? &*unmet : nullptr};
+    if (wanted[t.to.index()]) break;
+  }
+  return first;
+}
+
+}  // namespace rmpl::runtime
