@@ -35,7 +35,7 @@ inline automata::Document example(std::initializer_list<const char*> names) {
 inline automata::Formula formula(const char* text, const automata::Plant& plant) {
   const auto compiled = compiler::compile_formula(text, plant, "benchmark");
   if (!compiled.formula) {
-    std::fputs(compiled.diagnostics.c_str(), stderr);
+    std::fputs(grammar::render_text(compiled.findings, false).c_str(), stderr);
     std::exit(EXIT_FAILURE);
   }
   return *compiled.formula;

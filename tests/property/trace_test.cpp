@@ -53,7 +53,8 @@ Flight fly(const automata::Document& document, TraceDetail detail) {
   std::ifstream log(path);
   flight.cycles = cycles_of(runtime::read_log(log, "trace", document.plants[0]));
   std::ifstream again(path);
-  flight.sequence = runtime::sequence_log(document.programs[0], document.plants[0], again, "trace");
+  runtime::sequence_log(document.programs[0], document.plants[0], again, "trace",
+                        [&flight](std::string_view line) { flight.sequence.append(line).push_back('\n'); });
   std::filesystem::remove(path);
   return flight;
 }

@@ -296,7 +296,9 @@ TEST_F(TraceFile, OfChangesIsTheSameLogAsThatOfAllCycles) {
     for (const auto& line : lines) cycles += 1 + line.value("unchanged", 0U);
     EXPECT_EQ(cycles, 41U);
     std::ifstream log(path());
-    repeated.push_back(sequence_log(document.programs[0], document.plants[0], log, "out.jsonl"));
+    std::string& sequence = repeated.emplace_back();
+    sequence_log(document.programs[0], document.plants[0], log, "out.jsonl",
+                 [&sequence](std::string_view line) { sequence.append(line).push_back('\n'); });
   }
   EXPECT_EQ(repeated[0], repeated[1]);
   EXPECT_EQ(repeated[1], repeated[2]);

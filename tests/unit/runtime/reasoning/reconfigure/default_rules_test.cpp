@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "tests/unit/runtime/reasoning/reconfigure/reconfigure_models.hpp"
 
 namespace rmpl::runtime {
