@@ -26,12 +26,21 @@ Shape small() {
   return shape;
 }
 
+/// Where time stands still what does not end or come is violated, though no time shows it, and of all else that is not
+/// nothing can be told.
+bool answers(const verifier::Answer& found, bool violated) {
+  if (violated) return found.verdict == Verdict::violated;
+  if (found.witness) return found.witness->stop && found.witness->stop->still;
+  return found.verdict == (found.cut_off.still ? Verdict::undecided : Verdict::holds);
+}
+
 void compare(std::optional<Ticks> period) {
   const Model model = *models(small());
   const RandomProgram program = *programs(model.plant);
   reference::LoopQuestion question;
   question.faults = up_to(0, 1);
   question.period = period;
+  question.unit = Ticks{Ticks::per_second / 2};
   question.formula = *formulas(model.plant.variables, all_variables(model.plant), 1);
   question.within = Ticks::of_seconds(static_cast<std::int64_t>(up_to(0, 4)));
 
@@ -54,20 +63,23 @@ void compare(std::optional<Ticks> period) {
       ProgramProperty{Kind::termination},
       ProgramProperty{Kind::never, question.formula},
       ProgramProperty{Kind::eventually, question.formula, question.within},
-      ProgramProperty{Kind::finally, question.formula}};
+      ProgramProperty{Kind::finally, question.formula},
+      ProgramProperty{Kind::stuck}};
   verifier::CheckOptions options;
   options.period = period;
   options.faults = static_cast<unsigned>(question.faults);
   const std::vector<verifier::Answer> found = verifier::check(program.program, step, properties, options, {});
   const std::vector<bool> violated = {expected.conflict,      expected.no_plan, expected.waits_for_ever,
                                       expected.runs_for_ever, expected.holds,   expected.late,
-                                      expected.ends_without};
+                                      expected.ends_without,  expected.stops};
   for (std::size_t p = 0; p < properties.size(); ++p) {
     RC_LOG() << verifier::name_of(properties[p]) << " is " << (violated[p] ? "" : "not ")
              << "violated tick by tick; formula " << automata::to_text(question.formula, model.plant.variables)
              << ", within " << question.within.count << ", faults " << question.faults << std::endl;
-    RC_ASSERT(found[p].verdict == (violated[p] ? Verdict::violated : Verdict::holds));
+    RC_ASSERT(answers(found[p], violated[p]));
+    RC_ASSERT(expected.stops || (!found[p].cut_off.stuck && !found[p].cut_off.still));
   }
+  RC_CLASSIFY(expected.stops);
   RC_TAG(expected.runs_for_ever ? "endless" : "ends");
 }
 

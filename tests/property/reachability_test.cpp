@@ -54,17 +54,23 @@ std::size_t changes(const verifier::Witness& witness) {
   return count;
 }
 
+/// What comes of no witness: where time stands still, what would follow cannot be told.
+verifier::Verdict without_witness(const verifier::Answer& answer, verifier::Verdict otherwise) {
+  return answer.cut_off.still ? verifier::Verdict::undecided : otherwise;
+}
+
 void compare(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& fewest) {
   automata::PlantStep step(model.plant);
   const verifier::Answer reached =
       verifier::check(step, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
-  RC_ASSERT(reached.verdict == (fewest ? verifier::Verdict::holds : verifier::Verdict::violated));
   RC_ASSERT(reached.witness.has_value() == fewest.has_value());
+  RC_ASSERT(reached.verdict ==
+            (fewest ? verifier::Verdict::holds : without_witness(reached, verifier::Verdict::violated)));
   if (fewest) RC_ASSERT(changes(*reached.witness) == *fewest);
 
   const verifier::Answer safe =
       verifier::check(step, verifier::Safety{.never = drawn.question.target, .window = {}}, drawn.options, {});
-  RC_ASSERT(safe.verdict == (fewest ? verifier::Verdict::violated : verifier::Verdict::holds));
+  RC_ASSERT(safe.verdict == (fewest ? verifier::Verdict::violated : without_witness(safe, verifier::Verdict::holds)));
 }
 
 void compare_response(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& missed) {
@@ -72,7 +78,21 @@ void compare_response(const Model& model, const Drawn& drawn, const std::optiona
   const reference::Response& asked = *drawn.question.response;
   const verifier::Answer result =
       verifier::check(step, verifier::Response{asked.after, asked.then, asked.within}, drawn.options, {});
-  RC_ASSERT(result.verdict == (missed ? verifier::Verdict::violated : verifier::Verdict::holds));
+  // Where time stands still while an answer is owed, none comes, but no deadline either.
+  if (!missed && result.witness && result.witness->stop && result.witness->stop->still) return;
+  RC_ASSERT(result.witness.has_value() == missed.has_value());
+  RC_ASSERT(result.verdict ==
+            (missed ? verifier::Verdict::violated : without_witness(result, verifier::Verdict::holds)));
+}
+
+void compare_stuck(const Model& model, const Drawn& drawn) {
+  automata::PlantStep step(model.plant);
+  const verifier::Answer result = verifier::check(step, verifier::Stuck{}, drawn.options, {});
+  const reference::Step slow(model.plant);
+  const bool stops =
+      reference::comes_to_a_stop(slow, drawn.question, drawn.options.period, Ticks{Ticks::per_second / 2});
+  RC_CLASSIFY(stops);
+  RC_ASSERT(result.verdict == (stops ? verifier::Verdict::violated : verifier::Verdict::holds));
 }
 
 Drawn draw_response(const automata::Plant& plant) {
@@ -128,6 +148,21 @@ RC_GTEST_PROP(Reachability, SymmetricSampledIsTheTicks, ()) {
   drawn.options.period = Ticks::of_seconds(1);
   const reference::Step slow(model.plant);
   compare(model, drawn, reference::fewest_steps_sampled(slow, drawn.question, Ticks::of_seconds(1)));
+}
+
+/// Few states, as time is counted in halves.
+constexpr Shape tangled{.max_components = 2, .max_modes = 3, .max_attributes = 3, .densities = false, .tangled = true};
+
+RC_GTEST_PROP(Reachability, DenseStopsAreThoseOfTheGrid, ()) {
+  const Model model = chance(70) ? *models(tangled) : *mirrored({.max_components = 1, .tangled = true});
+  compare_stuck(model, draw_question(model.plant));
+}
+
+RC_GTEST_PROP(Reachability, SampledStopsAreThoseOfTheTicks, ()) {
+  const Model model = chance(70) ? *models(drawn_shape()) : *mirrored(half);
+  Drawn drawn = draw_question(model.plant);
+  drawn.options.period = pick<Ticks>({{Ticks::per_second}, {3 * Ticks::per_second / 4}});
+  compare_stuck(model, drawn);
 }
 
 using Faults = std::vector<verifier::Fault>;

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <deque>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "tests/reference/belief.hpp"
+#include "tests/reference/endless.hpp"
 
 namespace rmpl::reference {
 
@@ -88,9 +90,37 @@ class Search {
     return std::nullopt;
   }
 
+  bool stops() {
+    std::map<State, std::size_t> numbers;
+    std::deque<State> queue;
+    const auto number = [&](const State& state) {
+      const auto [at, fresh] = numbers.try_emplace(state, numbers.size());
+      if (fresh) queue.push_back(state);
+      return at->second;
+    };
+    for (const auto& [start, probability] : initial_belief(step_)) number({start.modes, start.clock_starts});
+    std::vector<RunEdge> edges;
+    std::vector<bool> judged;
+    for (; !queue.empty(); queue.pop_front()) {
+      const State state = queue.front();
+      judged.push_back(!some_fault_is_certain(state));
+      successors(state, [&](const State& next) {
+        edges.push_back({judged.size() - 1, number(next), takes_time_, next.faults == state.faults, {}, nullptr});
+      });
+    }
+    return comes_to_a_stop(edges, judged);
+  }
+
  protected:
   using Visit = std::function<void(const State&)>;
   virtual void successors(const State& state, const Visit& visit) = 0;
+  /// The state with its clocks as a step sees them.
+  [[nodiscard]] virtual State at_end(const State& state) const { return state; }
+  [[nodiscard]] ControlAction idle() const {
+    ControlAction action;
+    for (const automata::Control& control : plant_.controls) action.push_back(control.idle);
+    return action;
+  }
   /// What a component may do under an action; empty where it can do nothing at all.
   virtual std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) = 0;
 
@@ -139,8 +169,19 @@ class Search {
   const automata::Plant& plant_;
   const Question& question_;
   std::vector<ControlAction> actions_;
+  bool takes_time_ = true;  ///< what is visited does
 
  private:
+  /// Under idle controls.
+  bool some_fault_is_certain(const State& state) {
+    for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+      const auto options = choices(at_end(state), c, idle());
+      if (std::all_of(options.begin(), options.end(), [](const Choice& choice) { return choice.faults > 0; }))
+        return true;
+    }
+    return false;
+  }
+
   /// The state with what it means for the response.
   [[nodiscard]] State enter(State state) const {
     if (!question_.response) return state;
@@ -179,7 +220,9 @@ class Dense : public Search {
 
  protected:
   void successors(const State& state, const Visit& visit) override {
+    takes_time_ = true;
     if (time_may_pass(state)) visit(later(state, unit_));
+    takes_time_ = false;
     for (const ControlAction& action : actions_)
       moves(state, action, [&](const State& next) {
         if (next.modes != state.modes) visit(next);
@@ -220,12 +263,10 @@ class Dense : public Search {
   /// With every control idle: no untimed nominal transition to another mode is enabled, and no timed one to another
   /// mode has reached its upper bound, unless an untimed one to its own mode takes all of the nominal share.
   bool time_may_pass(const State& state) {
-    ControlAction idle;
-    for (const automata::Control& control : plant_.controls) idle.push_back(control.idle);
     for (std::size_t i = 0; i < plant_.components.size(); ++i) {
       bool stays = false;
       bool due = false;
-      for (const Transition* t : enabled(state.modes, i, idle)) {
+      for (const Transition* t : enabled(state.modes, i, idle())) {
         if (plant_.components[i].is_fault(*t)) continue;
         const bool leaves = t->to != state.modes[i];
         if (is_untimed_nominal(plant_.components[i], *t)) {
@@ -249,8 +290,10 @@ class Sampled : public Search {
 
  protected:
   void successors(const State& state, const Visit& visit) override {
-    for (const ControlAction& action : actions_) moves(later(state, period_), action, visit);
+    for (const ControlAction& action : actions_) moves(at_end(state), action, visit);
   }
+
+  [[nodiscard]] State at_end(const State& state) const override { return later(state, period_); }
 
   /// `state` has its clocks at the end b of the step; they were b - period at its beginning.
   std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) override {
@@ -296,6 +339,10 @@ class Sampled : public Search {
 
 std::optional<std::size_t> fewest_steps_sampled(const Step& step, const Question& question, Ticks period) {
   return Sampled(step, question, period).run();
+}
+
+bool comes_to_a_stop(const Step& step, const Question& question, std::optional<Ticks> period, Ticks unit) {
+  return period ? Sampled(step, question, *period).stops() : Dense(step, question, unit).stops();
 }
 
 std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& question, Ticks unit) {

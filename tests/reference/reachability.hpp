@@ -37,4 +37,11 @@ std::optional<std::size_t> fewest_steps_sampled(const Step& step, const Question
 /// steps.
 std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& question, automata::Ticks unit);
 
+/// Whether from some reachable state on nothing can follow, or time stands still: steps without a fault never take time
+/// again. In dense time (no period) on the grid of `unit`, of which every finite bound is an even multiple: where a
+/// bound has passed and the next has not come yet, fewer steps are possible than at either. A state in which a fault is
+/// certain is not judged.
+bool comes_to_a_stop(const Step& step, const Question& question, std::optional<automata::Ticks> period,
+                     automata::Ticks unit);
+
 }  // namespace rmpl::reference

@@ -9,6 +9,7 @@ namespace rmpl::tools {
 void add_reachability(Program& program);
 void add_safety(Program& program);
 void add_response(Program& program);
+void add_stuck(Program& program);
 void add_program(Program& program);
 void add_check(Program& program);
 void add_export(Program& program);

@@ -18,6 +18,7 @@ int main(int count, char** arguments) {
   add_reachability(program);
   add_safety(program);
   add_response(program);
+  add_stuck(program);
   add_program(program);
   add_check(program);
   add_export(program);

@@ -45,7 +45,7 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
     result.push_back(ProgramProperty{Kind::finally, formula_option(text, plant, "--finally", common), {}, text});
   }
   if (!result.empty() || options.each_fault) return result;
-  for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination}) {
+  for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination, Kind::stuck}) {
     result.push_back(ProgramProperty{kind});
   }
   return result;
@@ -84,31 +84,36 @@ ScenarioFrame frame_of(const ProgramOptions& options, const Subject& subject) {
   return frame;
 }
 
-/// Writes the first violation as a scenario. One of dense time is looked for again in cycles.
+/// Writes the first violation that a flight can show as a scenario. One of dense time is looked for again in cycles.
 void write_scenario(base::OutputFile& file, const ScenarioFrame& frame, const Subject& subject,
                     automata::PlantStep& step, const std::vector<Property>& properties,
                     const std::vector<Answer>& answers, const CheckOptions& free, const Common& common,
                     const verifier::Limits& limits) {
-  const auto violated = [](const Answer& a) { return a.witness.has_value(); };
-  const auto at = std::find_if(answers.begin(), answers.end(), violated);
-  if (at == answers.end()) {
-    if (!common.quiet) tell("nothing is violated, so no scenario is written");
-    return;
-  }
-  const Property& property = properties[static_cast<std::size_t>(at - answers.begin())];
-  std::optional<verifier::Witness> witness = at->witness;
-  if (!free.period) {
-    CheckOptions sampled = free;
-    sampled.period = frame.cycle;
-    witness = verifier::check(*subject.program, step, {property}, sampled, limits).front().witness;
-    if (!witness) {
-      tell("warning: in cycles of " + automata::format_seconds(frame.cycle) +
-           " s the violation was not found, so no scenario is written; --cycle takes another length");
+  std::optional<std::string> why;
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    if (!answers[p].witness) continue;
+    std::optional<verifier::Witness> witness = answers[p].witness;
+    if (!free.period && !witness->stop) {
+      CheckOptions sampled = free;
+      sampled.period = frame.cycle;
+      witness = verifier::check(*subject.program, step, {properties[p]}, sampled, limits).front().witness;
+    }
+    const auto& property = std::get<ProgramProperty>(properties[p]);
+    const auto refused = witness ? verifier::no_scenario(step, property, *witness)
+                                 : std::optional("in cycles of " + automata::format_seconds(frame.cycle) +
+                                                 " s the violation was not found; --cycle takes another length");
+    if (!refused) {
+      file.write(verifier::scenario_text(step, property, *witness, frame));
+      file.keep();
       return;
     }
+    if (!why) why = refused;
   }
-  file.write(verifier::scenario_text(step, std::get<ProgramProperty>(property), *witness, frame));
-  file.keep();
+  if (why) {
+    tell("warning: no scenario is written: " + *why);
+  } else if (!common.quiet) {
+    tell("nothing is violated, so no scenario is written");
+  }
 }
 
 std::string text_of(const Subject& subject, const std::vector<Property>& properties, const CheckOptions& free,

@@ -24,21 +24,22 @@ std::vector<Kind> general_properties(const std::string& text) {
   std::istringstream names(text);
   for (std::string name; std::getline(names, name, ',');) {
     const std::size_t before = result.size();
-    for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination}) {
+    for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination, Kind::stuck}) {
       if (name == verifier::name_of(kind) || name == "all") result.push_back(kind);
     }
     if (result.size() == before) {
-      throw CLI::ValidationError("'" + name +
-                                 "' is not known; expected goal-conflict, no-plan, endless-wait, termination or all");
+      throw CLI::ValidationError(
+          "'" + name + "' is not known; expected goal-conflict, no-plan, endless-wait, termination, stuck or all");
     }
   }
   return result;
 }
 
 void add_properties(CLI::App& command, ProgramOptions& options) {
-  add_read(command, "--check", options.general, general_properties,
-           "goal-conflict, no-plan, endless-wait, termination, or all of them: what is checked where nothing else is "
-           "asked")
+  add_read(
+      command, "--check", options.general, general_properties,
+      "goal-conflict, no-plan, endless-wait, termination, stuck, or all of them: what is checked where nothing else is "
+      "asked")
       ->option_text("LIST");
   add_texts(command, "--never", options.nevers, "FORMULA", "what is never to hold up to the program's end");
   const auto take = [&options](const std::vector<std::string>& texts) {

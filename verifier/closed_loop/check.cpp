@@ -12,6 +12,7 @@
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/witness/claim.hpp"
 #include "verifier/witness/loop_replay.hpp"
+#include "verifier/witness/steps_at.hpp"
 
 namespace rmpl::verifier {
 
@@ -60,9 +61,15 @@ class ProgramCheck {
     try {
       start();
       for (; p < properties_.size(); ++p) {
-        answers[p].witness = violation(properties_[p], {});
-        answers[p].verdict = answers[p].witness ? Verdict::violated : Verdict::holds;
-        answers[p].progress = meter_.progress();
+        Answer& answer = answers[p];
+        cut_off_ = {};
+        answer.witness = violation(properties_[p], {});
+        answer.verdict = answer.witness ? Verdict::violated : Verdict::holds;
+        answer.progress = meter_.progress();
+        if (answer.witness) continue;
+        answer.cut_off = cut_off_;
+        // What would follow is not known, as no time comes in which it would.
+        if (cut_off_.still) answer.verdict = Verdict::undecided;
       }
     } catch (const LimitReached& reached) {
       for (; p < properties_.size(); ++p) {
@@ -90,7 +97,13 @@ class ProgramCheck {
     for (const FaultStep& fault : faults) result.rows.push_back({fault});
     try {
       start();
-      for (FaultOutcome& row : result.rows) fill(row);
+      for (FaultOutcome& row : result.rows) {
+        fill(row);
+        const FaultOutcome& without = result.rows.front();
+        if (!row.fault) continue;
+        row.anyway = {without.lost.has_value(), without.waits.has_value(), without.goes_on.has_value(),
+                      without.stops.has_value()};
+      }
     } catch (const LimitReached& reached) {
       result.limit = reached.limit;
     }
@@ -118,6 +131,7 @@ class ProgramCheck {
       row.no_plan = violation({Kind::no_plan}, only);
       row.waits = violation({Kind::endless_wait}, only);
       row.goes_on = lasso(only, {Kind::termination});
+      row.stops = violation({Kind::stuck}, only);
     }
     row.decided = true;
   }
@@ -143,9 +157,12 @@ class ProgramCheck {
       case Kind::endless_wait:
         return search({Aim::endless_wait, nullptr, 0, only, false}, &property);
       case Kind::termination: {
-        auto waiting = search({Aim::endless_wait, nullptr, 0, only, false}, &property);
-        return waiting ? std::move(waiting) : lasso(only, property);
+        auto found = search({Aim::endless_wait, nullptr, 0, only, false}, &property);
+        if (!found) found = lasso(only, property);
+        return found ? std::move(found) : search({Aim::still, nullptr, 0, only, false}, &property);
       }
+      case Kind::stuck:
+        return search({Aim::stop, nullptr, 0, only, false}, &property);
       case Kind::never:
         return search({Aim::holds, holds(property.formula, entailed), 0, only, false}, &property);
       case Kind::eventually:
@@ -175,8 +192,43 @@ class ProgramCheck {
   std::optional<Witness> search(const Quest& quest, const ProgramProperty* shown = nullptr) {
     ProgramSystem system(loop_, start_, quest);
     const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
+    cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
+    cut_off_.still = cut_off_.still || system.cut_off().still;
     if (!path) return std::nullopt;
+    if (ProgramSystem::is_end(path->back().discrete)) return stopped(*path, system, quest, shown);
     return replayed(earliest_witness(*path, loop_, quest), quest.aim == Aim::endless_wait, shown);
+  }
+
+  /// A run that is cut off, or that goes round while time stands still.
+  Witness stopped(std::vector<PathState> path, ProgramSystem& system, const Quest& quest,
+                  const ProgramProperty* shown) {
+    path.pop_back();
+    const std::size_t last = path.size() - 1;
+    const Standstill found = system.standstill(system.accepted());
+    const PathEnd end = system.end_of(system.accepted(), last);
+    for (const Instant& step : found.round) path.push_back(ProgramSystem::state_after(step));
+    Witness witness = earliest_witness(path, loop_, quest, end);
+    witness.stop.emplace();
+    witness.stop->still = !found.round.empty();
+    if (witness.stop->still) {
+      witness.repeats_from = last + found.repeats_from + 1;
+    } else {
+      explain(witness);
+    }
+    return replayed(std::move(witness), false, shown);
+  }
+
+  /// Names what contradicts each other in what a step would lead to.
+  void explain(Witness& witness) {
+    const std::vector<Event>& events = witness.events;
+    automata::SystemState state{events.front().modes, std::vector<Ticks>(events.front().modes.size(), Ticks{0})};
+    for (std::size_t e = 1; e + 1 < events.size(); ++e) {
+      state = automata::PlantStep::advance(state, events[e].modes, events[e].time);
+    }
+    StepsAt steps(step_, state, events.back().time + options_.period.value_or(Ticks{0}), options_.period);
+    steps.any(events.back().action, [](const Modes&) { return true; });
+    witness.stop->refused = steps.refused();
+    if (!steps.refused().empty()) witness.stop->conflict = conflict_of(step_.plant(), steps.refused());
   }
 
   std::optional<Witness> lasso(const FaultFilter& only, const ProgramProperty& shown) {
@@ -213,6 +265,7 @@ class ProgramCheck {
   std::unique_ptr<runtime::Reconfigurer> planner_;
   std::vector<LoopState> start_;
   bool startless_ = false;  ///< known to be
+  CutOff cut_off_;          ///< seen by the searches for the answer at hand
 };
 
 }  // namespace

@@ -176,6 +176,7 @@ Turn Loop::work_out(const LoopState& state, unsigned faults) {
   std::vector<std::vector<Choice>> all;
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     all.push_back(choices_of(state, turn, ComponentId(c)));
+    for (const Interval& clock : without_nominal(all.back())) turn.faulty.push_back({ComponentId(c), clock});
     turn.exits.enabled.emplace_back();
     for (const Choice& choice : all.back()) {
       if (leaves_for_sure(choice, state.modes[c])) include(turn.exits.enabled.back(), choice.mode);

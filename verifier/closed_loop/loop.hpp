@@ -70,6 +70,7 @@ struct Turn {
   std::vector<Outcome> outcomes;  ///< those with fewer faults first
   std::vector<Wait> waits;
   Exits exits;
+  std::vector<ClockBound> faulty;  ///< where a fault of a component is certain, at the end of the cycle
 };
 
 /// All states of the loop met so far. Works cycles out on the step functions themselves.

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/check.hpp"
+#include "verifier/closed_loop/loop_instants.hpp"
 
 namespace rmpl::verifier {
 
@@ -24,10 +25,53 @@ void ProgramSystem::initial(const Visit& visit) {
 
 void ProgramSystem::successors(const SymbolicState& state, const Visit& visit) {
   const LoopStateId id = loop_state(state.discrete);
+  if (is_end(state.discrete)) return;
   if (loop_[id].marking.empty() && quest_.aim != Quest::Aim::late) return;
   const std::shared_ptr<const Turn> turn = loop_.turn(id, loop_.faults() - state.faults);
   for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) step(state, *turn, move, visit);
+  enter_end(state, visit);
   loop_.explored(id);
+}
+
+/// What a run is cut off in, if there is such a thing.
+void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
+  auto found = stop_in(state.zone, loop_state(state.discrete));
+  if (!found) return;
+  const std::uint64_t end = found->round.empty() ? stuck_bit : still_bit;
+  visit({state.discrete | end, state.faults, std::move(found->zone)}, {no_move, no_wait, false});
+}
+
+std::optional<Standstill> ProgramSystem::stop_in(const Zone& zone, LoopStateId id) {
+  const auto comes_true = [this](const automata::Modes& modes) { return stopwatch() && test(modes); };
+  LoopInstants instants(loop_, id, extra(), comes_true);
+  return find_standstill(zone, id.value, instants);
+}
+
+Standstill ProgramSystem::standstill(const SymbolicState& end) {
+  auto found = stop_in(end.zone, loop_state(end.discrete));
+  CHECK(found && "a run that is cut off is so when it is looked at again");
+  return *found;
+}
+
+PathEnd ProgramSystem::end_of(const SymbolicState& end, std::size_t position) const {
+  PathEnd result{position, {}, {}};
+  const LoopState& state = loop_[loop_state(end.discrete)];
+  std::size_t clock = extra();
+  for (const ClockGroup& group : state.groups) {
+    ++clock;
+    for (const automata::ClockId own : group.clocks) {
+      result.program.push_back({own, {end.zone.lower(clock), end.zone.upper(clock)}});
+    }
+  }
+  for (const ComponentId component : loop_.live(state.modes)) {
+    ++clock;
+    result.components.push_back({component, {end.zone.lower(clock), end.zone.upper(clock)}});
+  }
+  return result;
+}
+
+PathState ProgramSystem::state_after(const Instant& step) {
+  return {step.target << phase_bits, {step.move, no_wait, false}};
 }
 
 bool ProgramSystem::is_filtered(const LoopState& from, const Outcome& outcome) const {
@@ -76,7 +120,7 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
   const std::size_t clock = extra();
   Zone still = zone;
   if (still.constrain(clock, {0, 0})) go_on(still);
-  if (!zone.constrain(clock, {1, unbounded})) return;
+  if (!zone.constrain(clock, {loop_.time().grain(), unbounded})) return;
   arrival.phase |= progressed_bit;
   sources[clock - 1] = 0;
   go_on(zone);
@@ -162,9 +206,21 @@ bool ProgramSystem::wait(Zone& zone, const Box& box, LoopStateId id) const {
 }
 
 bool ProgramSystem::accepts(const SymbolicState& state) const {
+  if (!is_wanted(state)) return false;
+  accepted_ = state;
+  return true;
+}
+
+bool ProgramSystem::is_wanted(const SymbolicState& state) const {
   if (quest_.filter.fault && (state.discrete & happened_bit) == 0) return false;
   const LoopStateId id = loop_state(state.discrete);
   const LoopState& at = loop_[id];
+  const bool still = (state.discrete & still_bit) != 0;
+  cut_off_.stuck = cut_off_.stuck || (state.discrete & stuck_bit) != 0;
+  cut_off_.still = cut_off_.still || still;
+  if (is_end(state.discrete)) {
+    return quest_.aim == Quest::Aim::stop || (still && (quest_.aim == Quest::Aim::still || stopwatch()));
+  }
   switch (quest_.aim) {
     case Quest::Aim::goal_conflict:
       return !loop_.turn(id)->conflicts.empty();
@@ -185,6 +241,8 @@ bool ProgramSystem::accepts(const SymbolicState& state) const {
       return at.marking.empty() && test(at.modes);
     case Quest::Aim::happens:
       return true;
+    case Quest::Aim::stop:
+    case Quest::Aim::still:
     case Quest::Aim::nothing:
       return false;
   }
@@ -205,7 +263,7 @@ std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& stat
 std::vector<ClockLimits> ProgramSystem::limits(const LoopState& state) const {
   std::vector<ClockLimits> result;
   if (stopwatch()) result.push_back({quest_.deadline, -1});
-  if (progress_clock()) result.push_back({1, 0});
+  if (progress_clock()) result.push_back({loop_.time().grain(), 0});
   for (const ClockGroup& group : state.groups) {
     ClockLimits limits;
     for (Cell cell = loop_.cell(group);; cell = loop_.cells().around(group.clocks, cell.last + 1)) {
@@ -219,6 +277,11 @@ std::vector<ClockLimits> ProgramSystem::limits(const LoopState& state) const {
   for (const ComponentId component : loop_.live(state.modes)) {
     const std::size_t c = component.index();
     result.push_back(clock_limits(loop_.plant().components[c], state.modes[c], loop_.time()));
+  }
+  // Of two readings that only one of all limits tells apart either can do what the other can: what cannot go on is not
+  // hidden behind what can do more.
+  for (std::size_t clock = extra(); clock < result.size(); ++clock) {
+    result[clock].lower = result[clock].upper = std::max(result[clock].lower, result[clock].upper);
   }
   return result;
 }

@@ -9,6 +9,8 @@
 #include "base/bounded_cache.hpp"
 #include "verifier/closed_loop/loop.hpp"
 #include "verifier/property/fault.hpp"
+#include "verifier/search/passed.hpp"
+#include "verifier/search/standstill.hpp"
 #include "verifier/search/system.hpp"
 
 namespace rmpl::verifier {
@@ -29,6 +31,8 @@ struct Quest {
     late,           ///< `test` has not held when `deadline` is reached; such runs go on after the program's end
     ends_with,      ///< the program's end in a state in which `test` holds
     happens,        ///< the fault of the filter
+    stop,           ///< where nothing can follow, or time stands still
+    still,          ///< where time stands still
     nothing         ///< everything is seen
   };
   Aim aim = Aim::nothing;
@@ -37,6 +41,13 @@ struct Quest {
   FaultFilter filter = {};
   /// Dense time: keep a clock that tells whether time passes, and mark the states that it brings.
   bool progress = false;
+};
+
+/// Where a run is cut off: what the clocks read as the cycle begins in the state at a position of its path.
+struct PathEnd {
+  std::size_t position;
+  Box components;
+  std::vector<std::pair<automata::ClockId, Interval>> program;
 };
 
 /// A state is the start of a cycle with the clocks in cells, closed under waiting. A cycle is a step, silent where
@@ -58,15 +69,30 @@ class ProgramSystem : public TransitionSystem {
   /// Whether time passed before the step that led here.
   static bool progressed(std::uint64_t discrete) { return (discrete & progressed_bit) != 0; }
 
+  /// Whether a run is cut off there, as nothing can follow or as time stands still.
+  static bool is_end(std::uint64_t discrete) { return (discrete & (stuck_bit | still_bit)) != 0; }
+  /// Where runs are cut off in states that have been seen by a search.
+  [[nodiscard]] const CutOff& cut_off() const { return cut_off_; }
+  /// In a state of that kind: how. Its zone is uniform, so that there is one answer.
+  [[nodiscard]] Standstill standstill(const SymbolicState& end);
+  /// What the clocks read there, as the cycle begins in the state before it, at the position of its path.
+  [[nodiscard]] PathEnd end_of(const SymbolicState& end, std::size_t position) const;
+  /// The state that a step of a round leads to.
+  [[nodiscard]] static PathState state_after(const Instant& step);
+  /// The accepted state that was found.
+  [[nodiscard]] const SymbolicState& accepted() const { return *accepted_; }
+
   /// `Label::wait` of a state that has not waited; else it is a position in `Turn::waits`.
   static constexpr std::uint32_t no_wait = UINT32_MAX;
   /// `Label::move` of a state to start in; else it is a position in `Turn::outcomes`.
   static constexpr std::uint32_t no_move = UINT32_MAX;
 
  private:
-  static constexpr unsigned phase_bits = 2;
+  static constexpr unsigned phase_bits = 4;
   static constexpr std::uint64_t happened_bit = 1;
   static constexpr std::uint64_t progressed_bit = 2;
+  static constexpr std::uint64_t stuck_bit = 4;
+  static constexpr std::uint64_t still_bit = 8;
 
   /// Where a step comes from and what is true of it.
   struct Arrival {
@@ -88,12 +114,17 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] bool wait(Zone& zone, const Box& box, LoopStateId id) const;
   [[nodiscard]] std::size_t clock_of(automata::ComponentId component, const LoopState& state) const;
   [[nodiscard]] std::vector<ClockLimits> limits(const LoopState& state) const;
+  [[nodiscard]] std::optional<Standstill> stop_in(const Zone& zone, LoopStateId id);
+  void enter_end(const SymbolicState& state, const Visit& visit);
+  [[nodiscard]] bool is_wanted(const SymbolicState& state) const;
   [[nodiscard]] bool test(const automata::Modes& modes) const;
 
   Loop& loop_;
   const std::vector<LoopState>& start_;
   const Quest& quest_;
   mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> answers_{1u << 16};  ///< of `test`
+  mutable CutOff cut_off_;
+  mutable std::optional<SymbolicState> accepted_;
 };
 
 }  // namespace rmpl::verifier

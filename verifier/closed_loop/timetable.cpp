@@ -18,8 +18,8 @@ namespace {
 /// The points in time of one path: for each state when it is entered, and when the next cycle after waiting begins.
 class LoopTimetable {
  public:
-  LoopTimetable(const std::vector<PathState>& path, Loop& loop, const Quest& quest)
-      : path_(path), loop_(loop), quest_(quest), started_(loop.program().clocks.size()) {}
+  LoopTimetable(const std::vector<PathState>& path, Loop& loop, const Quest& quest, const std::optional<PathEnd>& end)
+      : path_(path), loop_(loop), quest_(quest), end_(end), started_(loop.program().clocks.size()) {}
 
   Witness witness() {
     restarted_.assign(state(0).modes.size(), 0);
@@ -44,7 +44,7 @@ class LoopTimetable {
     for (const ClockBound& b : bounds) schedule_.constrain(restarted(b), end, b.clock);
     if (quest_.progress && loop_.time().is_dense()) {
       const bool progressed = ProgramSystem::progressed(path_[i].discrete);
-      schedule_.constrain(progress_, end, progressed ? Interval{1, unbounded} : Interval{0, 0});
+      schedule_.constrain(progress_, end, progressed ? Interval{loop_.time().grain(), unbounded} : Interval{0, 0});
       if (progressed) progress_ = end;
     }
     for (std::size_t c = 0; c < restarted_.size(); ++c) {
@@ -88,6 +88,12 @@ class LoopTimetable {
       }
     }
     left_.push_back(left);
+    if (end_ && end_->position == i) {
+      for (const ClockBound& b : end_->components) schedule_.constrain(restarted(b), left, b.clock);
+      for (const auto& reading : end_->program) {
+        schedule_.constrain(started_[reading.first.index()], left, reading.second);
+      }
+    }
     for_each_clock(i, [&](ClockId clock, const Cell& cell) {
       const Interval readings = loop_.cells().units(cell, loop_.time());
       schedule_.constrain(started_[clock.index()], entered_.back(), {readings.lower, unbounded});
@@ -97,12 +103,12 @@ class LoopTimetable {
 
   [[nodiscard]] std::vector<Units> solve() const {
     const Schedule::Point last = left_.back();
-    if (quest_.aim == Quest::Aim::late) {
+    if (quest_.aim == Quest::Aim::late && !end_) {
       Schedule late = schedule_;
       late.constrain(0, last, {quest_.deadline, unbounded});
       return times_of(late);
     }
-    if (quest_.aim != Quest::Aim::endless_wait) return times_of(schedule_);
+    if (quest_.aim != Quest::Aim::endless_wait || end_) return times_of(schedule_);
     const std::shared_ptr<const Turn> turn = loop_.turn(id(path_.size() - 1));
     for (const Wait& wait : turn->waits) {
       if (!wait.endless) continue;
@@ -161,6 +167,7 @@ class LoopTimetable {
   const std::vector<PathState>& path_;
   Loop& loop_;
   const Quest& quest_;
+  const std::optional<PathEnd>& end_;
   Schedule schedule_;
   std::vector<Schedule::Point> entered_;    ///< per state
   std::vector<Schedule::Point> left_;       ///< per state
@@ -171,8 +178,9 @@ class LoopTimetable {
 
 }  // namespace
 
-Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Quest& quest) {
-  return LoopTimetable(path, loop, quest).witness();
+Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Quest& quest,
+                         const std::optional<PathEnd>& end) {
+  return LoopTimetable(path, loop, quest, end).witness();
 }
 
 }  // namespace rmpl::verifier

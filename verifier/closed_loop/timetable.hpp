@@ -11,6 +11,7 @@
 namespace rmpl::verifier {
 
 /// The run with the earliest times of a path of `ProgramSystem` to what the quest looks for.
-Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Quest& quest);
+Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Quest& quest,
+                         const std::optional<PathEnd>& end = std::nullopt);
 
 }  // namespace rmpl::verifier

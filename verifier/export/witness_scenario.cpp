@@ -26,6 +26,16 @@ class Writer {
   Writer(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness, const ScenarioFrame& frame)
       : step_(step), plant_(step.plant()), property_(property), witness_(witness), frame_(frame) {}
 
+  /// Whether what is never to hold can be seen to hold in the end.
+  bool shows() {
+    if (property_.kind != Kind::never) return true;
+    const std::vector<Event>& events = witness_.events;
+    const Modes& modes = events[events.size() - 2].modes;
+    std::vector<Assignment> store = automata::assignments_of(plant_, modes);
+    for (const auto& [sensor, value] : readings(modes, {}, true)) store.push_back({sensor, value});
+    return step_.theory().entails(store, step_.theory().encode(property_.formula));
+  }
+
   std::string write() {
     std::string text = "// Written by tcca-check: " + std::string(name_of(property_.kind)) +
                        " is violated, with the estimate taken as the truth.\n\nscenario \"" + frame_.name + "\" {\n";
@@ -44,18 +54,29 @@ class Writer {
     return witness_.events.back().time + Ticks{after * frame_.cycle.count};
   }
 
+  /// How long it takes to go round once; 0 where the run does not.
+  [[nodiscard]] Ticks round() const {
+    const std::vector<Event>& events = witness_.events;
+    if (!witness_.repeats_from) return Ticks{0};
+    return events[events.size() - 2].time - events[*witness_.repeats_from - 1].time;
+  }
+
   std::string observations() {
     const std::vector<Event>& events = witness_.events;
     // From when on there is which set of readings.
     std::vector<std::pair<Ticks, Readings>> changes = {
         {Ticks{0}, readings(events.front().modes, {}, events.size() == 2)}};
     const Modes* before = &events.front().modes;
+    const auto see = [&](const Event& event, Ticks later, bool last) {
+      if (event.modes == *before && !last) return;
+      changes.emplace_back(event.time + later, readings(event.modes, changes.back().second, last));
+      before = &event.modes;
+    };
     // What the last cycle leads to is not known.
-    for (std::size_t e = 1; e + 1 < events.size(); ++e) {
-      const bool last = e + 2 == events.size();
-      if (events[e].modes == *before && !last) continue;
-      changes.emplace_back(events[e].time, readings(events[e].modes, changes.back().second, last));
-      before = &events[e].modes;
+    for (std::size_t e = 1; e + 1 < events.size(); ++e) see(events[e], Ticks{0}, e + 2 == events.size());
+    for (Ticks later = round(); Ticks{0} < later && events.back().time + later < duration() + round();
+         later += round()) {
+      for (std::size_t e = *witness_.repeats_from; e + 1 < events.size(); ++e) see(events[e], later, false);
     }
     std::string text;
     for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -153,6 +174,7 @@ class Writer {
         return "  expect never " + std::string(name_of(property_.kind)) + ";\n";
       case Kind::endless_wait:
       case Kind::termination:
+      case Kind::stuck:
         return "  expect finished;\n";
       case Kind::never:
         return "  expect never " + property_.text + ";\n";
@@ -172,6 +194,13 @@ class Writer {
 };
 
 }  // namespace
+
+std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
+                                       const Witness& witness) {
+  if (witness.stop) return "a flight goes on in time, whatever the model says of what follows";
+  if (Writer(step, property, witness, {}).shows()) return std::nullopt;
+  return "no sensor shows that '" + property.text + "' holds where it can: the estimate of a flight leaves it open";
+}
 
 std::string scenario_text(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness,
                           const ScenarioFrame& frame) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "automata/step/plant_step.hpp"
@@ -16,6 +17,10 @@ struct ScenarioFrame {
   std::string entry;           ///< the definition to start with; empty: the one that no other calls
   automata::Ticks cycle;
 };
+
+/// Why no flight would fail as the run does; nothing where one does.
+std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
+                                       const Witness& witness);
 
 /// The text of a `.scn` file. `witness` violates `property` in cycles of the frame's length. The plant follows rules
 /// only: every sensor reads what the modes of the trace imply; where they leave it open, it reads what tells a fault

@@ -38,6 +38,7 @@ BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector
   const auto [at, fresh] = numbers_.try_emplace({mode, all, pauses}, BehaviourId(table_.size()));
   if (!fresh) return at->second;
   Behaviour behaviour{std::move(all), std::move(pauses)};
+  behaviour.faulty = without_nominal(behaviour.choices);
   for (const Choice& choice : behaviour.choices) {
     if (choice.mode != mode) behaviour.changes = true;
     if (choice.mode == mode && choice.faults == 0 && choice.clock.lower <= 0)

@@ -19,6 +19,7 @@ struct Behaviour {
   std::vector<Choice> choices;        ///< see `choices` in choices.hpp
   std::vector<Interval> waits;        ///< see `waits` there
   bool changes = false;               ///< some choice is another mode
+  std::vector<Interval> faulty = {};  ///< see `without_nominal` there
   Units stays_until = -1;             ///< it may stay while its clock reads at most this; below 0: not from the start
   [[nodiscard]] bool free_to_stay() const { return stays_until == unbounded; }
 };

@@ -14,6 +14,7 @@
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/slice/cone.hpp"
 #include "verifier/witness/claim.hpp"
+#include "verifier/witness/plant_stop.hpp"
 #include "verifier/witness/replay.hpp"
 
 namespace rmpl::verifier {
@@ -33,28 +34,30 @@ struct Target {
   Window window;
   bool fastest = false;
 };
-using Wanted = std::variant<Target, Response>;
+using Wanted = std::variant<Target, Response, Stuck>;
 
 Wanted wanted_of(const Property& property) {
-  return std::visit(base::Overloaded{[](const Reachability& p) {
-                                       return Wanted(Target{p.target, p.window, p.fastest});
-                                     },
-                                     [](const Safety& p) {
-                                       return Wanted(Target{p.never, p.window, p.fastest});
-                                     },
-                                     [](const Response& p) { return Wanted(p); },
-                                     [](const ProgramProperty& p) -> Wanted {
-                                       throw base::InternalError(std::string(name_of(p.kind)) +
-                                                                 " is asked of a program, not of a plant alone");
-                                     }},
-                    property);
+  return std::visit(
+      base::Overloaded{[](const Reachability& p) {
+                         return Wanted(Target{p.target, p.window, p.fastest});
+                       },
+                       [](const Safety& p) {
+                         return Wanted(Target{p.never, p.window, p.fastest});
+                       },
+                       [](const Response& p) { return Wanted(p); }, [](const Stuck& p) { return Wanted(p); },
+                       [](const ProgramProperty& p) -> Wanted {
+                         throw base::InternalError(std::string(name_of(p.kind)) +
+                                                   " is asked of a program, not of a plant alone");
+                       }},
+      property);
 }
 
 std::vector<Formula> formulas_of(const Wanted& wanted) {
   return std::visit(base::Overloaded{[](const Target& t) { return std::vector{t.formula}; },
                                      [](const Response& r) {
                                        return std::vector{r.after, r.then};
-                                     }},
+                                     },
+                                     [](const Stuck&) { return std::vector<Formula>{}; }},
                     wanted);
 }
 
@@ -67,7 +70,7 @@ std::vector<Ticks> times_of(const Wanted& wanted) {
                                 add(t.window.not_before);
                                 add(t.window.by);
                               },
-                              [&](const Response& r) { add(r.within); }},
+                              [&](const Response& r) { add(r.within); }, [](const Stuck&) {}},
              wanted);
   return times;
 }
@@ -118,6 +121,7 @@ class Check {
     try {
       start_ = situations_.initial(options_.from);
       cone_ = cone_of_influence(step_, formulas_of(wanted_));
+      if (std::holds_alternative<Stuck>(wanted_)) cone_.assign(cone_.size(), true);
       if (options_.symmetry && !options_.cut_sets) {
         symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(wanted_), options_.from));
         situations_.up_to(symmetry_);
@@ -134,6 +138,9 @@ class Check {
     if (witness_ || !result.limit) {
       result.verdict =
           witness_.has_value() == std::holds_alternative<Reachability>(property_) ? Verdict::holds : Verdict::violated;
+      if (!witness_) result.cut_off = cut_off_;
+      // What would follow is not known, as no time comes in which it would.
+      if (result.cut_off.still) result.verdict = Verdict::undecided;
     }
     result.witness = std::move(witness_);
     result.cut_sets = std::move(cut_sets_);
@@ -177,6 +184,10 @@ class Check {
     });
   }
 
+  void look_for(const Stuck&) {
+    witness_ = search([](PlantStep&) { return Observer::end(); });
+  }
+
   /// First the cone of influence alone: if it cannot reach the target, the plant cannot; and if the rest may stay as it
   /// is all the while, a path with fewest steps of the cone is one of the plant.
   std::optional<Witness> search(const Observe& observe) {
@@ -215,7 +226,7 @@ class Check {
     if (situations_.time().is_dense()) situations_.use(Steps::irreducible, visible_);
     cut_sets_.clear();
     for (const CutPath& cut : minimal_cut_sets(system, sets, meter_)) {
-      cut_sets_.push_back({cut.set.faults, earliest_witness(cut.path, system)});
+      cut_sets_.push_back({cut.set.faults, witness_of(cut.path, system)});
     }
     situations_.use(Steps::all, {});
     return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
@@ -230,19 +241,30 @@ class Check {
     if (situations_.time().is_dense() || options_.fewest_faults) {
       if (situations_.time().is_dense()) situations_.use(Steps::irreducible, visible_);
       const auto path = find_path(system, SearchOrder::covering, options_.threads, meter_);
-      if (path) any = earliest_witness(*path, system);
+      if (path) any = witness_of(*path, system);
       situations_.use(Steps::all, {});
+      cut_off_ = system.cut_off();
       if (!any || any_) return any;
     }
     try {
       const auto path = find_path(system, SearchOrder::fewest_steps, options_.threads, meter_);
       CHECK((path.has_value() || !any) && "fewer steps lead where all do not");
-      return path ? std::optional(earliest_witness(*path, system)) : std::nullopt;
+      cut_off_ = system.cut_off();
+      return path ? std::optional(witness_of(*path, system)) : std::nullopt;
     } catch (const LimitReached& reached) {
       if (!any) throw;
       limit_ = reached.limit;
       return any;
     }
+  }
+
+  /// With how it is cut off, where that is what it shows.
+  Witness witness_of(const std::vector<PathState>& path, PlantSystem& system) {
+    Witness witness = earliest_witness(path, system);
+    if (!is_end(PlantSystem::phase_of(path.back().discrete))) return witness;
+    const auto failure = explain_stop(step_, witness, options_.commands, options_.period);
+    CHECK(!failure && "a run that is cut off can go on");
+    return witness;
   }
 
   PlantStep& step_;
@@ -259,6 +281,7 @@ class Check {
   std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way
   std::vector<Modes> start_;
   std::vector<CutSet> cut_sets_;
+  CutOff cut_off_;                  ///< seen by the search that decided
   std::optional<Limit> limit_;      ///< what kept the best from being better
   std::optional<Witness> witness_;  ///< the best so far
 };

@@ -132,6 +132,22 @@ std::vector<Choice> choices(const Component& component, ModeId mode, const Enabl
   return Collector(component, mode, enabled, time).collect();
 }
 
+std::vector<Interval> without_nominal(const std::vector<Choice>& choices) {
+  std::vector<Interval> nominal;
+  for (const Choice& choice : choices) {
+    if (choice.faults == 0) nominal.push_back(choice.clock);
+  }
+  std::vector<Interval> result;
+  Units next = 0;
+  for (const Interval& some : merged(std::move(nominal))) {
+    if (some.lower > next) result.push_back({next, some.lower - 1});
+    if (some.upper == unbounded) return result;
+    next = some.upper + 1;
+  }
+  result.push_back({next, unbounded});
+  return result;
+}
+
 std::vector<Interval> waits(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time) {
   if (time.is_dense()) {
     const auto leaves = [&](TransitionId id) { return component.transitions[id.index()].to != mode; };

@@ -33,6 +33,9 @@ struct Choice {
 std::vector<Choice> choices(const automata::Component& component, automata::ModeId mode,
                             const automata::Enabled& enabled, const TimeModel& time);
 
+/// The readings, in whole units, at which there are faults alone, as they are certain.
+std::vector<Interval> without_nominal(const std::vector<Choice>& choices);
+
 /// Where the clock may be for time to pass with nothing changing, when `enabled` is what the guards allow all the
 /// while: from the interval's lower bound on a wait may begin, at its upper bound it ends at the latest. Waits within
 /// different intervals do not join up. In dense time: none while an untimed nominal transition to another mode is

@@ -45,6 +45,17 @@ JointStep counterpart(const JointStep& move, const Permutation& names, const Mod
   return *found;
 }
 
+/// What each live clock reads.
+Box ranges(const PlantSystem::Entered& entered, const Observer& observer) {
+  Box result;
+  std::size_t clock = observer.timed(entered.phase) ? 1 : 0;
+  for (const ComponentId component : entered.situation.live) {
+    ++clock;
+    result.push_back({component, {entered.zone.lower(clock), entered.zone.upper(clock)}});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& system) {
@@ -65,7 +76,11 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
     }
     CHECK(entered && "a path that the search found cannot be followed");
 
-    Leg leg{renamed(entered->situation.modes, names), entered->phase, std::nullopt, std::nullopt};
+    if (next.label.move == PlantSystem::no_move && is_end(entered->phase)) {
+      legs.back().end = renamed_box(ranges(*entered, system.observer()), names);
+      break;
+    }
+    Leg leg{renamed(entered->situation.modes, names), entered->phase, std::nullopt, std::nullopt, std::nullopt};
     if (state) {
       const Late late = system.late(*state);
       const auto moves = system.situations().moves(PlantSystem::situation_of(state->discrete), late);

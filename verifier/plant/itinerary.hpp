@@ -16,6 +16,7 @@ struct Leg {
   Phase phase;
   std::optional<JointStep> move;  ///< into this state; none for the first one
   std::optional<Box> wait;        ///< within which time passes in it; none where it does not
+  std::optional<Box> end;         ///< where a run is cut off in the last one: within which it is
 };
 
 /// The path without symmetry. Each state that was explored stands for one that a permutation leads to: the permutations

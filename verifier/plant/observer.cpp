@@ -12,6 +12,13 @@ Observer Observer::miss(Test after, Test then, Units deadline) {
   return {true, std::move(after), std::move(then), Interval{deadline, unbounded}};
 }
 
+Observer Observer::end() {
+  Observer result(
+      false, [](const automata::Modes&) { return false; }, nullptr, std::nullopt);
+  result.seeks_end_ = true;
+  return result;
+}
+
 Phase Observer::next(Phase phase, const automata::Modes& modes) const {
   const bool open = phase == Phase::armed && response_;
   return (open || trigger_(modes)) && !(response_ && release_(modes)) ? Phase::armed : Phase::searching;

@@ -13,9 +13,15 @@ namespace rmpl::verifier {
 
 /// Where an observer is.
 enum class Phase : std::uint8_t {
-  searching,  ///< nothing yet, or answered
-  armed       ///< accepted, if the stopwatch reads right
+  searching,   ///< nothing yet, or answered
+  armed,       ///< accepted, if the stopwatch reads right
+  stuck,       ///< nothing can follow
+  still,       ///< only what takes no time can
+  still_armed  ///< as before, and what is owed never comes
 };
+
+/// Whether the run is cut off there.
+inline bool is_end(Phase phase) { return phase >= Phase::stuck; }
 
 /// One extra clock is kept where time matters: the stopwatch.
 class Observer {
@@ -27,6 +33,12 @@ class Observer {
   /// Accepts where, after some time at which `after` held, `then` has not held up to and including `deadline` - 1 units
   /// later. What answers the first of several such times that are open answers all.
   static Observer miss(Test after, Test then, Units deadline);
+
+  /// Accepts where a run is cut off.
+  static Observer end();
+  [[nodiscard]] bool seeks_end() const { return seeks_end_; }
+  /// Whether a response is waited for.
+  [[nodiscard]] bool owes(Phase phase) const { return response_ && phase == Phase::armed; }
 
   [[nodiscard]] Phase start(const automata::Modes& modes) const { return next(Phase::searching, modes); }
   /// The phase after a step into the modes.
@@ -46,6 +58,7 @@ class Observer {
   Observer(bool response, Test trigger, Test release, std::optional<Interval> stopwatch)
       : response_(response), trigger_(std::move(trigger)), release_(std::move(release)), stopwatch_(stopwatch) {}
 
+  bool seeks_end_ = false;
   bool response_;
   Test trigger_;
   Test release_;

@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 
+#include "verifier/plant/plant_instants.hpp"
 
 namespace rmpl::verifier {
 
@@ -42,7 +43,7 @@ void PlantSystem::successors(const SymbolicState& state, const Visit& visit) {
 
 SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
   if (!symmetry_.trivial()) {
-    auto& [modes, live, waits, stays_until] = entered.situation;
+    auto& [modes, live, waits, stays_until, faulty] = entered.situation;
     const std::size_t others = observer_.timed(entered.phase) ? 1 : 0;
     Permutation permutation = symmetry_.sort(modes, live, others, entered.zone, applied != nullptr);
     if (applied != nullptr) *applied = std::move(permutation);
@@ -63,6 +64,7 @@ void PlantSystem::enumerate_initial(const VisitEntered& visit) {
 void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEntered& visit) {
   const SituationId id = situation_of(state.discrete);
   const Phase phase = phase_of(state.discrete);
+  if (is_end(phase)) return;
   const Situation here = situations_[id];
   const Place place{here, observer_.timed(phase)};
   const auto moves = situations_.moves(id, late(here, place, state.zone));
@@ -98,6 +100,30 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
     }
     step_into(next, zone);
   }
+  enter_end(here, id, phase, state, visit);
+}
+
+/// What a run is cut off in, if there is such a thing.
+void PlantSystem::enter_end(const Situation& here, SituationId id, Phase phase, const SymbolicState& state,
+                            const VisitEntered& visit) {
+  const std::size_t others = observer_.timed(phase) ? 1 : 0;
+  PlantInstants instants(situations_, id, here, others, state.zone);
+  const auto found = find_standstill(state.zone, id.value, instants);
+  if (!found) return;
+  Phase end = Phase::stuck;
+  if (!found->round.empty())
+    end = observer_.owes(phase) && !answered_in(*found, phase) ? Phase::still_armed : Phase::still;
+  std::vector<std::size_t> sources;
+  for (std::size_t clock = 1 + (observer_.timed(end) ? 0 : others); clock <= found->zone.clocks(); ++clock) {
+    sources.push_back(clock);
+  }
+  visit({here, end, state.faults, found->zone.select(sources), {no_move, no_wait, false}});
+}
+
+bool PlantSystem::answered_in(const Standstill& found, Phase phase) {
+  return std::any_of(found.round.begin(), found.round.end(), [&](const Instant& step) {
+    return !observer_.owes(observer_.next(phase, situations_.modes(SituationId(step.target))));
+  });
 }
 
 Late PlantSystem::late(const Situation& situation, const Place& place, const Zone& zone) const {
@@ -137,6 +163,10 @@ void PlantSystem::enter(Situation&& situation, Phase phase, unsigned faults, con
 
 bool PlantSystem::accepts(const SymbolicState& state) const {
   const Phase phase = phase_of(state.discrete);
+  cut_off_.stuck = cut_off_.stuck || phase == Phase::stuck;
+  cut_off_.still = cut_off_.still || phase == Phase::still || phase == Phase::still_armed;
+  if (phase == Phase::still_armed) return true;
+  if (is_end(phase) && observer_.seeks_end()) return true;
   if (phase != Phase::armed) return false;
   if (!observer_.timed(phase)) return true;
   const Interval& accepted = *observer_.accepted();
@@ -175,6 +205,9 @@ void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& resul
     result.push_back({accepted.lower, accepted.upper == unbounded ? -1 : accepted.upper});
   }
   situations_.append_limits(situations_.modes(situation_of(discrete)), result);
+  if (!observer_.seeks_end()) return;
+  // What cannot go on is not to be covered by what can do more: readings are told apart by all limits alike.
+  for (ClockLimits& limits : result) limits.lower = limits.upper = std::max(limits.lower, limits.upper);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "verifier/plant/fault_sets.hpp"
 #include "verifier/plant/observer.hpp"
 #include "verifier/plant/situation.hpp"
+#include "verifier/search/standstill.hpp"
 #include "verifier/search/system.hpp"
 #include "verifier/symmetry/symmetry.hpp"
 
@@ -43,6 +44,11 @@ class PlantSystem : public TransitionSystem {
   static SituationId situation_of(std::uint64_t discrete) { return SituationId(discrete >> phase_bits); }
   static Phase phase_of(std::uint64_t discrete) { return static_cast<Phase>(discrete & ((1u << phase_bits) - 1)); }
 
+  /// Where runs are cut off in states that have been seen by a search.
+  [[nodiscard]] const CutOff& cut_off() const { return cut_off_; }
+
+  /// `Label::move` of a state in which a run is cut off: its zone is where.
+  static constexpr std::uint32_t no_move = UINT32_MAX;
   /// `Label::wait` of a state that has not waited; else it is a position in `Situation::waits`. `Label::move` is a
   /// position in the moves of the state it comes from, or, of an initial state, in the modes to start in.
   static constexpr std::uint32_t no_wait = UINT32_MAX;
@@ -68,7 +74,7 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] const Observer& observer() const { return observer_; }
 
  private:
-  static constexpr unsigned phase_bits = 2;
+  static constexpr unsigned phase_bits = 3;
   static std::uint64_t discrete_of(SituationId situation, Phase phase) {
     return (std::uint64_t{situation.value} << phase_bits) | static_cast<std::uint64_t>(phase);
   }
@@ -92,6 +98,11 @@ class PlantSystem : public TransitionSystem {
   const Observe& observe_;
   Observer observer_;
   const Symmetry& symmetry_;
+  void enter_end(const Situation& here, SituationId id, Phase phase, const SymbolicState& state,
+                 const VisitEntered& visit);
+  [[nodiscard]] bool answered_in(const Standstill& found, Phase phase);
+
+  mutable CutOff cut_off_;
   FaultSets* sets_ = nullptr;  ///< none: faults are counted
   const std::vector<automata::Modes>& start_;
 };

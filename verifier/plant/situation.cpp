@@ -88,8 +88,10 @@ Modes Situations::modes(SituationId id) const {
 
 Situation Situations::describe(const Modes& modes) {
   behaviours_.read(modes, actions_.front(), behaviours_here_);
-  Situation result{modes, {}, waits(behaviours_here_), {}};
+  Situation result{modes, {}, waits(behaviours_here_), {}, {}};
   for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (const Interval& clock : behaviours_[behaviours_here_[c]].faulty)
+      result.faulty.push_back({ComponentId(c), clock});
     if (!limits_[c][modes[c].index()] || !behaviours_.moves(ComponentId(c))) continue;
     result.live.emplace_back(c);
     result.stays_until.push_back(behaviours_[behaviours_here_[c]].stays_until);

@@ -33,6 +33,7 @@ struct Situation {
   std::vector<automata::ComponentId> live;  ///< ascending
   std::vector<Box> waits;                   ///< see `waits` in choices.hpp; within one of these boxes time may pass
   std::vector<Units> stays_until;           ///< of the live ones: see `Behaviour`, with idle controls
+  std::vector<ClockBound> faulty;           ///< where a fault of a component is certain, with idle controls
 };
 
 /// All situations met so far, by number, in the order in which they were met; what may happen in them is worked out

@@ -71,7 +71,11 @@ class Timetable {
   }
 
   void accept() {
-    if (observer_.timed(legs_.back().phase)) schedule_.constrain(stopwatch_, left_.back(), *observer_.accepted());
+    if (legs_.back().end) {
+      for (const ClockBound& b : *legs_.back().end) schedule_.constrain(restarted(b), left_.back(), b.clock);
+    } else if (observer_.timed(legs_.back().phase)) {
+      schedule_.constrain(stopwatch_, left_.back(), *observer_.accepted());
+    }
   }
 
   [[nodiscard]] Schedule::Point restarted(const ClockBound& bound) const { return restarted_[bound.component.index()]; }

@@ -17,6 +17,8 @@ std::string_view name_of(ProgramProperty::Kind kind) {
       return "endless-wait";
     case Kind::termination:
       return "termination";
+    case Kind::stuck:
+      return "stuck";
     case Kind::never:
       return "never";
     case Kind::eventually:
@@ -31,6 +33,7 @@ std::string name_of(const Property& property) {
   return std::visit(base::Overloaded{[](const Reachability&) { return std::string("reachability"); },
                                      [](const Safety&) { return std::string("safety"); },
                                      [](const Response&) { return std::string("response"); },
+                                     [](const Stuck&) { return std::string("stuck"); },
                                      [](const ProgramProperty& p) { return std::string(name_of(p.kind)); }},
                     property);
 }

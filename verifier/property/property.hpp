@@ -35,12 +35,15 @@ struct Safety {
 };
 
 /// On every run, whenever `after` holds, `then` holds at some time at most `within` later, that time itself included. A
-/// run on which time comes to a stop violates nothing.
+/// run that is stuck violates nothing; one on which time stands still and `then` never comes does.
 struct Response {
   automata::Formula after;
   automata::Formula then;
   automata::Ticks within;
 };
+
+/// On every run something can follow, and time passes.
+struct Stuck {};
 
 /// What is asked of a program.
 struct ProgramProperty {
@@ -49,6 +52,7 @@ struct ProgramProperty {
     no_plan,        ///< no goal is without a plan
     endless_wait,   ///< no wait lasts for ever
     termination,    ///< the program ends on every run
+    stuck,          ///< on every run something can follow, and time passes, as long as the program runs
     never,          ///< `formula` does not hold while the program runs or as it ends
     eventually,     ///< `formula` holds at some time up to `within`, on every run
     finally         ///< `formula` holds where the program ends
@@ -60,11 +64,11 @@ struct ProgramProperty {
 };
 
 /// The last one is asked of a program with its plant, the others of a plant alone.
-using Property = std::variant<Reachability, Safety, Response, ProgramProperty>;
+using Property = std::variant<Reachability, Safety, Response, Stuck, ProgramProperty>;
 
-/// `goal-conflict`, `no-plan`, `endless-wait`, `termination`, `never`, `eventually`, `finally`.
+/// `goal-conflict`, `no-plan`, `endless-wait`, `termination`, `stuck`, `never`, `eventually`, `finally`.
 std::string_view name_of(ProgramProperty::Kind kind);
-/// `reachability`, `safety`, `response`, or the name of what is asked of a program.
+/// `reachability`, `safety`, `response`, `stuck`, or the name of what is asked of a program.
 std::string name_of(const Property& property);
 
 /// What is free in a check.

@@ -8,6 +8,7 @@
 #include "verifier/property/fault.hpp"
 #include "verifier/property/property.hpp"
 #include "verifier/search/limits.hpp"
+#include "verifier/search/standstill.hpp"
 #include "verifier/witness/witness.hpp"
 
 namespace rmpl::verifier {
@@ -28,6 +29,9 @@ struct Answer {
   std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first
   /// Why it is undecided; or, beside a witness, why a better one (fewer steps, or less time) may have been missed.
   std::optional<Limit> limit;
+  /// How runs that were looked at without a witness are cut off: the verdict says nothing of what would follow. Where
+  /// time stands still it is undecided.
+  CutOff cut_off;
   /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
   bool startless = false;
   /// Of the search that decided; questions that are decided together are counted together.

@@ -34,9 +34,15 @@ std::vector<std::string> outcomes_of(const FaultOutcome& row) {
   if (row.fault && !row.happens) return {"cannot happen"};
   std::vector<std::string> result;
   if (row.success) result.emplace_back(row.fault ? "recovered" : "success");
-  if (row.lost) result.emplace_back(mission_lost);
-  if (row.waits) result.emplace_back(waits_for_ever);
-  if (row.goes_on) result.emplace_back(goes_on_for_ever);
+  const auto add = [&](bool comes, bool anyway, const std::string& words) {
+    if (comes) result.push_back(words + (anyway ? " anyway" : ""));
+  };
+  add(row.lost.has_value(), row.anyway.lost, mission_lost);
+  add(row.waits.has_value(), row.anyway.waits, waits_for_ever);
+  add(row.goes_on.has_value(), row.anyway.goes_on, goes_on_for_ever);
+  if (row.stops) add(true, row.anyway.stops, row.stops->stop->still ? "time stands still" : "stuck");
+  // All runs lead out of the question.
+  if (result.empty()) result.emplace_back("another fault is certain");
   return result;
 }
 
@@ -50,7 +56,8 @@ std::string outcome_text(const FaultOutcome& row) {
 std::string failure_text(const Subject& subject, const FaultOutcome& row) {
   if (row.lost) return text_of(subject, *row.lost, mission_lost);
   if (row.waits) return text_of(subject, *row.waits, waits_for_ever);
-  return row.goes_on ? text_of(subject, *row.goes_on, goes_on_for_ever) : "";
+  if (row.goes_on) return text_of(subject, *row.goes_on, goes_on_for_ever);
+  return row.stops ? text_of(subject, *row.stops, to_text(subject.plant, *row.stops->stop)) : "";
 }
 
 }  // namespace
@@ -77,6 +84,7 @@ ordered_json to_json(const Subject& subject, const FaultTable& table) {
     add("lost", row.lost);
     add("waits", row.waits);
     add("goes_on", row.goes_on);
+    add("stops", row.stops);
     add("no_plan", row.no_plan);
     json["faults"].push_back(std::move(entry));
   }

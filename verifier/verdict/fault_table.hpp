@@ -23,10 +23,19 @@ struct FaultOutcome {
   std::optional<Witness> waits = std::nullopt;    ///< the program waits for ever
   std::optional<Witness> goes_on = std::nullopt;  ///< it goes on for ever without ending
   std::optional<Witness> no_plan = std::nullopt;  ///< a goal is without a plan
+  std::optional<Witness> stops = std::nullopt;    ///< nothing can follow, or time stands still
   bool decided = false;
+  /// Which of them come without the fault too, so that they are not the fault's.
+  struct Anyway {
+    bool lost = false, waits = false, goes_on = false, stops = false;
+  };
+  Anyway anyway = {};
 
   /// Whether it can lose the mission, or keep the program from ending.
-  [[nodiscard]] bool fails() const { return lost || waits || goes_on; }
+  [[nodiscard]] bool fails() const {
+    return (lost && !anyway.lost) || (waits && !anyway.waits) || (goes_on && !anyway.goes_on) ||
+           (stops && !anyway.stops);
+  }
 };
 
 struct FaultTable {

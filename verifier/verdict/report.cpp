@@ -49,7 +49,14 @@ ordered_json json_of_cut_sets(const Subject& subject, const Answer& answer) {
 /// What is said of the last event of a run.
 std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
   const auto* asked = std::get_if<ProgramProperty>(&property);
-  return asked != nullptr ? finding(subject, *asked, witness) : "";
+  if (asked != nullptr) return finding(subject, *asked, witness);
+  return witness.stop ? to_text(subject.plant, *witness.stop) : "";
+}
+
+/// What a verdict without a witness leaves out.
+void add_cut_off(ordered_json& json, const Answer& answer) {
+  if (answer.witness || (!answer.cut_off.stuck && !answer.cut_off.still)) return;
+  json["cut_off"] = answer.cut_off.still ? "time-stands-still" : "stuck";
 }
 
 ordered_json check_json(const Subject& subject, const Property& property, const Answer& answer) {
@@ -57,6 +64,7 @@ ordered_json check_json(const Subject& subject, const Property& property, const 
   const auto* asked = std::get_if<ProgramProperty>(&property);
   if (asked != nullptr && !asked->text.empty()) check["formula"] = asked->text;
   if (asked != nullptr && asked->kind == ProgramProperty::Kind::eventually) check["within"] = asked->within.seconds();
+  add_cut_off(check, answer);
   if (!answer.witness) return check;
   check["finding"] = end_of(subject, property, *answer.witness);
   check["trace"] = json_of(subject, *answer.witness);
@@ -81,7 +89,10 @@ std::string to_text(const Subject& subject, const Question& question, const Answ
 
 ordered_json to_json(const Subject& subject, const Question& question, const Answer& answer) {
   ordered_json json = {{"property", name_of(question.property)}, {"verdict", to_text(answer.verdict)}};
-  if (answer.limit) json["reason"] = reason(answer);
+  if (const std::string why = reason(answer); !why.empty()) json["reason"] = why;
+  add_cut_off(json, answer);
+  if (answer.witness && answer.witness->stop) json["finding"] = to_text(subject.plant, *answer.witness->stop);
+  if (answer.witness && answer.witness->repeats_from) json["repeats_from"] = *answer.witness->repeats_from;
   json["trace"] = answer.witness ? json_of(subject, *answer.witness) : ordered_json::array();
   if (answer.fewest_faults) json["fewest_faults"] = *answer.fewest_faults;
   if (question.options.cut_sets) json["cut_sets"] = json_of_cut_sets(subject, answer);

@@ -25,8 +25,10 @@ const char* color_of(const Claim& claim) {
 /// What has to be said of a verdict beside its word.
 std::string remark(const Claim& claim) {
   if (!claim.decided()) return reason(claim.answer);
-  if (claim.as_expected()) return claim.expect_violated ? "as expected" : "";
-  return claim.expect_violated ? "expected to be violated" : "";
+  const bool partly = !claim.answer.witness && claim.answer.cut_off.stuck;
+  std::string text = !claim.expect_violated ? "" : claim.as_expected() ? "as expected" : "expected to be violated";
+  if (partly) text += (text.empty() ? "" : "; ") + std::string("on runs that get stuck, only up to there");
+  return text;
 }
 
 std::string indented(const std::string& text, const char* margin) {

@@ -79,6 +79,7 @@ class Story {
         tell_step(events[e - 1], events[e]);
       }
     }
+    if (witness_.stop && !events.back().cycle) line(events.back().time, end);
     std::size_t width = 0;
     for (const auto& [time, text] : lines_) width = std::max(width, time.size());
     std::string result;

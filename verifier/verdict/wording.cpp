@@ -28,6 +28,10 @@ std::string_view limit_text(Limit limit) {
   return "";
 }
 
+std::string stuck_text(bool violated) {
+  return violated ? "there are runs that cannot go on" : "on every run something can follow, and time passes";
+}
+
 /// What a verdict about a program means.
 std::string meaning_of(const ProgramProperty& property, bool violated) {
   switch (property.kind) {
@@ -40,6 +44,8 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
       return violated ? "the program can wait for ever" : "no wait lasts for ever";
     case Kind::termination:
       return violated ? "the program can go on for ever" : "the program ends on every run";
+    case Kind::stuck:
+      return stuck_text(violated);
     case Kind::never:
       return "'" + property.text + "' " + (violated ? "can hold" : "never holds");
     case Kind::eventually:
@@ -50,6 +56,24 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
                       : "'" + property.text + "' holds wherever the program ends";
   }
   return "";
+}
+
+/// What it means that a witness of the property was found, or none.
+std::string meaning_of(const Property& property, bool found) {
+  using std::string;
+  return std::visit(base::Overloaded{[&](const Reachability&) -> string {
+                                       return found ? "the target is reachable" : "the target is unreachable";
+                                     },
+                                     [&](const Safety&) -> string {
+                                       return found ? "what is never to hold can hold"
+                                                    : "what is never to hold cannot hold";
+                                     },
+                                     [&](const Response&) -> string {
+                                       return found ? "the response can be missed" : "the response is never missed";
+                                     },
+                                     [&](const Stuck&) -> string { return stuck_text(found); },
+                                     [&](const ProgramProperty& p) { return meaning_of(p, found); }},
+                    property);
 }
 
 /// The locations that a program waits at.
@@ -97,24 +121,17 @@ std::string reason(std::optional<Limit> limit, const Progress& p) {
   return text;
 }
 
-std::string reason(const Answer& answer) { return reason(answer.limit, answer.progress); }
+std::string reason(const Answer& answer) {
+  if (!answer.limit && answer.cut_off.still)
+    return "time stands still on some runs, and what would follow cannot be told";
+  return reason(answer.limit, answer.progress);
+}
 
 std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();
-  using std::string;
-  return std::visit(base::Overloaded{[&](const Reachability&) -> string {
-                                       return found ? "the target is reachable" : "the target is unreachable";
-                                     },
-                                     [&](const Safety&) -> string {
-                                       return found ? "what is never to hold can hold"
-                                                    : "what is never to hold cannot hold";
-                                     },
-                                     [&](const Response&) -> string {
-                                       return found ? "the response can be missed" : "the response is never missed";
-                                     },
-                                     [&](const ProgramProperty& p) { return meaning_of(p, found); }},
-                    property);
+  const bool partly = !found && answer.cut_off.stuck;
+  return meaning_of(property, found) + (partly ? "; on runs that get stuck, only up to there" : "");
 }
 
 std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness) {
@@ -131,12 +148,16 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
       return "no plan: " + last.reason;
     case Kind::termination:
     case Kind::endless_wait:
+      if (witness.stop) return to_text(subject.plant, *witness.stop);
       if (witness.repeats_from) return "and so on, for ever";
       return "nothing but a fault would change anything any more; the program waits at " +
              waiting_text(subject, last.marking);
+    case Kind::stuck:
+      return to_text(subject.plant, *witness.stop);
     case Kind::never:
       return "'" + property.text + "' can hold";
     case Kind::eventually:
+      if (witness.stop) return "'" + property.text + "' has not held, and " + to_text(subject.plant, *witness.stop);
       return "'" + property.text + "' has not held in time";
     case Kind::finally:
       return "the program has ended, and '" + property.text + "' need not hold";

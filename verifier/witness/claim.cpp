@@ -13,12 +13,19 @@ namespace {
 class Claim {
  public:
   Claim(automata::PlantStep& step, bool entailed, const Witness& witness)
-      : step_(step), entailed_(entailed), events_(witness.events), repeats_from_(witness.repeats_from) {}
+      : step_(step),
+        entailed_(entailed),
+        events_(witness.events),
+        repeats_from_(witness.repeats_from),
+        stop_(witness.stop) {}
 
   std::optional<std::string> failure(const Reachability& p) { return reached(p.target, p.window); }
   std::optional<std::string> failure(const Safety& p) { return reached(p.never, p.window); }
 
+  std::optional<std::string> failure(const Stuck&) { return stop_ ? std::nullopt : std::optional("it is not cut off"); }
+
   std::optional<std::string> failure(const Response& p) {
+    if (stop_ && stop_->still) return unanswered(p);
     const Ticks end = events_.back().time;
     for (std::size_t e = 0; e < events_.size(); ++e) {
       if (!holds(p.after, e, entailed_) || end - events_[e].time <= p.within) continue;
@@ -38,6 +45,8 @@ class Claim {
                                                                           : std::nullopt;
       case Kind::endless_wait:
         return ended ? std::optional("the program has ended") : std::nullopt;
+      case Kind::stuck:
+        return stop_ ? std::nullopt : std::optional("it is not cut off");
       case Kind::termination:
         if (ended) return "the program has ended";
         return repeats_from_ && !comes_round() ? std::optional("it does not come back to where it repeats")
@@ -46,6 +55,10 @@ class Claim {
         return holds(p.formula, events_.size() - 1, entailed_) ? std::nullopt
                                                                : std::optional("the formula does not hold at its end");
       case Kind::eventually:
+        if (stop_ && stop_->still) {
+          return never_before(p.formula, 0, Ticks::infinite()) ? std::nullopt
+                                                               : std::optional("the formula comes to hold");
+        }
         if (events_.back().time <= p.within) return "it ends in time";
         return never_before(p.formula, 0, p.within) ? std::nullopt : std::optional("the formula holds in time");
       case Kind::finally:
@@ -63,6 +76,14 @@ class Claim {
     if (window.by && end > *window.by) return "it ends too late";
     return holds(target, events_.size() - 1, entailed_) ? std::nullopt
                                                         : std::optional("the target does not hold at its end");
+  }
+
+  /// Where time stands still what is owed never comes.
+  std::optional<std::string> unanswered(const Response& p) {
+    for (std::size_t e = 0; e < events_.size(); ++e) {
+      if (holds(p.after, e, entailed_) && never_before(p.then, e, Ticks::infinite())) return std::nullopt;
+    }
+    return "every response on it comes";
   }
 
   /// Whether the formula does not hold in any state from an event on that is entered up to that time.
@@ -89,6 +110,7 @@ class Claim {
   bool entailed_;
   const std::vector<Event>& events_;
   std::optional<std::size_t> repeats_from_;
+  const std::optional<Stop>& stop_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "verifier/witness/rules.hpp"
 #include "verifier/witness/start.hpp"
+#include "verifier/witness/steps_at.hpp"
 
 namespace rmpl::verifier {
 
@@ -59,6 +60,7 @@ class LoopReplay {
     const std::vector<Event>& events = witness_.events;
     for (std::size_t e = 1; e + 1 < events.size(); ++e) {
       if (auto failure = wait(now, events[e].cycle->begin)) return failure;
+      round_ = witness_.repeats_from && *witness_.repeats_from <= e;
       if (auto failure = run(events[e])) return failure;
       now = events[e].time;
     }
@@ -72,6 +74,8 @@ class LoopReplay {
     if (rules_.endless) {
       if (auto failure = wait(last.time, settled(last.time))) return failure;
     }
+    if (witness_.stop && !witness_.stop->still && !is_stuck()) return "something can follow" + at(last.time);
+    if (witness_.stop && witness_.stop->still && !stands_still_) return "time passes" + at(last.time);
     if (faults_in(plant(), witness_) > rules_.faults) return "it has more faults than the budget";
     return std::nullopt;
   }
@@ -140,6 +144,9 @@ class LoopReplay {
       return "a cycle of another length" + at(cycle.begin);
     if (rules_.period && cycle.begin.count % rules_.period->count != 0)
       return "it is not on the period" + at(cycle.begin);
+    if (round_ && !rules_.period) {
+      stands_still_ = stands_still_ || !StepsAt(step_, state_, cycle.begin, std::nullopt).time_passes(action_);
+    }
     if (!possible(cycle.begin, event.time, event.modes)) return "the step is not possible" + at(event.time);
     finish(cycle.begin, event.modes);
     if (marking_ != cycle.next) return "another marking" + at(event.time);
@@ -156,6 +163,14 @@ class LoopReplay {
       if (!rules.allows(state_.modes[c], next[c])) return false;
     }
     return !rules_.period || step_.leads(state_, action_, before, now, next);
+  }
+
+  /// Whether no step follows under the last command, and in dense time no time passes.
+  bool is_stuck() {
+    const Ticks now = witness_.events.back().time + rules_.period.value_or(Ticks{0});
+    StepsAt steps(step_, state_, now, rules_.period);
+    if (!rules_.period && steps.time_passes(action_)) return false;
+    return !steps.any(action_, [](const Modes&) { return true; });
   }
 
   bool time_may_pass_up_to(Ticks now) {
@@ -247,6 +262,8 @@ class LoopReplay {
   automata::SystemState state_;
   Marking marking_;
   Readings started_;
+  bool round_ = false;         ///< the cycle at hand is one of those that go round
+  bool stands_still_ = false;  ///< no time passes in one of them
   // What the first half of the last cycle said:
   std::vector<automata::Assignment> goal_;
   bool conflict_ = false;

@@ -19,11 +19,13 @@ class Rules {
       : component_(component), enabled_(enabled), before_(before), now_(now), period_(period) {}
 
   [[nodiscard]] bool allows(automata::ModeId from, automata::ModeId to) const {
-    for (const automata::TransitionId id : enabled_.faults) {
-      const automata::Transition& t = transition(id);
-      if (t.timing && (now_ < t.timing->lower || now_ > t.timing->upper)) continue;
-      if (t.to == to) return true;
-    }
+    const auto& faults = enabled_.faults;
+    return std::any_of(faults.begin(), faults.end(),
+                       [&](automata::TransitionId id) { return transition(id).to == to && is_due(transition(id)); }) ||
+           allows_without_fault(from, to);
+  }
+
+  [[nodiscard]] bool allows_without_fault(automata::ModeId from, automata::ModeId to) const {
     if (automata::nominal_share(component_, enabled_, now_, period_.value_or(automata::Ticks{0})) == 0) return false;
     if (!enabled_.untimed.empty()) return leads(enabled_.untimed, to, [](const automata::Transition&) { return true; });
     if (!period_) {
@@ -52,6 +54,11 @@ class Rules {
   }
 
  private:
+  /// Whether a fault is within its bounds, if it has some.
+  [[nodiscard]] bool is_due(const automata::Transition& fault) const {
+    return !fault.timing || (fault.timing->lower <= now_ && now_ <= fault.timing->upper);
+  }
+
   [[nodiscard]] const automata::Transition& transition(automata::TransitionId id) const {
     return component_.transitions[id.index()];
   }

@@ -9,6 +9,7 @@
 #include "automata/state.hpp"
 #include "automata/step/program_step.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
+#include "verifier/witness/conflict.hpp"
 
 namespace rmpl::verifier {
 
@@ -44,6 +45,7 @@ struct Event {
 struct Witness {
   std::vector<Event> events;
   std::optional<std::size_t> repeats_from;  ///< from this event to the last but one it goes round for ever
+  std::optional<Stop> stop;                 ///< it is cut off at its last event, or that round takes no time
 };
 
 /// How many components went into a fault mode along the run.

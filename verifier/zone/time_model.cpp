@@ -56,7 +56,13 @@ TimeModel TimeModel::sampled(Ticks period) {
 }
 
 TimeModel TimeModel::of(std::optional<Ticks> period, const automata::Plant& plant, std::span<const Ticks> others) {
-  return period ? sampled(*period) : dense(plant, others);
+  if (period) return sampled(*period);
+  TimeModel result = dense(plant, others);
+  if (result.unit_.count % 2 == 0) {
+    result.unit_.count /= 2;
+    result.grain_ = 2;
+  }
+  return result;
 }
 
 Units TimeModel::at_least(Ticks time) const {

@@ -23,7 +23,8 @@ class TimeModel {
   static TimeModel dense(const automata::Plant& plant, std::span<const automata::Ticks> others);
   /// `period` is above 0.
   static TimeModel sampled(automata::Ticks period);
-  /// Sampled where there is a period, else dense.
+  /// Sampled where there is a period, else dense; then in halves of the greatest such unit, where nanoseconds can be
+  /// halved, as fewer steps are possible between two bounds than at either (search/standstill.hpp looks there).
   static TimeModel of(std::optional<automata::Ticks> period, const automata::Plant& plant,
                       std::span<const automata::Ticks> others);
 
@@ -34,8 +35,10 @@ class TimeModel {
   [[nodiscard]] Units at_least(automata::Ticks time) const;
   /// The most units that are at most `time`; `unbounded` for an infinite one.
   [[nodiscard]] Units at_most(automata::Ticks time) const;
-  /// The fewest units that are more than a finite `time`.
-  [[nodiscard]] Units more_than(automata::Ticks time) const { return at_most(time) + 1; }
+  /// How many units make the greatest that divides every bound, or the period.
+  [[nodiscard]] Units grain() const { return grain_; }
+  /// The fewest of those that are more than a finite `time`.
+  [[nodiscard]] Units more_than(automata::Ticks time) const { return at_most(time) + grain_; }
   /// Throws base::InputError where the time is beyond the range of Ticks.
   [[nodiscard]] automata::Ticks ticks(Units units) const;
 
@@ -44,6 +47,7 @@ class TimeModel {
 
   bool dense_;
   automata::Ticks unit_;
+  Units grain_ = 1;
 };
 
 }  // namespace rmpl::verifier

@@ -1,0 +1,107 @@
+// What may happen at an instant in the closed loop.
+// SPDX-License-Identifier: MIT
+#include "verifier/closed_loop/loop_instants.hpp"
+
+#include <algorithm>
+
+namespace rmpl::verifier {
+
+using automata::ComponentId;
+
+LoopInstants::LoopInstants(Loop& loop, LoopStateId root, std::size_t others,
+                           std::function<bool(const automata::Modes&)> ends)
+    : loop_(loop), root_(root), others_(others), ends_(std::move(ends)), live_(loop.live(loop[root].modes)) {}
+
+std::optional<std::size_t> LoopInstants::clock_of(ComponentId component) const {
+  const auto at = std::lower_bound(live_.begin(), live_.end(), component);
+  if (at == live_.end() || *at != component) return std::nullopt;
+  return 1 + others_ + loop_[root_].groups.size() + static_cast<std::size_t>(at - live_.begin());
+}
+
+std::optional<ZoneBox> LoopInstants::translated(const Box& box, Units earlier, Units before_end) const {
+  ZoneBox result;
+  for (const ClockBound& bound : box) {
+    Interval range{std::max<Units>(bound.clock.lower - earlier, 0), bound.clock.upper};
+    if (range.upper != unbounded) range.upper -= before_end;
+    if (range.empty()) return std::nullopt;
+    if (const auto clock = clock_of(bound.component)) {
+      result.push_back({*clock, range});
+    } else if (!range.contains(0)) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+const std::vector<ZoneBox>& LoopInstants::waits(std::uint64_t node) {
+  const auto [at, fresh] = waits_.try_emplace(node);
+  if (!fresh) return at->second;
+  std::vector<ZoneBox>& result = at->second;
+  const bool dense = loop_.time().is_dense();
+  const std::shared_ptr<const Turn> turn = loop_.turn(LoopStateId(node));
+  const auto add = [&](const Box& box, Units earlier, Units before_end) {
+    auto wait = translated(box, earlier, before_end);
+    if (wait) result.push_back(std::move(*wait));
+    return wait.has_value();
+  };
+  // What would come where a fault is certain, only the budget leaves out.
+  for (const ClockBound& bound : turn->faulty) add({bound}, dense ? 0 : 1, dense ? 0 : 1);
+  if (!dense) {
+    for (const Outcome& outcome : turn->outcomes) {
+      if (outcome.faults == 0) add(outcome.bounds, 1, 1);
+    }
+    return result;
+  }
+  const LoopState& state = loop_[LoopStateId(node)];
+  for (const Wait& wait : turn->waits) {
+    // At its end a wait passes no more time.
+    if (!add(wait.bounds, 0, 1)) continue;
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+      const Interval cell = loop_.cells().units(loop_.cell(state.groups[g]), loop_.time());
+      if (cell.upper != unbounded) result.back().push_back({1 + others_ + g, {0, cell.upper - 1}});
+    }
+  }
+  return result;
+}
+
+const std::vector<Instant>& LoopInstants::steps(std::uint64_t node) {
+  const auto [at, fresh] = steps_.try_emplace(node);
+  if (!fresh || !loop_.time().is_dense()) return at->second;
+  const std::shared_ptr<const Turn> turn = loop_.turn(LoopStateId(node));
+  for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) {
+    if (turn->outcomes[move].faults == 0) add_step(turn->outcomes[move], move, LoopStateId(node), at->second);
+  }
+  return at->second;
+}
+
+void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, LoopStateId from,
+                            std::vector<Instant>& result) {
+  const auto bounds = translated(outcome.bounds, 0, 0);
+  if (!bounds) return;
+  const LoopState& here = loop_[from];
+  // A clock that has come to the end of its cell goes on to the next one, and never comes back.
+  for (std::size_t g = 0; g < here.groups.size(); ++g) {
+    const Cell cell = loop_.cell(here.groups[g]);
+    if (loop_.cells().is_last(cell)) continue;
+    const Cell next = loop_.cells().around(here.groups[g].clocks, cell.last + 1);
+    Instant step{from.value, move, *bounds, {}, true};
+    step.bounds.push_back({1 + others_ + g, {loop_.cells().units(next, loop_.time()).lower, unbounded}});
+    result.push_back(std::move(step));
+  }
+  if (outcome.same) return;
+  Instant step{from.value, move, *bounds, {}, true};
+  const LoopState& there = outcome.state;
+  const bool comes_back =
+      there.marking.empty() == here.marking.empty() && there.groups == here.groups && there.passed == here.passed;
+  if (comes_back && !ends_(there.modes)) {
+    step.leads_on = false;
+    step.target = loop_.number(there).value;
+    for (std::size_t c = 0; c < there.modes.size(); ++c) {
+      const auto clock = clock_of(ComponentId(c));
+      if (there.modes[c] != loop_[from].modes[c] && clock) step.restarts.push_back(*clock);
+    }
+  }
+  result.push_back(std::move(step));
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,38 @@
+// What may happen at an instant in the closed loop: for the search for standstills.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "verifier/closed_loop/loop.hpp"
+#include "verifier/search/standstill.hpp"
+
+namespace rmpl::verifier {
+
+/// From one state on; nodes are numbers of states. Keeps references.
+class LoopInstants : public Instants {
+ public:
+  /// `others` clocks come before those of the program in the zone. What leads to modes that `ends` holds for leads on.
+  LoopInstants(Loop& loop, LoopStateId root, std::size_t others, std::function<bool(const automata::Modes&)> ends);
+
+  const std::vector<ZoneBox>& waits(std::uint64_t node) override;
+  const std::vector<Instant>& steps(std::uint64_t node) override;
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> clock_of(automata::ComponentId component) const;
+  /// Of the clocks of the root. Nothing where a clock that has started since is not within its bounds.
+  [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, Units earlier, Units before_end) const;
+  void add_step(const Outcome& outcome, std::uint32_t move, LoopStateId from, std::vector<Instant>& result);
+
+  Loop& loop_;
+  LoopStateId root_;
+  std::size_t others_;
+  std::function<bool(const automata::Modes&)> ends_;
+  std::vector<automata::ComponentId> live_;  ///< at the root
+  std::map<std::uint64_t, std::vector<ZoneBox>> waits_;
+  std::map<std::uint64_t, std::vector<Instant>> steps_;
+};
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,38 @@
+// What may happen at an instant in a plant: for the search for standstills.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "verifier/plant/situation.hpp"
+#include "verifier/search/standstill.hpp"
+
+namespace rmpl::verifier {
+
+/// From one situation on; nodes are numbers of situations. Keeps references.
+class PlantInstants : public Instants {
+ public:
+  /// `others` clocks come before those of the live components in the zone.
+  PlantInstants(Situations& situations, SituationId root, const Situation& here, std::size_t others, const Zone& zone);
+
+  const std::vector<ZoneBox>& waits(std::uint64_t node) override;
+  const std::vector<Instant>& steps(std::uint64_t node) override;
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> clock_of(automata::ComponentId component) const;
+  /// Of the clocks of the root. Nothing where a clock that has started since is not within its bounds.
+  [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, Units earlier, Units before_end) const;
+  [[nodiscard]] Late late(const Situation& there) const;
+  void add_periods(std::vector<ZoneBox>& result);
+
+  Situations& situations_;
+  SituationId root_;
+  const Situation& here_;
+  std::size_t others_;
+  const Zone& zone_;
+  std::map<std::uint64_t, std::vector<ZoneBox>> waits_;
+  std::map<std::uint64_t, std::vector<Instant>> steps_;
+};
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,101 @@
+// How the run of a plant is cut off where it ends.
+// SPDX-License-Identifier: MIT
+#include "verifier/witness/plant_stop.hpp"
+
+#include <map>
+#include <tuple>
+
+#include "verifier/witness/steps_at.hpp"
+
+namespace rmpl::verifier {
+
+using automata::ControlAction;
+using automata::Modes;
+using automata::PlantStep;
+using automata::SystemState;
+using automata::Ticks;
+
+namespace {
+
+struct ByParts {
+  bool operator()(const SystemState& a, const SystemState& b) const {
+    return std::tie(a.modes, a.clock_starts) < std::tie(b.modes, b.clock_starts);
+  }
+};
+
+class Stops {
+ public:
+  Stops(PlantStep& step, Witness& witness, Commands commands, std::optional<Ticks> period)
+      : step_(step),
+        witness_(witness),
+        commands_(commands),
+        period_(period),
+        now_(witness.events.back().time),
+        idle_(automata::idle_action(step.plant())) {}
+
+  std::optional<std::string> explain() {
+    const SystemState end = end_of_run();
+    witness_.stop.emplace();
+    if (!step_from(end)) return blame(end);
+    if (period_) return "a step is possible";
+    for (SystemState state = end; !met_.contains(state);) {
+      if (StepsAt(step_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
+      const auto next = step_from(state);
+      if (!next) break;
+      met_.emplace(state, witness_.events.size());
+      witness_.events.push_back(*next);
+      state = PlantStep::advance(state, next->modes, now_);
+      if (const auto before = met_.find(state); before != met_.end()) witness_.repeats_from = before->second;
+    }
+    witness_.stop->still = true;
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] SystemState end_of_run() const {
+    const Modes& start = witness_.events.front().modes;
+    SystemState state{start, std::vector<Ticks>(start.size(), Ticks{0})};
+    for (const Event& event : witness_.events) state = PlantStep::advance(state, event.modes, event.time);
+    return state;
+  }
+
+  /// Some step out of the state under a free command, the simplest command first.
+  std::optional<Event> step_from(const SystemState& state) {
+    std::optional<Event> result;
+    const Ticks at = now_ + period_.value_or(Ticks{0});
+    for_each_action(step_.plant(), commands_, [&](const ControlAction& action) {
+      if (result) return;
+      StepsAt(step_, state, at, period_).any(action, [&](const Modes& modes) {
+        result = Event{at, modes, action};
+        return true;
+      });
+    });
+    return result;
+  }
+
+  std::optional<std::string> blame(const SystemState& state) {
+    if (!period_ && StepsAt(step_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
+    StepsAt steps(step_, state, now_ + period_.value_or(Ticks{0}), period_);
+    steps.any(idle_, [](const Modes&) { return true; });
+    witness_.stop->refused = steps.refused();
+    if (!steps.refused().empty()) witness_.stop->conflict = conflict_of(step_.plant(), steps.refused());
+    return std::nullopt;
+  }
+
+  PlantStep& step_;
+  Witness& witness_;
+  Commands commands_;
+  std::optional<Ticks> period_;
+  Ticks now_;
+  ControlAction idle_;
+  std::map<SystemState, std::size_t, ByParts> met_;  ///< with the event that leads out of each
+};
+
+}  // namespace
+
+std::optional<std::string> explain_stop(PlantStep& step, Witness& witness, Commands commands,
+                                        std::optional<Ticks> period) {
+  return Stops(step, witness, commands, period).explain();
+}
+
+}  // namespace rmpl::verifier

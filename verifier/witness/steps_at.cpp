@@ -1,0 +1,61 @@
+// The steps that are possible in a state.
+// SPDX-License-Identifier: MIT
+#include "verifier/witness/steps_at.hpp"
+
+#include "verifier/witness/rules.hpp"
+
+namespace rmpl::verifier {
+
+using automata::ControlAction;
+using automata::ModeId;
+using automata::Modes;
+using automata::Ticks;
+
+bool StepsAt::any(const ControlAction& action, const std::function<bool(const Modes&)>& visit) {
+  const automata::Plant& plant = step_.plant();
+  const auto& enabled = step_.enabled(state_.modes, action);
+  std::vector<std::vector<ModeId>> options;
+  for (std::size_t c = 0; c < state_.modes.size(); ++c) {
+    const Ticks clock = now_ - state_.clock_starts[c];
+    const Rules rules(plant.components[c], enabled[c], clock - period_.value_or(Ticks{0}), clock, period_);
+    auto& own = options.emplace_back();
+    for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
+      if (rules.allows_without_fault(state_.modes[c], ModeId(m))) own.emplace_back(m);
+    }
+  }
+  Modes next;
+  const std::function<bool(std::size_t)> extend = [&](std::size_t changes) {
+    if (next.size() < options.size()) {
+      const std::size_t c = next.size();
+      for (const ModeId mode : options[c]) {
+        next.push_back(mode);
+        const bool found = extend(changes + (mode != state_.modes[c] ? 1 : 0));
+        next.pop_back();
+        if (found) return true;
+      }
+      return false;
+    }
+    if (changes == 0 && !period_) return false;
+    if (step_.possible(next)) return visit(next);
+    if (refused_.empty() || changes < changes_) {
+      refused_ = next;
+      changes_ = changes;
+    }
+    return false;
+  };
+  return extend(0);
+}
+
+bool StepsAt::time_passes(const ControlAction& action) {
+  const auto& enabled = step_.enabled(state_.modes, action);
+  for (std::size_t c = 0; c < state_.modes.size(); ++c) {
+    const Ticks clock = now_ - state_.clock_starts[c];
+    const Rules now(step_.plant().components[c], enabled[c], clock, clock, std::nullopt);
+    const Rules then(step_.plant().components[c], enabled[c], clock + Ticks{1}, clock + Ticks{1}, std::nullopt);
+    const ModeId mode = state_.modes[c];
+    if (!now.allows_without_fault(mode, mode) || !then.allows_time(mode)) return false;
+  }
+  return true;
+}
+
+}  // namespace rmpl::verifier

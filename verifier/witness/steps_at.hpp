@@ -1,0 +1,38 @@
+// The steps that are possible in a state, told by the rules alone, apart from all that searches.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+
+namespace rmpl::verifier {
+
+/// The steps without a fault that are possible in a state at a time. Keeps a reference.
+class StepsAt {
+ public:
+  /// `period`: sampled time, the step ends at `now`.
+  StepsAt(automata::PlantStep& step, const automata::SystemState& state, automata::Ticks now,
+          std::optional<automata::Ticks> period)
+      : step_(step), state_(state), now_(now), period_(period) {}
+
+  /// Visits what each step leads to until `visit` returns true; then that is the answer. In dense time a step changes a
+  /// mode. What contradicts the constraints is no step: of such modes, those with the fewest changes are kept.
+  bool any(const automata::ControlAction& action, const std::function<bool(const automata::Modes&)>& visit);
+  /// Modes that no step leads to as they are impossible; empty where there are none.
+  [[nodiscard]] const automata::Modes& refused() const { return refused_; }
+  /// In dense time: whether time may pass.
+  bool time_passes(const automata::ControlAction& action);
+
+ private:
+  automata::PlantStep& step_;
+  const automata::SystemState& state_;
+  automata::Ticks now_;
+  std::optional<automata::Ticks> period_;
+  automata::Modes refused_;
+  std::size_t changes_ = 0;
+};
+
+}  // namespace rmpl::verifier
