@@ -105,11 +105,11 @@ const Transition* forbidden_step(const Step& step, const Modes& modes, const Con
                                  const automata::Formula& goal) {
   const automata::Plant& plant = step.plant();
   const ControlAction idle = automata::idle_action(plant);
-  const bool can_idle = step.models().consistent(assumptions_of(plant, modes, idle));
+  if (!step.models().consistent(assumptions_of(plant, modes, idle))) return nullptr;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     for (const Transition& t : plant.components[i].transitions) {
       if (t.from != modes[i] || !step.enabled(t, modes, action) || !is_forbidden(step, i, t, goal)) continue;
-      if (can_idle && step.enabled(t, modes, idle)) continue;
+      if (step.enabled(t, modes, idle)) continue;
       for (const Modes& next : nominal_successors(step, modes, action))
         if (next[i] == t.to) return &t;
     }

@@ -152,7 +152,7 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
       if (is_permitted(c, t, permitted) && !undoes) continue;
       const auto ways = combinations(modes, with, island, NominalMove{c, &t});
       if (std::any_of(ways.begin(), ways.end(), [&](const NominalOutcome& o) { return step_.possible(o.modes); })) {
-        if (!undoes) refused_ = TransitionOf{c, id};
+        if (!is_permitted(c, t, permitted)) refused_ = TransitionOf{c, id};
         return false;
       }
     }

@@ -41,11 +41,13 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
       case Reconfiguration::Outcome::wait:
         CHECK(answer.expected && "a command and a wait lead somewhere");
         if (!plan.goal_state) plan.goal_state = std::move(answer.goal_state);
-        plan.commands.push_back(std::move(answer.action));
+        // The goal is achieved, and the model asks for an action all the same.
         if (*answer.expected == current) {
           plan.outcome = Plan::Outcome::plan;
+          if (plan.commands.empty()) plan.commands.push_back(std::move(answer.action));
           return plan;
         }
+        plan.commands.push_back(std::move(answer.action));
         current = std::move(*answer.expected);
         break;
     }
