@@ -35,7 +35,8 @@ struct Initial {
   std::vector<InitialMode> modes;
 };
 
-/// `mode firing { thrust = full } reward -5;` or `fault failed;`. Without braces, or with nothing between them, no constraint.
+/// `mode firing { thrust = full } reward -5;` or `fault failed;`. Without braces, or with nothing between them, no
+/// constraint.
 struct ModeDeclaration {
   Span span;
   bool fault = false;

@@ -27,7 +27,8 @@ class ClaimEngine : public testing::Test {
   Witness witness_{{{Ticks{0}, {ModeId(0)}, {ValueId(0)}},
                     {seconds(5), {ModeId(1)}, {ValueId(1)}},
                     {seconds(35), {ModeId(2)}, {ValueId(0)}}},
-                   std::nullopt, std::nullopt};
+                   std::nullopt,
+                   std::nullopt};
 };
 
 TEST_F(ClaimEngine, TheTargetHoldsAtTheEndWithinTheWindow) {

@@ -21,7 +21,8 @@ class ReplayEngine : public testing::Test {
   [[nodiscard]] static Witness run(Ticks heats, Ticks ready) {
     return {
         {{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {heats, {ModeId(1)}, {ValueId(1)}}, {ready, {ModeId(2)}, {ValueId(0)}}},
-        std::nullopt, std::nullopt};
+        std::nullopt,
+        std::nullopt};
   }
   std::optional<std::string> failure(const Witness& witness, const ReplayRules& rules) {
     return replay(step_, witness, rules);
@@ -49,7 +50,8 @@ TEST_F(ReplayEngine, SampledStepsNeedAPositiveProbability) {
 
 TEST_F(ReplayEngine, CommandsAndFaultsAreCounted) {
   EXPECT_TRUE(failure(run(seconds(5), seconds(35)), {std::nullopt, Commands::none, 0, {}}));
-  const Witness broken{{{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {Ticks{0}, {ModeId(4)}, {ValueId(0)}}}, std::nullopt, std::nullopt};
+  const Witness broken{
+      {{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {Ticks{0}, {ModeId(4)}, {ValueId(0)}}}, std::nullopt, std::nullopt};
   EXPECT_TRUE(failure(broken, {}));
   EXPECT_EQ(failure(broken, {std::nullopt, Commands::none, 1, {}}), std::nullopt);
 }
