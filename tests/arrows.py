@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # The arrow check: every #include of the tree against the arrows of docs/architecture.md.
 # SPDX-License-Identifier: MIT
-"""Usage: arrows.py ROOT [--draw DOT|--table]
+"""Usage: arrows.py ROOT [--draw|--table]
 
-Libraries include only what ARROWS says; between folders, of any level, there is no circle. Prints a line for each
-violation and exits 1 where there is any. --draw writes the folders and their arrows for Graphviz, --table lists them.
+Libraries include only what ARROWS says; between folders, of any level, there is no circle; docs/house.dot, the picture
+of the folders and their arrows, is the one that --draw would write. Prints a line for each violation and exits 1 where
+there is any. --draw writes docs/house.dot, and docs/house.svg where Graphviz is there; --table lists what was found.
 """
 
 import argparse
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 
 # What the files of a library may include, besides their own folder.
@@ -93,7 +96,7 @@ def circle(arrows: dict[str, dict[str, str]]) -> list[str]:
     return []
 
 
-def drawn(arrows: dict[str, dict[str, str]], folders: dict[str, int]) -> str:
+def drawn(arrows: dict[str, dict[str, str]], folders: set[str]) -> str:
     """The folders as Graphviz draws them: a box a library, arrows that follow from others left out."""
     def reach(start: str, without: str) -> set[str]:
         seen, open_ = set(), [to for to in arrows.get(start, {}) if to != without]
@@ -105,13 +108,13 @@ def drawn(arrows: dict[str, dict[str, str]], folders: dict[str, int]) -> str:
         return seen
 
     lines = ["// Made by tests/arrows.py --draw: the folders of the tree and who includes whom; arrows that others imply are left out.",
-             "digraph house {", '  rankdir=BT; compound=true; fontname="sans-serif"; node [shape=box, style=rounded, fontname="sans-serif"];']
+             "digraph house {", '  rankdir=TB; nodesep=0.35; fontname="sans-serif"; node [shape=box, style=rounded, fontname="sans-serif"];']
     for name in ARROWS:
         lines.append(f'  subgraph "cluster_{name}" {{ label="{name}"; style=rounded;')
         for place in sorted(folders):
             if library(place + "/") == name:
                 label = place.removeprefix(name + "/") if place != name else name
-                lines.append(f'    "{place}" [label="{label}\\n{folders[place]} lines"];')
+                lines.append(f'    "{place}" [label="{label}"];')
         lines.append("  }")
     for user in sorted(arrows):
         lines += [f'  "{user}" -> "{to}";' for to in sorted(arrows[user]) if to not in reach(user, to)]
@@ -121,7 +124,7 @@ def drawn(arrows: dict[str, dict[str, str]], folders: dict[str, int]) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("root", type=pathlib.Path)
-    parser.add_argument("--draw", type=pathlib.Path, help="write the folders and their arrows for Graphviz")
+    parser.add_argument("--draw", action="store_true", help="write the picture of the folders and their arrows")
     parser.add_argument("--table", action="store_true", help="list the folders, their lines and their arrows")
     options = parser.parse_args()
     root = options.root.resolve()
@@ -146,8 +149,14 @@ def main() -> int:
     folders: dict[str, int] = {}
     for file in files:
         folders[folder(file)] = folders.get(folder(file), 0) + len((root / file).read_text(encoding="utf-8").splitlines())
+    picture, dot = root / "docs/house.dot", drawn(arrows, set(folders))
     if options.draw:
-        options.draw.write_text(drawn(arrows, folders), encoding="utf-8")
+        picture.write_text(dot, encoding="utf-8")
+        if shutil.which("dot"):
+            subprocess.run(["dot", "-Tsvg", picture, "-o", picture.with_suffix(".svg")], check=True)
+    elif not picture.is_file() or picture.read_text(encoding="utf-8") != dot:
+        found += 1
+        print("docs/house.dot: not the folders and arrows as they are; tests/arrows.py . --draw writes it anew")
     if options.table:
         for place in sorted(folders):
             print(f"{folders[place]:6} {place} -> {', '.join(sorted(arrows.get(place, {}))) or '.'}")

@@ -24,11 +24,12 @@ GROWTH_KB = 8 * 1024
 
 
 def start(command: list) -> subprocess.Popen:
-    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
 
 def told(run: subprocess.Popen, line: dict) -> None:
     run.stdin.write((json.dumps(line) + "\n").encode())
+    run.stdin.flush()
 
 
 def compare(command: list, late: int) -> None:

@@ -220,7 +220,7 @@ class PolicyReconfigurer : public Reconfigurer {
     const PlannedStep& step = needed.offers[best(needed.offers)].plan.first;
     Reconfiguration result;
     if (auto aside = step.idle ? beside(modes, std::get<Modes>(interpreted), needed, prospects) : std::nullopt) {
-      result = told(modes, *aside, needed.target, goal, Reason::Purpose::reward);
+      result = told(modes, *aside, std::get<Modes>(interpreted), goal, Reason::Purpose::reward);
     } else {
       result = told(modes, step, needed.target, goal, Reason::Purpose::goal);
     }
