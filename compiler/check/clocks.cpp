@@ -34,7 +34,9 @@ void merge(Summary& into, Summary more) {
   into.starts.merge(more.starts);
   for (auto& [parameter, started] : more.asks) {
     const auto [known, fresh] = into.asks.try_emplace(parameter, started);
-    if (!fresh) std::erase_if(known->second, [&](const auto& clock) { return started.count(clock) == 0; });
+    if (!fresh)
+      std::erase_if(known->second,
+                    [&known_starts = started](const auto& clock) { return known_starts.count(clock) == 0; });
   }
   if (into.needs.size() < more.needs.size()) std::swap(into.needs, more.needs);
   for (auto& [clock, spans] : more.needs) {
