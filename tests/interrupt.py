@@ -34,7 +34,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
         json.loads(line)
     assert 0 < len(lines) < LINES, f"{len(lines)} lines"
     assert run.returncode == 3, f"exit {run.returncode}"
-    assert errors.decode() == f"rmpl-run: interrupted after {len(lines)} lines\n", errors
+    assert errors.decode() == f"rmpl-run: interrupted after {len(lines)} line{'s' * (len(lines) != 1)}\n", errors
     print(f"{len(lines)} whole lines")
     return 0
 

@@ -3,8 +3,9 @@
 #include "automata/logic/formula.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
+
+#include "base/check.hpp"
 
 namespace rmpl::automata {
 namespace {
@@ -63,7 +64,7 @@ Formula folded(Formula::Kind kind, std::vector<Formula> operands) {
     case Formula::Kind::member:
     case Formula::Kind::equality:
     case Formula::Kind::clock:
-      assert(false && "a connective");
+      CHECK(false && "a connective");
   }
   return node(kind, std::move(operands));
 }
@@ -174,7 +175,7 @@ bool evaluate(const Formula& formula, const std::function<ValueId(VariableId)>& 
     case Formula::Kind::equality:
       return value_of(formula.variable) == value_of(formula.other);
     case Formula::Kind::clock:
-      assert(false && "clock atoms are replaced before evaluation");
+      CHECK(false && "clock atoms are replaced before evaluation");
       return false;
     case Formula::Kind::negation:
       return !holds(operands[0]);

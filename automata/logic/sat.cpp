@@ -3,7 +3,8 @@
 #include "automata/logic/sat.hpp"
 
 #include <cadical.hpp>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::automata {
 
@@ -41,7 +42,7 @@ bool Sat::solve(std::span<const Literal> assumptions) {
   for (const Literal literal : assumptions) solver_->cadical.assume(literal);
   ++calls_;
   const int status = solver_->cadical.solve();
-  assert(status != 0 && "no limit is set, so the solver decides");
+  CHECK(status != 0 && "no limit is set, so the solver decides");
   return status == satisfiable;
 }
 

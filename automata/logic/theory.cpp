@@ -3,8 +3,8 @@
 #include "automata/logic/theory.hpp"
 
 #include <algorithm>
-#include <cassert>
 
+#include "base/check.hpp"
 #include "base/hash.hpp"
 
 namespace rmpl::automata {
@@ -69,7 +69,7 @@ void require(Literal unless, const Formula& formula, const std::vector<std::vect
     case Formula::Kind::equality: {
       const auto& left = literals[formula.variable.index()];
       const auto& right = literals[formula.other.index()];
-      assert(left.size() == right.size() && "an equality compares variables of one domain");
+      CHECK(left.size() == right.size() && "an equality compares variables of one domain");
       for (std::size_t v = 0; v < left.size(); ++v) {
         add({unless, -left[v], right[v]});
         // Of two values the other one says this already.
@@ -153,7 +153,7 @@ Theory::Handle Theory::encode_anew(const Formula& formula) {
     case Formula::Kind::equality: {
       const auto& left = literals_[formula.variable.index()];
       const auto& right = literals_[formula.other.index()];
-      assert(left.size() == right.size() && "an equality compares variables of one domain");
+      CHECK(left.size() == right.size() && "an equality compares variables of one domain");
       const Literal gate = fresh();
       for (std::size_t v = 0; v < left.size(); ++v) {
         add({-gate, -left[v], right[v]});
@@ -162,7 +162,7 @@ Theory::Handle Theory::encode_anew(const Formula& formula) {
       return {gate};
     }
     case Formula::Kind::clock:
-      assert(false && "clock atoms are replaced before encoding");
+      CHECK(false && "clock atoms are replaced before encoding");
       return {-true_};
     case Formula::Kind::negation:
       return {-encode_anew(formula.operands[0]).literal};
@@ -298,7 +298,7 @@ ValueId Theory::value(VariableId variable) const {
   for (std::size_t v = 0; v < values.size(); ++v) {
     if (value(values[v])) return ValueId(v);
   }
-  assert(false && "each variable has a value in a model");
+  CHECK(false && "each variable has a value in a model");
   return {};
 }
 

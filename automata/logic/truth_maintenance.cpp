@@ -7,7 +7,8 @@
 #include "automata/logic/truth_maintenance.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::automata {
 namespace {
@@ -167,7 +168,7 @@ TruthMaintenance::Variable TruthMaintenance::trace(std::span<const Literal> from
         for (const Literal literal : literals(clauses_[v])) meet(variable(literal));
         break;
       case Reason::none:
-        assert(false && "a value has a reason");
+        CHECK(false && "a value has a reason");
     }
   }
   return guess;
@@ -282,16 +283,16 @@ void TruthMaintenance::adopt(std::span<const Literal> assumptions, const Sat& so
   Answer answer = Answer::consistent;
   for (const Literal literal : assumptions) {
     answer = assume(literal);
-    assert(answer == Answer::consistent && "a model contradicts no assumption");
+    CHECK(answer == Answer::consistent && "a model contradicts no assumption");
   }
   answer = complete();
-  assert(answer == Answer::consistent && "a model violates no clause");
+  CHECK(answer == Answer::consistent && "a model violates no clause");
 }
 
 void TruthMaintenance::explain(Literal literal) {
   const Literal from[] = {literal};
   [[maybe_unused]] const Variable guess = trace(from);
-  assert(guess == 0 && "what follows rests on no guess");
+  CHECK(guess == 0 && "what follows rests on no guess");
   for (const Variable blamed : support_) blamed_[blamed] = wanted_[blamed];
 }
 

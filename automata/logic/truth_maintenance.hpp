@@ -7,7 +7,8 @@
 // Unit propagation alone decides neither consistency nor entailment. So the literals that it leaves open are guessed,
 // in the phase that they had last: what is guessed and survives propagation is a model. A conflict that rests on a
 // guess takes that guess back; one that rests on assumptions alone is a refutation. After a few guesses in vain a
-// solver has to be asked, whose model is then adopted. SPDX-License-Identifier: MIT
+// solver has to be asked, whose model is then adopted.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,8 @@
 #include "automata/logic/variables.hpp"
 
 #include <algorithm>
-#include <cassert>
+
+#include "base/check.hpp"
 
 namespace rmpl::automata {
 
@@ -16,7 +17,7 @@ std::optional<ValueId> Variable::find(std::string_view value) const {
 VariableId Variables::add(Variable variable) {
   const VariableId id(table_.size());
   const bool fresh = by_name_.emplace(variable.name, id).second;
-  assert(fresh && "a variable's name is new");
+  CHECK(fresh && "a variable's name is new");
   (void)fresh;
   table_.push_back(std::move(variable));
   return id;

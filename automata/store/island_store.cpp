@@ -3,9 +3,9 @@
 #include "automata/store/island_store.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "automata/store/totality.hpp"
+#include "base/check.hpp"
 
 namespace rmpl::automata {
 
@@ -21,7 +21,7 @@ IslandStore::IslandStore(const Plant& plant, const Island& island)
 }
 
 std::size_t IslandStore::watch(const Formula& formula) {
-  assert(!theory_);
+  CHECK(!theory_);
   const auto known = std::find(watched_.begin(), watched_.end(), formula);
   if (known != watched_.end()) return static_cast<std::size_t>(known - watched_.begin());
   watched_.push_back(formula);
@@ -37,7 +37,7 @@ VariableId IslandStore::own(VariableId variable) const {
   }
   const auto component =
       std::find_if(components.begin(), components.end(), [&](ComponentId c) { return (*plant_)[c].mode == variable; });
-  assert(component != components.end() && "an island knows what its constraints read");
+  CHECK(component != components.end() && "an island knows what its constraints read");
   return VariableId(static_cast<std::size_t>(component - components.begin()));
 }
 
@@ -86,7 +86,7 @@ bool IslandStore::possible(const Modes& modes) {
 
 std::vector<ComponentId> IslandStore::conflict(const Modes& modes) {
   [[maybe_unused]] const bool consistent = theory().consistent(assumptions(modes));
-  assert(!consistent);
+  CHECK(!consistent);
   std::vector<ComponentId> result;
   for (const Assignment& a : theory().minimal_conflict(theory().conflict())) {
     result.push_back(island_->support.components[a.variable.index()]);
@@ -179,7 +179,7 @@ Refutation IslandStore::refutation(const Modes& modes) {
   if (!result.lasting) {
     store.insert(store.end(), readings_.begin(), readings_.end());
     [[maybe_unused]] const bool consistent = theory().consistent(store);
-    assert(!consistent);
+    CHECK(!consistent);
   }
   const auto& components = island_->support.components;
   for (const Assignment& a : theory().conflict()) {

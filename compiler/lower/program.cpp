@@ -1,9 +1,9 @@
 // RMPL becomes THCA: one function a construct, as in thesis Fig. 5-2 and the table of semantics 1. Each makes a
-// fragment of the draft; sequence joins the ends of one to the starts of the next. SPDX-License-Identifier: MIT
+// fragment of the draft; sequence joins the ends of one to the starts of the next.
+// SPDX-License-Identifier: MIT
 #include "compiler/lower/program.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <deque>
 #include <utility>
 

@@ -1,5 +1,6 @@
 // What the verifier calls possible in sampled time has a positive probability in the estimator, and the other way
-// about. SPDX-License-Identifier: MIT
+// about.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

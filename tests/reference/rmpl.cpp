@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/reference/rmpl.hpp"
 
-#include <cassert>
 #include <set>
+
+#include "base/check.hpp"
 
 namespace rmpl::reference {
 
@@ -228,7 +229,7 @@ class Lowering {
       case Statement::Kind::watching:
       case Statement::Kind::maintaining:
       case Statement::Kind::call:
-        assert(false);
+        CHECK(false);
     }
     return whole;
   }

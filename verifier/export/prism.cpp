@@ -2,7 +2,8 @@
 //
 // A component's choices depend on its mode, its clock (counted in periods), the modes that its guards can depend on,
 // and the control action; given these, components draw independently (semantics 3), which is what synchronised modules
-// do. SPDX-License-Identifier: MIT
+// do.
+// SPDX-License-Identifier: MIT
 #include "verifier/export/prism.hpp"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "runtime/reasoning/estimate/extensions.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>

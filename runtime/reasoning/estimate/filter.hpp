@@ -1,5 +1,6 @@
 // What keeps the belief of one group of components: the two halves of an update, so that several groups can agree on
-// it. SPDX-License-Identifier: MIT
+// it.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,6 @@
 // The nominal transitions of each component that can be brought about, which of them can be undone, and what they
-// reach. SPDX-License-Identifier: MIT
+// reach.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // A heater that takes two seconds to warm up, may break, and is repaired by turning it off: a plant for small
-// scenarios. SPDX-License-Identifier: MIT
+// scenarios.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
