@@ -15,4 +15,10 @@ struct Origin {
   bool operator==(const Origin&) const = default;
 };
 
+/// `file:line:column`.
+std::string to_text(const Origin& origin);
+
+/// ` (file:line:column)`, to stand behind what came from there; nothing where there is no source.
+std::string in_brackets(const Origin& origin);
+
 }  // namespace rmpl::automata

@@ -75,12 +75,20 @@ struct Control {
   bool operator==(const Control&) const = default;
 };
 
+/// A constraint of Q, which holds in every state.
+struct Interconnection {
+  Interconnection(Formula q, Origin where = {}) : constraint(std::move(q)), origin(std::move(where)) {}
+  Formula constraint;
+  Origin origin;
+  bool operator==(const Interconnection&) const = default;
+};
+
 /// The plant: components, variables (mode variables and attributes), interconnections Q.
 struct Plant {
   std::string name;
   Variables variables;
   std::vector<Component> components;
-  std::vector<Formula> interconnections;
+  std::vector<Interconnection> interconnections;
   std::vector<Control> controls;        ///< declaration order
   std::vector<VariableId> observables;  ///< declaration order
   bool operator==(const Plant&) const = default;

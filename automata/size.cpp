@@ -66,7 +66,7 @@ PlantSize size_of(const Plant& plant) {
     size.propositions += variable.values.size();
     size.clauses += exactly_one(variable.values.size());
   }
-  for (const Formula& q : plant.interconnections) size.clauses += count(q, plant.variables).holds;
+  for (const Interconnection& q : plant.interconnections) size.clauses += count(q.constraint, plant.variables).holds;
   for (const Component& component : plant.components) {
     ++size.components;
     size.modes += component.modes.size();

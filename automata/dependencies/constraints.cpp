@@ -13,7 +13,7 @@ std::vector<Constraint> constraints_of(const Plant& plant) {
       if (!conjunct.is_true()) result.push_back({under, std::move(conjunct)});
     }
   };
-  for (const Formula& q : plant.interconnections) tell(std::nullopt, q);
+  for (const Interconnection& q : plant.interconnections) tell(std::nullopt, q.constraint);
   for (const Component& component : plant.components) {
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       tell(Assignment{component.mode, ValueId(m)}, component.modes[m].constraint);

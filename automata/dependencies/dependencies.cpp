@@ -60,7 +60,9 @@ Classes Dependencies::linked_by_conjuncts(const Known& known) const {
 template <class Known>
 Classes Dependencies::linked_by_components(const Known& known) const {
   base::Partition partition(index_.variables());
-  for (const Formula& q : plant_.interconnections) link(partition, variables_of(q), std::nullopt, known);
+  for (const Interconnection& q : plant_.interconnections) {
+    link(partition, variables_of(q.constraint), std::nullopt, known);
+  }
   for (const Component& component : plant_.components) {
     for (const Mode& mode : component.modes) link(partition, variables_of(mode.constraint), component.mode, known);
     for (const Transition& t : component.transitions) link(partition, variables_of(t.guard), component.mode, known);

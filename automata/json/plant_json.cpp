@@ -168,7 +168,9 @@ Json to_json(const Plant& plant) {
     components.push_back(component_to_json(component, plant.variables));
   }
   Json interconnections = Json::array();
-  for (const Formula& q : plant.interconnections) interconnections.push_back(to_json(q, plant.variables));
+  for (const Interconnection& q : plant.interconnections) {
+    interconnections.push_back({{"constraint", to_json(q.constraint, plant.variables)}, {"origin", to_json(q.origin)}});
+  }
   Json controls = Json::array();
   for (const Control& control : plant.controls) {
     controls.push_back({{"variable", plant.variables.name(control.variable)},
@@ -200,8 +202,10 @@ Plant plant_from_json(const Node& node) {
   }
   if (plant.components.empty()) node.at("components").fail("at least one component");
   for (const Node& item : node.at("interconnections").items()) {
-    plant.interconnections.push_back(formula_from_json(item, plant.variables));
-    if (has_clock(plant.interconnections.back())) item.fail("an interconnection without clocks");
+    item.only({"constraint", "origin"});
+    Formula constraint = formula_from_json(item.at("constraint"), plant.variables);
+    if (has_clock(constraint)) item.at("constraint").fail("an interconnection without clocks");
+    plant.interconnections.emplace_back(std::move(constraint), origin_from_json(item.at("origin")));
   }
   const auto attribute = [&](const Node& item) {
     const auto id = plant.variables.find(item.text());

@@ -5,7 +5,7 @@
 namespace rmpl::automata {
 
 void tell_model(Theory& theory, const Plant& plant) {
-  for (const Formula& q : plant.interconnections) theory.tell(q);
+  for (const Interconnection& q : plant.interconnections) theory.tell(q.constraint);
   for (const Component& component : plant.components) {
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       const Formula& constraint = component.modes[m].constraint;

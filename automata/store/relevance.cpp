@@ -42,9 +42,11 @@ Plant relevant_part(const Plant& plant) {
   for (const Component& component : plant.components) by_mode.emplace_back(component.modes.size());
   for (const std::size_t left : elimination.left()) {
     const Constraint& c = constraints[left];
-    auto& into = c.under ? by_mode[plant.component_of(c.under->variable)->index()][c.under->value.index()]
-                         : part.interconnections;
-    into.push_back(c.formula);
+    if (c.under) {
+      by_mode[plant.component_of(c.under->variable)->index()][c.under->value.index()].push_back(c.formula);
+    } else {
+      part.interconnections.emplace_back(c.formula);
+    }
   }
   for (std::size_t c = 0; c < by_mode.size(); ++c) {
     for (std::size_t m = 0; m < by_mode[c].size(); ++m) {

@@ -114,7 +114,7 @@ void ModelLowering::lower_module(const grammar::ModuleDefinition& definition, Pa
   for (const grammar::ModuleItem& item : definition.items) {
     if (const auto* instance = std::get_if<grammar::InstanceDeclaration>(&item)) add_instances(*instance, names, part);
   }
-  connect(definition, part, diagnostics_);
+  connect(sources_, definition, part, diagnostics_);
 }
 
 void ModelLowering::add_instances(const grammar::InstanceDeclaration& declaration, Uniqueness& names, Part& part) {

@@ -47,8 +47,8 @@ void instantiate(Part& whole, const std::string& instance, const Part& type) {
     for (automata::Mode& mode : copy.modes) shift(mode.constraint, offset);
     for (automata::Transition& transition : copy.transitions) shift(transition.guard, offset);
   }
-  for (const Formula& interconnection : type.plant.interconnections) {
-    shift(plant.interconnections.emplace_back(interconnection), offset);
+  for (const automata::Interconnection& interconnection : type.plant.interconnections) {
+    shift(plant.interconnections.emplace_back(interconnection).constraint, offset);
   }
   for (const automata::Control& control : type.plant.controls) {
     plant.controls.push_back({VariableId(control.variable.index() + offset), control.idle});

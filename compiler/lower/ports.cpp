@@ -32,8 +32,10 @@ class PartResolver final : public Resolver {
 
 class Connector {
  public:
-  Connector(const grammar::ModuleDefinition& definition, Part& part, grammar::Diagnostics& diagnostics)
-      : definition_(definition),
+  Connector(const grammar::Sources& sources, const grammar::ModuleDefinition& definition, Part& part,
+            grammar::Diagnostics& diagnostics)
+      : sources_(sources),
+        definition_(definition),
         part_(part),
         diagnostics_(diagnostics),
         resolver_({part.plant.variables, &part.declared,
@@ -47,7 +49,8 @@ class Connector {
   void run() {
     for (const grammar::ModuleItem& item : definition_.items) {
       if (const auto* connection = std::get_if<grammar::Interconnection>(&item)) {
-        part_.plant.interconnections.push_back(resolver_.resolve(connection->constraint));
+        part_.plant.interconnections.emplace_back(resolver_.resolve(connection->constraint),
+                                                  origin_of(sources_, connection->span));
       } else if (const auto* control = std::get_if<grammar::Control>(&item)) {
         add(*control);
       } else if (const auto* observe = std::get_if<grammar::Observe>(&item)) {
@@ -94,6 +97,7 @@ class Connector {
     return std::nullopt;
   }
 
+  const grammar::Sources& sources_;
   const grammar::ModuleDefinition& definition_;
   Part& part_;
   grammar::Diagnostics& diagnostics_;
@@ -105,8 +109,9 @@ class Connector {
 
 }  // namespace
 
-void connect(const grammar::ModuleDefinition& definition, Part& part, grammar::Diagnostics& diagnostics) {
-  Connector(definition, part, diagnostics).run();
+void connect(const grammar::Sources& sources, const grammar::ModuleDefinition& definition, Part& part,
+             grammar::Diagnostics& diagnostics) {
+  Connector(sources, definition, part, diagnostics).run();
 }
 
 }  // namespace rmpl::compiler

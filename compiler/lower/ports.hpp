@@ -9,6 +9,7 @@
 namespace rmpl::compiler {
 
 /// Resolves the interconnections, controls and observables of a module over its ports and instances, and adds them.
-void connect(const grammar::ModuleDefinition& definition, Part& part, grammar::Diagnostics& diagnostics);
+void connect(const grammar::Sources& sources, const grammar::ModuleDefinition& definition, Part& part,
+             grammar::Diagnostics& diagnostics);
 
 }  // namespace rmpl::compiler

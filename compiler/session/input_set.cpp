@@ -92,12 +92,9 @@ automata::Program InputSet::bound(const automata::Program& program, const Part* 
   if (plant == nullptr || program.variables == plant->plant.variables) return program;
   automata::Binding binding = automata::bind(program, plant->plant);
   for (const automata::Mismatch& lacking : binding.lacking) {
-    const automata::Origin& asks = lacking.origin;
-    const bool known = asks.line > 0;
     diagnostics_.error(Code::not_in_plant, blame,
-                       known ? lacking.message + ", at " + asks.file + ":" + std::to_string(asks.line) + ":" +
-                                   std::to_string(asks.column) + " of its source"
-                             : lacking.message);
+                       lacking.origin.line > 0 ? lacking.message + ", at " + to_text(lacking.origin) + " of its source"
+                                               : lacking.message);
   }
   return binding.lacking.empty() ? std::move(binding.program) : program;
 }

@@ -23,7 +23,7 @@ std::vector<automata::Formula> parts_of(const runtime::Evidence& evidence, const
     parts.push_back(automata::conjunction(
         {automata::is(plant[c].mode, automata::ValueId(mode.index())), plant[c].modes[mode.index()].constraint}));
   }
-  for (const std::size_t i : evidence.interconnections) parts.push_back(plant.interconnections[i]);
+  for (const std::size_t i : evidence.interconnections) parts.push_back(plant.interconnections[i].constraint);
   return parts;
 }
 

@@ -266,7 +266,7 @@ rc::Gen<Model> mirrored(Shape shape) {
       for (auto& t : component.transitions) t.guard = mirror(t.guard);
       plant.components.push_back(std::move(component));
     }
-    for (const Formula& q : half.interconnections) plant.interconnections.push_back(mirror(q));
+    for (const auto& q : half.interconnections) plant.interconnections.emplace_back(mirror(q.constraint));
     for (const auto& control : half.controls) plant.controls.push_back({other(control.variable), control.idle});
     for (const VariableId v : half.observables) plant.observables.push_back(other(v));
     if (chance(50)) {

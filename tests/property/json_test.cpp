@@ -60,7 +60,7 @@ RC_GTEST_PROP(Json, FormulasComeBackTheSame, ()) {
   model.plant.interconnections = {formula};
   const automata::Document document{{model.plant}, {}, {}};
   const automata::Document back = automata::read_document(automata::to_json(document).dump(), "document.json");
-  RC_ASSERT(back.plants.front().interconnections.front() == formula);
+  RC_ASSERT(back.plants.front().interconnections.front().constraint == formula);
 }
 
 }  // namespace

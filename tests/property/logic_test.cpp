@@ -25,7 +25,7 @@ using automata::Ticks;
 
 /// The store of a plant as the fast code has it: Q, and each mode's constraint under its mode.
 void tell(automata::Theory& theory, const automata::Plant& plant) {
-  for (const auto& interconnection : plant.interconnections) theory.tell(interconnection);
+  for (const auto& q : plant.interconnections) theory.tell(q.constraint);
   for (const auto& component : plant.components)
     for (std::size_t mode = 0; mode < component.modes.size(); ++mode)
       theory.tell_if({component.mode, automata::ValueId(mode)}, component.modes[mode].constraint);

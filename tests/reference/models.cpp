@@ -37,8 +37,8 @@ std::vector<World> all_worlds(const automata::Variables& variables) {
 }
 
 bool permitted(const automata::Plant& plant, const World& world) {
-  for (const Formula& interconnection : plant.interconnections)
-    if (!holds(interconnection, world)) return false;
+  for (const automata::Interconnection& q : plant.interconnections)
+    if (!holds(q.constraint, world)) return false;
   for (const automata::Component& component : plant.components) {
     const automata::ValueId mode = world[component.mode.index()];
     if (!holds(component.modes[mode.index()].constraint, world)) return false;

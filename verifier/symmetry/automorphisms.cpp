@@ -26,7 +26,7 @@ class PlantGraph {
   PlantGraph(const Plant& plant, const std::vector<Formula>& formulas, const std::vector<Assignment>& from)
       : plant_(plant) {
     add_variables(from);
-    for (const Formula& q : plant.interconnections) graph_.add_edge(vertex("interconnection"), tree(q));
+    for (const auto& [q, origin] : plant.interconnections) graph_.add_edge(vertex("interconnection"), tree(q));
     for (std::size_t f = 0; f < formulas.size(); ++f) {
       graph_.add_edge(vertex("question " + std::to_string(f)), tree(formulas[f]));
     }

@@ -14,10 +14,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::string place(const automata::Origin& origin) {
-  return origin.file + ":" + std::to_string(origin.line) + ":" + std::to_string(origin.column);
-}
-
 /// A component that an event moved.
 struct Taken {
   const automata::Component& component;
@@ -47,7 +43,7 @@ std::string goal_text(const Subject& subject, const Cycle& cycle) {
     const std::string text = text_of(subject.plant, {goal});
     const bool known = at != cycle.marking.end();
     result += result.empty() ? "" : ", ";
-    result += known ? placed(text, subject.program->locations[at->index()].origin) : text;
+    result += known ? text + in_brackets(subject.program->locations[at->index()].origin) : text;
   }
   return result;
 }
@@ -131,7 +127,7 @@ ordered_json json_of(const automata::Program& program, const automata::Marking& 
   for (const LocationId id : marking) {
     const automata::Location& location = program.locations[id.index()];
     ordered_json entry = {{"location", id.index() + 1}, {"label", location.label}};
-    if (location.origin.line > 0) entry["place"] = place(location.origin);
+    if (location.origin.line > 0) entry["place"] = to_text(location.origin);
     result.push_back(std::move(entry));
   }
   return result;
@@ -145,10 +141,6 @@ std::string text_of(const Plant& plant, const std::vector<Assignment>& assignmen
     result += (result.empty() ? "" : ", ") + plant.variables.name(a.variable) + " = " + plant.variables.value(a);
   }
   return result;
-}
-
-std::string placed(const std::string& text, const automata::Origin& origin) {
-  return origin.line == 0 ? text : text + " (" + place(origin) + ")";
 }
 
 std::string text_of(const Subject& subject, const Witness& witness, const std::string& end) {

@@ -12,8 +12,6 @@ namespace rmpl::verifier {
 
 /// `valve = open, engine = off`.
 std::string text_of(const automata::Plant& plant, const std::vector<automata::Assignment>& assignments);
-/// `text (file:line:column)`, where there is a source.
-std::string placed(const std::string& text, const automata::Origin& origin);
 
 /// A line an event in which something happens: the time, right-aligned; the goals that are new; the command, if any;
 /// what changed. `end` is said of the last event of a program's run.

@@ -82,7 +82,7 @@ std::string waiting_text(const Subject& subject, const automata::Marking& markin
   for (const LocationId id : marking) {
     const automata::Location& location = subject.program->locations[id.index()];
     if (location.composite) continue;
-    result += (result.empty() ? "" : ", ") + placed("`" + location.label + "`", location.origin);
+    result += (result.empty() ? "" : ", ") + "`" + location.label + "`" + in_brackets(location.origin);
   }
   return result;
 }
@@ -140,9 +140,9 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
   switch (property.kind) {
     case Kind::goal_conflict: {
       const automata::GoalConflict& conflict = last.conflicts.front();
-      return "goals contradict each other: " +
-             placed(text_of(subject.plant, {conflict.contradicted}), origin(conflict.first)) + " and " +
-             placed(text_of(subject.plant, {conflict.asserted}), origin(conflict.second));
+      return "goals contradict each other: " + text_of(subject.plant, {conflict.contradicted}) +
+             in_brackets(origin(conflict.first)) + " and " + text_of(subject.plant, {conflict.asserted}) +
+             in_brackets(origin(conflict.second));
     }
     case Kind::no_plan:
       return "no plan: " + last.reason;

@@ -34,7 +34,7 @@ Conflict conflict_of(const Plant& plant, const Modes& modes) {
   }
   automata::Theory theory(variables);
   for (std::size_t i = 0; i < plant.interconnections.size(); ++i) {
-    theory.tell_if(switches[i], plant.interconnections[i]);
+    theory.tell_if(switches[i], plant.interconnections[i].constraint);
   }
   for (std::size_t c = 0; c < modes.size(); ++c) {
     theory.tell_if(switches[plant.interconnections.size() + c], plant.components[c].modes[modes[c].index()].constraint);
@@ -61,7 +61,7 @@ Conflict conflict_of(const Plant& plant, const Modes& modes) {
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const bool by_name =
         std::any_of(result.interconnections.begin(), result.interconnections.end(), [&](std::size_t i) {
-          const std::vector<VariableId> read = automata::variables_of(plant.interconnections[i]);
+          const std::vector<VariableId> read = automata::variables_of(plant.interconnections[i].constraint);
           return std::find(read.begin(), read.end(), plant.components[c].mode) != read.end();
         });
     const bool constrained =
@@ -80,16 +80,13 @@ std::string to_text(const Plant& plant, const Conflict& conflict, const Modes& m
     const auto& all = conflict.constrained;
     if (std::find(all.begin(), all.end(), component) != all.end()) {
       const automata::Mode& mode = plant[component].modes[modes[component.index()].index()];
-      text += " {" + automata::to_text(mode.constraint, plant.variables) + "}";
-      if (mode.origin.line > 0) {
-        text += " (" + mode.origin.file + ":" + std::to_string(mode.origin.line) + ":" +
-                std::to_string(mode.origin.column) + ")";
-      }
+      text += " {" + automata::to_text(mode.constraint, plant.variables) + "}" + in_brackets(mode.origin);
     }
     add(text);
   }
   for (const std::size_t i : conflict.interconnections) {
-    add(automata::to_text(plant.interconnections[i], plant.variables));
+    const automata::Interconnection& q = plant.interconnections[i];
+    add(automata::to_text(q.constraint, plant.variables) + in_brackets(q.origin));
   }
   return result;
 }

@@ -64,8 +64,7 @@ Expectations::Expectations(automata::PlantStep& step, const automata::Program& p
     : step_(step), program_(program), judgements_(scenario.expectations.size()) {
   for (const Expectation& expectation : scenario.expectations) {
     if (expectation.truth && scenario.rules_only) {
-      throw base::InputError(expectation.origin.file + ":" + std::to_string(expectation.origin.line) + ":" +
-                             std::to_string(expectation.origin.column) + ": 'expect " + expectation.text +
+      throw base::InputError(to_text(expectation.origin) + ": 'expect " + expectation.text +
                              "' speaks of the truth, but the plant follows the rules only; expect the estimate");
     }
     Watch watch{&expectation, ask(expectation.condition), std::nullopt, std::nullopt};

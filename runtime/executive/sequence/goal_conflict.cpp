@@ -9,13 +9,8 @@ namespace {
 
 std::string asserts(const automata::Program& program, automata::LocationId id, automata::Assignment goal,
                     const automata::Variables& variables) {
-  const automata::Origin& origin = program.locations[id.index()].origin;
-  std::string text = "location " + std::to_string(id.index() + 1) + " asserts " + variables.name(goal.variable) +
-                     " = " + variables.value(goal);
-  if (origin.line > 0) {
-    text += " (" + origin.file + ":" + std::to_string(origin.line) + ":" + std::to_string(origin.column) + ")";
-  }
-  return text;
+  return "location " + std::to_string(id.index() + 1) + " asserts " + variables.name(goal.variable) + " = " +
+         variables.value(goal) + in_brackets(program.locations[id.index()].origin);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class Recogniser {
   }
 
   std::optional<Circuit> run() {
-    for (const Formula& q : plant_.interconnections) {
+    for (const auto& [q, origin] : plant_.interconnections) {
       if (q.kind != Formula::Kind::equality) return std::nullopt;
       parent_[root(q.variable)] = root(q.other);
     }

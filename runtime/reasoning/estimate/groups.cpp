@@ -73,10 +73,10 @@ Groups::Groups(const Plant& plant) {
     Extract& extract = extracts.emplace_back(plant, group.plant);
     for (const ComponentId c : group.components) extract.component(plant[c]);
   }
-  for (const Formula& q : plant.interconnections) {
-    const auto read = variables_of(q);
+  for (const automata::Interconnection& q : plant.interconnections) {
+    const auto read = variables_of(q.constraint);
     const std::size_t g = read.empty() ? 0 : group_of(*classes[read.front()]);
-    groups_[g].plant.interconnections.push_back(extracts[g].formula(q));
+    groups_[g].plant.interconnections.emplace_back(extracts[g].formula(q.constraint), q.origin);
   }
   homes_.resize(plant.variables.size());
   for (std::size_t v = 0; v < plant.variables.size(); ++v) {

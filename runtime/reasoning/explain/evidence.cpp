@@ -43,7 +43,7 @@ Assignment interconnection_told(const Plant& plant, std::size_t position) {
 
 Evidences::Evidences(const Plant& plant) : plant_(plant), theory_(with_selectors(plant)) {
   for (std::size_t i = 0; i < plant.interconnections.size(); ++i) {
-    theory_.tell_if(interconnection_told(plant, i), plant.interconnections[i]);
+    theory_.tell_if(interconnection_told(plant, i), plant.interconnections[i].constraint);
   }
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const automata::Component& component = plant.components[c];

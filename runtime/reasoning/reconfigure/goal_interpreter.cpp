@@ -27,7 +27,9 @@ bool reads_modes(const Plant& plant, const automata::Formula& goal) {
     return std::any_of(variables.begin(), variables.end(),
                        [&](VariableId v) { return plant.component_of(v).has_value(); });
   };
-  return reads(goal) || std::any_of(plant.interconnections.begin(), plant.interconnections.end(), reads) ||
+  return reads(goal) ||
+         std::any_of(plant.interconnections.begin(), plant.interconnections.end(),
+                     [&](const auto& q) { return reads(q.constraint); }) ||
          std::any_of(plant.components.begin(), plant.components.end(), [&](const Component& c) {
            return std::any_of(c.modes.begin(), c.modes.end(), [&](const auto& m) { return reads(m.constraint); });
          });

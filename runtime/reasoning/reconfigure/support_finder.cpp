@@ -346,8 +346,8 @@ void SupportFinder::exclude(const Question& question, const World& proposal) {
     return changed[v.index()] ? std::optional(refuting[v.index()]) : std::nullopt;
   };
   std::vector<Formula> parts{negation(substituted(question.guard, value_of))};
-  for (const Formula& interconnection : plant_.interconnections) {
-    if (reads(interconnection, changed)) parts.push_back(substituted(interconnection, value_of));
+  for (const automata::Interconnection& q : plant_.interconnections) {
+    if (reads(q.constraint, changed)) parts.push_back(substituted(q.constraint, value_of));
   }
   for (const ComponentId c : islands_.components(question.island)) {
     const Component& component = plant_[c];

@@ -106,9 +106,9 @@ TEST_F(Plants, Transitions) {
 
 TEST_F(Plants, Interconnections) {
   ASSERT_EQ(plant.interconnections.size(), 3u);
-  EXPECT_EQ(text(plant.interconnections[0]), "feed.a.flow = feed.flow");
-  EXPECT_EQ(text(plant.interconnections[1]), "feed.flow = level");
-  EXPECT_EQ(text(plant.interconnections[2]), "feed.b.flow = spare.flow -> spare = open");
+  EXPECT_EQ(text(plant.interconnections[0].constraint), "feed.a.flow = feed.flow");
+  EXPECT_EQ(text(plant.interconnections[1].constraint), "feed.flow = level");
+  EXPECT_EQ(text(plant.interconnections[2].constraint), "feed.b.flow = spare.flow -> spare = open");
 }
 
 TEST_F(Plants, ControlsAndObservables) {

@@ -22,8 +22,9 @@ Document sample() {
   pump.transitions = {{ModeId(0), ModeId(1), is(cmd, ValueId(1)), timing, {}, 1, {"a.tcca", 7, 3}},
                       {ModeId(1), ModeId(2), constant(true), {}, {Weight::Kind::rate, 1e-6}, 2, {"a.tcca", 8, 3}}};
   plant.components.push_back(pump);
-  plant.interconnections.push_back(
-      implication(is(flow, ValueId(1)), disjunction({is(cmd, ValueId(0)), is(cmd, ValueId(1))})));
+  plant.interconnections.emplace_back(
+      implication(is(flow, ValueId(1)), disjunction({is(cmd, ValueId(0)), is(cmd, ValueId(1))})),
+      automata::Origin{"a.tcca", 12, 3});
   plant.controls.push_back({cmd, ValueId(0)});
   plant.observables.push_back(flow);
 
@@ -84,7 +85,8 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
   refuses("/plants/0/components/0/transitions/0/timing/lower", "inf", "lower finite");
   refuses("/plants/0/components/0/transitions/0/timing/lower", -5, "whole n");
   refuses("/plants/0/variables/1/name", "pump", "a name that is new");
-  refuses("/plants/0/interconnections/0", Json::object(), "/plants/0/interconnections/0: expected a formula");
+  refuses("/plants/0/interconnections/0/constraint", Json::object(),
+          "/plants/0/interconnections/0/constraint: expected a formula");
   refuses("/plants/0/controls/0/variable", "pump", "attribute");
   refuses("/programs/0/locations/1/arcs/0/target", 3, "below 3");
   refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
@@ -143,7 +145,7 @@ TEST(Document, DeepFormulasAreRefusedNotCrashedOn) {
   Json deep = true;
   for (int i = 0; i < 10000; ++i) deep = Json{{"not", std::move(deep)}};
   Json bad = to_json(sample());
-  bad["plants"][0]["interconnections"][0] = std::move(deep);
+  bad["plants"][0]["interconnections"][0]["constraint"] = std::move(deep);
   EXPECT_THROW(document_from_json(bad), base::InputError);
 }
 
