@@ -82,7 +82,7 @@ std::string waiting_text(const Subject& subject, const automata::Marking& markin
   for (const LocationId id : marking) {
     const automata::Location& location = subject.program->locations[id.index()];
     if (location.composite) continue;
-    result += (result.empty() ? "" : ", ") + "`" + location.label + "`" + in_brackets(location.origin);
+    result += (result.empty() ? "`" : ", `") + location.label + "`" + in_brackets(location.origin);
   }
   return result;
 }
