@@ -1,10 +1,13 @@
 // Constraints as written become formulas.
 // SPDX-License-Identifier: MIT
 #include "compiler/check/resolve.hpp"
-#include "base/overloaded.hpp"
 
 #include <utility>
 #include <variant>
+
+#include "base/overloaded.hpp"
+
+#include "base/overloaded.hpp"
 
 namespace rmpl::compiler {
 

@@ -14,6 +14,8 @@ void add_explain(Program& program);
 
 /// `-o`: where a result goes.
 void add_output(CLI::App& command, std::string& output, const char* name, const char* description);
+/// `--format`: text or JSON, of diagnostics.
+void add_diagnostics_format(CLI::App& command, Common& common);
 /// To a file, or without one, or with `-`, to standard output.
 void write_result(const std::string& output, const std::string& text);
 

@@ -58,8 +58,7 @@ void add_compile(Program& program) {
   add_output(*command, options->output, "OUT.json", "write the document to this file");
   command->add_option("--main", options->main, "start the control program at this definition")->option_text("NAME");
   Common& common = program.common();
-  add_choice<Format>(*command, "--format", common.format, {{"text", Format::text}, {"json", Format::json}},
-                     "the form of diagnostics (default: text)");
+  add_diagnostics_format(*command, common);
   command->footer(notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }

@@ -47,8 +47,7 @@ void add_import(Program& program) {
                          {{"weak", FaultModel::weak}, {"strong", FaultModel::strong}},
                          "how gates fail (default: weak)");
   Common& common = program.common();
-  add_choice<Format>(*command, "--format", common.format, {{"text", Format::text}, {"json", Format::json}},
-                     "the form of diagnostics (default: text)");
+  add_diagnostics_format(*command, common);
   command->footer(notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }

@@ -23,6 +23,11 @@ void add_output(CLI::App& command, std::string& output, const char* name, const 
   command.add_option("-o,--output", output, description)->option_text(name);
 }
 
+void add_diagnostics_format(CLI::App& command, Common& common) {
+  add_choice<Format>(command, "--format", common.format, {{"text", Format::text}, {"json", Format::json}},
+                     "the form of diagnostics (default: text)");
+}
+
 void write_result(const std::string& output, const std::string& text) {
   if (output.empty() || output == "-") return print(text);
   base::write_file(output, text);
