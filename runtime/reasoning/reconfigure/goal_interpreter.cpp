@@ -168,15 +168,20 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
     }
   }
   const bool local = goal.rest() && !reads_modes(step_.plant(), goal.rest()->formula);
-  OptimalSearch search(costs(modes, goal, prospects, possible));
+  auto known = std::make_shared<ConflictSet>();
+  for (const Conflict& conflict : excluded_) known->add(conflict);
+  OptimalSearch search(costs(modes, goal, prospects, possible), std::move(known));
   const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
     const Modes candidate = modes_of(values);
-    auto blamed = refuted(candidate, goal, local, possible);
+    const bool exists = step_.possible(candidate);
+    auto blamed =
+        exists ? refuted(candidate, goal, local, possible) : std::optional(step_.refutation(candidate, {}).components);
     if (!blamed) blamed = has_plan(candidate);
     if (!blamed) return std::nullopt;
     Conflict conflict;
     for (const ComponentId c : *blamed) conflict.push_back({c.value, values[c.index()]});
     std::sort(conflict.begin(), conflict.end());
+    if (!exists && excluded_.size() < excluded_limit) excluded_.push_back(conflict);
     return conflict;
   });
   checked_ = search.checked();

@@ -59,6 +59,10 @@ class GoalInterpreter {
   const NominalGraph& graph_;
   WholeRewards rewards_;
   std::size_t checked_ = 0;
+  /// What the store excludes, whatever the goal, the estimate and the plans.
+  std::vector<Conflict> excluded_;
+  /// Beyond so many of them no more are kept.
+  static constexpr std::size_t excluded_limit = 512;
 };
 
 }  // namespace rmpl::runtime

@@ -100,15 +100,16 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
                              .reversible = false,
                              .possible = finder.possible(ComponentId(c), t.to),
                              .comes_by_itself = false,
+                             .commanded = true,
                              .supports = std::move(supports),
                              .silent = {}});
       NominalTransition& added = transitions.back();
+      const auto about_mode = [&](const Requirement& r) { return component_of_[r.variable.index()].has_value(); };
       for (const Support& support : added.supports) {
         added.silent.push_back(needs_no_command(plant, support));
-        added.comes_by_itself =
-            added.comes_by_itself || (added.silent.back() && std::none_of(support.begin(), support.end(), [&](auto& r) {
-                                        return component_of_[r.variable.index()].has_value();
-                                      }));
+        const auto modes = static_cast<std::size_t>(std::count_if(support.begin(), support.end(), about_mode));
+        added.comes_by_itself = added.comes_by_itself || (added.silent.back() && modes == 0);
+        added.commanded = added.commanded && modes < support.size();
       }
     }
     leads_.push_back(closure(transitions, component.modes.size()));

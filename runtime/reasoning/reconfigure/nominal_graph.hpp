@@ -23,6 +23,7 @@ struct NominalTransition {
   bool reversible = false;  ///< nominal transitions lead back from `to` to `from`: computed, not declared (6.3.1)
   bool possible = false;    ///< some state has mode `to`; else the transition is never taken, whatever enables it
   bool comes_by_itself = false;  ///< some support asks neither for a command nor for modes of others
+  bool commanded = false;        ///< every support asks for some value of a control, be it the idle one
   std::vector<Support> supports;
   std::vector<bool> silent;  ///< per support: it can be met with every control idle
 };

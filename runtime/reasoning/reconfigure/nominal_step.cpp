@@ -88,23 +88,26 @@ std::optional<ControlAction> NominalStep::resting_action(const Modes& modes) {
 template <class Suits>
 std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Support* support, const Suits& suits) {
   const auto& controls = plant().controls;
-  OptimalSearch::Costs costs;
   ControlAction action = idle_action(plant());
+  std::vector<const Requirement*> asked(support == nullptr ? 0 : controls.size(), nullptr);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const auto at = std::find_if(support->begin(), support->end(),
+                                 [&](const Requirement& r) { return r.variable == controls[i].variable; });
+    if (at == support->end()) continue;
+    asked[i] = &*at;
+    if (!std::binary_search(at->values.begin(), at->values.end(), action[i])) action[i] = at->values.front();
+  }
+  if (tolerates(modes, action) && suits(action)) return action;
+  OptimalSearch::Costs costs;
   for (const automata::Control& control : controls) {
     auto& cost = costs.emplace_back(plant().variables[control.variable].values.size(), 1.0);
     cost[control.idle.index()] = 0;
-    if (support == nullptr) continue;
-    const auto asked = std::find_if(support->begin(), support->end(),
-                                    [&](const Requirement& r) { return r.variable == control.variable; });
-    if (asked == support->end()) continue;
-    for (std::size_t v = 0; v < cost.size(); ++v) {
-      if (std::binary_search(asked->values.begin(), asked->values.end(), automata::ValueId(v))) continue;
+    const Requirement* const values = asked.empty() ? nullptr : asked[costs.size() - 1];
+    for (std::size_t v = 0; v < cost.size() && values != nullptr; ++v) {
+      if (std::binary_search(values->values.begin(), values->values.end(), automata::ValueId(v))) continue;
       cost[v] = std::numeric_limits<double>::infinity();
     }
-    const bool idle = std::binary_search(asked->values.begin(), asked->values.end(), control.idle);
-    action[costs.size() - 1] = idle ? control.idle : asked->values.front();
   }
-  if (tolerates(modes, action) && suits(action)) return action;
   OptimalSearch search(costs);
   constexpr std::size_t action_limit = 1u << 12;
   search.set_budget(action_limit);
@@ -167,10 +170,19 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
   return true;
 }
 
+/// Whether a forbidden step of the component can follow on the mode at all, as far as its own graph says.
+bool NominalStep::can_risk(ComponentId c, automata::ModeId mode, const Permitted& permitted) const {
+  const auto& transitions = graph_.transitions(c);
+  return std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
+    return t.possible && !is_permitted(c, t, permitted) && graph_.leads(c, mode, t.from);
+  });
+}
+
 bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t island, const Permitted& permitted) {
   const ControlAction idle = idle_action(plant());
   Modes state = after;
   for (const ComponentId c : islands_.components(island)) {
+    if (!can_risk(c, after[c.index()], permitted)) continue;
     std::vector<automata::ModeId> open{after[c.index()]};
     for (std::size_t next = 0; next < open.size(); ++next) {
       state[c.index()] = open[next];

@@ -89,6 +89,7 @@ class NominalStep {
   /// Whether in the state that a command leads to time alone could take a forbidden step, and could not before.
   bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t island,
              const Permitted& permitted);
+  [[nodiscard]] bool can_risk(automata::ComponentId c, automata::ModeId mode, const Permitted& permitted) const;
   [[nodiscard]] bool is_permitted(automata::ComponentId c, const NominalTransition& t,
                                   const Permitted& permitted) const {
     return permitted[c.index()][graph_.position(c, t)];

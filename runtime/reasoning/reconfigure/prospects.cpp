@@ -101,6 +101,7 @@ void Prospects::count_steps(ComponentId c) {
 /// Whether commands, or components that are commanded, decide whether the transition is taken: some support in reach
 /// asks for them, and none is met whatever they do.
 bool Prospects::felt(ComponentId c, const NominalTransition& t) const {
+  if (t.commanded) return supported(t);
   bool felt = false;
   for (const Support& support : t.supports) {
     bool asks = false;
@@ -127,17 +128,19 @@ bool Prospects::felt(ComponentId c, const NominalTransition& t) const {
   return felt;
 }
 
+/// Others are looked at again where one that they depend on turned out to be commandable.
 void Prospects::find_commandable() {
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (std::size_t c = 0; c < modes_.size(); ++c) {
-      if (commandable_[c]) continue;
-      for (const NominalTransition& t : graph_.transitions(ComponentId(c))) {
-        if (t.from != modes_[c] || t.to == t.from || !passed_[c][t.to.index()] || !felt(ComponentId(c), t)) continue;
-        commandable_[c] = grown = true;
-        break;
-      }
-    }
+  std::vector<std::size_t> queue(modes_.size());
+  std::iota(queue.begin(), queue.end(), std::size_t{0});
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const std::size_t c = queue[next];
+    if (commandable_[c]) continue;
+    const auto& transitions = graph_.transitions(ComponentId(c));
+    commandable_[c] = std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
+      return t.from == modes_[c] && t.to != t.from && passed_[c][t.to.index()] && felt(ComponentId(c), t);
+    });
+    if (!commandable_[c]) continue;
+    for (const ComponentId dependent : graph_.dependents(ComponentId(c))) queue.push_back(dependent.index());
   }
 }
 

@@ -60,6 +60,7 @@ class PolicyReconfigurer : public Reconfigurer {
   struct Memory {
     std::uint64_t number = 0;  ///< of the goal; 0 before it was asked
     std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
+    std::unordered_map<Modes, Modes, automata::ModesHash> aims;  ///< by where what is needed ends
   };
   using Asked = RecentGoals<Memory>::Entry;
 
@@ -96,6 +97,8 @@ class PolicyReconfigurer : public Reconfigurer {
     auto& answers = asked.memory.answers;
     if (const auto known = answers.find(modes); known != answers.end()) return known->second;
     if (answers.size() >= answer_limit) answers.clear();
+    // What the goal needs is never given up, whatever it leads through.
+    if (!interpreter_.entailed(modes, asked.goal)) return answers.emplace(modes, answer(modes, asked)).first->second;
     std::vector<std::pair<Modes, Reconfiguration>> path;
     Modes current = modes;
     while (!answers.contains(current)) {
@@ -213,10 +216,6 @@ class PolicyReconfigurer : public Reconfigurer {
       barred.why.conjunct = open_conjunct(modes, goal, {});
       return refusal(std::move(barred), std::move(refused));
     }
-    Modes end = modes;
-    for (const Offer& offer : needed.offers) {
-      for (const ComponentId c : islands_.components(offer.island)) end[c.index()] = offer.plan.end[c.index()];
-    }
     const PlannedStep& step = needed.offers[best(needed.offers)].plan.first;
     Reconfiguration result;
     if (auto aside = step.idle ? beside(modes, std::get<Modes>(interpreted), needed, prospects) : std::nullopt) {
@@ -224,14 +223,25 @@ class PolicyReconfigurer : public Reconfigurer {
     } else {
       result = told(modes, step, needed.target, goal, Reason::Purpose::goal);
     }
-    result.goal_state = std::get<Modes>(std::move(interpreted));
-    if (interpreter_.entailed(end, goal) && step_.possible(end)) {
-      const std::size_t checked = checked_;
-      auto rest = settled(end, asked);
-      if (rest.goal_state) result.goal_state = std::move(rest.goal_state);
-      checked_ = checked;
-    }
+    result.goal_state = aim(modes, needed, asked);
+    if (!result.goal_state) result.goal_state = std::get<Modes>(std::move(interpreted));
     return result;
+  }
+
+  /// What housekeeping aims at where the plan for what is needed ends; nothing where the goal is not entailed there.
+  std::optional<Modes> aim(const Modes& modes, const Needed& needed, Asked& asked) {
+    Modes end = modes;
+    for (const Offer& offer : needed.offers) {
+      for (const ComponentId c : islands_.components(offer.island)) end[c.index()] = offer.plan.end[c.index()];
+    }
+    auto& aims = asked.memory.aims;
+    if (const auto known = aims.find(end); known != aims.end()) return known->second;
+    if (!interpreter_.entailed(end, asked.goal) || !step_.possible(end)) return std::nullopt;
+    if (aims.size() >= answer_limit) aims.clear();
+    const std::size_t checked = checked_;
+    const Reconfiguration rest = housekeeping(end, asked);
+    checked_ = checked;
+    return aims.emplace(std::move(end), *rest.goal_state).first->second;
   }
 
   /// While what is needed waits, a command for components that are no part of the way, or a repair of one: nothing is
