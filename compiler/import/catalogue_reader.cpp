@@ -62,7 +62,7 @@ class CatalogueReader {
     pugi::xml_document document;
     const auto parsed = document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
     if (!parsed) {
-      const auto at = static_cast<std::uint32_t>(std::min<std::size_t>(text_.size(), parsed.offset));
+      const auto at = static_cast<std::uint32_t>(std::min(std::ssize(text_), parsed.offset));
       errors_.report(Code::netlist_syntax, {index_, at, at}, std::string("no XML: ") + parsed.description());
       return std::nullopt;
     }

@@ -108,7 +108,7 @@ const auto clock_bound_def =
 /// Never there: what a name in the place of a constraint lacks, clocks where the language has them.
 struct RelationMissing : x3::parser<RelationMissing> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 
   template <class C, class R, class Attribute>
   bool parse(Iterator& first, const Iterator&, const C& context, R&, Attribute&) const {
@@ -136,7 +136,7 @@ const Chain<Disjunction, decltype(conjunction), Symbol> disjunction(conjunction,
 /// `c -> d -> e`: to the right.
 struct ImplicationChain : x3::parser<ImplicationChain> {
   using attribute_type = Constraint;
-  static constexpr bool has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
   [[nodiscard]] std::string describe() const { return "a constraint"; }
 
   template <class C, class R>

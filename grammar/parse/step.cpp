@@ -77,7 +77,7 @@ bool detach_ending(Step& from, Ending& ending) { return std::visit(Detach{from, 
 /// `do A watching c`, `do A maintaining c`.
 struct DoStep : x3::parser<DoStep> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 
   template <class C, class Unused>
   bool parse(Iterator& first, const Iterator& last, const C& context, Step& target, Unused&) const {

@@ -19,7 +19,7 @@ const Rule<struct BranchId, Branch> branch{"a mode"};
 /// The arrow behind the sources. What has none is no transition, if its first word is nearly a keyword.
 struct ArrowBehindSources : x3::parser<ArrowBehindSources> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 
   template <class C, class Unused>
   bool parse(Iterator& first, const Iterator&, const C& context, TransitionText& text, Unused&) const {

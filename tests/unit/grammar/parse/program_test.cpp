@@ -104,7 +104,8 @@ TEST(ProgramParse, ReadsEveryNestingOfDoThatTheGrammarHasAndNoOther) {
   for (std::size_t dos = 0; dos <= 6; ++dos) {
     for (unsigned endings = 1; endings < 1u << 8; ++endings) {  // a leading 1, then one bit an ending
       std::string letters = std::string(dos, 'd') + "a";
-      for (int bit = std::bit_width(endings) - 2; bit >= 0; --bit) letters += (endings >> bit & 1) != 0 ? 'm' : 'w';
+      for (int bit = static_cast<int>(std::bit_width(endings)) - 2; bit >= 0; --bit)
+        letters += (endings >> bit & 1) != 0 ? 'm' : 'w';
       std::string text;
       for (const char c : letters) {
         text += c == 'd' ? "do " : c == 'a' ? "x = a " : c == 'm' ? "maintaining c = d " : "watching e = f ";

@@ -149,7 +149,7 @@ TEST(ScriptedPlant, RulesAnswerACommandSomeCyclesLater) {
 // For one cycle means in one reading, whichever it is.
 TEST(ScriptedPlant, NothingIsReadSoonerThanAtTheEndOfTheSameCycle) {
   const Plant model = heater::plant();
-  for (const std::uint64_t delay : {0, 1, 2}) {
+  for (const std::uint64_t delay : {0u, 1u, 2u}) {
     Scenario scenario = heater::scenario();
     Rule rule;
     rule.trigger = is(cmd, turn_on);
