@@ -5,11 +5,11 @@
 namespace rmpl::automata {
 
 std::vector<Enabled> PlainStep::enabled(const Modes& modes, const ControlAction& action) {
+  const std::vector<std::vector<bool>> implied = store_.implied_guards(modes, action);
   std::vector<Enabled> all;
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    all.push_back(enabled_in(plant()[ComponentId(c)], modes[c], [&](TransitionId transition) {
-      return store_.implies_guard(ComponentId(c), transition, modes, action);
-    }));
+    all.push_back(enabled_in(plant()[ComponentId(c)], modes[c],
+                             [&](TransitionId transition) { return implied[c][transition.index()]; }));
   }
   return all;
 }

@@ -28,10 +28,25 @@ bool PlainStore::consistent(const Modes& modes, const ControlAction& action) {
   return theory_.consistent(assumptions(plant_, modes, assignments_of(plant_, action)));
 }
 
-bool PlainStore::implies_guard(ComponentId component, TransitionId transition, const Modes& modes,
-                               const ControlAction& action) {
-  return theory_.entails(assumptions(plant_, modes, assignments_of(plant_, action)),
-                         guards_[component.index()][transition.index()]);
+std::vector<std::vector<bool>> PlainStore::implied_guards(const Modes& modes, const ControlAction& action) {
+  const std::vector<Assignment> store = assumptions(plant_, modes, assignments_of(plant_, action));
+  // What is false in one model of the store is not implied: that saves most questions.
+  const bool consistent = theory_.consistent(store);
+  std::vector<std::vector<bool>> result;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    auto& own = result.emplace_back();
+    for (std::size_t t = 0; t < guards_[c].size(); ++t) {
+      const bool starts_here = plant_.components[c].transitions[t].from == modes[c];
+      own.push_back(starts_here && (!consistent || theory_.holds(guards_[c][t])));
+    }
+  }
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (std::size_t t = 0; t < guards_[c].size(); ++t) {
+      if (!result[c][t] || plant_.components[c].transitions[t].guard.is_true()) continue;
+      result[c][t] = theory_.entails(store, guards_[c][t]);
+    }
+  }
+  return result;
 }
 
 bool PlainStore::implies(const Formula& formula, const Modes& modes) {

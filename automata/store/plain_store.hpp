@@ -21,9 +21,10 @@ class PlainStore {
   bool possible(const Modes& modes);
   /// Whether they can hold together with the control action.
   bool consistent(const Modes& modes, const ControlAction& action);
-  /// Whether they and the control action imply the guard of a transition; an inconsistent store implies all.
-  bool implies_guard(ComponentId component, TransitionId transition, const Modes& modes, const ControlAction& action);
-  /// The same for any formula over attributes and modes. A formula that is new is encoded, once.
+  /// By component and transition, whether it sets out from the modes and they imply, with the control action, its
+  /// guard; an inconsistent store implies all.
+  std::vector<std::vector<bool>> implied_guards(const Modes& modes, const ControlAction& action);
+  /// Whether the modes imply any formula over attributes and modes. A formula that is new is encoded, once.
   bool implies(const Formula& formula, const Modes& modes);
   /// Whether they can hold together with some formula, or with observations.
   bool allows(const Formula& formula, const Modes& modes);

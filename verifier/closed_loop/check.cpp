@@ -51,7 +51,8 @@ class ProgramCheck {
         properties_(of_programs(properties)),
         options_(options),
         meter_(limits),
-        reconfigurer_(runtime::make_reconfigurer(step)),
+        graph_(runtime::reconfiguration_graph(step.plant())),
+        reconfigurer_(runtime::make_reconfigurer(step, graph_)),
         loop_(program, step, *reconfigurer_,
               TimeModel::of(options.period, step.plant(), times_of(program, properties_)), faults, meter_) {}
 
@@ -223,9 +224,9 @@ class ProgramCheck {
     const std::vector<Event>& events = witness.events;
     automata::SystemState state{events.front().modes, std::vector<Ticks>(events.front().modes.size(), Ticks{0})};
     for (std::size_t e = 1; e + 1 < events.size(); ++e) {
-      state = automata::PlantStep::advance(state, events[e].modes, events[e].time);
+      state = automata::advance(state, events[e].modes, events[e].time);
     }
-    StepsAt steps(step_, state, events.back().time + options_.period.value_or(Ticks{0}), options_.period);
+    StepsAt steps(judge().rules(), state, events.back().time + options_.period.value_or(Ticks{0}), options_.period);
     steps.any(events.back().action, [](const Modes&) { return true; });
     witness.stop->refused = steps.refused();
     if (!steps.refused().empty()) witness.stop->conflict = conflict_of(step_.plant(), steps.refused());
@@ -241,17 +242,19 @@ class ProgramCheck {
     return replayed(std::move(witness), false, &shown);
   }
 
-  /// The witness, after it was run anew by a step function and a reconfigurer that have no part in the search.
+  /// The witness, after it was run anew by rules and a reconfigurer that have no part in the search.
   Witness replayed(Witness witness, bool endless, const ProgramProperty* shown) {
-    if (!judge_) {
-      judge_ = std::make_unique<automata::PlantStep>(step_.plant());
-      planner_ = runtime::make_reconfigurer(*judge_);
-    }
     const ReplayRules rules{options_.period, Commands::one, loop_.faults(), options_.from, endless};
-    auto failure = replay(program_, *judge_, *planner_, witness, rules);
-    if (!failure && shown != nullptr) failure = failure_to_show(*judge_, *shown, options_.entailed, witness);
+    auto failure = judge().replay(witness, rules);
+    if (!failure && shown != nullptr) failure = failure_to_show(judge().rules(), *shown, options_.entailed, witness);
     if (failure) throw base::InternalError("a witness fails: " + *failure);
     return witness;
+  }
+
+  /// Made where there is something to replay.
+  LoopJudge& judge() {
+    if (!judge_) judge_.emplace(program_, step_.plant(), graph_);
+    return *judge_;
   }
 
   const automata::Program& program_;
@@ -259,10 +262,10 @@ class ProgramCheck {
   std::vector<ProgramProperty> properties_;
   const CheckOptions& options_;
   Meter meter_;
+  std::shared_ptr<const runtime::NominalGraph> graph_;
   std::unique_ptr<runtime::Reconfigurer> reconfigurer_;
   Loop loop_;
-  std::unique_ptr<automata::PlantStep> judge_;  ///< replays what the search finds, as does the planner
-  std::unique_ptr<runtime::Reconfigurer> planner_;
+  std::optional<LoopJudge> judge_;  ///< has no part in the search: it replays what that finds
   std::vector<LoopState> start_;
   bool startless_ = false;  ///< known to be
   CutOff cut_off_;          ///< seen by the searches for the answer at hand

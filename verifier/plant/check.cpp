@@ -212,12 +212,17 @@ class Check {
     return failure;
   }
 
+  /// The rules for replays: a plant with a solver of its own, made where there is something to replay.
+  automata::PlainStep& judge() {
+    if (!judge_) judge_.emplace(step_.plant());
+    return *judge_;
+  }
+
   [[nodiscard]] std::optional<std::string> failure_of(const Witness& witness) {
-    if (!judge_) judge_ = std::make_unique<PlantStep>(step_.plant());
-    if (auto failure = replay(*judge_, witness, {options_.period, options_.commands, faults_, options_.from})) {
+    if (auto failure = replay(judge(), witness, {options_.period, options_.commands, faults_, options_.from})) {
       return failure;
     }
-    return failure_to_show(*judge_, property_, options_.entailed, witness);
+    return failure_to_show(judge(), property_, options_.entailed, witness);
   }
 
   std::optional<Witness> search_cut_sets(PlantSystem& system) {
@@ -262,8 +267,8 @@ class Check {
   Witness witness_of(const std::vector<PathState>& path, PlantSystem& system) {
     Witness witness = earliest_witness(path, system);
     if (!is_end(PlantSystem::phase_of(path.back().discrete))) return witness;
-    const auto failure = explain_stop(step_, witness, options_.commands, options_.period);
-    CHECK(!failure && "a run that is cut off can go on");
+    const auto failure = explain_stop(judge(), witness, options_.commands, options_.period);
+    if (failure) throw base::InternalError("a witness fails: it is cut off, but " + *failure);
     return witness;
   }
 
@@ -275,7 +280,7 @@ class Check {
   Wanted wanted_;
   Meter& meter_;
   Situations situations_;
-  std::unique_ptr<PlantStep> judge_;  ///< has no part in the search: it replays what that finds
+  std::optional<automata::PlainStep> judge_;  ///< has no part in the search: it replays what that finds
   std::vector<bool> cone_;
   Symmetry symmetry_;
   std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way

@@ -12,8 +12,8 @@ namespace {
 
 class Claim {
  public:
-  Claim(automata::PlantStep& step, bool entailed, const Witness& witness)
-      : step_(step),
+  Claim(automata::PlainStep& rules, bool entailed, const Witness& witness)
+      : store_(rules.store()),
         entailed_(entailed),
         events_(witness.events),
         repeats_from_(witness.repeats_from),
@@ -101,12 +101,11 @@ class Claim {
 
   /// The store of an event implies the formula, or (not `certain`) allows it.
   bool holds(const Formula& formula, std::size_t event, bool certain) {
-    const auto store = automata::assignments_of(step_.plant(), events_[event].modes);
-    const automata::Theory::Handle handle = step_.theory().encode(formula);
-    return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
+    const automata::Modes& modes = events_[event].modes;
+    return certain ? store_.implies(formula, modes) : store_.allows(formula, modes);
   }
 
-  automata::PlantStep& step_;
+  automata::PlainStore& store_;
   bool entailed_;
   const std::vector<Event>& events_;
   std::optional<std::size_t> repeats_from_;
@@ -115,9 +114,9 @@ class Claim {
 
 }  // namespace
 
-std::optional<std::string> failure_to_show(automata::PlantStep& step, const Property& property, bool entailed,
+std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property, bool entailed,
                                            const Witness& witness) {
-  Claim claim(step, entailed, witness);
+  Claim claim(rules, entailed, witness);
   return std::visit([&](const auto& asked) { return claim.failure(asked); }, property);
 }
 

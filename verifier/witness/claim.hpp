@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "automata/step/plant_step.hpp"
+#include "automata/step/plain_step.hpp"
 #include "verifier/property/property.hpp"
 #include "verifier/witness/witness.hpp"
 
@@ -13,7 +13,7 @@ namespace rmpl::verifier {
 
 /// Why the run does not show that the property holds (reachability) or is violated (all others); nothing where it does.
 /// `entailed` as in CheckOptions. Whether the run is possible is for `replay` to say.
-std::optional<std::string> failure_to_show(automata::PlantStep& step, const Property& property, bool entailed,
+std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property, bool entailed,
                                            const Witness& witness);
 
 }  // namespace rmpl::verifier

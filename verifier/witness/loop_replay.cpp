@@ -1,12 +1,11 @@
-// Replaying a trace of the closed loop on the step functions.
+// Replaying a run of the closed loop on the rules.
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/loop_replay.hpp"
 
 #include <algorithm>
 #include <set>
 
-#include "verifier/witness/rules.hpp"
-#include "verifier/witness/start.hpp"
+#include "verifier/witness/plant_run.hpp"
 #include "verifier/witness/steps_at.hpp"
 
 namespace rmpl::verifier {
@@ -20,8 +19,6 @@ using automata::Ticks;
 namespace {
 
 using Readings = std::vector<std::optional<Ticks>>;
-
-std::string at(Ticks time) { return " at " + automata::format_seconds(time) + " s"; }
 
 void add_constants(const automata::Formula& formula, std::vector<Ticks>& constants) {
   if (formula.kind == automata::Formula::Kind::clock && !formula.bound.is_infinite())
@@ -43,18 +40,18 @@ std::vector<Ticks> constants_of(const automata::Program& program) {
 
 class LoopReplay {
  public:
-  LoopReplay(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
-             const Witness& witness, const ReplayRules& rules)
-      : step_(step),
-        reconfigurer_(reconfigurer),
+  LoopReplay(const automata::Program& program, automata::PlainStep& rules, automata::ProgramStep& sequencer,
+             runtime::Reconfigurer& planner, const Witness& witness, const ReplayRules& replay_rules)
+      : plant_(rules, replay_rules.period),
+        planner_(planner),
         witness_(witness),
-        rules_(rules),
+        rules_(replay_rules),
         constants_(constants_of(program)),
-        sequencer_(program, step.plant()),
+        sequencer_(sequencer),
         started_(program.clocks.size()) {}
 
   std::optional<std::string> run() {
-    if (auto failure = start()) return failure;
+    if (auto failure = plant_.start(witness_.events.front().modes, rules_.from)) return failure;
     marking_ = sequencer_.marking();
     Ticks now{0};
     const std::vector<Event>& events = witness_.events;
@@ -81,14 +78,8 @@ class LoopReplay {
   }
 
  private:
-  [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
-
-  std::optional<std::string> start() {
-    const Modes& modes = witness_.events.front().modes;
-    if (auto failure = wrong_start(step_, modes, rules_.from)) return failure;
-    state_ = {modes, std::vector<Ticks>(modes.size(), Ticks{0})};
-    return std::nullopt;
-  }
+  [[nodiscard]] const automata::Plant& plant() const { return plant_.plant(); }
+  [[nodiscard]] const Modes& modes() const { return plant_.state().modes; }
 
   /// The first half of a cycle; leaves what it says in `goal_`, `conflict_`, `outcome_` and `action_`.
   void begin(Ticks now, const Readings& seen) {
@@ -97,10 +88,10 @@ class LoopReplay {
       if (seen[c]) starts[c] = now - *seen[c];
     }
     sequencer_.resume(marking_, starts);
-    const automata::Asserted& asserted = sequencer_.begin({automata::assignments_of(plant(), state_.modes)}, now);
+    const automata::Asserted& asserted = sequencer_.begin({automata::assignments_of(plant(), modes())}, now);
     conflict_ = !asserted.conflicts.empty();
     goal_ = conflict_ ? std::vector<automata::Assignment>{} : asserted.goal;
-    const auto answer = reconfigurer_.next(state_.modes, automata::conjunction_of(goal_));
+    const auto answer = planner_.next(modes(), automata::conjunction_of(goal_));
     outcome_ = answer.outcome;
     action_ = outcome_ == runtime::Reconfiguration::Outcome::command ? answer.action : automata::idle_action(plant());
   }
@@ -145,42 +136,24 @@ class LoopReplay {
     if (rules_.period && cycle.begin.count % rules_.period->count != 0)
       return "it is not on the period" + at(cycle.begin);
     if (round_ && !rules_.period) {
-      stands_still_ = stands_still_ || !StepsAt(step_, state_, cycle.begin, std::nullopt).time_passes(action_);
+      stands_still_ =
+          stands_still_ || !StepsAt(plant_.rules(), plant_.state(), cycle.begin, std::nullopt).time_passes(action_);
     }
-    if (!possible(cycle.begin, event.time, event.modes)) return "the step is not possible" + at(event.time);
+    const bool possible =
+        plant_.rules().possible(event.modes) && plant_.may_step(action_, cycle.begin, event.time, event.modes);
+    if (!possible) return "the step is not possible" + at(event.time);
     finish(cycle.begin, event.modes);
     if (marking_ != cycle.next) return "another marking" + at(event.time);
-    state_ = automata::PlantStep::advance(state_, event.modes, event.time);
+    plant_.advance(event.modes, event.time);
     return std::nullopt;
-  }
-
-  bool possible(Ticks before, Ticks now, const Modes& next) {
-    if (!step_.possible(next)) return false;
-    const auto& enabled = step_.enabled(state_.modes, action_);
-    for (std::size_t c = 0; c < enabled.size(); ++c) {
-      const Ticks start = state_.clock_starts[c];
-      const Rules rules(plant().components[c], enabled[c], before - start, now - start, rules_.period);
-      if (!rules.allows(state_.modes[c], next[c])) return false;
-    }
-    return !rules_.period || step_.leads(state_, action_, before, now, next);
   }
 
   /// Whether no step follows under the last command, and in dense time no time passes.
   bool is_stuck() {
     const Ticks now = witness_.events.back().time + rules_.period.value_or(Ticks{0});
-    StepsAt steps(step_, state_, now, rules_.period);
+    StepsAt steps(plant_.rules(), plant_.state(), now, rules_.period);
     if (!rules_.period && steps.time_passes(action_)) return false;
     return !steps.any(action_, [](const Modes&) { return true; });
-  }
-
-  bool time_may_pass_up_to(Ticks now) {
-    const auto& enabled = step_.enabled(state_.modes, action_);
-    for (std::size_t c = 0; c < enabled.size(); ++c) {
-      const Ticks clock = now - state_.clock_starts[c];
-      if (!Rules(plant().components[c], enabled[c], clock, clock, std::nullopt).allows_time(state_.modes[c]))
-        return false;
-    }
-    return true;
   }
 
   /// Cycles in which nothing changes, or, in dense time, in which the marking goes round.
@@ -192,10 +165,10 @@ class LoopReplay {
       do {
         if (!seen.insert(marking_).second) return "waiting leads elsewhere" + at(now);
         begin(now, real(now));
-        const bool stays = rules_.period ? possible(now, now + *rules_.period, state_.modes)
-                                         : possible(now, now, state_.modes) && time_may_pass_up_to(to);
+        const bool stays = rules_.period ? plant_.may_step(action_, now, now + *rules_.period, modes())
+                                         : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, to);
         if (!stays) return "nothing changing is not possible" + at(now);
-        finish(now, state_.modes);
+        finish(now, modes());
         if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);
       } while (marking_ != before);
     }
@@ -218,20 +191,13 @@ class LoopReplay {
     look(from);
     look_around(from);
     look_around(to);
-    const auto meets = [&](Ticks start, Ticks bound) {
-      if (!bound.is_infinite() && bound <= to) look_around(start + bound);
-    };
     for (const auto& start : started_) {
       if (!start) continue;
-      for (const Ticks constant : constants_) meets(*start, constant);
-    }
-    for (std::size_t c = 0; c < state_.modes.size(); ++c) {
-      for (const automata::Transition& t : plant().components[c].transitions) {
-        if (t.from != state_.modes[c] || !t.timing) continue;
-        meets(state_.clock_starts[c], t.timing->lower);
-        meets(state_.clock_starts[c], t.timing->upper);
+      for (const Ticks constant : constants_) {
+        if (constant <= to) look_around(*start + constant);
       }
     }
+    for (const Ticks met : plant_.meets_bounds(to)) look_around(met);
     return result;
   }
 
@@ -253,13 +219,12 @@ class LoopReplay {
     return now + Ticks{(longest.count / cycle.count + 3) * cycle.count};
   }
 
-  automata::PlantStep& step_;
-  runtime::Reconfigurer& reconfigurer_;
+  PlantRun plant_;
+  runtime::Reconfigurer& planner_;
   const Witness& witness_;
   const ReplayRules& rules_;
   std::vector<Ticks> constants_;
-  automata::ProgramStep sequencer_;
-  automata::SystemState state_;
+  automata::ProgramStep& sequencer_;
   Marking marking_;
   Readings started_;
   bool round_ = false;         ///< the cycle at hand is one of those that go round
@@ -273,10 +238,17 @@ class LoopReplay {
 
 }  // namespace
 
-std::optional<std::string> replay(const automata::Program& program, automata::PlantStep& step,
-                                  runtime::Reconfigurer& reconfigurer, const Witness& witness,
-                                  const ReplayRules& rules) {
-  return LoopReplay(program, step, reconfigurer, witness, rules).run();
+LoopJudge::LoopJudge(const automata::Program& program, const automata::Plant& plant,
+                     std::shared_ptr<const runtime::NominalGraph> graph)
+    : program_(program),
+      rules_(plant),
+      asked_(plant),
+      planner_(runtime::make_reconfigurer(asked_, std::move(graph))),
+      sequencer_(program, plant) {}
+
+std::optional<std::string> LoopJudge::replay(const Witness& witness, const ReplayRules& replay_rules) {
+  sequencer_.reset();
+  return LoopReplay(program_, rules_, sequencer_, *planner_, witness, replay_rules).run();
 }
 
 }  // namespace rmpl::verifier

@@ -11,7 +11,7 @@ namespace rmpl::verifier {
 
 using automata::ControlAction;
 using automata::Modes;
-using automata::PlantStep;
+using automata::PlainStep;
 using automata::SystemState;
 using automata::Ticks;
 
@@ -25,13 +25,13 @@ struct ByParts {
 
 class Stops {
  public:
-  Stops(PlantStep& step, Witness& witness, Commands commands, std::optional<Ticks> period)
-      : step_(step),
+  Stops(PlainStep& rules, Witness& witness, Commands commands, std::optional<Ticks> period)
+      : rules_(rules),
         witness_(witness),
         commands_(commands),
         period_(period),
         now_(witness.events.back().time),
-        idle_(automata::idle_action(step.plant())) {}
+        idle_(automata::idle_action(rules.plant())) {}
 
   std::optional<std::string> explain() {
     const SystemState end = end_of_run();
@@ -39,12 +39,12 @@ class Stops {
     if (!step_from(end)) return blame(end);
     if (period_) return "a step is possible";
     for (SystemState state = end; !met_.contains(state);) {
-      if (StepsAt(step_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
+      if (StepsAt(rules_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
       const auto next = step_from(state);
       if (!next) break;
       met_.emplace(state, witness_.events.size());
       witness_.events.push_back(*next);
-      state = PlantStep::advance(state, next->modes, now_);
+      state = automata::advance(state, next->modes, now_);
       if (const auto before = met_.find(state); before != met_.end()) witness_.repeats_from = before->second;
     }
     witness_.stop->still = true;
@@ -55,7 +55,7 @@ class Stops {
   [[nodiscard]] SystemState end_of_run() const {
     const Modes& start = witness_.events.front().modes;
     SystemState state{start, std::vector<Ticks>(start.size(), Ticks{0})};
-    for (const Event& event : witness_.events) state = PlantStep::advance(state, event.modes, event.time);
+    for (const Event& event : witness_.events) state = automata::advance(state, event.modes, event.time);
     return state;
   }
 
@@ -63,9 +63,9 @@ class Stops {
   std::optional<Event> step_from(const SystemState& state) {
     std::optional<Event> result;
     const Ticks at = now_ + period_.value_or(Ticks{0});
-    for_each_action(step_.plant(), commands_, [&](const ControlAction& action) {
+    for_each_action(rules_.plant(), commands_, [&](const ControlAction& action) {
       if (result) return;
-      StepsAt(step_, state, at, period_).any(action, [&](const Modes& modes) {
+      StepsAt(rules_, state, at, period_).any(action, [&](const Modes& modes) {
         result = Event{at, modes, action};
         return true;
       });
@@ -74,15 +74,15 @@ class Stops {
   }
 
   std::optional<std::string> blame(const SystemState& state) {
-    if (!period_ && StepsAt(step_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
-    StepsAt steps(step_, state, now_ + period_.value_or(Ticks{0}), period_);
+    if (!period_ && StepsAt(rules_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
+    StepsAt steps(rules_, state, now_ + period_.value_or(Ticks{0}), period_);
     steps.any(idle_, [](const Modes&) { return true; });
     witness_.stop->refused = steps.refused();
-    if (!steps.refused().empty()) witness_.stop->conflict = conflict_of(step_.plant(), steps.refused());
+    if (!steps.refused().empty()) witness_.stop->conflict = conflict_of(rules_.plant(), steps.refused());
     return std::nullopt;
   }
 
-  PlantStep& step_;
+  PlainStep& rules_;
   Witness& witness_;
   Commands commands_;
   std::optional<Ticks> period_;
@@ -93,9 +93,9 @@ class Stops {
 
 }  // namespace
 
-std::optional<std::string> explain_stop(PlantStep& step, Witness& witness, Commands commands,
+std::optional<std::string> explain_stop(PlainStep& rules, Witness& witness, Commands commands,
                                         std::optional<Ticks> period) {
-  return Stops(step, witness, commands, period).explain();
+  return Stops(rules, witness, commands, period).explain();
 }
 
 }  // namespace rmpl::verifier

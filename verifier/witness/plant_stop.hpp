@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "automata/step/plant_step.hpp"
+#include "automata/step/plain_step.hpp"
 #include "verifier/property/commands.hpp"
 #include "verifier/witness/witness.hpp"
 
@@ -13,7 +13,7 @@ namespace rmpl::verifier {
 
 /// Sets `stop`, and appends the steps that lead round where time stands still. Why the run can go on after all; nothing
 /// where it cannot.
-std::optional<std::string> explain_stop(automata::PlantStep& step, Witness& witness, Commands commands,
+std::optional<std::string> explain_stop(automata::PlainStep& rules, Witness& witness, Commands commands,
                                         std::optional<automata::Ticks> period);
 
 }  // namespace rmpl::verifier

@@ -1,69 +1,50 @@
-// Replaying a trace on the step function of semantics 3.
+// Replaying a run on the rules of semantics 3.
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/replay.hpp"
 
-#include <algorithm>
 #include <set>
 
-#include "verifier/witness/rules.hpp"
-#include "verifier/witness/start.hpp"
+#include "verifier/witness/plant_run.hpp"
 
 namespace rmpl::verifier {
 
-using automata::ControlAction;
-using automata::Modes;
-using automata::SystemState;
 using automata::Ticks;
-using automata::Transition;
 
 namespace {
 
-std::string at(Ticks time) { return " at " + automata::format_seconds(time) + " s"; }
-
 class Replay {
  public:
-  Replay(automata::PlantStep& step, const Witness& witness, const ReplayRules& rules)
-      : step_(step), witness_(witness), rules_(rules), idle_(automata::idle_action(step.plant())) {}
+  Replay(automata::PlainStep& rules, const Witness& witness, const ReplayRules& replay_rules)
+      : plant_(rules, replay_rules.period),
+        witness_(witness),
+        rules_(replay_rules),
+        idle_(automata::idle_action(rules.plant())) {}
 
   std::optional<std::string> run() {
     if (witness_.events.empty()) return "it has no start";
-    if (auto failure = start()) return failure;
+    if (auto failure = plant_.start(witness_.events.front().modes, rules_.from)) return failure;
+    if (witness_.events.front().time != Ticks{0}) return "it does not start at time 0";
     for (std::size_t e = 1; e < witness_.events.size(); ++e) {
       if (auto failure = event(witness_.events[e - 1].time, witness_.events[e])) return failure;
     }
-    if (faults_in(plant(), witness_) > rules_.faults) return "it has more faults than the budget";
+    if (faults_in(plant_.plant(), witness_) > rules_.faults) return "it has more faults than the budget";
     return std::nullopt;
   }
 
  private:
-  [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
-
-  std::optional<std::string> start() {
-    const Modes& modes = witness_.events.front().modes;
-    if (auto failure = wrong_start(step_, modes, rules_.from)) return failure;
-    if (witness_.events.front().time != Ticks{0}) return "it does not start at time 0";
-    state_ = {modes, std::vector<Ticks>(modes.size(), Ticks{0})};
-    return std::nullopt;
-  }
-
   std::optional<std::string> event(Ticks before, const Event& event) {
     if (event.time < before) return "time runs backwards" + at(event.time);
-    if (!is_free(plant(), rules_.commands, event.action)) return "the command is not free" + at(event.time);
-    if (!step_.possible(event.modes)) return "the state is impossible" + at(event.time);
+    if (!is_free(plant_.plant(), rules_.commands, event.action)) return "the command is not free" + at(event.time);
+    if (!plant_.rules().possible(event.modes)) return "the state is impossible" + at(event.time);
     auto failure = rules_.period ? sampled(before, event) : dense(before, event);
-    state_ = automata::PlantStep::advance(state_, event.modes, event.time);
+    plant_.advance(event.modes, event.time);
     return failure;
   }
 
   std::optional<std::string> dense(Ticks before, const Event& event) {
-    if (event.time > before &&
-        !every_component(idle_, event.time, event.time, [this](const Rules& rules, automata::ComponentId component) {
-          return rules.allows_time(state_.modes[component.index()]);
-        })) {
-      return "time may not pass up to" + at(event.time);
-    }
-    const bool waits_only = event.modes == state_.modes && event.action == idle_;
-    if (!waits_only && !possible(event.action, event.time, event.time, event.modes)) {
+    if (event.time > before && !plant_.may_wait(idle_, event.time)) return "time may not pass up to" + at(event.time);
+    const bool waits_only = event.modes == plant_.state().modes && event.action == idle_;
+    if (!waits_only && !plant_.may_step(event.action, event.time, event.time, event.modes)) {
       return "the step is not possible" + at(event.time);
     }
     return std::nullopt;
@@ -74,9 +55,13 @@ class Replay {
     const Ticks last = event.time - period;
     if (last < before || event.time.count % period.count != 0) return "it is not on the period" + at(event.time);
     for (const Ticks end : telling_periods(before, last)) {
-      if (!positive(idle_, end - period, end, state_.modes)) return "nothing changing is not possible" + at(end);
+      if (!plant_.may_step(idle_, end - period, end, plant_.state().modes)) {
+        return "nothing changing is not possible" + at(end);
+      }
     }
-    if (!positive(event.action, last, event.time, event.modes)) return "the step is not possible" + at(event.time);
+    if (!plant_.may_step(event.action, last, event.time, event.modes)) {
+      return "the step is not possible" + at(event.time);
+    }
     return std::nullopt;
   }
 
@@ -90,52 +75,23 @@ class Replay {
     };
     look(before + period);
     look(last);
-    for (std::size_t c = 0; c < state_.modes.size(); ++c) {
-      for (const Transition& t : plant().components[c].transitions) {
-        if (t.from != state_.modes[c] || !t.timing) continue;
-        for (const Ticks bound : {t.timing->lower, t.timing->upper}) {
-          if (bound > last) continue;
-          const Ticks met = state_.clock_starts[c] + bound;
-          const Ticks end{met.count / period.count * period.count};
-          for (const Ticks near : {end - period, end, end + period}) look(near);
-        }
-      }
+    for (const Ticks met : plant_.meets_bounds(last)) {
+      const Ticks end{met.count / period.count * period.count};
+      for (const Ticks near : {end - period, end, end + period}) look(near);
     }
     return ends;
   }
 
-  template <class Test>
-  bool every_component(const ControlAction& action, Ticks before, Ticks now, const Test& test) {
-    const auto& enabled = step_.enabled(state_.modes, action);
-    for (std::size_t c = 0; c < enabled.size(); ++c) {
-      const Ticks start = state_.clock_starts[c];
-      const Rules rules(plant().components[c], enabled[c], before - start, now - start, rules_.period);
-      if (!test(rules, automata::ComponentId(c))) return false;
-    }
-    return true;
-  }
-
-  bool possible(const ControlAction& action, Ticks before, Ticks now, const Modes& next) {
-    return every_component(action, before, now, [&](const Rules& rules, automata::ComponentId component) {
-      return rules.allows(state_.modes[component.index()], next[component.index()]);
-    });
-  }
-
-  bool positive(const ControlAction& action, Ticks before, Ticks now, const Modes& next) {
-    return possible(action, before, now, next) && step_.leads(state_, action, before, now, next);
-  }
-
-  automata::PlantStep& step_;
+  PlantRun plant_;
   const Witness& witness_;
   const ReplayRules& rules_;
-  ControlAction idle_;
-  SystemState state_;
+  automata::ControlAction idle_;
 };
 
 }  // namespace
 
-std::optional<std::string> replay(automata::PlantStep& step, const Witness& witness, const ReplayRules& rules) {
-  return Replay(step, witness, rules).run();
+std::optional<std::string> replay(automata::PlainStep& rules, const Witness& witness, const ReplayRules& replay_rules) {
+  return Replay(rules, witness, replay_rules).run();
 }
 
 }  // namespace rmpl::verifier

@@ -1,4 +1,4 @@
-// Replaying a run of a plant on the step function of semantics 3, apart from all that found it.
+// Replaying a run of a plant on the rules of semantics 3, apart from all that found it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "automata/step/plant_step.hpp"
+#include "automata/step/plain_step.hpp"
 #include "verifier/property/commands.hpp"
 #include "verifier/witness/witness.hpp"
 
@@ -21,12 +21,11 @@ struct ReplayRules {
   bool endless = false;                         ///< under a program: the wait at the end is to last for ever
 };
 
-/// Why the run is not possible; nothing where it is. `step` is one that nothing has searched with.
+/// Why the run is not possible; nothing where it is. No search has a part in `rules`, which remember nothing.
 ///
-/// Sampled: every period has a positive probability by `PlantStep`, and is possible by exact comparison of ticks. In a
-/// long wait only those periods are looked at in which a clock is near a bound of its mode: between them nothing
-/// differs.
-/// Dense: waits and steps by exact comparison of ticks, guards by `PlantStep`.
-std::optional<std::string> replay(automata::PlantStep& step, const Witness& witness, const ReplayRules& rules);
+/// Sampled: every period is possible by exact comparison of ticks, and has a positive probability. In a long wait only
+/// those periods are looked at in which a clock is near a bound of its mode: between them nothing differs.
+/// Dense: waits and steps by exact comparison of ticks.
+std::optional<std::string> replay(automata::PlainStep& rules, const Witness& witness, const ReplayRules& replay_rules);
 
 }  // namespace rmpl::verifier

@@ -12,8 +12,8 @@ using automata::Modes;
 using automata::Ticks;
 
 bool StepsAt::any(const ControlAction& action, const std::function<bool(const Modes&)>& visit) {
-  const automata::Plant& plant = step_.plant();
-  const auto& enabled = step_.enabled(state_.modes, action);
+  const automata::Plant& plant = rules_.plant();
+  const std::vector<automata::Enabled> enabled = rules_.enabled(state_.modes, action);
   std::vector<std::vector<ModeId>> options;
   for (std::size_t c = 0; c < state_.modes.size(); ++c) {
     const Ticks clock = now_ - state_.clock_starts[c];
@@ -36,7 +36,7 @@ bool StepsAt::any(const ControlAction& action, const std::function<bool(const Mo
       return false;
     }
     if (changes == 0 && !period_) return false;
-    if (step_.possible(next)) return visit(next);
+    if (rules_.possible(next)) return visit(next);
     if (refused_.empty() || changes < changes_) {
       refused_ = next;
       changes_ = changes;
@@ -47,11 +47,11 @@ bool StepsAt::any(const ControlAction& action, const std::function<bool(const Mo
 }
 
 bool StepsAt::time_passes(const ControlAction& action) {
-  const auto& enabled = step_.enabled(state_.modes, action);
+  const std::vector<automata::Enabled> enabled = rules_.enabled(state_.modes, action);
   for (std::size_t c = 0; c < state_.modes.size(); ++c) {
     const Ticks clock = now_ - state_.clock_starts[c];
-    const Rules now(step_.plant().components[c], enabled[c], clock, clock, std::nullopt);
-    const Rules then(step_.plant().components[c], enabled[c], clock + Ticks{1}, clock + Ticks{1}, std::nullopt);
+    const Rules now(rules_.plant().components[c], enabled[c], clock, clock, std::nullopt);
+    const Rules then(rules_.plant().components[c], enabled[c], clock + Ticks{1}, clock + Ticks{1}, std::nullopt);
     const ModeId mode = state_.modes[c];
     if (!now.allows_without_fault(mode, mode) || !then.allows_time(mode)) return false;
   }

@@ -1,4 +1,4 @@
-// The steps that are possible in a state, told by the rules alone, apart from all that searches.
+// The steps that are possible in a state, told by the rules alone.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "automata/step/plant_step.hpp"
+#include "automata/step/plain_step.hpp"
 
 namespace rmpl::verifier {
 
@@ -14,9 +14,9 @@ namespace rmpl::verifier {
 class StepsAt {
  public:
   /// `period`: sampled time, the step ends at `now`.
-  StepsAt(automata::PlantStep& step, const automata::SystemState& state, automata::Ticks now,
+  StepsAt(automata::PlainStep& rules, const automata::SystemState& state, automata::Ticks now,
           std::optional<automata::Ticks> period)
-      : step_(step), state_(state), now_(now), period_(period) {}
+      : rules_(rules), state_(state), now_(now), period_(period) {}
 
   /// Visits what each step leads to until `visit` returns true; then that is the answer. In dense time a step changes a
   /// mode. What contradicts the constraints is no step: of such modes, those with the fewest changes are kept.
@@ -27,7 +27,7 @@ class StepsAt {
   bool time_passes(const automata::ControlAction& action);
 
  private:
-  automata::PlantStep& step_;
+  automata::PlainStep& rules_;
   const automata::SystemState& state_;
   automata::Ticks now_;
   std::optional<automata::Ticks> period_;

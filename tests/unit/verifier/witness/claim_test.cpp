@@ -17,12 +17,12 @@ using test::seconds;
 class ClaimEngine : public testing::Test {
  protected:
   std::optional<std::string> failure(const Property& property) {
-    return failure_to_show(step_, property, false, witness_);
+    return failure_to_show(rules_, property, false, witness_);
   }
   [[nodiscard]] automata::Formula is(const char* mode) const { return engine_.is("engine", mode); }
 
   test::PlantBuilder engine_ = test::engine();
-  automata::PlantStep step_{engine_.plant};
+  automata::PlainStep rules_{engine_.plant};
   /// off at 0, heating at 5 s, standby at 35 s.
   Witness witness_{{{Ticks{0}, {ModeId(0)}, {ValueId(0)}},
                     {seconds(5), {ModeId(1)}, {ValueId(1)}},

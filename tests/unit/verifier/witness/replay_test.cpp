@@ -25,11 +25,11 @@ class ReplayEngine : public testing::Test {
         std::nullopt};
   }
   std::optional<std::string> failure(const Witness& witness, const ReplayRules& rules) {
-    return replay(step_, witness, rules);
+    return replay(rules_, witness, rules);
   }
 
   test::PlantBuilder engine_ = test::engine();
-  automata::PlantStep step_{engine_.plant};
+  automata::PlainStep rules_{engine_.plant};
 };
 
 TEST_F(ReplayEngine, DenseBoundsAreClosed) {
@@ -54,6 +54,20 @@ TEST_F(ReplayEngine, CommandsAndFaultsAreCounted) {
       {{Ticks{0}, {ModeId(0)}, {ValueId(0)}}, {Ticks{0}, {ModeId(4)}, {ValueId(0)}}}, std::nullopt, std::nullopt};
   EXPECT_TRUE(failure(broken, {}));
   EXPECT_EQ(failure(broken, {std::nullopt, Commands::none, 1, {}}), std::nullopt);
+}
+
+TEST_F(ReplayEngine, WhatIsFalsifiedIsRefused) {
+  const Witness right = run(seconds(5), seconds(35));
+  ASSERT_EQ(failure(right, {}), std::nullopt);
+  Witness other_time = right;
+  other_time.events[2].time = seconds(4);
+  EXPECT_EQ(failure(other_time, {}), "time runs backwards at 4 s");
+  Witness other_mode = right;
+  other_mode.events[2].modes = {ModeId(3)};
+  EXPECT_EQ(failure(other_mode, {}), "the step is not possible at 35 s");
+  Witness other_command = right;
+  other_command.events[1].action = {ValueId(3)};
+  EXPECT_EQ(failure(other_command, {}), "the step is not possible at 5 s");
 }
 
 TEST_F(ReplayEngine, TheStartIsAnInitialState) {

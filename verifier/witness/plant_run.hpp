@@ -1,0 +1,56 @@
+// Where a run of a plant has come to, and what the rules let it do from there: what every replay stands on.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/step/plain_step.hpp"
+
+namespace rmpl::verifier {
+
+/// ` at 3 s`: of the event at which a run fails.
+std::string at(automata::Ticks time);
+
+/// A run, a step at a time, by exact comparison of ticks, over rules that remember nothing: no search has a part in it.
+/// Keeps a reference. What is enabled where it is, it asks once for as long as modes and command stay.
+class PlantRun {
+ public:
+  /// `period`: sampled time, else dense.
+  PlantRun(automata::PlainStep& rules, std::optional<automata::Ticks> period) : rules_(rules), period_(period) {}
+
+  [[nodiscard]] const automata::Plant& plant() const { return rules_.plant(); }
+  [[nodiscard]] automata::PlainStep& rules() { return rules_; }
+  [[nodiscard]] const automata::SystemState& state() const { return state_; }
+
+  /// Sets out at time 0. Why it may not in these modes, `from` standing in place of the initial distribution of the
+  /// components that it names; nothing where it may.
+  std::optional<std::string> start(const automata::Modes& modes, const std::vector<automata::Assignment>& from);
+  /// Whether every component may go to its mode in `next` in a step from `before` to `now`; in sampled time also
+  /// whether the step has a positive probability. Whether `next` can be is for `rules().possible`.
+  bool may_step(const automata::ControlAction& action, automata::Ticks before, automata::Ticks now,
+                const automata::Modes& next);
+  /// Dense time: whether time may have passed up to `now` with nothing changing.
+  bool may_wait(const automata::ControlAction& action, automata::Ticks now);
+  /// Takes the step.
+  void advance(const automata::Modes& next, automata::Ticks now);
+
+  /// When the clocks meet those bounds, no later than `bound <= longest`, of transitions out of the present modes.
+  [[nodiscard]] std::vector<automata::Ticks> meets_bounds(automata::Ticks longest) const;
+
+ private:
+  const std::vector<automata::Enabled>& enabled(const automata::ControlAction& action);
+  /// Whether `test(rules of the component, component)` holds for all, their clocks reading what they do at these times.
+  template <class Test>
+  bool every_component(const automata::ControlAction& action, automata::Ticks before, automata::Ticks now,
+                       const Test& test);
+
+  automata::PlainStep& rules_;
+  std::optional<automata::Ticks> period_;
+  automata::SystemState state_;
+  std::optional<automata::ControlAction> commanded_;  ///< what `enabled_` is about, in the present modes
+  std::vector<automata::Enabled> enabled_;
+};
+
+}  // namespace rmpl::verifier
