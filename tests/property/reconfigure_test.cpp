@@ -4,10 +4,13 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <random>
 #include <set>
 
 #include "runtime/reasoning/reconfigure/one_step.hpp"
 #include "runtime/reasoning/reconfigure/plan.hpp"
+#include "runtime/reasoning/reconfigure/policy.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
@@ -56,6 +59,9 @@ RC_GTEST_PROP(Reconfigure, WhatIsAchievedIsNeverNoPlanAndStaysAchieved, ()) {
     if (!found.expected || found.why.purpose != runtime::Reason::Purpose::reward) continue;
     RC_ASSERT(entails(slow, *found.goal_state, goal));
     RC_ASSERT(reference::reward_of(model.plant, *found.goal_state) >= reference::reward_of(model.plant, modes));
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      if ((*found.goal_state)[c] != modes[c]) RC_ASSERT(reference::is_swayed(slow, c, modes[c]));
+    }
   }
 }
 
@@ -94,8 +100,18 @@ RC_GTEST_PROP(Reconfigure, PlansLeadToTheGoal, ()) {
   }
 }
 
-/// Where nothing happens without a command, and what it does is certain and can be undone, what can be reached is, and
-/// what is worth most beside the goal.
+/// Whether the goal needs the same of every goal state, as far as no modes exclude each other.
+bool asks_for_modes(const automata::Plant& plant, const Formula& goal) {
+  const auto conjuncts = conjuncts_of(goal);
+  return std::all_of(conjuncts.begin(), conjuncts.end(), [&](const Formula& conjunct) {
+    return conjunct.kind == Formula::Kind::member && conjunct.values.size() == 1 &&
+           plant.component_of(conjunct.variable);
+  });
+}
+
+/// Where nothing happens without a command, and what it does is certain and can be undone, what can be reached is:
+/// modes in no more cycles than it takes; and beside the goal what is worth most, then what moves fewest, then the
+/// first.
 RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
   const Model model = *models(certain);
   const reference::Step slow(model.plant);
@@ -111,8 +127,14 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
     RC_LOG() << automata::to_text(goal, model.plant.variables) << ": " << plan.reason << ", where " << *commands
              << " commands do it" << std::endl;
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
+    if (asks_for_modes(model.plant, goal)) {
+      std::size_t cycles = 0;
+      for (Modes at = modes; !entails(slow, at, goal); ++cycles) at = *reconfigurer->next(at, goal).expected;
+      RC_ASSERT(cycles <= *commands);
+    }
     if (*commands > 0) continue;
-    RC_ASSERT(reference::reward_of(model.plant, *plan.goal_state) >= reference::best_kept_reward(slow, modes, goal));
+    const Modes best = reference::best_kept(slow, modes, goal);
+    RC_ASSERT(!reference::is_better(model.plant, modes, best, *plan.goal_state));
   }
 }
 
@@ -136,6 +158,62 @@ RC_GTEST_PROP(Reconfigure, CommandsComeToAnEnd, ()) {
       RC_ASSERT(seen.insert(modes).second);
       RC_ASSERT(reference::nominal_successors(slow, modes, answer.action).contains(*answer.expected));
       if (reference::nominal_successors(slow, modes, idle) != std::set{modes}) seen.clear();
+      modes = *answer.expected;
+    }
+  }
+}
+
+/// The same where what is hoped for does not always happen: each cycle goes one of the ways that it can go nominally.
+/// A command that may fail is sent again, so this takes as long as chance has it; but where nothing happens of itself
+/// it is not for ever.
+RC_GTEST_PROP(Reconfigure, CommandsComeToAnEndWhateverTheyLeadTo, ()) {
+  const Model model = *models(planning);
+  const reference::Step slow(model.plant);
+  automata::PlantStep step(model.plant);
+  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const auto idle = automata::idle_action(model.plant);
+  std::mt19937 random(static_cast<unsigned>(up_to(0, 1u << 30)));
+  for (int question = 0; question < 4; ++question) {
+    Modes modes = *modes_of(model.plant);
+    const Formula goal = draw_goal(model.plant);
+    if (!slow.possible(modes) || goal.is_true()) continue;
+    RC_LOG() << automata::to_text(goal, model.plant.variables) << " from " << rc::toString(modes) << std::endl;
+    int quiet = 0;
+    for (int cycle = 0; cycle < 1000; ++cycle) {
+      const runtime::Reconfiguration answer = reconfigurer->next(modes, goal);
+      if (!answer.expected || answer.why.purpose == runtime::Reason::Purpose::model) break;
+      const auto successors = reference::nominal_successors(slow, modes, answer.action);
+      RC_ASSERT(successors.contains(*answer.expected));
+      quiet = reference::nominal_successors(slow, modes, idle) == std::set{modes} ? quiet + 1 : 0;
+      RC_ASSERT(quiet < 300);
+      modes = *std::next(successors.begin(), static_cast<std::ptrdiff_t>(random() % successors.size()));
+    }
+  }
+}
+
+/// What `plan` does to a component is what its policy table says, where the component depends on no other.
+RC_GTEST_PROP(Reconfigure, PlansFollowThePolicies, ()) {
+  const Model model = *models(certain);
+  automata::PlantStep step(model.plant);
+  const auto reconfigurer = runtime::make_reconfigurer(step);
+  for (std::size_t c = 0; c < model.plant.components.size(); ++c) {
+    const automata::Component& component = model.plant.components[c];
+    const auto table = runtime::policy_table(model.plant, automata::ComponentId(c));
+    Modes modes = *modes_of(model.plant);
+    const automata::ModeId target(up_to(0, component.modes.size() - 1));
+    const Formula goal = automata::is(component.mode, automata::ValueId(target.index()));
+    if (!step.possible(modes)) continue;
+    for (int cycle = 0; cycle < 100 && modes[c] != target; ++cycle) {
+      const auto& entry = table.entries[modes[c].index()][target.index()];
+      const runtime::Reconfiguration answer = reconfigurer->next(modes, goal);
+      RC_LOG() << component.name << " " << modes[c].value << " to " << target.value << " " << answer.reason
+               << std::endl;
+      const bool none = answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
+      if (entry.kind == runtime::PolicyEntry::Kind::failure) RC_ASSERT(none);
+      if (none) break;
+      RC_ASSERT(answer.expected.has_value());
+      const automata::ModeId next = (*answer.expected)[c];
+      if (next != modes[c]) RC_ASSERT(next == component.transitions[entry.transition.index()].to);
       modes = *answer.expected;
     }
   }

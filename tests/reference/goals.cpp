@@ -3,6 +3,8 @@
 #include "tests/reference/goals.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rmpl::reference {
 
@@ -115,6 +117,22 @@ const Transition* forbidden_step(const Step& step, const Modes& modes, const Con
     }
   }
   return nullptr;
+}
+
+bool is_swayed(const Step& step, std::size_t component, ModeId mode) {
+  const automata::Component& automaton = step.plant().components[component];
+  std::set<std::set<const Transition*>> met;
+  for (const Modes& modes : all_states(step.plant())) {
+    if (modes[component] != mode || !step.possible(modes)) continue;
+    for (const ControlAction& action : all_actions(step.plant())) {
+      if (!step.models().consistent(assumptions_of(step.plant(), modes, action))) continue;
+      std::set<const Transition*> now;
+      for (const Transition& t : automaton.transitions)
+        if (t.from == mode && !automaton.is_fault(t) && step.enabled(t, modes, action)) now.insert(&t);
+      met.insert(std::move(now));
+    }
+  }
+  return met.size() > 1;
 }
 
 double reward_of(const automata::Plant& plant, const Modes& modes) {
@@ -274,13 +292,25 @@ std::vector<std::pair<Modes, std::size_t>> reached(const Step& step, const Modes
 
 }  // namespace
 
-double best_kept_reward(const Step& step, const Modes& modes, const automata::Formula& goal) {
-  double best = reward_of(step.plant(), modes);
+bool is_better(const automata::Plant& plant, const Modes& from, const Modes& left, const Modes& right) {
+  const auto changed = [&](const Modes& modes) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) count += modes[i] != from[i] ? 1 : 0;
+    return count;
+  };
+  const double more = reward_of(plant, left) - reward_of(plant, right);
+  constexpr double rounding = 1e-9;
+  if (std::abs(more) > rounding) return more > 0;
+  return std::pair(changed(left), left) < std::pair(changed(right), right);
+}
+
+Modes best_kept(const Step& step, const Modes& modes, const automata::Formula& goal) {
+  Modes best = modes;
   const auto entails = [&](const Modes& state) {
     return step.models().entails(assumptions_of(step.plant(), state), goal);
   };
   for (const auto& [state, count] : reached(step, modes, entails))
-    if (entails(state)) best = std::max(best, reward_of(step.plant(), state));
+    if (entails(state) && is_better(step.plant(), modes, state, best)) best = state;
   return best;
 }
 

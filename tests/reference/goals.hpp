@@ -26,9 +26,18 @@ bool is_forbidden(const Step& step, std::size_t component, const automata::Trans
 const automata::Transition* forbidden_step(const Step& step, const automata::Modes& modes,
                                            const automata::ControlAction& action, const automata::Formula& goal);
 
-/// The greatest summed reward among the states that are reached from one that entails the goal by single commands with
-/// one outcome each, all of which can be undone, through states that entail it and in which nothing happens of itself.
-double best_kept_reward(const Step& step, const automata::Modes& modes, const automata::Formula& goal);
+/// Whether what a component can do in a mode is not the same in all states and under all commands: what must hold, at
+/// least, of one that is commandable.
+bool is_swayed(const Step& step, std::size_t component, automata::ModeId mode);
+
+/// Whether of two goal states that are as good otherwise the left one goes first: greater summed reward; fewer
+/// components changed; mode by mode, components in declaration order.
+bool is_better(const automata::Plant& plant, const automata::Modes& from, const automata::Modes& left,
+               const automata::Modes& right);
+
+/// The best of the states that are reached from one that entails the goal by single commands with one outcome each, all
+/// of which can be undone, through states that entail it and in which nothing happens of itself.
+automata::Modes best_kept(const Step& step, const automata::Modes& modes, const automata::Formula& goal);
 
 /// The fewest such commands after which the goal is entailed first. Nothing where there are none.
 std::optional<std::size_t> fewest_commands(const Step& step, const automata::Modes& modes,
