@@ -1,17 +1,22 @@
-// Traces of random flights: whatever their detail, read as logs they are the same flight.
+// Traces of random flights: whatever their detail, read as logs they are the same flight; what they print as the
+// evidence of a diagnosis refutes.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "automata/logic/theory.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/executive/sequence/log_run.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "runtime/executive/trace/trace_writer.hpp"
+#include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 
 namespace rmpl::property {
@@ -39,6 +44,7 @@ std::vector<LoggedCycle> cycles_of(const std::vector<runtime::LogLine>& lines) {
 struct Flight {
   std::vector<LoggedCycle> cycles;
   std::string sequence;
+  std::vector<nlohmann::json> lines;
 };
 
 Flight fly(const automata::Document& document, TraceDetail detail) {
@@ -55,6 +61,8 @@ Flight fly(const automata::Document& document, TraceDetail detail) {
   std::ifstream again(path);
   runtime::sequence_log(document.programs[0], document.plants[0], again, "trace",
                         [&flight](std::string_view line) { flight.sequence.append(line).push_back('\n'); });
+  std::ifstream lines(path);
+  for (std::string line; std::getline(lines, line);) flight.lines.push_back(nlohmann::json::parse(line));
   std::filesystem::remove(path);
   return flight;
 }
@@ -72,8 +80,8 @@ void repeat(const automata::Plant& plant, const std::vector<LoggedCycle>& cycles
   }
 }
 
-RC_GTEST_PROP(Traces, OfEveryDetailAreTheSameLog, ()) {
-  const Model model = *models();
+automata::Document draw_flight() {
+  const Model model = *models({.open = chance(50)});
   automata::Document document;
   document.plants.push_back(model.plant);
   document.programs.push_back((*programs(model.plant)).program);
@@ -82,6 +90,63 @@ RC_GTEST_PROP(Traces, OfEveryDetailAreTheSameLog, ()) {
   scenario.cycle = automata::Ticks{automata::Ticks::per_second / 2};
   scenario.duration = automata::Ticks::of_seconds(*rc::gen::inRange(1, 12));
   scenario.seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
+  return document;
+}
+
+/// What printed evidence lists, as formulas.
+std::vector<automata::Formula> parts_of(const nlohmann::json& evidence, const automata::Plant& plant) {
+  std::vector<automata::Formula> parts;
+  for (const auto& [name, value] : evidence["readings"].items()) {
+    const automata::VariableId variable = *plant.variables.find(name);
+    parts.push_back(automata::is(variable, *plant.variables[variable].find(value.get<std::string>())));
+  }
+  for (const auto& printed : evidence["modes"]) {
+    const automata::Component& component = plant[*plant.find_component(printed["component"].get<std::string>())];
+    const auto mode = std::find_if(component.modes.begin(), component.modes.end(),
+                                   [&](const automata::Mode& m) { return m.name == printed["mode"]; });
+    RC_ASSERT(mode != component.modes.end());
+    const auto value = automata::ValueId(static_cast<std::size_t>(mode - component.modes.begin()));
+    parts.push_back(automata::conjunction({automata::is(component.mode, value), mode->constraint}));
+  }
+  for (const auto& printed : evidence["interconnections"]) {
+    parts.push_back(plant.interconnections[printed["number"].get<std::size_t>() - 1].constraint);
+  }
+  return parts;
+}
+
+bool consistent(const automata::Plant& plant, const std::vector<automata::Formula>& parts, std::size_t without) {
+  automata::Theory fresh(plant.variables);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i != without) fresh.tell(parts[i]);
+  }
+  return fresh.consistent({});
+}
+
+RC_GTEST_PROP(Traces, PrintEvidenceThatRefutesAndOfWhichNothingCanBeSpared, ()) {
+  const automata::Document document = draw_flight();
+  const automata::Plant& plant = document.plants[0];
+  try {
+    for (const nlohmann::json& line : fly(document, TraceDetail::changes).lines) {
+      if (!line.contains("evidence")) continue;
+      for (const nlohmann::json& evidence : line["evidence"]) {
+        RC_TAG(evidence["kind"].get<std::string>());
+        RC_ASSERT(line["estimate"][evidence["component"].get<std::string>()] == evidence["fault"]);
+        RC_ASSERT(evidence["story"].contains(evidence["component"].get<std::string>()) ==
+                  (evidence["kind"] != "unavoidable"));
+        for (const auto& [name, value] : evidence["readings"].items()) RC_ASSERT(line["observations"][name] == value);
+        if (evidence["kind"] != "refuted") continue;
+        const auto parts = parts_of(evidence, plant);
+        RC_ASSERT(!consistent(plant, parts, parts.size()));
+        for (std::size_t i = 0; i < parts.size(); ++i) RC_ASSERT(consistent(plant, parts, i));
+      }
+    }
+  } catch (const base::InputError&) {
+    RC_DISCARD("the simulated plant is left without a state");
+  }
+}
+
+RC_GTEST_PROP(Traces, OfEveryDetailAreTheSameLog, ()) {
+  const automata::Document document = draw_flight();
   try {
     const Flight changes = fly(document, TraceDetail::changes);
     const Flight every = fly(document, TraceDetail::cycles);
@@ -95,7 +160,7 @@ RC_GTEST_PROP(Traces, OfEveryDetailAreTheSameLog, ()) {
       RC_ASSERT(changes.cycles[i].told.observations == every.cycles[i].told.observations);
       RC_ASSERT(changes.cycles[i].told.estimate == every.cycles[i].told.estimate);
     }
-    repeat(model.plant, changes.cycles);
+    repeat(document.plants[0], changes.cycles);
   } catch (const base::InputError&) {
     RC_DISCARD("the simulated plant is left without a state");
   }

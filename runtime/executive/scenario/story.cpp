@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/executive/trace/place.hpp"
 
 namespace rmpl::runtime {
@@ -162,6 +163,14 @@ void Story::tell_events(const CycleRecord& record) {
   events_ = record.events;
 }
 
+/// What made a diagnosis, behind a colon; nothing where no state explains what is seen, which is told by itself.
+std::string Story::why_diagnosed(const CycleRecord& record, automata::ComponentId component) const {
+  for (const Evidence& evidence : record.evidence) {
+    if (evidence.component == component) return painter_.quiet(": " + to_text(evidence, record.estimate, plant_));
+  }
+  return {};
+}
+
 void Story::tell_estimate(const CycleRecord& record) {
   for (std::size_t c = 0; c < estimate_.size(); ++c) {
     if (record.estimate[c] == estimate_[c]) continue;
@@ -171,7 +180,9 @@ void Story::tell_estimate(const CycleRecord& record) {
     const automata::ComponentId about(c);
     if (to.fault) {
       line(record.time, "fault",
-           painter_.bad(change) + " (diagnosed with probability " + three_digits(record.probability) + ")", about);
+           painter_.bad(change) + " (diagnosed with probability " + three_digits(record.probability) + ")" +
+               why_diagnosed(record, about),
+           about);
     } else {
       line(record.time, "estimate", change, about);
     }

@@ -43,6 +43,7 @@ class Story final : public CycleObserver {
   void tell_events(const CycleRecord& record);
   void tell_estimate(const CycleRecord& record);
   void line(automata::Ticks time, std::string_view what, const std::string& text, Component about);
+  [[nodiscard]] std::string why_diagnosed(const CycleRecord& record, automata::ComponentId component) const;
   [[nodiscard]] std::string impasse(const CycleRecord& record, const Event& event) const;
   [[nodiscard]] bool is_told(Component about) const;
   [[nodiscard]] bool is_action_told(const CycleRecord& record) const;

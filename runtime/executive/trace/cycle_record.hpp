@@ -9,6 +9,7 @@
 #include "automata/step/program_step.hpp"
 #include "runtime/executive/trace/event.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/explain/evidence.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 
 namespace rmpl::runtime {
@@ -31,6 +32,7 @@ struct CycleRecord {
   const Estimator* estimator = nullptr;    ///< whose belief is that at `time`; never null while an observer looks
   const automata::Modes* truth = nullptr;  ///< at `time`; null where the plant is not simulated
   std::vector<Event> events;
+  std::vector<Evidence> evidence;      ///< of the diagnoses that are new in this cycle, by component
   std::size_t checked = 0;             ///< candidates that estimation checked
   std::size_t considered = 0;          ///< candidates that reconfiguration checked; 0 where it was not asked anew
   double estimation_seconds = 0;       ///< processor time

@@ -127,9 +127,10 @@ void LogReader::place(LogLine& line, bool first) const {
 }
 
 void LogReader::interpret(const std::string& text, LogLine& line) const {
-  static const std::vector<std::string_view> keys{
-      "cycle",  "time",  "unchanged", "marking", "goal", "command", "observations", "estimate",
-      "belief", "truth", "events",    "clocks",  "cut",  "checked", "missing_mass", "dropped"};
+  static const std::vector<std::string_view> keys{"cycle",       "time",    "unchanged",    "marking",      "goal",
+                                                  "asserted_by", "command", "reason",       "observations", "estimate",
+                                                  "evidence",    "belief",  "truth",        "events",       "clocks",
+                                                  "cut",         "checked", "missing_mass", "dropped"};
   const Json json = parse_object(text);
   for (const auto& [key, value] : json.items()) {
     if (key == "cycle") {
@@ -147,7 +148,7 @@ void LogReader::interpret(const std::string& text, LogLine& line) const {
       line.estimate = assignments(Role::estimate, key, value);
     } else if (key == "goal" || key == "asserted_by" || key == "reason" || key == "truth" || key == "clocks") {
       expect(value.is_object(), key, "an object", value);
-    } else if (key == "marking" || key == "belief" || key == "events") {
+    } else if (key == "marking" || key == "evidence" || key == "belief" || key == "events") {
       expect(value.is_array(), key, "an array", value);
     } else if (key == "cut") {
       expect(value.is_boolean(), key, "true or false", value);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/executive/trace/place.hpp"
 #include "runtime/executive/trace/reasons.hpp"
 
@@ -49,14 +50,15 @@ void TraceWriter::observe(const CycleRecord& record) {
   told_.emplace(record);
   if (detail_ == TraceDetail::beliefs) {
     const Belief belief = record.estimator->belief();
-    write(record.cycle, record.time, *told_, &belief);
+    write(record.cycle, record.time, *told_, record.evidence, &belief);
   } else {
-    write(record.cycle, record.time, *told_, nullptr);
+    write(record.cycle, record.time, *told_, record.evidence, nullptr);
   }
   unchanged_ = 0;
 }
 
-void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& told, const Belief* belief) {
+void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& told,
+                        const std::vector<Evidence>& evidence, const Belief* belief) {
   line_.clear();
   line_.open('{').key("cycle").number(cycle).key("time").seconds(time);
   if (unchanged_ > 0) line_.key("unchanged").number(unchanged_);
@@ -75,6 +77,7 @@ void TraceWriter::write(std::uint64_t cycle, automata::Ticks time, const Told& t
   write_reason(line_, told.outcome, told.why, told.goal, plant_);
   line_.key("observations").assignments(told.observations, plant_.variables);
   line_.key("estimate").modes(told.estimate, plant_);
+  write_evidence(line_, evidence, told.estimate, plant_);
   if (belief != nullptr) line_.key("belief").belief(*belief, plant_, time, &live_clocks_);
   if (told.truth) line_.key("truth").modes(*told.truth, plant_);
   line_.key("events");
@@ -100,7 +103,7 @@ void TraceWriter::write_goal(const Told& told) {
 void TraceWriter::keep() {
   if (unchanged_ > 0) {
     --unchanged_;  // the last cycle is told, so that a reader knows how long the run was
-    write(last_cycle_, last_time_, *told_, nullptr);
+    write(last_cycle_, last_time_, *told_, {}, nullptr);
   }
   file_.keep();
 }

@@ -37,7 +37,7 @@ class TraceWriter final : public CycleObserver {
   void keep();
 
  private:
-  /// What a line is about besides cycle, time and belief.
+  /// What a line is about besides cycle, time, evidence and belief.
   struct Told {
     automata::Marking marking;
     std::vector<automata::Assignment> goal;
@@ -54,7 +54,8 @@ class TraceWriter final : public CycleObserver {
     [[nodiscard]] bool still_true_of(const CycleRecord& record) const;
   };
 
-  void write(std::uint64_t cycle, automata::Ticks time, const Told& told, const Belief* belief);
+  void write(std::uint64_t cycle, automata::Ticks time, const Told& told, const std::vector<Evidence>& evidence,
+             const Belief* belief);
   void write_goal(const Told& told);
 
   const automata::Plant& plant_;

@@ -111,22 +111,35 @@ class FactoredEstimator final : public Estimator {
     return joint_;
   }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
-  [[nodiscard]] std::optional<automata::Modes> likeliest_without(automata::ComponentId component,
-                                                                 automata::ModeId mode) const override {
+  [[nodiscard]] std::optional<automata::Modes> likeliest_without(
+      automata::ComponentId component, automata::ModeId mode, const std::vector<RefutedModes>& refuted) const override {
     if (!updated_) return std::nullopt;
     automata::Modes whole(step_.plant().components.size());
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const Part& part = parts_[p];
-      const auto member = std::find(part.components.begin(), part.components.end(), component);
-      std::optional<Avoided> avoided;
-      if (member != part.components.end()) {
-        avoided = {automata::ComponentId(static_cast<std::size_t>(member - part.components.begin())), mode};
+      ConflictSet avoided;
+      if (const auto own = decisions_of(part, {{component, mode}})) avoided.add(*own);
+      for (const RefutedModes& modes : refuted) {
+        if (const auto own = decisions_of(part, modes)) avoided.add(*own);
       }
       const auto own = likeliest_successor(*part.step, part.filter->before(), actions_[p], before_, last_, avoided);
       if (!own) return std::nullopt;
       for (std::size_t i = 0; i < part.components.size(); ++i) whole[part.components[i].index()] = (*own)[i];
     }
     return whole;
+  }
+  [[nodiscard]] double probability_of(const automata::Modes& modes) const override {
+    double result = 1;
+    for (const Part& part : parts_) {
+      automata::Modes own;
+      for (const automata::ComponentId c : part.components) own.push_back(modes[c.index()]);
+      double sum = 0;
+      for (const BeliefEntry& entry : part.filter->belief()) {
+        if (entry.state.modes == own) sum += entry.probability;
+      }
+      result *= sum;
+    }
+    return result;
   }
   [[nodiscard]] std::size_t groups() const override { return parts_.size(); }
   [[nodiscard]] std::size_t questions() const override {
@@ -149,6 +162,17 @@ class FactoredEstimator final : public Estimator {
     PlantStep* step = nullptr;
     std::unique_ptr<Filter> filter;
   };
+
+  /// Modes as decisions of a part; nothing where not all of them are its own.
+  static std::optional<Conflict> decisions_of(const Part& part, const RefutedModes& modes) {
+    Conflict result;
+    for (const auto& [component, mode] : modes) {
+      const auto member = std::find(part.components.begin(), part.components.end(), component);
+      if (member == part.components.end()) return std::nullopt;
+      result.push_back({static_cast<std::uint32_t>(member - part.components.begin()), mode.value});
+    }
+    return result;
+  }
 
   void take_as_one() {
     std::vector<automata::ComponentId> all;

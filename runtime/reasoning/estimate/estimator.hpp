@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "automata/state.hpp"
@@ -74,6 +75,9 @@ struct EstimatorOptions {
   bool live_clocks_only = false;
 };
 
+/// Modes of some components that what is seen does not allow together.
+using RefutedModes = std::vector<std::pair<automata::ComponentId, automata::ModeId>>;
+
 /// An estimator starts at time 0 with all clocks 0 and the initial distribution.
 class Estimator {
  public:
@@ -89,11 +93,14 @@ class Estimator {
   /// Throws TooManyStates where more than a million states of a product are to be listed.
   [[nodiscard]] virtual const Belief& belief() const = 0;
   [[nodiscard]] virtual const Estimate& estimate() const = 0;  ///< of the last update, or of the initial belief
-  /// What was most likely at the last update, before its observation was looked at, without one mode of one component:
-  /// where the likeliest step leads that some state of the belief before can take. Nothing where no step avoids the
-  /// mode, or before the first update. A search; for explanations (explain/evidence.hpp), not for every cycle.
-  [[nodiscard]] virtual std::optional<automata::Modes> likeliest_without(automata::ComponentId component,
-                                                                         automata::ModeId mode) const = 0;
+  /// What was most likely at the last update, before its observation was looked at, without one mode of one component
+  /// and without what is `refuted`: where the likeliest step leads that some state of the belief before can take.
+  /// Nothing where no step avoids all that, or before the first update. A search; for explanations
+  /// (explain/diagnoses.hpp), not for every cycle. Of `refuted`, components of different groups are not looked at.
+  [[nodiscard]] virtual std::optional<automata::Modes> likeliest_without(
+      automata::ComponentId component, automata::ModeId mode, const std::vector<RefutedModes>& refuted) const = 0;
+  /// The share of the belief that is in these modes, summed over clocks.
+  [[nodiscard]] virtual double probability_of(const automata::Modes& modes) const = 0;
   /// How many independent groups the belief is kept as.
   [[nodiscard]] virtual std::size_t groups() const = 0;
   /// How often the constraint stores were asked since the start, and how often that took a solver.

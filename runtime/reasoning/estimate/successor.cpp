@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "runtime/reasoning/estimate/order.hpp"
-#include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -37,7 +36,7 @@ OptimalSearch::Costs costs_of(const std::vector<std::vector<Move>>& moves) {
 
 std::optional<Modes> likeliest_successor(automata::PlantStep& step, const Belief& belief,
                                          const automata::ControlAction& action, automata::Ticks before,
-                                         automata::Ticks now, const std::optional<Avoided>& avoided) {
+                                         automata::Ticks now, const ConflictSet& avoided) {
   const auto impossible = [&step](std::span<const std::uint32_t> candidate) -> std::optional<Conflict> {
     const Modes modes = modes_of(candidate);
     if (step.possible(modes)) return std::nullopt;
@@ -45,15 +44,11 @@ std::optional<Modes> likeliest_successor(automata::PlantStep& step, const Belief
     for (const automata::ComponentId c : step.conflict(modes)) conflict.push_back({c.value, modes[c.index()].value});
     return conflict;
   };
-  const auto conflicts = std::make_shared<ConflictSet>();
+  const auto conflicts = std::make_shared<ConflictSet>(avoided);
   std::optional<Modes> best;
   double most = 0;
   for (const BeliefEntry& entry : belief) {
-    auto moves = step.moves(entry.state, action, before, now);
-    if (avoided) {
-      std::erase_if(moves[avoided->component.index()], [&](const Move& move) { return move.mode == avoided->mode; });
-    }
-    OptimalSearch search(costs_of(moves), conflicts);
+    OptimalSearch search(costs_of(step.moves(entry.state, action, before, now)), conflicts);
     const auto promise = [&] { return entry.probability * std::exp(-search.bound()); };
     if (promise() <= most * (1 + tie_tolerance)) continue;
     if (search.next(impossible) != OptimalSearch::Outcome::solution) continue;

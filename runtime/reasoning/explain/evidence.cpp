@@ -67,7 +67,7 @@ bool Evidences::entails(const std::vector<Assignment>& store, Assignment reading
 
 Evidence Evidences::of(automata::ComponentId component, const automata::Modes& estimate, const automata::Modes& story,
                        const automata::Observation& observation) {
-  Evidence evidence{component, estimate[component.index()], story, Evidence::Kind::outweighed, {}, {}, {}};
+  Evidence evidence{component, estimate[component.index()], story, Evidence::Kind::outweighed, {}, {}, {}, 0};
   std::vector<Assignment> all(observation.begin(), observation.end());
   const std::vector<Assignment> store = this->store(story);
   all.insert(all.end(), store.begin(), store.end());

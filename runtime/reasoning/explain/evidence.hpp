@@ -17,16 +17,19 @@ namespace rmpl::runtime {
 
 struct Evidence {
   enum class Kind {
-    refuted,    ///< what is listed contradicts itself, and nothing of it can be spared
-    outweighed  ///< the story allows what is seen: it was less likely, or left open the readings that are listed
+    refuted,     ///< what is listed contradicts itself, and nothing of it can be spared
+    outweighed,  ///< the story allows what is seen: it was less likely, or left open the readings that are listed
+    unavoidable  ///< there is no story: every step from what was believed ends in the fault
   };
   automata::ComponentId component;
   automata::ModeId fault;  ///< which the component is believed to be in
-  automata::Modes story;   ///< the most likely modes without that
+  automata::Modes story;   ///< the most likely modes without that; empty where the fault is unavoidable
   Kind kind = Kind::outweighed;
   std::vector<automata::Assignment> readings;  ///< in order of variable
   std::vector<automata::ComponentId> modes;    ///< whose modes in the story take part, with their constraints
   std::vector<std::size_t> interconnections;   ///< that take part, by position in the plant
+  /// How many times more probable the estimate is than the story, of an outweighed one that is still believed; else 0.
+  double ratio = 0;
   bool operator==(const Evidence&) const = default;
 };
 

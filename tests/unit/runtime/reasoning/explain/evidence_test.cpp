@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/reasoning/explain/diagnoses.hpp"
 #include "tests/unit/runtime/reasoning/estimate/estimate_models.hpp"
 
 namespace rmpl::runtime {
@@ -36,10 +37,10 @@ TEST(Evidence, NamesWhatRefutesTheStoryWithoutTheFault) {
   automata::PlantStep step(w.plant);
   const auto estimator = make_k_best_estimator(step, {});
   const automata::Observation seen{w.assignment("flow", "zero"), w.assignment("lamp", "lit")};
-  EXPECT_FALSE(estimator->likeliest_without(ComponentId(0), w.mode(ComponentId(0), "failed")));
+  EXPECT_FALSE(estimator->likeliest_without(ComponentId(0), w.mode(ComponentId(0), "failed"), {}));
   const Estimate& estimate = estimator->update(automata::idle_action(w.plant), seen, at(1));
   ASSERT_EQ(estimate.modes[0], w.mode(ComponentId(0), "failed"));
-  const auto story = estimator->likeliest_without(ComponentId(0), estimate.modes[0]);
+  const auto story = estimator->likeliest_without(ComponentId(0), estimate.modes[0], {});
   ASSERT_TRUE(story);
   EXPECT_EQ(*story, (automata::Modes{w.mode(ComponentId(0), "on"), w.mode(ComponentId(1), "open")}));
   const Evidence evidence = Evidences(w.plant).of(ComponentId(0), estimate.modes, *story, seen);
@@ -62,12 +63,15 @@ TEST(Evidence, OutweighsAStoryThatLeavesTheReadingOpen) {
   const Estimate* estimate = nullptr;
   for (int i = 1; i <= 2; ++i) estimate = &estimator->update(automata::idle_action(w.plant), seen, at(i));
   ASSERT_EQ(estimate->modes[0], w.mode(ComponentId(0), "humming"));
-  const auto story = estimator->likeliest_without(ComponentId(0), estimate->modes[0]);
+  const auto story = estimator->likeliest_without(ComponentId(0), estimate->modes[0], {});
   ASSERT_TRUE(story);
   const Evidence evidence = Evidences(w.plant).of(ComponentId(0), estimate->modes, *story, seen);
   EXPECT_EQ(evidence.kind, Evidence::Kind::outweighed);
   EXPECT_EQ(evidence.readings, seen);
   EXPECT_TRUE(evidence.modes.empty());
+  const auto told = Diagnoses(w.plant).evidence_of_new(*story, *estimator, seen);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_DOUBLE_EQ(told[0].ratio, estimate->probability / (1 - estimate->probability));
 }
 
 /// Groups that are kept apart tell one story.
@@ -84,11 +88,53 @@ TEST(Evidence, TheStoryIsThatOfAllGroups) {
   const automata::Observation seen{w.assignment("a_out", "one"), w.assignment("b_out", "zero")};
   const Estimate& estimate = estimator->update(automata::idle_action(w.plant), seen, at(1));
   ASSERT_EQ(estimate.modes[1], w.mode(ComponentId(1), "broken"));
-  EXPECT_EQ(estimator->likeliest_without(ComponentId(1), estimate.modes[1]),
+  EXPECT_EQ(estimator->likeliest_without(ComponentId(1), estimate.modes[1], {}),
             (automata::Modes{w.mode(ComponentId(0), "ok"), w.mode(ComponentId(1), "ok")}));
   // From then on every state that is tracked has the fault.
   estimator->update(automata::idle_action(w.plant), seen, at(2));
-  EXPECT_FALSE(estimator->likeliest_without(ComponentId(1), estimate.modes[1]));
+  EXPECT_FALSE(estimator->likeliest_without(ComponentId(1), estimate.modes[1], {}));
+}
+
+/// Two units that one constraint links, and which fail at once: each is diagnosed by what it shows itself.
+TEST(Diagnoses, OfSeveralFaultsAtOnceEachHasItsOwnEvidence) {
+  PlantWriter w;
+  for (const std::string name : {"a", "b"}) {
+    w.observable(name + "_out", {"zero", "one"});
+    const auto c = w.component(name, {{"ok", false, w.is(name + "_out", "one")}, {"broken", true}});
+    w.fault(c, "broken", 0.1);
+  }
+  w.observable("any", {"zero", "one"});
+  w.plant.interconnections.push_back(
+      automata::equivalence(w.is("any", "one"), automata::disjunction({w.is("a_out", "one"), w.is("b_out", "one")})));
+  automata::PlantStep step(w.plant);
+  const auto estimator = make_k_best_estimator(step, {});
+  ASSERT_EQ(estimator->groups(), 1u);
+  const automata::Modes before = estimator->estimate().modes;
+  const automata::Observation seen{w.assignment("a_out", "zero"), w.assignment("b_out", "zero")};
+  estimator->update(automata::idle_action(w.plant), seen, at(1));
+  const auto found = Diagnoses(w.plant).evidence_of_new(before, *estimator, seen);
+  ASSERT_EQ(found.size(), 2u);
+  for (std::size_t c = 0; c < 2; ++c) {
+    EXPECT_EQ(found[c].component, ComponentId(c));
+    EXPECT_EQ(found[c].kind, Evidence::Kind::refuted);
+    EXPECT_EQ(found[c].readings, std::vector{seen[c]});
+    EXPECT_EQ(found[c].modes, std::vector{ComponentId(c)});
+  }
+}
+
+/// A mode that is left by a fault alone, and only in that direction, has no other story.
+TEST(Diagnoses, AFaultThatNoStepAvoidsIsToldAsThat) {
+  PlantWriter w;
+  const auto fuse = w.component("fuse", {{"whole"}, {"blown", true}});
+  w.fault(fuse, "blown", 1);
+  automata::PlantStep step(w.plant);
+  const auto estimator = make_exact_estimator(step, {});
+  const automata::Modes before = estimator->estimate().modes;
+  estimator->update(automata::idle_action(w.plant), {}, at(1));
+  const auto found = Diagnoses(w.plant).evidence_of_new(before, *estimator, {});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, Evidence::Kind::unavoidable);
+  EXPECT_TRUE(Diagnoses(w.plant).evidence_of_new(estimator->estimate().modes, *estimator, {}).empty());
 }
 
 }  // namespace
