@@ -1,23 +1,19 @@
 // Plants in sampled time for PRISM: one module a component, synchronised on the control action of a period.
 //
-// A component's choices depend on its mode, its clock (counted in periods), the modes that its guards can depend on,
-// and the control action; given these, components draw independently (semantics 3), which is what synchronised modules
-// do.
-// SPDX-License-Identifier: MIT
+// Given modes, clocks and the control action components draw independently (verifier/markov), which is what
+// synchronised modules do. SPDX-License-Identifier: MIT
 #include "verifier/export/prism.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
-#include <map>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/product.hpp"
+#include "verifier/markov/markov.hpp"
 #include "verifier/property/initial_modes.hpp"
-#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::verifier {
 
@@ -28,8 +24,6 @@ using automata::ModeId;
 using automata::Modes;
 using automata::Plant;
 using automata::PlantStep;
-using automata::Support;
-using base::InputError;
 
 namespace {
 
@@ -43,45 +37,18 @@ std::string number(double value) {
   return text;
 }
 
-/// For every combination of modes of some components, a class; asked which combinations a class has.
-class Cases {
- public:
-  explicit Cases(std::vector<ComponentId> components) : components_(std::move(components)) {}
-
-  void add(std::vector<ModeId> modes, std::size_t number) { rows_.emplace_back(std::move(modes), number); }
-
-  /// A condition for each class: of components that decide nothing nothing is said. Impossible combinations, which were
-  /// never added, may be in any class or in none.
-  std::map<std::size_t, std::string> conditions() {
-    for (std::size_t c = components_.size(); c-- > 0;) drop_if_idle(c);
-    std::map<std::size_t, std::string> result;
-    for (const auto& [modes, number] : rows_) {
-      std::string all;
-      for (std::size_t c = 0; c < components_.size(); ++c) {
-        all +=
-            (all.empty() ? "" : " & ") + mode_variable(components_[c].index()) + "=" + std::to_string(modes[c].value);
-      }
-      std::string& condition = result[number];
-      if (!all.empty()) condition += (condition.empty() ? "(" : " | (") + all + ")";
+/// In the language of PRISM; empty where it holds everywhere.
+std::string text_of(const Condition& condition) {
+  std::string result;
+  for (const std::vector<InMode>& combination : condition) {
+    std::string all;
+    for (const InMode& in : combination) {
+      all += (all.empty() ? "" : " & ") + mode_variable(in.component.index()) + "=" + std::to_string(in.mode.value);
     }
-    return result;
+    if (!all.empty()) result += (result.empty() ? "(" : " | (") + all + ")";
   }
-
- private:
-  void drop_if_idle(std::size_t c) {
-    std::map<std::vector<ModeId>, std::size_t> rest;
-    for (const auto& [modes, number] : rows_) {
-      std::vector<ModeId> others = modes;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(c));
-      if (rest.emplace(std::move(others), number).first->second != number) return;
-    }
-    components_.erase(components_.begin() + static_cast<std::ptrdiff_t>(c));
-    rows_.assign(rest.begin(), rest.end());
-  }
-
-  std::vector<ComponentId> components_;
-  std::vector<std::pair<std::vector<ModeId>, std::size_t>> rows_;
-};
+  return result;
+}
 
 class Writer {
  public:
@@ -126,21 +93,6 @@ class Writer {
     return text.empty() ? "all controls idle" : text;
   }
 
-  /// Visits every combination of one mode from each list.
-  static void for_each_combination(const std::vector<std::vector<ModeId>>& lists,
-                                   const std::function<void(const std::vector<ModeId>&)>& visit) {
-    std::vector<ModeId> modes;
-    const std::function<void()> extend = [&] {
-      if (modes.size() == lists.size()) return visit(modes);
-      for (const ModeId mode : lists[modes.size()]) {
-        modes.push_back(mode);
-        extend();
-        modes.pop_back();
-      }
-    };
-    extend();
-  }
-
   /// Where modes that contradict the store may be drawn, the semantics draws again; modules cannot. Time is not looked
   /// at: some that no run comes to may be refused.
   void refuse_impossible() {
@@ -157,7 +109,7 @@ class Writer {
       queue.push_back(modes);
     };
     std::vector<std::vector<ModeId>> lists = initial_;
-    for_each_combination(lists, add);
+    base::for_each_combination(lists, add);
     for (std::size_t next = 0; next < queue.size(); ++next) {
       const Modes modes = queue[next];
       for (const ControlAction& action : actions_) {
@@ -167,7 +119,7 @@ class Writer {
         }
         const automata::AllEnabled enabled = step_.enabled(modes, action);
         for (std::size_t c = 0; c < modes.size(); ++c) lists[c] = targets(ComponentId(c), modes[c], enabled[c]);
-        for_each_combination(lists, add);
+        base::for_each_combination(lists, add);
       }
     }
   }
@@ -182,21 +134,13 @@ class Writer {
     return {result.begin(), result.end()};
   }
 
-  /// The reading in periods from which on nothing depends on the clock any more.
-  [[nodiscard]] Units last_reading(ComponentId component, ModeId mode) const {
-    const TimeModel time = TimeModel::sampled(period_);
-    Units last = 0;
-    for (const automata::Transition& t : plant_[component].transitions) {
-      if (t.from != mode || !t.timing) continue;
-      const bool endless = t.timing->upper.is_infinite();
-      if (endless && t.timing->density.kind == automata::Density::Kind::normal && !plant_[component].is_fault(t)) {
-        throw base::InputError(
-            "prism cannot say a hazard that goes on changing for ever: the normal density of a transition of " +
-            plant_[component].name + " has no upper bound");
-      }
-      last = std::max(last, time.at_least(endless ? t.timing->lower : t.timing->upper));
-    }
-    return last;
+  /// As `verifier::settled_reading`; throws where there is none.
+  [[nodiscard]] Units settled_reading(ComponentId component, ModeId mode) const {
+    const auto reading = verifier::settled_reading(plant_[component], mode, period_);
+    if (reading) return *reading;
+    throw base::InputError(
+        "prism cannot say a hazard that goes on changing for ever: the normal density of a transition of " +
+        plant_[component].name + " has no upper bound");
   }
 
   void write_module(ComponentId id) {
@@ -205,7 +149,7 @@ class Writer {
     const std::string x = clock_variable(id.index());
     Units longest = 0;
     for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
-      longest = std::max(longest, last_reading(id, ModeId(mode)));
+      longest = std::max(longest, settled_reading(id, ModeId(mode)));
     }
     out_ << "\nmodule c" << id.value << " // " << component.name << "\n  // ";
     for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
@@ -231,99 +175,43 @@ class Writer {
 
   /// What the component may do in a mode under an action, by what is enabled.
   void write_commands(ComponentId id, ModeId mode, std::size_t action, bool clocked) {
-    const Support& support = step_.support(id, mode);
-    std::vector<std::vector<ModeId>> lists;
-    for (const ComponentId c : support.components) {
-      auto& modes = lists.emplace_back();
-      for (std::size_t m = 0; m < plant_[c].modes.size(); ++m) {
-        if (c != id || m == mode.index()) modes.emplace_back(m);
-      }
-    }
-    std::vector<Enabled> classes;
-    Cases cases(support.components);
-    for_each_combination(lists, [&](const std::vector<ModeId>& chosen) {
-      meter_.poll();
-      Modes modes(plant_.components.size(), ModeId(0));
-      std::vector<automata::Assignment> store = automata::assignments_of(plant_, actions_[action]);
-      for (std::size_t i = 0; i < chosen.size(); ++i) {
-        modes[support.components[i].index()] = chosen[i];
-        store.push_back({plant_[support.components[i]].mode, automata::ValueId(chosen[i].index())});
-      }
-      modes[id.index()] = mode;
-      if (!step_.theory().consistent(store)) return;
-      const Enabled& enabled = step_.enabled(id, modes, actions_[action]);
-      const auto same = [&](const Enabled& e) {
-        return e.faults == enabled.faults && e.untimed == enabled.untimed && e.timed == enabled.timed;
-      };
-      const auto known = std::find_if(classes.begin(), classes.end(), same);
-      cases.add(chosen, static_cast<std::size_t>(known - classes.begin()));
-      if (known == classes.end()) classes.push_back(enabled);
-    });
-    for (const auto& [number, condition] : cases.conditions()) {
-      write_readings(id, mode, classes[number], label(action), condition, clocked);
+    for (const EnabledClass& choice : enabled_classes(step_, id, mode, actions_[action], meter_)) {
+      write_readings(id, mode, choice, label(action), clocked);
     }
   }
 
   /// One command for each stretch of readings over which the probabilities are the same.
-  void write_readings(ComponentId id, ModeId mode, const Enabled& enabled, const std::string& label,
-                      const std::string& condition, bool clocked) {
-    const Units last = last_reading(id, mode);
-    Units first = 0;
-    std::string updates = updates_of(id, mode, enabled, 0, clocked);
-    for (Units reading = 1; reading <= last + 1; ++reading) {
-      std::string next = reading <= last ? updates_of(id, mode, enabled, reading, clocked) : "";
-      if (next == updates) continue;
+  void write_readings(ComponentId id, ModeId mode, const EnabledClass& choice, const std::string& label, bool clocked) {
+    const Units settled = settled_reading(id, mode);
+    const std::string x = clock_variable(id.index());
+    const std::string condition = text_of(choice.where);
+    for (const Stretch& stretch : stretches(step_, id, mode, choice.enabled, period_, settled)) {
       out_ << "  [" << label << "] " << mode_variable(id.index()) << '=' << mode.value;
-      const std::string x = clock_variable(id.index());
-      if (first > 0) out_ << " & " << x << ">=" << first;
-      if (reading <= last) out_ << " & " << x << "<=" << reading - 1;
+      if (stretch.first > 0) out_ << " & " << x << ">=" << stretch.first;
+      if (stretch.last) out_ << " & " << x << "<=" << *stretch.last;
       if (!condition.empty()) out_ << " & (" << condition << ')';
-      out_ << " -> " << updates << ";\n";
-      first = reading;
-      updates = std::move(next);
+      out_ << " -> " << updates_of(id, mode, stretch.moves, settled, clocked) << ";\n";
     }
   }
 
-  std::string updates_of(ComponentId id, ModeId mode, const Enabled& enabled, Units reading, bool clocked) {
+  static std::string updates_of(ComponentId id, ModeId mode, const std::vector<automata::Move>& moves, Units settled,
+                                bool clocked) {
     const std::string m = mode_variable(id.index());
     const std::string x = clock_variable(id.index());
-    const automata::Ticks before{reading * period_.count};
-    const automata::Ticks now{before.count + period_.count};
     std::string text;
-    for (const automata::Move& move : step_.moves(id, mode, enabled, automata::Ticks{0}, before, now)) {
+    for (const automata::Move& move : moves) {
       text += (text.empty() ? "" : " + ") + number(move.probability) + ":(" + m +
               "'=" + std::to_string(move.mode.value) + ")";
       if (!clocked) continue;
-      const Units last = last_reading(id, mode);
-      const bool runs = move.mode == mode && last > 0;
-      text += " & (" + x + "'=" + (runs ? "min(" + x + "+1," + std::to_string(last) + ")" : "0") + ")";
+      const bool runs = move.mode == mode && settled > 0;
+      text += " & (" + x + "'=" + (runs ? "min(" + x + "+1," + std::to_string(settled) + ")" : "0") + ")";
     }
     return text;
   }
 
   void write_target() {
-    const Support support = step_.locality().support_of(question_.target);
-    const automata::Theory::Handle target = step_.theory().encode(question_.target);
-    std::vector<std::vector<ModeId>> lists;
-    for (const ComponentId c : support.components) {
-      auto& modes = lists.emplace_back();
-      for (std::size_t m = 0; m < plant_[c].modes.size(); ++m) modes.emplace_back(m);
-    }
-    Cases cases(support.components);
-    for_each_combination(lists, [&](const std::vector<ModeId>& chosen) {
-      meter_.poll();
-      std::vector<automata::Assignment> store;
-      for (std::size_t i = 0; i < chosen.size(); ++i) {
-        store.push_back({plant_[support.components[i]].mode, automata::ValueId(chosen[i].index())});
-      }
-      if (!step_.theory().consistent(store)) return;
-      const bool holds =
-          question_.entailed ? step_.theory().entails(store, target) : step_.theory().allows(store, target);
-      cases.add(chosen, holds ? 1 : 0);
-    });
-    const auto conditions = cases.conditions();
-    const auto found = conditions.find(1);
-    std::string condition = found == conditions.end() ? "false" : found->second;
+    const Condition where = where_holds(step_, question_.target, question_.entailed, meter_);
+    std::string condition = where.empty() ? "false" : text_of(where);
     if (condition.empty()) condition = "true";
     out_ << "\nlabel \"target\" = " << (drawn_ ? mode_variable(0) + ">=0 & (" + condition + ")" : condition) << ";\n";
   }

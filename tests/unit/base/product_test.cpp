@@ -1,0 +1,55 @@
+// Multiplying out: order, pruning, and an early end.
+// SPDX-License-Identifier: MIT
+#include "base/product.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace rmpl::base {
+namespace {
+
+const std::vector<std::string> lists = {"ab", "xyz", "12"};
+
+/// What is visited, in order; `most` ends it, options that are in `refused` are not taken.
+std::vector<std::string> visited(std::size_t most, const std::string& refused) {
+  std::vector<std::string> result;
+  std::string taken;
+  multiply_out(
+      lists,
+      [&](std::size_t l, std::size_t i) {
+        if (refused.find(lists[l][i]) != std::string::npos) return false;
+        taken += lists[l][i];
+        return true;
+      },
+      [&](std::size_t, std::size_t) { taken.pop_back(); },
+      [&] {
+        result.push_back(taken);
+        return result.size() == most;
+      });
+  return result;
+}
+
+TEST(MultiplyOut, TheFirstListIsOutermost) {
+  EXPECT_EQ(visited(99, "").size(), 12U);
+  EXPECT_EQ(visited(4, ""), (std::vector<std::string>{"ax1", "ax2", "ay1", "ay2"}));
+}
+
+TEST(MultiplyOut, WhatIsRefusedIsLeftOut) {
+  EXPECT_EQ(visited(99, "az2"), (std::vector<std::string>{"bx1", "by1"}));
+  EXPECT_TRUE(visited(99, "12").empty());
+}
+
+TEST(MultiplyOut, OfNoListsThereIsOneWay) {
+  int ways = 0;
+  for_each_combination(std::vector<std::vector<int>>{}, [&](const std::vector<int>& taken) {
+    EXPECT_TRUE(taken.empty());
+    ++ways;
+  });
+  EXPECT_EQ(ways, 1);
+  for_each_combination(std::vector<std::vector<int>>{{1, 2}, {}}, [&](const std::vector<int>&) { ++ways; });
+  EXPECT_EQ(ways, 1);
+}
+
+}  // namespace
+}  // namespace rmpl::base
