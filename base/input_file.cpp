@@ -122,10 +122,18 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
+bool is_read_again(const std::string& path) {
+  struct stat about = {};
+  return path != "-" && stat(path.c_str(), &about) == 0 && S_ISREG(about.st_mode);
+}
+
 std::optional<std::string> input_at(const std::string& path) {
   struct stat about = {};
-  if (stat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return std::nullopt;
-  return files_read().find(about);
+  if (stat(path.c_str(), &about) != 0) {
+    if (errno == ENOENT || errno == ENOTDIR) return std::nullopt;
+    fail(path, errno);
+  }
+  return S_ISREG(about.st_mode) ? files_read().find(about) : std::nullopt;
 }
 
 }  // namespace rmpl::base

@@ -34,8 +34,11 @@ class InputFile {
   std::istream stream_;
 };
 
+/// Whether a second reading gives the same: so it is with a file on the disk, and not with a pipe or standard input.
+bool is_read_again(const std::string& path);
+
 /// The name of the file that this process has read so far and that `path` leads to, if there is one: writing there
-/// would destroy an input.
+/// would destroy an input. Throws InputError where that cannot be told.
 std::optional<std::string> input_at(const std::string& path);
 
 }  // namespace rmpl::base

@@ -16,7 +16,9 @@ std::string Disk::identity(const std::string& path) const {
   if (path == "-") return path;
   std::error_code error;
   const auto resolved = std::filesystem::weakly_canonical(path, error);
-  return error ? path : resolved.string();
+  // A file that goes by two names would be two files, and what it defines would be there twice.
+  if (error) throw base::InputError(path + ": " + error.message());
+  return resolved.string();
 }
 
 void Memory::put(const std::string& path, std::string text) {

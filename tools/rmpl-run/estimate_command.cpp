@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -246,7 +245,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
   std::optional<std::size_t> lines;
-  if (std::filesystem::is_regular_file(options.log)) {
+  if (base::is_read_again(options.log)) {
     base::InputFile input(options.log);
     LogReader reader(input.stream(), input.name(), plant);
     for (lines = 0; reader.next(); ++*lines) {

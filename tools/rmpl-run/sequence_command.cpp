@@ -1,6 +1,5 @@
 // rmpl-run sequence: state estimates in, markings and goals out.
 // SPDX-License-Identifier: MIT
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -46,7 +45,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const bool modelled = !options.plant.empty() || !document.plants.empty();
   const automata::Plant* const plant = modelled ? &only_plant(document, options.plant) : nullptr;
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
-  if (std::filesystem::is_regular_file(options.log)) {
+  if (base::is_read_again(options.log)) {
     print(modelled ? runtime::sequence_log(program, *plant, input.stream(), input.name())
                    : runtime::sequence_log(program, input.stream(), input.name()));
     return ExitStatus::done;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -16,11 +17,10 @@
 namespace rmpl::tools {
 namespace {
 
-const char* program_name = "";
 std::atomic<bool> ours = false;
 
 [[noreturn]] void end(ExitStatus status, const char* before, const char* reason) {
-  std::fprintf(stderr, "%s: %s%s\n", program_name, before, reason);
+  std::fprintf(stderr, "%s: %s%s\n", program_invocation_short_name, before, reason);
   base::remove_unfinished_files();
   std::_Exit(static_cast<int>(status));
 }
@@ -44,13 +44,19 @@ void on_exit() {
   if (!ours) end(ExitStatus::undecided, "", "out of memory");
 }
 
+/// What operator new calls before it gives up. Nothing is unwound: a solver that lacked memory half-way may not be
+/// destroyed, and a string stream would go on with half a text.
+[[noreturn]] void on_lack_of_memory() { end(ExitStatus::undecided, "", "out of memory"); }
+
+/// Before the constructors of all that is static, which have no priority of their own.
+__attribute__((constructor(101))) void choose_last_words() noexcept {
+  std::set_terminate(on_terminate);
+  std::set_new_handler(on_lack_of_memory);
+}
+
 }  // namespace
 
-void end_with_last_words(const char* program) noexcept {
-  program_name = program;
-  std::set_terminate(on_terminate);
-  std::atexit(on_exit);
-}
+void exit_is_a_failure() noexcept { std::atexit(on_exit); }
 
 void exit_is_ours() noexcept { ours = true; }
 

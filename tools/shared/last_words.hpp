@@ -4,10 +4,11 @@
 
 namespace rmpl::tools {
 
-/// From now on std::terminate, and a library that calls `exit` by itself, end with a line on standard error and exit
-/// code 3 for lack of memory, 4 for anything else. Most of the time std::bad_alloc reaches main; but the destructor of
-/// a JSON document needs memory, too, and bliss exits where it gets none.
-void end_with_last_words(const char* program) noexcept;
+// From before main on, an allocation that operator new cannot make ends the program with a line on standard error and exit
+// code 3, and so does std::terminate, with exit code 4 where anything else was the reason.
+
+/// From now on a library that calls `exit` by itself, as bliss does where it gets no memory, ends the program likewise.
+void exit_is_a_failure() noexcept;
 
 /// The program ends by itself: its exit code is its own.
 void exit_is_ours() noexcept;

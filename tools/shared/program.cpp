@@ -58,7 +58,7 @@ void finish_options(CLI::App& app) {
 }  // namespace
 
 Program::Program(const char* name, const char* version, const char* description, const char* notes) {
-  end_with_last_words(name);
+  exit_is_a_failure();
   occupy_standard_descriptors();
   clean_up_on_signals();
   name_program(name);
