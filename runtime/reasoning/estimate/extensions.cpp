@@ -64,7 +64,7 @@ void Extensions::restart(Evidence& evidence, const std::vector<const ComponentMo
   best_ = 1;
   mass_ = 1;
   started_ = false;
-  tight_ = false;
+  tight_ = looked_ = false;
   base_.clear();
   factors_ = {};
   offset_ = 0;
@@ -77,7 +77,7 @@ void Extensions::start() {
   domains.reserve(moves_.size());
   for (const ComponentMoves* const component : moves_) domains.push_back(&component->domain());
   offset_ = 0;
-  if (!factors_.gains.empty()) adjust(domains);
+  if (adjusts()) adjust(domains);
   search_.restart(domains, evidence_->conflicts());
 }
 
@@ -103,9 +103,9 @@ void Extensions::adjust(std::vector<const OptimalSearch::Domain*>& domains) {
   }
 }
 
-void Extensions::tighten() {
-  if (tight_) return;
-  tight_ = true;
+void Extensions::look_at_factors() {
+  if (looked_) return;
+  looked_ = true;
   if (!evidence_->bounds_factors()) return;
   for (const ComponentMoves* const component : moves_) {
     if (component->domain().choices().empty()) return;
@@ -123,8 +123,21 @@ void Extensions::tighten() {
     for (const OptimalSearch::Choice& choice : moves_[c]->domain().choices()) all += std::exp(-choice.cost);
     mass_ *= stays + std::max(0.0, all - stays) * factors_.gains[c];
   }
+}
+
+bool Extensions::tighten() {
+  if (tight_) return adjusts();
+  tight_ = true;
+  look_at_factors();
+  if (!adjusts()) return false;
   found_.clear();
   start();
+  return true;
+}
+
+double Extensions::mass() {
+  look_at_factors();
+  return mass_;
 }
 
 double Extensions::share(const automata::Modes& modes, double prior) const {
@@ -147,8 +160,7 @@ void Extensions::check_one() {
   if (search_.next(check) != OptimalSearch::Outcome::solution) return;
   automata::Modes modes = modes_of(search_.values());
   const double probability = prior(modes);
-  found_.push_back(
-      {std::move(modes), probability, factor, factors_.gains.empty() ? probability : bound_of(search_.cost())});
+  found_.push_back({std::move(modes), probability, factor, adjusts() ? bound_of(search_.cost()) : probability});
 }
 
 double Extensions::bound(std::size_t i) const {

@@ -80,10 +80,11 @@ class Extensions {
   /// none.
   [[nodiscard]] double bound(std::size_t i) const;
   /// Takes the observation factor into account from now on; where that changes something, nothing counts as found.
-  /// Worth its while where a search goes on for long.
-  void tighten();
-  /// An upper bound of prior times factor summed over all extensions, and what of it is the share of one.
-  [[nodiscard]] double mass() const { return mass_; }
+  /// Worth its while where a search goes on for long. Whether it changes something.
+  bool tighten();
+  /// An upper bound of prior times factor summed over all extensions; and what of it is the share of one, once the mass
+  /// was asked for.
+  double mass();
   [[nodiscard]] double share(const automata::Modes& modes, double prior) const;
   /// The probability of moving to exactly these modes, before the observation.
   [[nodiscard]] double prior(const automata::Modes& modes) const {
@@ -99,6 +100,8 @@ class Extensions {
 
  private:
   void start();
+  void look_at_factors();
+  [[nodiscard]] bool adjusts() const { return tight_ && !factors_.gains.empty(); }
   void adjust(std::vector<const OptimalSearch::Domain*>& domains);
   [[nodiscard]] double bound_of(double cost) const;
 
@@ -109,7 +112,8 @@ class Extensions {
   double mass_ = 1;
   bool started_ = false;  ///< most sources are too unlikely for a search ever to begin
   bool tight_ = false;    ///< `tighten` was called
-  automata::Modes base_;  ///< then: the likeliest modes,
+  bool looked_ = false;   ///< whether the next two are worked out:
+  automata::Modes base_;  ///< the likeliest modes,
   FactorBound factors_;   ///< what is known of the factors near them; without gains: nothing
   double offset_ = 0;     ///< cost of what no choice can change
   std::vector<OptimalSearch::Domain> adjusted_;

@@ -23,10 +23,6 @@ constexpr double noticeable = 0.01;
 
 }  // namespace
 
-bool TrajectorySearch::by_bound(const Front& a, const Front& b) {
-  return a.bound != b.bound ? a.bound < b.bound : a.source > b.source;
-}
-
 void TrajectorySearch::run(std::span<const Source> sources, std::span<const Source> obligatory, automata::Ticks now,
                            std::size_t k, const Deadline& deadline) {
   CHECK(k > 0);
@@ -36,6 +32,7 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
   index_.assign(slots, 0);
   count_ = 0;
   best_.clear();
+  ways_.clear();
   explored_ = dropped_ = unexplored_ = 0;
   checked_ = 0;
   cut_ = false;
@@ -78,7 +75,7 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
       }
       if (unseen < enough) break;
     }
-    std::pop_heap(fronts_.begin(), fronts_.end(), by_bound);
+    std::pop_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
     const std::uint32_t s = fronts_.back().source;
     fronts_.pop_back();
     const Source& source = sources[s];
@@ -108,10 +105,10 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
     const double bound = source.weight * source.extensions->bound(cursors_[s]);
     if (bound > 0) {
       fronts_.push_back({bound, s});
-      std::push_heap(fronts_.begin(), fronts_.end(), by_bound);
+      std::push_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
     }
   }
-  unexplored_ = fronts_.empty() ? 0.0 : unexplored(sources, now);
+  unexplored_ = fronts_.empty() ? 0.0 : unexplored(sources);
 }
 
 /// Puts the sources into the queue, each with what it has left.
@@ -121,20 +118,20 @@ void TrajectorySearch::line_up(std::span<const Source> sources) {
     const double bound = sources[s].weight * sources[s].extensions->bound(cursors_[s]);
     if (bound > 0) fronts_.push_back({bound, s});
   }
-  std::make_heap(fronts_.begin(), fronts_.end(), by_bound);
+  std::make_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
 }
 
 /// From here on bounds know of the observation factor. What a source then finds again is known already.
 void TrajectorySearch::tighten(std::span<const Source> sources) {
   tight_ = true;
-  for (const Source& source : sources) source.extensions->tighten();
-  // Of all: sources may share their extensions.
-  cursors_.assign(sources.size(), 0);
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    if (sources[s].extensions->tighten()) cursors_[s] = 0;
+  }
   line_up(sources);
 }
 
 /// An upper bound of the worth of what was not looked at. What was refuted counts as such.
-double TrajectorySearch::unexplored(std::span<const Source> sources, automata::Ticks now) {
+double TrajectorySearch::unexplored(std::span<const Source> sources) {
   constexpr double rounding = 1e-14;
   double mass = 0;
   for (const Source& source : sources) mass += source.weight;
@@ -143,15 +140,11 @@ double TrajectorySearch::unexplored(std::span<const Source> sources, automata::T
   }
   const double found = std::accumulate(best_.begin(), best_.end(), 0.0);
   if (mass - explored_ <= noticeable * found) return std::max(0.0, mass - explored_) + rounding * mass;
-  if (!tight_) tighten(sources);
   mass = 0;
   for (const Source& source : sources) mass += source.weight * source.extensions->mass();
   double explored = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    for (std::uint32_t s = 0; s < sources.size(); ++s) {
-      const double probability = trajectory(s, sources[s], targets_[i], now);
-      if (probability > 0) explored += sources[s].extensions->share(targets_[i].state.modes, probability);
-    }
+  for (const Way& way : ways_) {
+    explored += sources[way.source].extensions->share(targets_[way.target].state.modes, way.probability);
   }
   return std::max(0.0, mass - explored) + rounding * mass;
 }
@@ -181,11 +174,14 @@ std::pair<TrajectorySearch::Target*, bool> TrajectorySearch::reach(const Source&
 
 /// Sums, or without merging takes the greatest of, the trajectories into a target.
 void TrajectorySearch::weigh(Target& target, double factor, std::span<const Source> sources, automata::Ticks now) {
+  const auto number = static_cast<std::uint32_t>(&target - targets_.data());
   double sum = 0;
   double greatest = 0;
   target.leading = 0;
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
     const double probability = trajectory(s, sources[s], target, now);
+    if (probability == 0) continue;
+    ways_.push_back({number, s, probability});
     sum += probability;
     if (probability > greatest) {
       greatest = probability;

@@ -56,12 +56,22 @@ class TrajectorySearch {
   struct Front {
     double bound;
     std::uint32_t source;
+    /// A type, not a function: heaps of them are inner loops.
+    struct ByBound {
+      bool operator()(const Front& a, const Front& b) const {
+        return a.bound != b.bound ? a.bound < b.bound : a.source > b.source;
+      }
+    };
+  };
+  /// One way into a target, that is possible before the observation.
+  struct Way {
+    std::uint32_t target, source;
+    double probability;
   };
 
-  static bool by_bound(const Front& a, const Front& b);
   void line_up(std::span<const Source> sources);
   void tighten(std::span<const Source> sources);
-  double unexplored(std::span<const Source> sources, automata::Ticks now);
+  double unexplored(std::span<const Source> sources);
   void enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k, const Deadline& deadline);
   std::pair<Target*, bool> reach(const Source& source, const Extension& extension, automata::Ticks now);
   void weigh(Target& target, double factor, std::span<const Source> sources, automata::Ticks now);
@@ -74,6 +84,7 @@ class TrajectorySearch {
   const EstimatorOptions& options_;
   std::vector<Target> targets_;  ///< the first `count_` are of this run; the rest is storage
   std::size_t count_ = 0;
+  std::vector<Way> ways_;             ///< into the targets
   std::vector<std::uint32_t> index_;  ///< open addressing: position in `targets_` + 1, or 0; size a power of two
   std::vector<Front> fronts_;         ///< a heap
   std::vector<std::size_t> cursors_;  ///< per source, the next extension to look at
