@@ -100,18 +100,19 @@ OptimalSearch::Costs GoalInterpreter::costs(const Modes& modes, const Goal& goal
     for (std::size_t m = 0; m < possible[c].size(); ++m) {
       if (possible[c][m]) best = std::max(best, rewards_[c][m]);
     }
+    const auto& transitions = graph_.transitions(id);
     Merits most;
     for (std::size_t m = 0; m < possible[c].size(); ++m) {
       Merits& at = merits[c].emplace_back();
       if (!possible[c][m]) continue;
       const bool moved = modes[c] != ModeId(m);
-      const auto& transitions = graph_.transitions(id);
-      const bool leaving = std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
+      const auto leaves = [&](const NominalTransition& t) {
         return t.from == ModeId(m) && t.to != t.from && t.comes_by_itself && t.possible;
-      });
+      };
+      const bool unasked = moved && !goal.named()[c][m];
       at.irreversible = *prospects.steps(id, ModeId(m));
       at.uncommandable = moved && !prospects.commandable(id) ? 1 : 0;
-      at.leaving = moved && leaving && !goal.named()[c][m] ? 1 : 0;
+      at.leaving = unasked && std::any_of(transitions.begin(), transitions.end(), leaves) ? 1 : 0;
       at.reward = static_cast<double>(best - rewards_[c][m]);
       at.moved = moved ? 1 : 0;
       most = {std::max(most.irreversible, at.irreversible), std::max(most.uncommandable, at.uncommandable),
@@ -190,6 +191,15 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
 }
 
 std::vector<ComponentId> GoalInterpreter::needed(const Modes& modes, const Modes& target, const Goal& goal) {
+  // What must change is often enough: then nothing smaller is.
+  std::vector<ComponentId> must_change;
+  Modes least = modes;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (goal.permits(ComponentId(c), modes[c])) continue;
+    must_change.emplace_back(c);
+    least[c] = target[c];
+  }
+  if (!goal.rest() && step_.possible(least)) return must_change;
   constexpr double never = std::numeric_limits<double>::infinity();
   Possible possible(modes.size());
   OptimalSearch::Costs costs;  // first to change, then to stay: of equal sets the first declared
