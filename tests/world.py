@@ -148,6 +148,22 @@ def test_reasons_are_given(folder):
         mentions(errors, reason)
 
 
+def test_names_do_not_move_the_cursor(folder):
+    model(folder)
+    evil = "\x1b[31m"
+    (folder / f"{evil}.tcca").write_text(PLANT, encoding="utf-8")
+    (folder / "wrong.tcca").write_text(f"plant P {{ {evil} }}", encoding="utf-8")
+    (folder / "names.props").write_text(f'property "{evil}" {{ reach lamp = on; }}', encoding="utf-8")
+    (folder / "lamp.json").write_text(run(folder, "rmplc", "compile", "lamp.tcca")[1].replace('"P"', '"P\\u001b[31m"'), encoding="utf-8")
+    for words in (("tcca-check", "reachability", f"{evil}.tcca", "--target", "no = on"), ("rmplc", "compile", f"{evil}.none"),
+                  ("rmplc", "compile", "wrong.tcca"), ("rmplc", "explain", evil), ("rmplc", "compile", "--main", evil, "main.rmpl"),
+                  ("tcca-check", "check", "lamp.tcca", "names.props"), ("rmplc", "compile", "lamp.json"),
+                  ("tcca-check", "reachability", "lamp.tcca", "--target", f"lamp = {evil}"), ("rmplc", evil)):
+        code, out, errors = run(folder, *words)
+        expect(code, 2, words)
+        assert "\x1b" not in out + errors, (words, errors)
+
+
 # Descriptors.
 
 def test_standard_input_that_cannot_be_read(folder):

@@ -11,6 +11,7 @@
 #include "automata/json/parse.hpp"
 #include "automata/time/time.hpp"
 #include "base/nearest.hpp"
+#include "base/printable.hpp"
 
 namespace rmpl::automata {
 
@@ -45,7 +46,11 @@ class Node {
   }
   [[nodiscard]] std::string text() const {
     if (!json_->is_string()) fail("a string");
-    return json_->get<std::string>();
+    std::string result = json_->get<std::string>();
+    // A text of the source may have several lines.
+    const auto refused = [](char c) { return base::is_control(c) && c != '\n' && c != '\t'; };
+    if (std::any_of(result.begin(), result.end(), refused)) fail("a string without control characters");
+    return result;
   }
   [[nodiscard]] bool truth() const {
     if (!json_->is_boolean()) fail("true or false");

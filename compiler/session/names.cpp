@@ -39,7 +39,7 @@ class Walk {
   }
 
   void items(const auto& list) {
-    for (const auto& item : list) std::visit([this](const auto& one) { add(one); }, item);
+    for (const auto& item : list) std::visit([this](const auto& one) { this->add(one); }, item);
   }
 
   // What all languages share.

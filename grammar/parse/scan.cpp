@@ -8,6 +8,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "base/printable.hpp"
+
 namespace rmpl::grammar {
 namespace {
 
@@ -200,7 +202,8 @@ bool scan_string(const char*& first, ParseState& state, String& string) {
   const char* at = skip_blank(first, state.end());
   if (at == state.end() || *at != '"') return false;
   const std::string_view token = token_at(at, state.end());
-  if (token.size() < 2 || token.back() != '"') return false;
+  if (token.size() < 2 || token.back() != '"' || std::any_of(token.begin(), token.end(), base::is_control))
+    return false;
   string.text.clear();
   for (std::size_t i = 1; i + 1 < token.size(); ++i) {
     if (token[i] == '\\' && (token[i + 1] == '"' || token[i + 1] == '\\')) ++i;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/painter.hpp"
+#include "base/printable.hpp"
 #include "grammar/source/render.hpp"
 
 namespace rmpl::grammar {
@@ -29,8 +30,9 @@ std::string painted(const base::Painter& painter, Severity severity, const std::
 }
 
 /// A message whose words are all of a length that people read: a name of a megabyte says no more than its beginning.
-std::string shortened(const std::string& message) {
+std::string shortened(const std::string& whole) {
   constexpr std::size_t longest = 200;
+  const std::string message = base::printable(whole);
   std::string text;
   for (std::size_t at = 0; at < message.size();) {
     const std::size_t end = std::min(message.find(' ', at), message.size() - 1) + 1;
@@ -86,7 +88,7 @@ Excerpt excerpt(std::string_view whole, std::size_t begin, std::size_t end) {
     const std::size_t length = code_point_length(line.substr(at));
     if (line[at] == '\t') {
       cells.resize(cells.size() + tab_columns, " ");
-    } else if (length == 0 || static_cast<unsigned char>(line[at]) < 0x20 || line[at] == '\x7f') {
+    } else if (length == 0 || base::is_control(line[at])) {
       cells.emplace_back("?");
     } else {
       cells.emplace_back(line.substr(at, length));
@@ -150,8 +152,8 @@ class Text {
   void add_place(Span span, const Mark& mark) {
     const SourceFile& file = sources_[span.file];
     const Place place = file.place(span.begin);
-    out_ += margin_ + painter_.place("-->") + " " + file.name() + ":" + std::to_string(place.line) + ":" +
-            std::to_string(place.column) + "\n";
+    out_ += margin_ + painter_.place("-->") + " " + base::printable(file.name()) + ":" + std::to_string(place.line) +
+            ":" + std::to_string(place.column) + "\n";
     if (file.text().empty()) return;
 
     const std::string_view line = file.line(place.line);

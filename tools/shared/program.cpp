@@ -15,6 +15,7 @@
 #include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/limit_error.hpp"
+#include "base/printable.hpp"
 #include "tools/shared/complaint.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/last_words.hpp"
@@ -82,7 +83,7 @@ ExitStatus Program::parse_and_run(int count, const char* const* arguments) {
     }
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
-      print_error(complaint(app_, error));
+      print_error(base::printable(complaint(app_, error)));
       return ExitStatus::wrong_input;
     }
     std::ostringstream text;  // help or version

@@ -4,13 +4,12 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include "base/error.hpp"
+#include "base/printable.hpp"
 #include "tools/shared/progress.hpp"
 
 namespace rmpl::tools {
@@ -46,22 +45,6 @@ int written(int descriptor, std::string_view text) {
   return 0;
 }
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    constexpr unsigned char blank = 0x20, del = 0x7f;
-    if ((byte >= blank && byte != del) || c == '\n') {
-      result += c;
-    } else {
-      std::array<char, 8> code{};
-      std::snprintf(code.data(), code.size(), "\\x%02x", static_cast<unsigned>(byte));
-      result += code.data();
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 base::Painter output_painter(Color color) { return painter(color, STDOUT_FILENO); }
@@ -81,7 +64,7 @@ void print_error(std::string_view text) {
   (void)written(STDERR_FILENO, text);  // there is nowhere left to say so
 }
 
-void tell(std::string_view text) { print_error(program() + ": " + escaped(text) + "\n"); }
+void tell(std::string_view text) { print_error(program() + ": " + base::printable(text) + "\n"); }
 
 void name_program(std::string name) { program() = std::move(name); }
 

@@ -88,6 +88,7 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
   refuses("/plants/0/interconnections/0/constraint", Json::object(),
           "/plants/0/interconnections/0/constraint: expected a formula");
   refuses("/plants/0/controls/0/variable", "pump", "attribute");
+  refuses("/plants/0/name", "P\x1b[31m", "without control characters");
   refuses("/programs/0/locations/1/arcs/0/target", 3, "below 3");
   refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
   refuses("/scenarios/0/plant", 1, "below 1");
