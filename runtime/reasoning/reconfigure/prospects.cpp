@@ -150,7 +150,7 @@ Permitted Prospects::permitted(const Modes& target) const {
     const ComponentId id(c);
     const bool named = goal_.named()[c][target[c].index()];
     for (const NominalTransition& t : graph_.transitions(id)) {
-      permitted[c].push_back(NominalGraph::harmless(t) || (named && graph_.leads(id, t.to, target[c])) ||
+      permitted[c].push_back(NominalGraph::harmless(t) || (named && graph_.leads_to_named(id, t.to, goal_.named())) ||
                              drifts(id, t));
     }
   }

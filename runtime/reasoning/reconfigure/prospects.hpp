@@ -32,8 +32,8 @@ class Prospects {
   /// Whether some control can bring about or prevent the component's next step, directly or through others.
   [[nodiscard]] bool commandable(automata::ComponentId c) const { return commandable_[c.index()]; }
 
-  /// What may be taken on the way to a target: what can be undone, what happens anyway, and irreversible steps on the
-  /// way of a component to its target, where the goal names that mode.
+  /// What may be taken on the way to a target: what can be undone, what happens anyway, and irreversible steps of a
+  /// component whose target the goal names, on the way to that or to another mode that it names for it.
   [[nodiscard]] Permitted permitted(const automata::Modes& target) const;
 
   /// Why a component does not get out of what it passes towards any of the wanted modes: a transition that would lead
