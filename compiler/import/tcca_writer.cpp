@@ -35,14 +35,11 @@ std::string type_name(GateFunction function, std::size_t inputs) {
   return {};
 }
 
-/// That an odd number of inputs is true.
-std::string parity(std::size_t inputs) {
-  std::string text = "i1 = true";
-  for (std::size_t i = 2; i <= inputs; ++i) {
-    text.insert(0, "!(");
-    text += " <-> i" + std::to_string(i) + " = true)";
-  }
-  return text;
+/// That an odd number of the inputs from `first` to `last` is true: halves of halves, as deep as the logarithm.
+std::string parity(std::size_t first, std::size_t last) {
+  if (first == last) return "i" + std::to_string(first) + " = true";
+  const std::size_t middle = first + (last - first) / 2;
+  return "!(" + parity(first, middle) + " <-> " + parity(middle + 1, last) + ")";
 }
 
 std::string joined(std::size_t inputs, const std::string& separator) {
@@ -63,9 +60,9 @@ std::string behaviour(GateFunction function, std::size_t inputs) {
     case GateFunction::negated_disjunction:
       return "o = true <-> !(" + joined(inputs, " | ") + ")";
     case GateFunction::exclusive:
-      return "o = true <-> " + parity(inputs);
+      return "o = true <-> " + parity(1, inputs);
     case GateFunction::negated_exclusive:
-      return "o = true <-> !(" + parity(inputs) + ")";
+      return "o = true <-> !(" + parity(1, inputs) + ")";
     case GateFunction::negation:
       return "o = true <-> i1 = false";
     case GateFunction::buffer:

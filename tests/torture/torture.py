@@ -41,7 +41,7 @@ rmpl-run estimate propulsion/propulsion.tcca --log - --estimator exact < log.jso
 rmpl-run plan propulsion/propulsion.tcca --goal 'engine = firing'
 rmpl-run plan propulsion/propulsion.tcca --policy
 rmpl-run diagnose propulsion/propulsion.tcca --observe 'engine.thrust = zero' -k 5 --format json
-rmpl-run diagnose circuit.tcca --observe 'out = false' --observe 'a = true' --observe 'b = true' --all-minimal
+rmpl-run diagnose circuit.tcca --observe 'a = true, b = true, out.o = false' --all-minimal
 tcca-check reachability propulsion/propulsion.tcca --target 'engine = firing' --faults 1
 tcca-check reachability propulsion/propulsion.tcca --target 'engine = failed' --faults 1 --format json
 tcca-check safety propulsion/propulsion.tcca --never 'engine = failed'
