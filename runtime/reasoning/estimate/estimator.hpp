@@ -53,7 +53,7 @@ struct EstimatorOptions {
   std::size_t k = 16;                ///< system states kept by k-best; at least 1
   std::size_t candidates = 100'000;  ///< k-best: how many candidates an update may check before it is cut
   /// k-best: a search that has checked so many candidates takes the observation factor into its bounds; most end
-  /// before.
+  /// before. The one after it does so at once, until half as many are enough.
   std::size_t patience = 32;
   /// k-best: how long an update may search; the best states found until then are kept, at least one.
   std::optional<std::chrono::nanoseconds> deadline = std::nullopt;

@@ -86,6 +86,17 @@ class Extensions {
   /// was asked for.
   double mass();
   [[nodiscard]] double share(const automata::Modes& modes, double prior) const;
+  /// Prior times factor of an extension are at most the product of the greatest factor and of what each of its modes
+  /// promises. In these terms `share` is that product.
+  [[nodiscard]] double greatest_factor() const { return factors_.gains.empty() ? 1.0 : factors_.most; }
+  [[nodiscard]] double promise(std::size_t component, automata::ModeId mode) const {
+    const double stays = prior(component, mode);
+    return factors_.gains.empty() || mode == base_[component] ? stays : stays * factors_.gains[component];
+  }
+  /// The modes that a component may move to, likeliest first.
+  [[nodiscard]] std::span<const OptimalSearch::Choice> choices(std::size_t component) const {
+    return moves_[component]->domain().choices();
+  }
   /// The probability of moving to exactly these modes, before the observation.
   [[nodiscard]] double prior(const automata::Modes& modes) const {
     double product = 1;

@@ -58,7 +58,11 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
   cursors_.assign(sources.size(), 0);
   barriers_.assign(sources.size(), 0);
   line_up(sources);
-  tight_ = !options_.merge_trajectories || !options_.observation_factor;
+  joint_known_ = false;
+  next_look_ = 0;
+  const bool may_tighten = options_.merge_trajectories && options_.observation_factor;
+  tight_ = !may_tighten;
+  if (may_tighten && long_) tighten(sources);
 
   while (!fronts_.empty()) {
     if (!tight_ && checked_ >= options_.patience) tighten(sources);
@@ -66,15 +70,7 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
       cut_ = true;
       break;
     }
-    if (best_.size() == k) {
-      const double enough = best_.front() * (1 - stop_margin);
-      double unseen = fronts_.front().bound;
-      if (unseen < enough && options_.merge_trajectories) {
-        unseen = 0;
-        for (const Front& front : fronts_) unseen += front.bound;
-      }
-      if (unseen < enough) break;
-    }
+    if (best_.size() == k && enough_found(sources)) break;
     std::pop_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
     const std::uint32_t s = fronts_.back().source;
     fronts_.pop_back();
@@ -108,7 +104,28 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
       std::push_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
     }
   }
+  long_ = may_tighten && tight_ && checked_ >= options_.patience / 2;
   unexplored_ = fronts_.empty() ? 0.0 : unexplored(sources);
+}
+
+/// Whether no state that was not found yet comes near the k-th best. That the bounds of several sources cannot be about
+/// one state is looked into before a candidate is checked, now and then: it costs as much as some of these.
+bool TrajectorySearch::enough_found(std::span<const Source> sources) {
+  constexpr std::size_t pace = 2;
+  const double enough = best_.front() * (1 - stop_margin);
+  if (fronts_.front().bound >= enough) return false;
+  if (!options_.merge_trajectories) return true;
+  double sum = 0;
+  for (const Front& front : fronts_) sum += front.bound;
+  if (sum < enough) return true;
+  const std::uint32_t next = fronts_.front().source;
+  if (checked_ < next_look_ || cursors_[next] < sources[next].extensions->found().size()) return false;
+  next_look_ = checked_ + pace;
+  if (!joint_known_) joint_.look_at(sources);
+  joint_known_ = true;
+  left_.assign(sources.size(), 0);
+  for (const Front& front : fronts_) left_[front.source] = front.bound;
+  return !joint_.reaches(left_, enough);
 }
 
 /// Puts the sources into the queue, each with what it has left.
@@ -124,6 +141,7 @@ void TrajectorySearch::line_up(std::span<const Source> sources) {
 /// From here on bounds know of the observation factor. What a source then finds again is known already.
 void TrajectorySearch::tighten(std::span<const Source> sources) {
   tight_ = true;
+  joint_known_ = false;
   for (std::size_t s = 0; s < sources.size(); ++s) {
     if (sources[s].extensions->tighten()) cursors_[s] = 0;
   }

@@ -11,20 +11,14 @@
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/extensions.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
+#include "runtime/reasoning/estimate/joint_bound.hpp"
 
 namespace rmpl::runtime {
 
-/// A tracked state with its probability and where it may go.
-struct Source {
-  const automata::SystemState* state;
-  double weight;
-  Extensions* extensions;
-};
-
 /// One best-first queue over the extensions of several sources. What a target state is worth is computed over all
 /// sources when its first trajectory is found. A state that was not found yet has, in each source, no trajectory better
-/// than the best one left there: the search ends when the sum of these bounds (without merging: the greatest of them)
-/// is below the k-th best worth. Buffers are kept from run to run.
+/// than the best one left there: the search ends when the sum of these bounds (without merging: the greatest of them),
+/// or what of it can be about one state, is below the k-th best worth. Buffers are kept from run to run.
 class TrajectorySearch {
  public:
   TrajectorySearch(const Clocks& clocks, const EstimatorOptions& options) : clocks_(clocks), options_(options) {}
@@ -70,6 +64,7 @@ class TrajectorySearch {
   };
 
   void line_up(std::span<const Source> sources);
+  bool enough_found(std::span<const Source> sources);
   void tighten(std::span<const Source> sources);
   double unexplored(std::span<const Source> sources);
   void enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k, const Deadline& deadline);
@@ -92,11 +87,17 @@ class TrajectorySearch {
   /// fault that sets it apart, the next target fails there as well.
   std::vector<std::size_t> barriers_;
   std::vector<double> best_;  ///< a heap: the k best worths, the least on top
-  double explored_ = 0;       ///< prior mass of all that was looked at
-  double dropped_ = 0;        ///< worth of trajectories that lost to a better one into the same state
-  double unexplored_ = 0;     ///< upper bound of the mass that was not looked at
+  JointBound joint_;
+  bool joint_known_ = false;   ///< `joint_` has looked at the sources as they are
+  std::size_t next_look_ = 0;  ///< how many candidates are checked before it is asked again
+  std::vector<double> left_;   ///< by source: what it has left
+  double explored_ = 0;        ///< prior mass of all that was looked at
+  double dropped_ = 0;         ///< worth of trajectories that lost to a better one into the same state
+  double unexplored_ = 0;      ///< upper bound of the mass that was not looked at
   std::size_t checked_ = 0;
   bool cut_ = false;
+  bool long_ =
+      false;  ///< the last run was long, so that the next one takes the observation factor into account at once
   bool tight_ = false;  ///< the sources were told to take the observation factor into account, or need not
   Belief kept_;
   double lost_ = 0;

@@ -244,6 +244,22 @@ TEST(KBest, KeepsWhatItFoundByItsDeadline) {
   EXPECT_GT(estimate.missing_total, 0.0);
 }
 
+/// Faults of which each that is kept is a source of its own. A target of several sources has all their faults, so that
+/// what these have left does not add up at one target.
+TEST(KBest, KnowsThatTheBoundsOfSeveralSourcesAreNotAboutOneState) {
+  PlantWriter w;
+  double probability = 0.001;
+  for (const std::string name : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"}) {
+    w.fault(w.component(name, {{"ok"}, {"broken", true}}), "broken", probability);
+    probability *= 1.3;
+  }
+  automata::PlantStep step(w.plant);
+  const auto estimator = make_k_best_estimator(step, {.k = 64, .factored = false});
+  std::size_t checked = 0;
+  for (int i = 1; i <= 4; ++i) checked += estimator->update(automata::idle_action(w.plant), {}, at(i)).checked;
+  EXPECT_LE(checked, 200u);  // 257 by their sum
+}
+
 TEST(KBest, RepeatsToTheBit) {
   const PlantWriter w = chain(4);
   std::vector<Belief> runs;
