@@ -144,5 +144,20 @@ TEST(Import, AnInputThatIsAnOutputIsOneVariable) {
   EXPECT_EQ(compiled.document().plants.front().observables.size(), 2u);
 }
 
+TEST(Import, AGateOfManyInputsCompiles) {
+  constexpr int inputs = 390;
+  std::string text, call;
+  for (int i = 0; i < inputs; ++i) {
+    text += "INPUT(i" + std::to_string(i) + ")\n";
+    call += (i == 0 ? "i" : ", i") + std::to_string(i);
+  }
+  text += "OUTPUT(o)\no = XOR(" + call + ")\n";
+  const std::string path = testing::TempDir() + "/import_test_wide-" + std::to_string(::getpid()) + ".tcca";
+  std::ofstream(path) << to_tcca(bench(text), FaultModel::weak);
+  const std::vector<std::string> paths{path};
+  const Compilation compiled = compile(paths);
+  EXPECT_TRUE(compiled.ok()) << grammar::render_text(compiled.findings(), false);
+}
+
 }  // namespace
 }  // namespace rmpl::compiler
