@@ -8,7 +8,7 @@
 
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
-#include "runtime/reasoning/estimate/filter.hpp"
+#include "runtime/reasoning/estimate/listed_filter.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -21,7 +21,7 @@ using automata::Ticks;
 /// Probabilities of target states, summed (step 3 of Fig. 6-10).
 using Targets = std::unordered_map<SystemState, double, SystemStateHash>;
 
-class Exact final : public Filter {
+class Exact final : public ListedFilter {
  public:
   Exact(automata::PlantStep& step, const EstimatorOptions& options)
       : step_(step), options_(options), clocks_(step.plant(), options.live_clocks_only) {
@@ -68,10 +68,6 @@ class Exact final : public Filter {
     last_ = now;
   }
 
-  [[nodiscard]] const Belief& belief() const override { return belief_; }
-  [[nodiscard]] const Belief& before() const override { return before_; }
-  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
-
  private:
   /// Adds to `targets` where an entry goes: step 2 of Fig. 6-10.
   void spread(const BeliefEntry& entry, const std::vector<std::vector<Move>>& moves, Ticks now, Targets& targets) {
@@ -114,12 +110,8 @@ class Exact final : public Filter {
   automata::PlantStep& step_;
   EstimatorOptions options_;
   Clocks clocks_;
-  Ticks last_;
   Targets targets_;
   Belief posterior_;
-  Belief belief_;
-  Belief before_;
-  Estimate estimate_;
 };
 
 }  // namespace

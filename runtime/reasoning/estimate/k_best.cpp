@@ -14,7 +14,7 @@
 
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
-#include "runtime/reasoning/estimate/filter.hpp"
+#include "runtime/reasoning/estimate/listed_filter.hpp"
 #include "runtime/reasoning/estimate/rank.hpp"
 #include "runtime/reasoning/estimate/trajectories.hpp"
 
@@ -70,7 +70,7 @@ struct Context {
   std::unordered_map<SourceKey, Extensions, SourceKeyHash> extensions;
 };
 
-class KBest final : public Filter {
+class KBest final : public ListedFilter {
  public:
   KBest(automata::PlantStep& step, const EstimatorOptions& options)
       : step_(step),
@@ -142,10 +142,6 @@ class KBest final : public Filter {
     estimate_.missing_total = share_missing();
     last_ = now;
   }
-
-  [[nodiscard]] const Belief& belief() const override { return belief_; }
-  [[nodiscard]] const Belief& before() const override { return before_; }
-  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
 
  private:
   Context& context(const Observation& observation) {
@@ -305,13 +301,9 @@ class KBest final : public Filter {
   std::vector<std::unique_ptr<Extensions>> transient_;  ///< of sources with a running clock; reused
   std::vector<Source> sources_;
   TrajectorySearch search_;
-  Ticks last_;
   std::size_t inconsistent_cycles_ = 0;
   bool explained_ = true;     ///< by what `condition` found last
   double missing_ratio_ = 0;  ///< what was not kept since the start, at most, by what was
-  Belief belief_;
-  Belief before_;
-  Estimate estimate_;
 };
 
 }  // namespace
