@@ -83,6 +83,8 @@ bool is_device(const std::string& path) { return path.starts_with("/dev/") || pa
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (path_.empty()) throw InputError("'' is no name of a file");
+  if (path_ == "-")
+    throw InputError("-: standard output has the result; expected the name of a file (./- for that one)");
   if (const auto input = input_at(path_)) throw InputError(path_ + ": writing there would destroy the input " + *input);
   struct stat about = {};
   const bool exists = stat(path_.c_str(), &about) == 0;

@@ -40,6 +40,7 @@ struct State {
   std::map<ClockId, ProgramClock> clocks;
   Modes modes;
   std::vector<Ticks> component_clocks;
+  std::set<std::size_t> achieved;  ///< components that are still where a goal brought them, or found them
   std::size_t faults = 0;
   std::optional<Ticks> late;  ///< time so far, while the formula has not held
   auto operator<=>(const State&) const = default;
@@ -77,7 +78,8 @@ class Explorer {
 
   LoopAnswer run(bool late) {
     for (const auto& [start, probability] : initial_belief(step_)) {
-      State state{Sequencer(program_, step_.models()).marking(), {}, start.modes, start.clock_starts, 0, std::nullopt};
+      State state{
+          Sequencer(program_, step_.models()).marking(), {}, start.modes, start.clock_starts, {}, 0, std::nullopt};
       if (late) state.late = Ticks{0};
       if (!late || !implies(state.modes)) number(state);
     }
@@ -254,8 +256,39 @@ class Explorer {
       if (next.faults > question_.faults || !step_.possible(next.modes)) continue;
       finish(next, begun, sampled);
       if (next.late && *next.late <= question_.within && implies(next.modes)) continue;
+      achieve(state, begun, next);
       add_edge(from, state, next, sampled, begun.advice.action);
     }
+  }
+
+  /// What a cycle takes away of what was achieved, and what is achieved after it.
+  void achieve(const State& state, const Begun& begun, State& next) {
+    if (next.late) return;
+    for (std::size_t c = 0; c < next.modes.size(); ++c) {
+      const automata::Component& component = plant_.components[c];
+      std::optional<ModeId> asked;
+      for (const Assignment& a : begun.goal)
+        if (a.variable == component.mode) asked = ModeId(a.value.index());
+      const ModeId from = state.modes[c];
+      const ModeId to = next.modes[c];
+      const bool had = state.achieved.contains(c);
+      if (had && from != to && begun.advice.for_reward && !component.modes[to.index()].fault &&
+          (!asked || asked == from) && !idle_leads(state.modes, c, to))
+        answer_.undone = true;
+      next.achieved.erase(c);
+      if (asked == to || (had && from == to)) next.achieved.insert(c);
+    }
+  }
+
+  /// Whether a transition that could ever be taken leads there with all controls idle.
+  bool idle_leads(const Modes& modes, std::size_t component, ModeId to) {
+    const ControlAction idle = automata::idle_action(plant_);
+    if (!step_.models().consistent(assumptions_of(plant_, modes, idle))) return false;
+    const auto& transitions = plant_.components[component].transitions;
+    return std::any_of(transitions.begin(), transitions.end(), [&](const Transition& t) {
+      const bool possible = t.weight.kind == automata::Weight::Kind::none || t.weight.value > 0;
+      return t.from == modes[component] && t.to == to && possible && step_.enabled(t, modes, idle);
+    });
   }
 
   /// The second half of a cycle: marking and clocks of `next`.

@@ -17,6 +17,7 @@ namespace rmpl::reference {
 struct Advice {
   bool no_plan = false;
   automata::ControlAction action;
+  bool for_reward = false;  ///< no part of the goal needs the command
 };
 using Adviser = std::function<Advice(const automata::Modes&, const std::vector<automata::Assignment>&)>;
 
@@ -33,6 +34,7 @@ struct LoopAnswer {
   bool too_many = false;  ///< states, to say anything
   bool conflict = false;
   bool no_plan = false;
+  bool undone = false;        ///< a command for reward takes a component out of a mode that a goal achieved
   bool holds = false;         ///< the store allows the formula, while the program runs or as it ends
   bool ends_without = false;  ///< the store need not imply it where the program ends
   bool late = false;          ///< nor at any time up to `within`

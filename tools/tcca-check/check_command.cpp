@@ -72,7 +72,7 @@ std::vector<PlantProperty> read_properties(const Options& options, const Common&
   return all;
 }
 
-std::vector<verifier::Question> questions_of(const std::vector<PlantProperty>& stated, unsigned threads) {
+std::vector<verifier::Question> questions_of(const std::vector<PlantProperty>& stated, const Options& options) {
   std::vector<verifier::Question> questions;
   for (const PlantProperty& p : stated) {
     questions.push_back({property_of(p),
@@ -80,8 +80,9 @@ std::vector<verifier::Question> questions_of(const std::vector<PlantProperty>& s
                           .faults = p.faults,
                           .commands = commands_of(p.commands),
                           .entailed = p.entailed,
-                          .threads = threads,
-                          .from = p.from}});
+                          .threads = options.threads,
+                          .from = p.from},
+                         options.budget.bounds()});
   }
   return questions;
 }
@@ -91,7 +92,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const compiler::Compilation compilation = load({options.model}, common);
   const automata::Plant& plant = only_plant(compilation.document(), options.model);
   const std::vector<PlantProperty> stated = read_properties(options, common, plant);
-  std::vector<verifier::Question> questions = questions_of(stated, options.threads);
+  std::vector<verifier::Question> questions = questions_of(stated, options);
   automata::PlantStep step(plant);
   std::vector<verifier::Answer> answers = verifier::check_all(step, questions, limits(options.budget, common));
   if (std::any_of(answers.begin(), answers.end(), [](const verifier::Answer& a) { return a.startless; })) {

@@ -30,6 +30,9 @@ struct Budget {
   std::optional<std::size_t> states;
   std::optional<automata::Ticks> time;
   std::optional<std::size_t> bytes;
+
+  /// As the answer repeats them.
+  [[nodiscard]] verifier::Bounds bounds() const { return {states, time, bytes}; }
 };
 void add_budget(CLI::App& command, Budget& budget);
 /// The limits of a search that signals end, and that shows its progress where somebody sees it.

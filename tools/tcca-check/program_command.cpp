@@ -30,7 +30,9 @@ using Kind = ProgramProperty::Kind;
 /// What is asked; where nothing is, the properties that every program should have.
 std::vector<Property> properties_of(const automata::Plant& plant, const ProgramOptions& options, const Common& common) {
   std::vector<Property> result;
-  for (const Kind kind : options.general) result.push_back(ProgramProperty{kind});
+  for (const GeneralCheck& check : options.general) {
+    result.push_back(ProgramProperty{.kind = check.kind, .warning = check.warning});
+  }
   for (const std::string& text : options.nevers) {
     result.push_back(ProgramProperty{Kind::never, formula_option(text, plant, "--never", common), {}, text});
   }
@@ -45,21 +47,21 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
     result.push_back(ProgramProperty{Kind::finally, formula_option(text, plant, "--finally", common), {}, text});
   }
   if (!result.empty() || options.each_fault) return result;
-  for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination, Kind::stuck}) {
-    result.push_back(ProgramProperty{kind});
+  for (const Kind kind : verifier::general_kinds) {
+    result.push_back(ProgramProperty{.kind = kind, .warning = kind == Kind::undone});
   }
   return result;
 }
 
-ExitStatus print_table(const Subject& subject, const FaultTable& table, const ProgramOptions& options,
-                       const Common& common) {
+ExitStatus print_table(const Subject& subject, const verifier::ProgramQuestion& question, const FaultTable& table,
+                       const ProgramOptions& options, const Common& common) {
   print_answer(
       common,
       [&] {
         return verifier::to_text(subject, table) +
                (options.statistics ? verifier::statistics_text(table.progress) : "");
       },
-      [&] { return verifier::to_json(subject, table); }, [&] { return verifier::to_junit(subject, table); });
+      [&] { return verifier::to_json(subject, question, table); }, [&] { return verifier::to_junit(subject, table); });
   if (std::any_of(table.rows.begin(), table.rows.end(), [](const FaultOutcome& row) { return row.fails(); })) {
     return ExitStatus::violated;
   }
@@ -91,7 +93,7 @@ void write_scenario(base::OutputFile& file, const ScenarioFrame& frame, const Su
                     const verifier::Limits& limits) {
   std::optional<std::string> why;
   for (std::size_t p = 0; p < properties.size(); ++p) {
-    if (!answers[p].witness) continue;
+    if (!answers[p].witness || verifier::is_warning(properties[p])) continue;
     std::optional<verifier::Witness> witness = answers[p].witness;
     if (!free.period && !witness->stop) {
       CheckOptions sampled = free;
@@ -135,13 +137,14 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
   }
   const verifier::Limits bounds = limits(options.budget, common);
   const std::vector<Answer> answers = verifier::check(*subject.program, step, properties, free, bounds);
+  const verifier::ProgramQuestion question{properties, free, options.budget.bounds()};
   if (answers.front().startless) warn_of_no_start("nothing can be violated");
   print_answer(
       common, [&] { return text_of(subject, properties, free, answers, options, common); },
-      [&] { return verifier::to_json(subject, properties, answers); },
+      [&] { return verifier::to_json(subject, question, answers); },
       [&] { return verifier::to_junit(subject, properties, answers); });
   if (frame) write_scenario(*file, *frame, subject, step, properties, answers, free, common, bounds);
-  return status_of(verifier::overall(answers));
+  return status_of(verifier::overall(properties, answers));
 }
 
 ExitStatus run(const ProgramOptions& options, const Common& common) {
@@ -156,11 +159,12 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
   const CheckOptions free{.period = freedom.period,
                           .faults = freedom.faults.value_or(0),
                           .entailed = freedom.entailed,
+                          .fewest_faults = options.fewest_faults,
                           .from = assignments_option(freedom.from, plant, "--from", common)};
   automata::PlantStep step(plant);
   if (!options.each_fault) return run_check(options, common, subject, step, properties, free);
   const FaultTable table = verifier::check_each_fault(program, step, properties, free, limits(options.budget, common));
-  return print_table(subject, table, options, common);
+  return print_table(subject, {properties, free, options.budget.bounds()}, table, options, common);
 }
 
 }  // namespace

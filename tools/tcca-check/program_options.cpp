@@ -19,17 +19,19 @@ Promise promise(const std::string& text) {
 }
 
 /// The properties that are the same for every program, by a list of their names.
-std::vector<Kind> general_properties(const std::string& text) {
-  std::vector<Kind> result;
+std::vector<GeneralCheck> general_properties(const std::string& text) {
+  std::vector<GeneralCheck> result;
   std::istringstream names(text);
   for (std::string name; std::getline(names, name, ',');) {
     const std::size_t before = result.size();
-    for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination, Kind::stuck}) {
-      if (name == verifier::name_of(kind) || name == "all") result.push_back(kind);
+    for (const Kind kind : verifier::general_kinds) {
+      if (name == verifier::name_of(kind)) result.push_back({kind});
+      if (name == "all") result.push_back({kind, kind == Kind::undone});
     }
     if (result.size() == before) {
       throw CLI::ValidationError(
-          "'" + name + "' is not known; expected goal-conflict, no-plan, endless-wait, termination, stuck or all");
+          "'" + name +
+          "' is not known; expected goal-conflict, no-plan, endless-wait, termination, stuck, undone or all");
     }
   }
   return result;
@@ -38,8 +40,8 @@ std::vector<Kind> general_properties(const std::string& text) {
 void add_properties(CLI::App& command, ProgramOptions& options) {
   add_read(
       command, "--check", options.general, general_properties,
-      "goal-conflict, no-plan, endless-wait, termination, stuck, or all of them: what is checked where nothing else is "
-      "asked")
+      "goal-conflict, no-plan, endless-wait, termination, stuck, undone, or all of them: what is checked where nothing "
+      "else is asked")
       ->option_text("LIST");
   add_texts(command, "--never", options.nevers, "FORMULA", "what is never to hold up to the program's end");
   const auto take = [&options](const std::vector<std::string>& texts) {
@@ -75,9 +77,15 @@ void add_program_options(CLI::App& command, ProgramOptions& options, Common& com
   add_text(command, "--main", options.entry, "NAME", "the definition to start with; else the one that no other calls");
   add_properties(command, options);
   add_freedom(command, options.freedom);
+  CLI::Option* fewest =
+      command
+          .add_flag("--fewest-faults", options.fewest_faults,
+                    "traces with the least number of faults there is; --faults says how many are tried")
+          ->needs(command.get_option("--faults"));
   CLI::Option* each =
       command.add_flag("--each-fault", options.each_fault, "a table: every fault by itself, and what can come of it")
-          ->excludes(command.get_option("--faults"));
+          ->excludes(command.get_option("--faults"))
+          ->excludes(fewest);
   CLI::Option* scenario = add_text(command, "--scenario", options.scenario, "OUT.scn",
                                    "write the first violation as a scenario that fails the same way")
                               ->excludes(each);

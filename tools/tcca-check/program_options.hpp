@@ -17,14 +17,21 @@ struct Promise {
   std::optional<automata::Ticks> within;  ///< nothing: as `--within` says
 };
 
+/// A property that holds for any program; as part of `all` *undone* only warns.
+struct GeneralCheck {
+  verifier::ProgramProperty::Kind kind;
+  bool warning = false;
+};
+
 struct ProgramOptions {
-  std::string program, plant;  ///< paths; the plant may be empty
-  std::string entry;           ///< the definition to start with; empty: the one that no other calls
-  std::vector<verifier::ProgramProperty::Kind> general;  ///< of the properties that hold for any program
+  std::string program, plant;         ///< paths; the plant may be empty
+  std::string entry;                  ///< the definition to start with; empty: the one that no other calls
+  std::vector<GeneralCheck> general;  ///< of the properties that hold for any program
   std::vector<std::string> nevers, finallys;
   std::vector<Promise> eventuallys;
   std::optional<automata::Ticks> within;
   bool each_fault = false;
+  bool fewest_faults = false;
   std::string scenario;  ///< where to write a witness as a scenario; empty: nowhere
   automata::Ticks cycle = {automata::Ticks::per_second / 2};  ///< of that scenario, where time is dense
   Freedom freedom;

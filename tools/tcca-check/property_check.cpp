@@ -69,7 +69,7 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
          " components, " + std::to_string(plant.controls.size()) + " controls");
   }
   automata::PlantStep step(plant);
-  const verifier::Question question{asked, check_options(plant, options, common)};
+  const verifier::Question question{asked, check_options(plant, options, common), options.budget.bounds()};
   const verifier::Answer answer = verifier::check(step, asked, question.options, limits(options.budget, common));
   if (answer.startless) warn_of_no_start("nothing is reachable");
   const verifier::Subject subject{plant};

@@ -3,16 +3,21 @@
 #include "verifier/closed_loop/check.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
+#include <numeric>
 #include <set>
 
 #include "base/check.hpp"
+#include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/lasso.hpp"
 #include "verifier/closed_loop/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/witness/claim.hpp"
+#include "verifier/witness/hindrance.hpp"
 #include "verifier/witness/loop_replay.hpp"
 #include "verifier/witness/steps_at.hpp"
+#include "verifier/witness/undone.hpp"
 
 namespace rmpl::verifier {
 
@@ -64,10 +69,12 @@ class ProgramCheck {
       for (; p < properties_.size(); ++p) {
         Answer& answer = answers[p];
         cut_off_ = {};
-        answer.witness = violation(properties_[p], {});
+        decide(p, answers);
         answer.verdict = answer.witness ? Verdict::violated : Verdict::holds;
         answer.progress = meter_.progress();
+        if (answer.witness) find_others(properties_[p], answer);
         if (answer.witness) continue;
+        answer.vacuous = is_vacuous(properties_[p]);
         answer.cut_off = cut_off_;
         // What would follow is not known, as no time comes in which it would.
         if (cut_off_.still) answer.verdict = Verdict::undecided;
@@ -119,11 +126,50 @@ class ProgramCheck {
     if (startless_ && !options_.from.empty()) refuse_start();
   }
 
+  void decide(std::size_t p, std::vector<Answer>& answers) {
+    Answer& answer = answers[p];
+    // What waits for ever does not end either.
+    for (std::size_t q = 0; q < p && properties_[p].kind == Kind::termination; ++q) {
+      if (properties_[q].kind != Kind::endless_wait || !answers[q].witness) continue;
+      answer.witness = answers[q].witness;
+      answer.same_as = q;
+      return;
+    }
+    answer.witness = violation(properties_[p], {});
+  }
+
+  /// Further missing plans and endless waits, each with another cause than those before it, until there are no more.
+  void find_others(const ProgramProperty& property, Answer& answer) {
+    const bool plans = property.kind == Kind::no_plan;
+    if (!plans && property.kind != Kind::endless_wait) return;
+    Quest quest{plans ? Aim::no_plan : Aim::endless_wait};
+    std::set<Cause> known;
+    const auto learn = [&](const Witness& witness) {
+      for (Cause& cause : causes_of(program_, witness, plans)) known.insert(std::move(cause));
+    };
+    learn(*answer.witness);
+    quest.fresh = [&](const LoopState& state, const Turn& turn) {
+      return !known.contains(
+          plans ? no_plan_cause(program_, state.marking, turn.goal, turn.answer.why, turn.answer.reason)
+                : waiting_cause(program_, state.marking));
+    };
+    while (auto witness = search(quest, &property)) {
+      learn(*witness);
+      answer.others.push_back(std::move(*witness));
+      answer.progress = meter_.progress();
+    }
+  }
+
+  /// Whether no state at all satisfies what is never to hold.
+  bool is_vacuous(const ProgramProperty& property) {
+    return property.kind == Kind::never && !step_.theory().allows({}, step_.theory().encode(property.formula));
+  }
+
   void fill(FaultOutcome& row) {
     const FaultFilter only{true, row.fault};
-    if (row.fault) row.happens = search({Aim::happens, nullptr, 0, only, false});
+    if (row.fault) row.happens = search({Aim::happens, nullptr, 0, only});
     if (row.happens || !row.fault) {
-      row.success = search({Aim::ends_with, success(), 0, only, false});
+      row.success = search({Aim::ends_with, success(), 0, only});
       for (const ProgramProperty& property : properties_) {
         const bool mission =
             property.kind == Kind::never || property.kind == Kind::eventually || property.kind == Kind::finally;
@@ -152,29 +198,29 @@ class ProgramCheck {
     const bool entailed = options_.entailed;
     switch (property.kind) {
       case Kind::goal_conflict:
-        return search({Aim::goal_conflict, nullptr, 0, only, false}, &property);
+        return search({Aim::goal_conflict, nullptr, 0, only}, &property);
       case Kind::no_plan:
-        return search({Aim::no_plan, nullptr, 0, only, false}, &property);
+        return search({Aim::no_plan, nullptr, 0, only}, &property);
       case Kind::endless_wait:
-        return search({Aim::endless_wait, nullptr, 0, only, false}, &property);
+        return search({Aim::endless_wait, nullptr, 0, only}, &property);
       case Kind::termination: {
-        auto found = search({Aim::endless_wait, nullptr, 0, only, false}, &property);
+        auto found = search({Aim::endless_wait, nullptr, 0, only}, &property);
         if (!found) found = lasso(only, property);
-        return found ? std::move(found) : search({Aim::still, nullptr, 0, only, false}, &property);
+        return found ? std::move(found) : search({Aim::still, nullptr, 0, only}, &property);
       }
       case Kind::stuck:
-        return search({Aim::stop, nullptr, 0, only, false}, &property);
+        return search({Aim::stop, nullptr, 0, only}, &property);
+      case Kind::undone:
+        return search({Aim::undone, nullptr, 0, only}, &property);
       case Kind::never:
-        return search({Aim::holds, holds(property.formula, entailed), 0, only, false}, &property);
+        return search({Aim::holds, holds(property.formula, entailed), 0, only}, &property);
       case Kind::eventually:
         if (property.within.is_infinite()) return std::nullopt;
-        return search(
-            {Aim::late, holds(property.formula, !entailed), loop_.time().more_than(property.within), only, false},
-            &property);
+        return search({Aim::late, holds(property.formula, !entailed), loop_.time().more_than(property.within), only},
+                      &property);
       case Kind::finally: {
         const auto right = holds(property.formula, !entailed);
-        return search({Aim::ends_with, [right](const Modes& modes) { return !right(modes); }, 0, only, false},
-                      &property);
+        return search({Aim::ends_with, [right](const Modes& modes) { return !right(modes); }, 0, only}, &property);
       }
     }
     return std::nullopt;
@@ -197,7 +243,24 @@ class ProgramCheck {
     cut_off_.still = cut_off_.still || system.cut_off().still;
     if (!path) return std::nullopt;
     if (ProgramSystem::is_end(path->back().discrete)) return stopped(*path, system, quest, shown);
-    return replayed(earliest_witness(*path, loop_, quest), quest.aim == Aim::endless_wait, shown);
+    Witness witness = earliest_witness(*path, loop_, quest);
+    if (quest.aim == Aim::undone) witness.undone = undone_at_end(judge().rules(), witness);
+    if (quest.aim == Aim::endless_wait) witness.hindrances = hindrances(step_, program_, witness);
+    add_refusals(witness);
+    return replayed(std::move(witness), quest.aim == Aim::endless_wait, shown);
+  }
+
+  /// Which other goals of a cycle without a plan have none by themselves.
+  void add_refusals(Witness& witness) {
+    const Event& last = witness.events.back();
+    if (last.cycle->outcome != runtime::Reconfiguration::Outcome::no_plan) return;
+    const auto& goal = last.cycle->goal;
+    for (std::size_t g = 0; g < goal.size(); ++g) {
+      if (g == last.cycle->why.conjunct || goal.size() == 1) continue;
+      auto answer = reconfigurer_->next(last.modes, automata::conjunction_of({&goal[g], 1}));
+      if (answer.outcome != runtime::Reconfiguration::Outcome::no_plan) continue;
+      witness.refused.push_back({goal[g], answer.why, std::move(answer.reason)});
+    }
   }
 
   /// A run that is cut off, or that goes round while time stands still.
@@ -233,7 +296,7 @@ class ProgramCheck {
   }
 
   std::optional<Witness> lasso(const FaultFilter& only, const ProgramProperty& shown) {
-    const Quest quest{Aim::nothing, nullptr, 0, only, true};
+    const Quest quest{.filter = only, .progress = true};
     ProgramSystem system(loop_, start_, quest);
     const auto found = find_lasso(system, loop_, only.fault.has_value(), meter_);
     if (!found) return std::nullopt;
@@ -271,10 +334,53 @@ class ProgramCheck {
   CutOff cut_off_;          ///< seen by the searches for the answer at hand
 };
 
+/// The limits less what has been spent.
+Limits remaining(Limits limits, const Progress& spent) {
+  if (limits.time) {
+    const auto left = *limits.time - std::chrono::duration<double>(spent.seconds);
+    limits.time = std::max(left, std::chrono::duration<double>::zero());
+  }
+  if (limits.states) *limits.states -= std::min(*limits.states, spent.states);
+  return limits;
+}
+
+/// Round by round one fault more, until every property is violated or as many as may be were tried.
+std::vector<Answer> with_fewest_faults(const automata::Program& program, automata::PlantStep& step,
+                                       const std::vector<Property>& properties, const CheckOptions& options,
+                                       const Limits& limits) {
+  std::vector<Answer> answers(properties.size());
+  std::vector<std::size_t> open(properties.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  Progress spent;
+  for (unsigned faults = 0; faults <= options.faults.value() && !open.empty(); ++faults) {
+    std::vector<Property> asked;
+    for (const std::size_t p : open) asked.push_back(properties[p]);
+    const Limits left = remaining(limits, spent);
+    std::vector<Answer> found = ProgramCheck(program, step, asked, options, faults, left).run();
+    spent.seconds += found.back().progress.seconds;
+    spent.states += found.back().progress.states;
+    std::vector<std::size_t> still_open;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      Answer& answer = answers[open[i]] = std::move(found[i]);
+      answer.progress.seconds = spent.seconds;
+      answer.progress.states = spent.states;
+      if (answer.same_as) answer.same_as = open[*answer.same_as];
+      if (answer.witness) {
+        answer.fewest_faults = faults;
+      } else if (!answer.limit) {
+        still_open.push_back(open[i]);
+      }
+    }
+    open = std::move(still_open);
+  }
+  return answers;
+}
+
 }  // namespace
 
 std::vector<Answer> check(const automata::Program& program, automata::PlantStep& step,
                           const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits) {
+  if (options.fewest_faults) return with_fewest_faults(program, step, properties, options, limits);
   return ProgramCheck(program, step, properties, options, options.faults.value(), limits).run();
 }
 

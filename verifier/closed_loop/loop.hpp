@@ -15,6 +15,7 @@
 #include "verifier/closed_loop/clock_cells.hpp"
 #include "verifier/plant/situation.hpp"
 #include "verifier/search/limits.hpp"
+#include "verifier/witness/undone.hpp"
 
 namespace rmpl::verifier {
 
@@ -98,6 +99,10 @@ class Loop {
   void explored(LoopStateId id);
 
   [[nodiscard]] Cell cell(const ClockGroup& group) const { return cells_.around(group.clocks, group.position); }
+  /// What a cycle takes away of what was achieved.
+  Achieved taken_away(const Achieved& achieved, const CycleTaken& cycle) {
+    return verifier::taken_away(step_, achieved, cycle);
+  }
   /// The components whose clocks matter in these modes, ascending.
   [[nodiscard]] std::vector<automata::ComponentId> live(const automata::Modes& modes) const;
 

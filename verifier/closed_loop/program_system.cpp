@@ -81,6 +81,27 @@ bool ProgramSystem::is_filtered(const LoopState& from, const Outcome& outcome) c
   return from.modes[c] != fault->from || outcome.state.modes[c] != fault->to;
 }
 
+void ProgramSystem::note_achieved(const SymbolicState& state, const Turn& turn, const Outcome& outcome,
+                                  Arrival& arrival) {
+  const automata::Modes& from = loop_[loop_state(state.discrete)].modes;
+  const std::uint64_t before = state.discrete >> achieved_shift;
+  const CycleTaken cycle{turn.goal, turn.answer.why.purpose, turn.action, from, outcome.state.modes};
+  if (!loop_.taken_away(*achieved_[before], cycle).empty()) arrival.phase |= undone_bit;
+  const std::uint64_t after =
+      number(achieved_after(loop_.plant(), *achieved_[before], turn.goal, from, outcome.state.modes));
+  arrival.phase |= after << achieved_shift;
+  if (after == before) return;
+  arrival.from.reset();
+  arrival.label.silent = false;
+}
+
+std::uint64_t ProgramSystem::number(const Achieved& achieved) {
+  const auto [at, fresh] = achieved_numbers_.try_emplace(achieved, achieved_.size());
+  if (fresh) achieved_.push_back(&at->first);
+  CHECK(at->second < std::uint64_t{1} << (64 - achieved_shift));
+  return at->second;
+}
+
 void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit) {
   const LoopStateId id = loop_state(state.discrete);
   const LoopState& from = loop_[id];
@@ -94,6 +115,7 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
     if (is_filtered(from, outcome)) return;
     arrival.phase |= happened_bit;
   }
+  if (quest_.aim == Quest::Aim::undone) note_achieved(state, turn, outcome, arrival);
   // A program clock starts with the cycle, the clock of a component with its end.
   const std::size_t old = state.zone.clocks();
   std::vector<std::size_t> sources;
@@ -225,13 +247,15 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
     case Quest::Aim::goal_conflict:
       return !loop_.turn(id)->conflicts.empty();
     case Quest::Aim::no_plan:
-      return loop_.turn(id)->answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
+      return loop_.turn(id)->answer.outcome == runtime::Reconfiguration::Outcome::no_plan && is_fresh(id);
     case Quest::Aim::endless_wait: {
       const std::shared_ptr<const Turn> turn = loop_.turn(id);
-      return std::any_of(turn->waits.begin(), turn->waits.end(), [&](const Wait& w) {
-        Zone zone = state.zone;
-        return w.endless && wait(zone, w.bounds, id);
-      });
+      return std::any_of(turn->waits.begin(), turn->waits.end(),
+                         [&](const Wait& w) {
+                           Zone zone = state.zone;
+                           return w.endless && wait(zone, w.bounds, id);
+                         }) &&
+             is_fresh(id);
     }
     case Quest::Aim::holds:
       return test(at.modes);
@@ -241,6 +265,8 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
       return at.marking.empty() && test(at.modes);
     case Quest::Aim::happens:
       return true;
+    case Quest::Aim::undone:
+      return (state.discrete & undone_bit) != 0;
     case Quest::Aim::stop:
     case Quest::Aim::still:
     case Quest::Aim::nothing:
@@ -248,6 +274,8 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
   }
   return false;
 }
+
+bool ProgramSystem::is_fresh(LoopStateId id) const { return !quest_.fresh || quest_.fresh(loop_[id], *loop_.turn(id)); }
 
 bool ProgramSystem::test(const automata::Modes& modes) const {
   return answers_.find_or(modes, [&] { return quest_.test(modes); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "verifier/search/passed.hpp"
 #include "verifier/search/standstill.hpp"
 #include "verifier/search/system.hpp"
+#include "verifier/witness/undone.hpp"
 
 namespace rmpl::verifier {
 
@@ -32,6 +34,7 @@ struct Quest {
     ends_with,      ///< the program's end in a state in which `test` holds
     happens,        ///< the fault of the filter
     stop,           ///< where nothing can follow, or time stands still
+    undone,         ///< a command for reward has taken away what a goal achieved
     still,          ///< where time stands still
     nothing         ///< everything is seen
   };
@@ -39,6 +42,8 @@ struct Quest {
   std::function<bool(const automata::Modes&)> test = nullptr;
   Units deadline = 0;
   FaultFilter filter = {};
+  /// Of `no_plan` and `endless_wait`: only such a cycle; any, where it is empty.
+  std::function<bool(const LoopState&, const Turn&)> fresh = nullptr;
   /// Dense time: keep a clock that tells whether time passes, and mark the states that it brings.
   bool progress = false;
 };
@@ -65,7 +70,9 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] bool accepts(const SymbolicState& state) const override;
 
   /// A discrete part, taken apart.
-  static LoopStateId loop_state(std::uint64_t discrete) { return LoopStateId(discrete >> phase_bits); }
+  static LoopStateId loop_state(std::uint64_t discrete) {
+    return LoopStateId(static_cast<std::uint32_t>(discrete >> phase_bits));
+  }
   /// Whether time passed before the step that led here.
   static bool progressed(std::uint64_t discrete) { return (discrete & progressed_bit) != 0; }
 
@@ -88,11 +95,14 @@ class ProgramSystem : public TransitionSystem {
   static constexpr std::uint32_t no_move = UINT32_MAX;
 
  private:
-  static constexpr unsigned phase_bits = 4;
+  // A discrete part: what was achieved, where that is asked; the number of the state; the phase.
+  static constexpr unsigned phase_bits = 5;
+  static constexpr unsigned achieved_shift = phase_bits + 32;
   static constexpr std::uint64_t happened_bit = 1;
   static constexpr std::uint64_t progressed_bit = 2;
   static constexpr std::uint64_t stuck_bit = 4;
   static constexpr std::uint64_t still_bit = 8;
+  static constexpr std::uint64_t undone_bit = 16;
 
   /// Where a step comes from and what is true of it.
   struct Arrival {
@@ -105,6 +115,9 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] bool stopwatch() const { return quest_.aim == Quest::Aim::late; }
   [[nodiscard]] bool progress_clock() const { return quest_.progress && loop_.time().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }
+  /// Notes what the step achieves and what it takes away.
+  void note_achieved(const SymbolicState& state, const Turn& turn, const Outcome& outcome, Arrival& arrival);
+  [[nodiscard]] std::uint64_t number(const Achieved& achieved);
   [[nodiscard]] bool is_filtered(const LoopState& from, const Outcome& outcome) const;
   void step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit);
   /// Enters a state in every choice of cells; the zone is over the clocks of `state` as it stands.
@@ -118,11 +131,14 @@ class ProgramSystem : public TransitionSystem {
   void enter_end(const SymbolicState& state, const Visit& visit);
   [[nodiscard]] bool is_wanted(const SymbolicState& state) const;
   [[nodiscard]] bool test(const automata::Modes& modes) const;
+  [[nodiscard]] bool is_fresh(LoopStateId id) const;
 
   Loop& loop_;
   const std::vector<LoopState>& start_;
   const Quest& quest_;
   mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> answers_{1u << 16};  ///< of `test`
+  std::map<Achieved, std::uint64_t> achieved_numbers_{{{}, 0}};
+  std::vector<const Achieved*> achieved_{&achieved_numbers_.begin()->first};  ///< by number
   mutable CutOff cut_off_;
   mutable std::optional<SymbolicState> accepted_;
 };

@@ -159,6 +159,7 @@ class LoopTimetable {
     cycle.goal = turn.goal;
     cycle.conflicts = turn.conflicts;
     cycle.outcome = turn.answer.outcome;
+    cycle.why = turn.answer.why;
     cycle.reason = turn.answer.reason;
     const Ticks begin = cycle.begin;
     return {begin, state(i).modes, turn.action, std::move(cycle)};

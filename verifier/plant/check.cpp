@@ -178,6 +178,7 @@ class Check {
     read.join(support_of(step_, response.then));
     visible_ = read.components;
     const Units deadline = situations_.time().more_than(response.within);
+    owed_ = &response;
     witness_ = search([this, &response, deadline](PlantStep& step) {
       return Observer::miss(holds(step, response.after, options_.entailed),
                             holds(step, response.then, !options_.entailed), deadline);
@@ -266,9 +267,11 @@ class Check {
   /// With how it is cut off, where that is what it shows.
   Witness witness_of(const std::vector<PathState>& path, PlantSystem& system) {
     Witness witness = earliest_witness(path, system);
+    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, options_.entailed, witness);
     if (!is_end(PlantSystem::phase_of(path.back().discrete))) return witness;
     const auto failure = explain_stop(judge(), witness, options_.commands, options_.period);
     if (failure) throw base::InternalError("a witness fails: it is cut off, but " + *failure);
+    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, options_.entailed, witness);
     return witness;
   }
 
@@ -283,6 +286,7 @@ class Check {
   std::optional<automata::PlainStep> judge_;  ///< has no part in the search: it replays what that finds
   std::vector<bool> cone_;
   Symmetry symmetry_;
+  const Response* owed_ = nullptr;              ///< what a witness is to miss
   std::vector<automata::ComponentId> visible_;  ///< read by the observer on the way
   std::vector<Modes> start_;
   std::vector<CutSet> cut_sets_;
@@ -293,9 +297,24 @@ class Check {
 
 }  // namespace
 
-Answer check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {
-  demand_modes(step.plant(), options.from);
-  Meter meter(limits);
+namespace {
+
+/// Whether nothing can ever violate what holds: no state satisfies what is never to hold, or none that can be reached
+/// asks for a response.
+bool is_vacuous(PlantStep& step, const Property& property, const CheckOptions& options, Meter& meter) {
+  if (const auto* safety = std::get_if<Safety>(&property)) {
+    return !step.theory().allows({}, step.theory().encode(safety->never));
+  }
+  const auto* response = std::get_if<Response>(&property);
+  if (response == nullptr) return false;
+  CheckOptions plain = options;
+  plain.cut_sets = plain.fewest_faults = false;
+  const unsigned faults = options.faults.value_or(std::numeric_limits<unsigned>::max());
+  const Property asks = Reachability{response->after, {}, false};
+  return Check(step, asks, plain, faults, meter).run_for_any_witness().verdict == Verdict::violated;
+}
+
+Answer decide(PlantStep& step, const Property& property, const CheckOptions& options, Meter& meter) {
   if (!options.fewest_faults) return Check(step, property, options, options.faults.value(), meter).run();
   // Round by round one fault more. Where no state needs as many as there may be, more of them may still come together
   // and lead somewhere: whether any number does is found out once, and then that is the answer, or the rounds will end.
@@ -310,6 +329,17 @@ Answer check(PlantStep& step, const Property& property, const CheckOptions& opti
     if (!any.witness) return any;
     reachable = true;
   }
+}
+
+}  // namespace
+
+Answer check(PlantStep& step, const Property& property, const CheckOptions& options, const Limits& limits) {
+  demand_modes(step.plant(), options.from);
+  Meter meter(limits);
+  Answer answer = decide(step, property, options, meter);
+  answer.vacuous = answer.verdict == Verdict::holds && is_vacuous(step, property, options, meter);
+  answer.progress = meter.progress();
+  return answer;
 }
 
 }  // namespace rmpl::verifier

@@ -99,6 +99,8 @@ class CheckAll {
     if (found.verdict == Verdict::undecided) return;
     const bool reached = found.witness.has_value();
     answers_[q].verdict = reached == target_of(questions_[q])->wanted ? Verdict::holds : Verdict::violated;
+    const auto* safety = std::get_if<Safety>(&questions_[q].property);
+    answers_[q].vacuous = safety != nullptr && !step_.theory().allows({}, step_.theory().encode(safety->never));
   }
 
   bool holds_at_end(const Formula& formula, const Witness& witness) {

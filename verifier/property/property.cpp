@@ -19,6 +19,8 @@ std::string_view name_of(ProgramProperty::Kind kind) {
       return "termination";
     case Kind::stuck:
       return "stuck";
+    case Kind::undone:
+      return "undone";
     case Kind::never:
       return "never";
     case Kind::eventually:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,6 +54,7 @@ struct ProgramProperty {
     endless_wait,   ///< no wait lasts for ever
     termination,    ///< the program ends on every run
     stuck,          ///< on every run something can follow, and time passes, as long as the program runs
+    undone,         ///< no command for reward takes away what a goal achieved
     never,          ///< `formula` does not hold while the program runs or as it ends
     eventually,     ///< `formula` holds at some time up to `within`, on every run
     finally         ///< `formula` holds where the program ends
@@ -61,12 +63,19 @@ struct ProgramProperty {
   automata::Formula formula = automata::constant(true);
   automata::Ticks within = {};
   std::string text = {};  ///< the formula as written
+  /// It only warns: of all answers together it says nothing.
+  bool warning = false;
 };
+
+/// What every program should have, in the order in which it is told.
+inline constexpr std::array general_kinds = {ProgramProperty::Kind::goal_conflict, ProgramProperty::Kind::no_plan,
+                                             ProgramProperty::Kind::endless_wait,  ProgramProperty::Kind::termination,
+                                             ProgramProperty::Kind::stuck,         ProgramProperty::Kind::undone};
 
 /// The last one is asked of a program with its plant, the others of a plant alone.
 using Property = std::variant<Reachability, Safety, Response, Stuck, ProgramProperty>;
 
-/// `goal-conflict`, `no-plan`, `endless-wait`, `termination`, `stuck`, `never`, `eventually`, `finally`.
+/// `goal-conflict`, `no-plan`, `endless-wait`, `termination`, `stuck`, `undone`, `never`, `eventually`, `finally`.
 std::string_view name_of(ProgramProperty::Kind kind);
 /// `reachability`, `safety`, `response`, `stuck`, or the name of what is asked of a program.
 std::string name_of(const Property& property);
@@ -92,10 +101,25 @@ struct CheckOptions {
   std::vector<automata::Assignment> from;
 };
 
+/// What a search may cost, as it was asked; nothing set is no limit.
+struct Bounds {
+  std::optional<std::size_t> states;
+  std::optional<automata::Ticks> time;
+  std::optional<std::size_t> bytes;
+};
+
 /// A property with what is free in it.
 struct Question {
   Property property;
   CheckOptions options;
+  Bounds bounds = {};
+};
+
+/// Properties of a program that are decided together.
+struct ProgramQuestion {
+  std::vector<Property> properties;
+  CheckOptions options;
+  Bounds bounds = {};
 };
 
 }  // namespace rmpl::verifier

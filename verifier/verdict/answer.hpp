@@ -24,11 +24,15 @@ struct CutSet {
 /// What became of a question.
 struct Answer {
   Verdict verdict = Verdict::undecided;
-  std::optional<Witness> witness;         ///< of reachability that it holds, of all others that they are violated
+  std::optional<Witness> witness;      ///< of reachability that it holds, of all others that they are violated
+  std::vector<Witness> others;         ///< of missing plans and endless waits: those with other causes, soonest first
+  std::optional<std::size_t> same_as;  ///< the answer, found together with it, that has the same witness
   std::optional<unsigned> fewest_faults;  ///< those of the witness, where they were asked for and there is one
   std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first
   /// Why it is undecided; or, beside a witness, why a better one (fewer steps, or less time) may have been missed.
   std::optional<Limit> limit;
+  /// It holds as nothing could ever violate it: no state satisfies what is never to hold, or what asks for a response.
+  bool vacuous = false;
   /// How runs that were looked at without a witness are cut off: the verdict says nothing of what would follow. Where
   /// time stands still it is undecided.
   CutOff cut_off;
@@ -38,7 +42,10 @@ struct Answer {
   Progress progress;
 };
 
-/// Of all together: violated where one is, else undecided where one is.
-Verdict overall(const std::vector<Answer>& answers);
+/// Of all together: violated where one is, else undecided where one is. Those that only warn are left out.
+Verdict overall(const std::vector<Property>& properties, const std::vector<Answer>& answers);
+
+/// Whether the property only warns.
+bool is_warning(const Property& property);
 
 }  // namespace rmpl::verifier

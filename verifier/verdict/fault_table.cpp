@@ -6,6 +6,7 @@
 #include <array>
 
 #include "verifier/verdict/junit.hpp"
+#include "verifier/verdict/question_json.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/trace.hpp"
 #include "verifier/verdict/wording.hpp"
@@ -62,8 +63,16 @@ std::string failure_text(const Subject& subject, const FaultOutcome& row) {
 
 }  // namespace
 
-ordered_json to_json(const Subject& subject, const FaultTable& table) {
-  ordered_json json = {{"property", "each-fault"}, {"faults", ordered_json::array()}};
+ordered_json to_json(const Subject& subject, const ProgramQuestion& question, const FaultTable& table) {
+  ordered_json asked = question_json(subject.plant, question);
+  asked["faults"] = 1;
+  asked["mission"] = ordered_json::array();
+  for (const Property& property : question.properties) {
+    ordered_json claim = {{"property", name_of(property)}};
+    claim.update(claim_of(subject.plant, property));
+    asked["mission"].push_back(std::move(claim));
+  }
+  ordered_json json = {{"property", "each-fault"}, {"question", std::move(asked)}, {"faults", ordered_json::array()}};
   if (table.limit) json["reason"] = reason(table.limit, table.progress);
   for (const FaultOutcome& row : table.rows) {
     ordered_json entry = ordered_json::object();

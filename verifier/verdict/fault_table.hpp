@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verifier/property/fault.hpp"
+#include "verifier/property/property.hpp"
 #include "verifier/search/limits.hpp"
 #include "verifier/verdict/subject.hpp"
 #include "verifier/witness/witness.hpp"
@@ -44,8 +45,8 @@ struct FaultTable {
   Progress progress = {};
 };
 
-/// One row a fault: what may come of it.
-nlohmann::ordered_json to_json(const Subject& subject, const FaultTable& table);
+/// One row a fault: what may come of it. The properties of the question are the mission.
+nlohmann::ordered_json to_json(const Subject& subject, const ProgramQuestion& question, const FaultTable& table);
 std::string to_text(const Subject& subject, const FaultTable& table);
 /// A test case a fault, and one for none: a failure where it can lose the mission, or keep the program from ending.
 std::string to_junit(const Subject& subject, const FaultTable& table);

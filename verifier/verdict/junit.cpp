@@ -32,6 +32,10 @@ std::string to_junit(const std::string& suite, const std::vector<TestCase>& case
     test.append_attribute("classname") = one.classname.c_str();
     test.append_attribute("time") = seconds;
     if (one.outcome == Outcome::success) continue;
+    if (one.outcome == Outcome::warning) {
+      test.append_child("system-out").text().set((one.message + "\n" + one.text).c_str());
+      continue;
+    }
     pugi::xml_node child = test.append_child(one.outcome == Outcome::failure ? "failure" : "error");
     child.append_attribute("message") = one.message.c_str();
     child.text().set(one.text.c_str());

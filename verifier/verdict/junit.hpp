@@ -8,7 +8,7 @@
 namespace rmpl::verifier {
 
 struct TestCase {
-  enum class Outcome { success, failure, error };
+  enum class Outcome { success, warning, failure, error };  ///< a warning is no failure: its text is told beside
   std::string name;
   std::string classname;
   double seconds;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "verifier/verdict/cause.hpp"
 #include "verifier/verdict/junit.hpp"
+#include "verifier/verdict/question_json.hpp"
 #include "verifier/verdict/trace.hpp"
 #include "verifier/verdict/wording.hpp"
 
@@ -50,7 +52,9 @@ ordered_json json_of_cut_sets(const Subject& subject, const Answer& answer) {
 std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
   const auto* asked = std::get_if<ProgramProperty>(&property);
   if (asked != nullptr) return finding(subject, *asked, witness);
-  return witness.stop ? to_text(subject.plant, *witness.stop) : "";
+  if (witness.stop) return to_text(subject.plant, *witness.stop);
+  const auto* response = std::get_if<Response>(&property);
+  return response != nullptr && witness.owed_since ? owed_text(subject, *response, witness) : "";
 }
 
 /// What a verdict without a witness leaves out.
@@ -61,37 +65,60 @@ void add_cut_off(ordered_json& json, const Answer& answer) {
 
 ordered_json check_json(const Subject& subject, const Property& property, const Answer& answer) {
   ordered_json check = {{"property", name_of(property)}, {"verdict", to_text(answer.verdict)}};
-  const auto* asked = std::get_if<ProgramProperty>(&property);
-  if (asked != nullptr && !asked->text.empty()) check["formula"] = asked->text;
-  if (asked != nullptr && asked->kind == ProgramProperty::Kind::eventually) check["within"] = asked->within.seconds();
+  if (is_warning(property)) check["level"] = "warning";
+  check.update(claim_of(subject.plant, property));
+  if (answer.vacuous) check["vacuous"] = true;
   add_cut_off(check, answer);
   if (!answer.witness) return check;
+  if (answer.fewest_faults) check["fewest_faults"] = *answer.fewest_faults;
   check["finding"] = end_of(subject, property, *answer.witness);
+  if (answer.same_as) {
+    check["same_as"] = *answer.same_as;
+    return check;
+  }
   check["trace"] = json_of(subject, *answer.witness);
   if (answer.witness->repeats_from) check["repeats_from"] = *answer.witness->repeats_from;
+  for (const Witness& other : answer.others) {
+    check["others"].push_back({{"finding", end_of(subject, property, other)}, {"trace", json_of(subject, other)}});
+  }
   return check;
 }
 
 }  // namespace
 
 std::string to_text(const Subject& subject, const Question& question, const Answer& answer, bool color) {
-  std::string text = name_of(question.property) + ": " + painted(answer.verdict, color) + " (" +
-                     meaning(question.property, answer) + ")\n";
+  const bool warning = is_warning(question.property);
+  std::string text = name_of(question.property) + ": " + painted(answer.verdict, color, warning) + " (" +
+                     (warning && answer.witness ? "warning: " : "") + meaning(question.property, answer) + ")\n";
   if (question.options.cut_sets) {
     text += text_of_cut_sets(subject, question.options, answer);
+  } else if (answer.witness && answer.same_as) {
+    text += "  the same run as of endless-wait\n";
   } else if (answer.witness) {
     if (answer.fewest_faults) text += "fewest faults: " + std::to_string(*answer.fewest_faults) + "\n";
     text += text_of(subject, *answer.witness, end_of(subject, question.property, *answer.witness));
   }
-  if (answer.witness && answer.limit) text += "a better trace may exist: " + reason(answer) + "\n";
+  for (const Witness& other : answer.others) {
+    text += "  also, at " + automata::format_seconds(other.events.back().time) +
+            " s: " + end_of(subject, question.property, other) + "\n";
+  }
+  const bool listed = std::holds_alternative<ProgramProperty>(question.property);
+  if (answer.witness && answer.limit) {
+    text += std::string(listed ? "there may be more: " : "a better trace may exist: ") + reason(answer) + "\n";
+  }
   return text;
 }
 
 ordered_json to_json(const Subject& subject, const Question& question, const Answer& answer) {
-  ordered_json json = {{"property", name_of(question.property)}, {"verdict", to_text(answer.verdict)}};
+  ordered_json json = {{"property", name_of(question.property)},
+                       {"question", question_json(subject.plant, question)},
+                       {"verdict", to_text(answer.verdict)}};
+  if (answer.vacuous) json["vacuous"] = true;
   if (const std::string why = reason(answer); !why.empty()) json["reason"] = why;
   add_cut_off(json, answer);
-  if (answer.witness && answer.witness->stop) json["finding"] = to_text(subject.plant, *answer.witness->stop);
+  if (answer.witness) {
+    if (auto found = end_of(subject, question.property, *answer.witness); !found.empty()) json["finding"] = found;
+  }
   if (answer.witness && answer.witness->repeats_from) json["repeats_from"] = *answer.witness->repeats_from;
   json["trace"] = answer.witness ? json_of(subject, *answer.witness) : ordered_json::array();
   if (answer.fewest_faults) json["fewest_faults"] = *answer.fewest_faults;
@@ -100,16 +127,18 @@ ordered_json to_json(const Subject& subject, const Question& question, const Ans
   return json;
 }
 
-ordered_json to_json(const Subject& subject, const std::vector<Property>& properties,
-                     const std::vector<Answer>& answers) {
-  ordered_json json = {{"property", "program"}, {"verdict", to_text(overall(answers))}};
+ordered_json to_json(const Subject& subject, const ProgramQuestion& question, const std::vector<Answer>& answers) {
+  const std::vector<Property>& properties = question.properties;
+  ordered_json json = {{"property", "program"},
+                       {"question", question_json(subject.plant, question)},
+                       {"verdict", to_text(overall(properties, answers))}};
   const auto limited = std::find_if(answers.begin(), answers.end(), [](const Answer& a) { return a.limit; });
   if (limited != answers.end()) json["reason"] = reason(*limited);
   json["trace"] = ordered_json::array();
   json["checks"] = ordered_json::array();
   for (std::size_t p = 0; p < properties.size(); ++p) {
     ordered_json check = check_json(subject, properties[p], answers[p]);
-    if (json["trace"].empty() && check.contains("trace")) json["trace"] = check["trace"];
+    if (json["trace"].empty() && !is_warning(properties[p]) && check.contains("trace")) json["trace"] = check["trace"];
     json["checks"].push_back(std::move(check));
   }
   json["statistics"] = statistics_of(answers.back().progress);
@@ -130,6 +159,7 @@ std::string to_junit(const Subject& subject, const std::vector<Property>& proper
                      .classname = subject.plant.name + "." + subject.program->name,
                      .seconds = p == 0 ? answers.back().progress.seconds : 0.0,
                      .outcome = verdict == Verdict::holds      ? success
+                                : is_warning(properties[p])    ? warning
                                 : verdict == Verdict::violated ? failure
                                                                : error,
                      .message = report.substr(0, headline),

@@ -17,7 +17,7 @@ std::string to_text(const Subject& subject, const Question& question, const Answ
 nlohmann::ordered_json to_json(const Subject& subject, const Question& question, const Answer& answer);
 
 /// Answers about a program, one a property, that were found together.
-nlohmann::ordered_json to_json(const Subject& subject, const std::vector<Property>& properties,
+nlohmann::ordered_json to_json(const Subject& subject, const ProgramQuestion& question,
                                const std::vector<Answer>& answers);
 /// A test case a property: a failure where it is violated, an error where it is undecided. All were decided together,
 /// and the first case has the time.

@@ -57,6 +57,19 @@ std::string changes_text(const Plant& plant, const Event& before, const Event& e
   return result;
 }
 
+/// The modes to start in, as far as they are not those that are most likely there.
+std::string start_text(const Plant& plant, const automata::Modes& modes) {
+  std::vector<Assignment> others;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const auto& initial = plant.components[c].initial;
+    const auto likely = std::max_element(initial.begin(), initial.end()) - initial.begin();
+    if (modes[c].index() != static_cast<std::size_t>(likely)) {
+      others.push_back({plant.components[c].mode, automata::ValueId(modes[c].index())});
+    }
+  }
+  return others.empty() ? "the initial modes" : "the initial modes, but " + text_of(plant, others);
+}
+
 /// The lines of a run: a time, and what there is to say.
 class Story {
  public:
@@ -64,7 +77,7 @@ class Story {
 
   std::string tell(const std::string& end) {
     const std::vector<Event>& events = witness_.events;
-    line(Ticks{0}, text_of(subject_.plant, automata::assignments_of(subject_.plant, events.front().modes)));
+    line(Ticks{0}, start_text(subject_.plant, events.front().modes));
     for (std::size_t e = 1; e < events.size(); ++e) {
       const Ticks since = events[e - 1].time;
       if (witness_.repeats_from == e) line(since, "from here on it repeats:");
@@ -75,7 +88,7 @@ class Story {
         tell_step(events[e - 1], events[e]);
       }
     }
-    if (witness_.stop && !events.back().cycle) line(events.back().time, end);
+    if (!end.empty() && !events.back().cycle) line(events.back().time, end);
     std::size_t width = 0;
     for (const auto& [time, text] : lines_) width = std::max(width, time.size());
     std::string result;

@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "base/overloaded.hpp"
+#include "verifier/verdict/cause.hpp"
 #include "verifier/verdict/trace.hpp"
 
 namespace rmpl::verifier {
 
-using automata::LocationId;
 using Kind = ProgramProperty::Kind;
 
 namespace {
@@ -46,6 +46,9 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
       return violated ? "the program can go on for ever" : "the program ends on every run";
     case Kind::stuck:
       return stuck_text(violated);
+    case Kind::undone:
+      return violated ? "what a goal achieved can be taken away for reward"
+                      : "no command for reward takes away what a goal achieved";
     case Kind::never:
       return "'" + property.text + "' " + (violated ? "can hold" : "never holds");
     case Kind::eventually:
@@ -76,17 +79,6 @@ std::string meaning_of(const Property& property, bool found) {
                     property);
 }
 
-/// The locations that a program waits at.
-std::string waiting_text(const Subject& subject, const automata::Marking& marking) {
-  std::string result;
-  for (const LocationId id : marking) {
-    const automata::Location& location = subject.program->locations[id.index()];
-    if (location.composite) continue;
-    result += (result.empty() ? "`" : ", `") + location.label + "`" + in_brackets(location.origin);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string title(const Subject& subject) {
@@ -105,10 +97,10 @@ std::string_view to_text(Verdict verdict) {
   return "";
 }
 
-std::string painted(Verdict verdict, bool color) {
+std::string painted(Verdict verdict, bool color, bool warning) {
   const std::string text(to_text(verdict));
   if (!color) return text;
-  const char* code = verdict == Verdict::holds ? "32" : verdict == Verdict::violated ? "31" : "33";
+  const char* code = verdict == Verdict::holds ? "32" : verdict == Verdict::violated && !warning ? "31" : "33";
   return "\033[1;" + std::string(code) + "m" + text + "\033[0m";
 }
 
@@ -127,16 +119,22 @@ std::string reason(const Answer& answer) {
   return reason(answer.limit, answer.progress);
 }
 
+std::string vacuity(const Property& property) {
+  return std::holds_alternative<Response>(property) ? "what asks for it never happens"
+                                                    : "no state whatever satisfies it";
+}
+
 std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();
   const bool partly = !found && answer.cut_off.stuck;
-  return meaning_of(property, found) + (partly ? "; on runs that get stuck, only up to there" : "");
+  const std::string vacuously = answer.vacuous ? ", as " + vacuity(property) : "";
+  return meaning_of(property, found) + vacuously + (partly ? "; on runs that get stuck, only up to there" : "");
 }
 
 std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness) {
   const Cycle& last = *witness.events.back().cycle;
-  const auto origin = [&](LocationId id) { return subject.program->locations[id.index()].origin; };
+  const auto origin = [&](automata::LocationId id) { return subject.program->locations[id.index()].origin; };
   switch (property.kind) {
     case Kind::goal_conflict: {
       const automata::GoalConflict& conflict = last.conflicts.front();
@@ -145,15 +143,16 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
              in_brackets(origin(conflict.second));
     }
     case Kind::no_plan:
-      return "no plan: " + last.reason;
+      return no_plan_text(subject, witness);
     case Kind::termination:
     case Kind::endless_wait:
       if (witness.stop) return to_text(subject.plant, *witness.stop);
       if (witness.repeats_from) return "and so on, for ever";
-      return "nothing but a fault would change anything any more; the program waits at " +
-             waiting_text(subject, last.marking);
+      return waiting_text(subject, witness);
     case Kind::stuck:
       return to_text(subject.plant, *witness.stop);
+    case Kind::undone:
+      return undone_text(subject, witness);
     case Kind::never:
       return "'" + property.text + "' can hold";
     case Kind::eventually:

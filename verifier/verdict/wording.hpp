@@ -14,14 +14,16 @@ namespace rmpl::verifier {
 std::string title(const Subject& subject);
 /// `holds`, `violated`, `undecided`.
 std::string_view to_text(Verdict verdict);
-/// The verdict, in its colour if asked for.
-std::string painted(Verdict verdict, bool color);
+/// The verdict, in its colour if asked for; one that only warns is not red.
+std::string painted(Verdict verdict, bool color, bool warning = false);
 
 /// Why a search found no answer, or perhaps not the best, and how far it got; empty where no limit was hit.
 std::string reason(std::optional<Limit> limit, const Progress& progress);
 /// The same of an answer.
 std::string reason(const Answer& answer);
 
+/// Why nothing could ever violate the property, where that is so.
+std::string vacuity(const Property& property);
 /// What an answer means: "the target is reachable", "there is a plan for every goal".
 std::string meaning(const Property& property, const Answer& answer);
 /// What a program's run has come to where it violates the property: the goals, the reason, the locations that wait.

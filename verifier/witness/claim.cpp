@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/claim.hpp"
 
+#include "verifier/witness/undone.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Formula;
@@ -13,8 +15,10 @@ namespace {
 class Claim {
  public:
   Claim(automata::PlainStep& rules, bool entailed, const Witness& witness)
-      : store_(rules.store()),
+      : rules_(rules),
+        store_(rules.store()),
         entailed_(entailed),
+        witness_(witness),
         events_(witness.events),
         repeats_from_(witness.repeats_from),
         stop_(witness.stop) {}
@@ -25,13 +29,18 @@ class Claim {
   std::optional<std::string> failure(const Stuck&) { return stop_ ? std::nullopt : std::optional("it is not cut off"); }
 
   std::optional<std::string> failure(const Response& p) {
-    if (stop_ && stop_->still) return unanswered(p);
+    return owed_since(p) ? std::nullopt : std::optional("every response on it comes in time");
+  }
+
+  /// The event that asks for a response which does not come; where time stands still, never comes.
+  std::optional<std::size_t> owed_since(const Response& p) {
+    const bool still = stop_ && stop_->still;
     const Ticks end = events_.back().time;
     for (std::size_t e = 0; e < events_.size(); ++e) {
-      if (!holds(p.after, e, entailed_) || end - events_[e].time <= p.within) continue;
-      if (never_before(p.then, e, events_[e].time + p.within)) return std::nullopt;
+      if (!holds(p.after, e, entailed_) || (!still && end - events_[e].time <= p.within)) continue;
+      if (never_before(p.then, e, still ? Ticks::infinite() : events_[e].time + p.within)) return e;
     }
-    return "every response on it comes in time";
+    return std::nullopt;
   }
 
   std::optional<std::string> failure(const ProgramProperty& p) {
@@ -51,6 +60,10 @@ class Claim {
         if (ended) return "the program has ended";
         return repeats_from_ && !comes_round() ? std::optional("it does not come back to where it repeats")
                                                : std::nullopt;
+      case Kind::undone:
+        return witness_.undone && undone_at_end(rules_, witness_) == witness_.undone
+                   ? std::nullopt
+                   : std::optional("nothing that was achieved is taken away at its end");
       case Kind::never:
         return holds(p.formula, events_.size() - 1, entailed_) ? std::nullopt
                                                                : std::optional("the formula does not hold at its end");
@@ -78,14 +91,6 @@ class Claim {
                                                         : std::optional("the target does not hold at its end");
   }
 
-  /// Where time stands still what is owed never comes.
-  std::optional<std::string> unanswered(const Response& p) {
-    for (std::size_t e = 0; e < events_.size(); ++e) {
-      if (holds(p.after, e, entailed_) && never_before(p.then, e, Ticks::infinite())) return std::nullopt;
-    }
-    return "every response on it comes";
-  }
-
   /// Whether the formula does not hold in any state from an event on that is entered up to that time.
   bool never_before(const Formula& formula, std::size_t from, Ticks time) {
     for (std::size_t e = from; e < events_.size() && events_[e].time <= time; ++e) {
@@ -105,14 +110,21 @@ class Claim {
     return certain ? store_.implies(formula, modes) : store_.allows(formula, modes);
   }
 
+  automata::PlainStep& rules_;
   automata::PlainStore& store_;
   bool entailed_;
+  const Witness& witness_;
   const std::vector<Event>& events_;
   std::optional<std::size_t> repeats_from_;
   const std::optional<Stop>& stop_;
 };
 
 }  // namespace
+
+std::optional<std::size_t> owed_since(automata::PlainStep& rules, const Response& response, bool entailed,
+                                      const Witness& witness) {
+  return Claim(rules, entailed, witness).owed_since(response);
+}
 
 std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property, bool entailed,
                                            const Witness& witness) {

@@ -16,4 +16,9 @@ namespace rmpl::verifier {
 std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property, bool entailed,
                                            const Witness& witness);
 
+/// The event of a run from which on a response is owed and missed; nothing where every one comes in time. Where time
+/// stands still it is missed if it does not come at all.
+std::optional<std::size_t> owed_since(automata::PlainStep& rules, const Response& response, bool entailed,
+                                      const Witness& witness);
+
 }  // namespace rmpl::verifier

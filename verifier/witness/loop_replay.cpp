@@ -93,6 +93,7 @@ class LoopReplay {
     goal_ = conflict_ ? std::vector<automata::Assignment>{} : asserted.goal;
     const auto answer = planner_.next(modes(), automata::conjunction_of(goal_));
     outcome_ = answer.outcome;
+    purpose_ = answer.why.purpose;
     action_ = outcome_ == runtime::Reconfiguration::Outcome::command ? answer.action : automata::idle_action(plant());
   }
 
@@ -131,6 +132,7 @@ class LoopReplay {
     begin(cycle.begin, cycle.readings);
     if (goal_ != cycle.goal || conflict_ == cycle.conflicts.empty()) return "another goal" + at(cycle.begin);
     if (action_ != event.action || outcome_ != cycle.outcome) return "another command" + at(cycle.begin);
+    if (purpose_ != cycle.why.purpose) return "another purpose" + at(cycle.begin);
     if (event.time != cycle.begin + rules_.period.value_or(Ticks{0}))
       return "a cycle of another length" + at(cycle.begin);
     if (rules_.period && cycle.begin.count % rules_.period->count != 0)
@@ -233,6 +235,7 @@ class LoopReplay {
   std::vector<automata::Assignment> goal_;
   bool conflict_ = false;
   runtime::Reconfiguration::Outcome outcome_ = runtime::Reconfiguration::Outcome::nothing_to_do;
+  runtime::Reason::Purpose purpose_ = runtime::Reason::Purpose::none;
   ControlAction action_;
 };
 

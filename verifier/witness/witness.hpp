@@ -22,7 +22,8 @@ struct Cycle {
   std::vector<automata::Assignment> goal;                ///< that is acted on
   std::vector<automata::GoalConflict> conflicts;
   runtime::Reconfiguration::Outcome outcome = runtime::Reconfiguration::Outcome::nothing_to_do;
-  std::string reason;      ///< of a missing plan
+  runtime::Reason why;     ///< of a command, a wait or a missing plan
+  std::string reason;      ///< of a missing plan, in words
   automata::Marking next;  ///< at its end
 };
 
@@ -32,6 +33,34 @@ struct Event {
   automata::Modes modes;
   automata::ControlAction action;             ///< in force for the step
   std::optional<Cycle> cycle = std::nullopt;  ///< under a program; none at the start
+};
+
+/// What the last step of a run takes away, though a goal achieved it and none asks for that.
+struct Undone {
+  automata::ComponentId component;
+  automata::ModeId mode;
+  std::size_t asked;  ///< the event whose cycle asserted the goal last
+  bool operator==(const Undone&) const = default;
+};
+
+/// What keeps a component where it is.
+struct Hindrance {
+  enum class Kind {
+    missing,   ///< no nominal transition leads out of its mode
+    disabled,  ///< `transition` is not enabled, nor is any other
+    excluded   ///< `transition` is enabled, and leads to impossible states only
+  };
+  Kind kind;
+  automata::ComponentId component;
+  automata::ModeId mode;
+  std::optional<automata::TransitionId> transition;
+};
+
+/// Another goal of a cycle without a plan, which has none by itself either.
+struct Refusal {
+  automata::Assignment goal;
+  runtime::Reason why;
+  std::string reason;  ///< in words
 };
 
 /// From the start to what was looked for.
@@ -46,6 +75,10 @@ struct Witness {
   std::vector<Event> events;
   std::optional<std::size_t> repeats_from;  ///< from this event to the last but one it goes round for ever
   std::optional<Stop> stop;                 ///< it is cut off at its last event, or that round takes no time
+  std::vector<Refusal> refused = {};        ///< of a missing plan at the end
+  std::vector<Hindrance> hindrances = {};   ///< of a wait that lasts for ever
+  std::optional<std::size_t> owed_since = std::nullopt;  ///< of a response that is missed: the event that asked for it
+  std::optional<Undone> undone = std::nullopt;           ///< of the event before the last, where that was asked
 };
 
 /// How many components went into a fault mode along the run.

@@ -230,6 +230,26 @@ std::vector<ComponentId> GoalInterpreter::needed(const Modes& modes, const Modes
   return result;
 }
 
+namespace {
+
+/// A nominal transition out of a mode to one that is asked for, whose guard the store of that mode refutes: where that
+/// is why a component cannot go on, the mode or the guard is wrong.
+std::string dead_guard(automata::PlantStep& step, ComponentId component, ModeId mode, const std::vector<bool>& asked) {
+  const automata::Component& automaton = step.plant()[component];
+  const automata::Assignment in{automaton.mode, automata::ValueId(mode.index())};
+  for (const automata::Transition& t : automaton.transitions) {
+    if (t.from != mode || !asked[t.to.index()] || automaton.is_fault(t)) continue;
+    if (step.theory().allows(std::span(&in, 1), step.theory().encode(t.guard))) continue;
+    const automata::Mode& from = automaton.modes[mode.index()];
+    return ": the constraint of '" + from.name + "'" + in_brackets(from.origin) +
+           " contradicts the guard of its transition to '" + automaton.modes[t.to.index()].name + "'" +
+           in_brackets(t.origin);
+  }
+  return "";
+}
+
+}  // namespace
+
 /// Goes upstream as long as it is another component that bars the way: the last one is to blame.
 Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Prospects& prospects, ComponentId component,
                                       std::vector<bool> asked) {
@@ -270,7 +290,8 @@ Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Prospects& prosp
       if (t != nullptr) why.step = TransitionOf{component, t->id};
       return {component,
               "no permitted nominal transitions lead '" + plant[component].name + "' from " +
-                  name(component, modes[component.index()]) + " to " + wanted + purpose,
+                  name(component, modes[component.index()]) + " to " + wanted + purpose +
+                  dead_guard(step_, component, modes[component.index()], asked),
               why};
     }
     visited[component.index()] = true;

@@ -26,7 +26,7 @@ TEST(Report, TellsTheWitness) {
       R"({"time":30.0,"modes":{"engine":"standby"},"command":{},"taken":{"engine":{"from":"heating","to":"standby"}}}])");
   EXPECT_EQ(to_text({b.plant}, {property, {}}, result, false),
             "reachability: holds (the target is reachable)\n"
-            "   0 s  engine = off\n"
+            "   0 s  the initial modes\n"
             "   0 s  command cmd = standby: engine: off -> heating\n"
             "  30 s  engine: heating -> standby\n");
 }
