@@ -10,7 +10,18 @@ using automata::ComponentId;
 
 LoopInstants::LoopInstants(Loop& loop, LoopStateId root, std::size_t others,
                            std::function<bool(const automata::Modes&)> ends)
-    : loop_(loop), root_(root), others_(others), ends_(std::move(ends)), live_(loop.live(loop[root].modes)) {}
+    : loop_(loop), root_(root), others_(others), ends_(std::move(ends)), live_(loop.live(loop[root].modes)) {
+  const auto& locations = loop.program().locations;
+  own_clocks_ = std::any_of(locations.begin(), locations.end(), [](const auto& l) { return !l.own_clocks.empty(); });
+  auto& sources = sources_[root.value];
+  for (std::size_t g = 0; g < loop[root].groups.size(); ++g) sources.push_back(g + 1);
+}
+
+std::optional<std::size_t> LoopInstants::group_clock(LoopStateId node, std::size_t group) const {
+  const std::size_t source = sources_.at(node.value)[group];
+  if (source == 0) return std::nullopt;
+  return others_ + source;
+}
 
 std::optional<std::size_t> LoopInstants::clock_of(ComponentId component) const {
   const auto at = std::lower_bound(live_.begin(), live_.end(), component);
@@ -58,7 +69,10 @@ const std::vector<ZoneBox>& LoopInstants::waits(std::uint64_t node) {
     if (!add(wait.bounds, 0, 1)) continue;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
       const Interval cell = loop_.cells().units(loop_.cell(state.groups[g]), loop_.time());
-      if (cell.upper != unbounded) result.back().push_back({1 + others_ + g, {0, cell.upper - 1}});
+      const auto clock = group_clock(LoopStateId(node), g);
+      if (!clock || cell.upper == unbounded) continue;
+      // A clock that each call starts anew stays at 0 while time passes.
+      if (cell.upper >= 1 || !own_clocks_) result.back().push_back({*clock, {0, cell.upper - 1}});
     }
   }
   return result;
@@ -74,6 +88,29 @@ const std::vector<Instant>& LoopInstants::steps(std::uint64_t node) {
   return at->second;
 }
 
+/// Where no clock is ever forgotten, what starts one does not come back; a program that does so while the plant stands
+/// still lets time pass.
+bool LoopInstants::comes_back(const Outcome& outcome, LoopStateId from, Instant& step) {
+  const LoopState& there = outcome.state;
+  const LoopState& here = loop_[from];
+  const bool moves = own_clocks_ && there.modes != here.modes;
+  if (!moves && (there.groups != here.groups || there.passed != here.passed)) return false;
+  std::vector<std::size_t> sources;
+  for (std::size_t g = 0; g < there.groups.size(); ++g) {
+    const std::size_t source = own_clocks_ ? outcome.sources[g] : g + 1;
+    sources.push_back(source == 0 ? 0 : sources_.at(from.value)[source - 1]);
+  }
+  const auto [known, fresh] = sources_.try_emplace(loop_.number(there).value, sources);
+  std::vector<std::size_t> restarts;
+  for (std::size_t g = 0; g < sources.size() && !fresh; ++g) {
+    if (sources[g] == known->second[g]) continue;
+    if (sources[g] != 0) return false;
+    restarts.push_back(others_ + known->second[g]);
+  }
+  step.restarts = std::move(restarts);
+  return true;
+}
+
 void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, LoopStateId from,
                             std::vector<Instant>& result) {
   const auto bounds = translated(outcome.bounds, 0, 0);
@@ -85,15 +122,16 @@ void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, LoopStat
     if (loop_.cells().is_last(cell)) continue;
     const Cell next = loop_.cells().around(here.groups[g].clocks, cell.last + 1);
     Instant step{from.value, move, *bounds, {}, true};
-    step.bounds.push_back({1 + others_ + g, {loop_.cells().units(next, loop_.time()).lower, unbounded}});
+    const Units begins = loop_.cells().units(next, loop_.time()).lower;
+    const auto clock = group_clock(from, g);
+    if (!clock && begins > 0) continue;
+    if (clock) step.bounds.push_back({*clock, {begins, unbounded}});
     result.push_back(std::move(step));
   }
   if (outcome.same) return;
   Instant step{from.value, move, *bounds, {}, true};
   const LoopState& there = outcome.state;
-  const bool comes_back =
-      there.marking.empty() == here.marking.empty() && there.groups == here.groups && there.passed == here.passed;
-  if (comes_back && !ends_(there.modes)) {
+  if (there.marking.empty() == here.marking.empty() && !ends_(there.modes) && comes_back(outcome, from, step)) {
     step.leads_on = false;
     step.target = loop_.number(there).value;
     for (std::size_t c = 0; c < there.modes.size(); ++c) {

@@ -24,6 +24,12 @@ class LoopInstants : public Instants {
   [[nodiscard]] std::optional<std::size_t> clock_of(automata::ComponentId component) const;
   /// Of the clocks of the root. Nothing where a clock that has started since is not within its bounds.
   [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, Units earlier, Units before_end) const;
+  /// The clock of the root that a group of a node reads, by its position there; none: it has started since, and reads
+  /// 0.
+  [[nodiscard]] std::optional<std::size_t> group_clock(LoopStateId node, std::size_t group) const;
+  /// Whether the outcome leads to a node whose groups read clocks of the root, or none; then `step` restarts those that
+  /// start anew.
+  bool comes_back(const Outcome& outcome, LoopStateId from, Instant& step);
   void add_step(const Outcome& outcome, std::uint32_t move, LoopStateId from, std::vector<Instant>& result);
 
   Loop& loop_;
@@ -31,6 +37,9 @@ class LoopInstants : public Instants {
   std::size_t others_;
   std::function<bool(const automata::Modes&)> ends_;
   std::vector<automata::ComponentId> live_;  ///< at the root
+  bool own_clocks_ = false;                  ///< the program has some: what has started can be forgotten again
+  /// By node, for each of its groups: 1 + the position at the root of the one that it is, or 0: it has started since.
+  std::map<std::uint64_t, std::vector<std::size_t>> sources_;
   std::map<std::uint64_t, std::vector<ZoneBox>> waits_;
   std::map<std::uint64_t, std::vector<Instant>> steps_;
 };
