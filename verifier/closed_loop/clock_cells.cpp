@@ -3,7 +3,8 @@
 #include "verifier/closed_loop/clock_cells.hpp"
 
 #include <algorithm>
-#include <functional>
+
+#include "base/function_ref.hpp"
 
 namespace rmpl::verifier {
 
@@ -15,12 +16,12 @@ using automata::Ticks;
 
 namespace {
 
-void for_each_atom(const Formula& formula, const std::function<void(const Formula&)>& visit) {
+void for_each_atom(const Formula& formula, base::FunctionRef<void(const Formula&)> visit) {
   if (formula.kind == Formula::Kind::clock) visit(formula);
   for (const Formula& operand : formula.operands) for_each_atom(operand, visit);
 }
 
-void for_each_atom(const Location& location, const std::function<void(const Formula&)>& visit) {
+void for_each_atom(const Location& location, base::FunctionRef<void(const Formula&)> visit) {
   for_each_atom(location.maintenance.constraint, visit);
   for (const automata::Arc& arc : location.arcs) for_each_atom(arc.guard.constraint, visit);
 }

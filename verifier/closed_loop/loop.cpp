@@ -3,9 +3,7 @@
 #include "verifier/closed_loop/loop.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <set>
-#include <tuple>
 
 #include "verifier/property/initial_modes.hpp"
 
@@ -22,27 +20,6 @@ namespace {
 
 /// Twice so many at most are kept.
 constexpr std::size_t turns_remembered = 1u << 13;
-
-/// Every joint choice of all components within the budget of faults, depth first in declaration order.
-void for_each_joint(const std::vector<std::vector<Choice>>& choices, unsigned faults,
-                    const std::function<void(const Modes&, unsigned, const Box&)>& visit) {
-  Modes modes;
-  Box box;
-  const std::function<void(unsigned)> extend = [&](unsigned cost) {
-    if (modes.size() == choices.size()) return visit(modes, cost, box);
-    const ComponentId component(modes.size());
-    for (const Choice& choice : choices[component.index()]) {
-      if (cost + choice.faults > faults) continue;
-      const std::size_t bounds = box.size();
-      modes.push_back(choice.mode);
-      if (!choice.clock.is_trivial()) box.push_back({component, choice.clock});
-      extend(cost + choice.faults);
-      modes.pop_back();
-      box.resize(bounds);
-    }
-  };
-  extend(0);
-}
 
 /// Leaving without a fault, at any reading from some one on.
 bool leaves_for_sure(const Choice& choice, ModeId mode) {
@@ -69,14 +46,9 @@ Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime:
       explored_turns_(turns_remembered) {}
 
 std::vector<LoopState> Loop::initial(const std::vector<Assignment>& from) {
-  std::vector<std::vector<Choice>> all;
-  for (const std::vector<ModeId>& modes : initial_modes(plant(), from)) {
-    auto& choices = all.emplace_back();
-    for (const ModeId mode : modes) choices.push_back({mode, 0, {}});
-  }
   sequencer_.reset();
   std::vector<LoopState> result;
-  for_each_joint(all, 0, [&](const Modes& modes, unsigned, const Box&) {
+  base::for_each_combination(initial_modes(plant(), from), [&](const Modes& modes) {
     meter_.poll();
     if (step_.possible(modes)) result.push_back({sequencer_.marking(), modes, {}, {}});
   });
@@ -183,10 +155,11 @@ Turn Loop::work_out(const LoopState& state, unsigned faults) {
     }
   }
   turn.exits.open.resize(state.modes.size());
-  std::set<std::tuple<Modes, unsigned, Box>> seen;
-  for_each_joint(all, faults, [&](const Modes& modes, unsigned cost, const Box& bounds) {
+  std::set<JointChoice> seen;
+  for_each_joint(all, faults, [&](const JointChoice& joint) {
+    const auto& [modes, cost, bounds] = joint;
     meter_.poll();
-    if (!seen.emplace(modes, cost, bounds).second || !step_.possible(modes)) return;
+    if (!seen.insert(joint).second || !step_.possible(modes)) return;
     if (cost == 0) open_exits(state.modes, modes, bounds, turn.exits);
     sequencer_.finish({automata::assignments_of(plant(), modes)});
     Outcome outcome = follow(state, modes);

@@ -6,11 +6,13 @@
 
 namespace rmpl::verifier {
 
-using automata::ComponentId;
-
 LoopInstants::LoopInstants(Loop& loop, LoopStateId root, std::size_t others,
-                           std::function<bool(const automata::Modes&)> ends)
-    : loop_(loop), root_(root), others_(others), ends_(std::move(ends)), live_(loop.live(loop[root].modes)) {
+                           base::FunctionRef<bool(const automata::Modes&)> ends)
+    : loop_(loop),
+      root_(root),
+      others_(others),
+      ends_(ends),
+      clocks_(loop.live(loop[root].modes), others + loop[root].groups.size()) {
   const auto& locations = loop.program().locations;
   own_clocks_ = std::any_of(locations.begin(), locations.end(), [](const auto& l) { return !l.own_clocks.empty(); });
   auto& sources = sources_[root.value];
@@ -23,27 +25,6 @@ std::optional<std::size_t> LoopInstants::group_clock(LoopStateId node, std::size
   return others_ + source;
 }
 
-std::optional<std::size_t> LoopInstants::clock_of(ComponentId component) const {
-  const auto at = std::lower_bound(live_.begin(), live_.end(), component);
-  if (at == live_.end() || *at != component) return std::nullopt;
-  return 1 + others_ + loop_[root_].groups.size() + static_cast<std::size_t>(at - live_.begin());
-}
-
-std::optional<ZoneBox> LoopInstants::translated(const Box& box, Units earlier, Units before_end) const {
-  ZoneBox result;
-  for (const ClockBound& bound : box) {
-    Interval range{std::max<Units>(bound.clock.lower - earlier, 0), bound.clock.upper};
-    if (range.upper != unbounded) range.upper -= before_end;
-    if (range.empty()) return std::nullopt;
-    if (const auto clock = clock_of(bound.component)) {
-      result.push_back({*clock, range});
-    } else if (!range.contains(0)) {
-      return std::nullopt;
-    }
-  }
-  return result;
-}
-
 const std::vector<ZoneBox>& LoopInstants::waits(std::uint64_t node) {
   const auto [at, fresh] = waits_.try_emplace(node);
   if (!fresh) return at->second;
@@ -51,7 +32,7 @@ const std::vector<ZoneBox>& LoopInstants::waits(std::uint64_t node) {
   const bool dense = loop_.time().is_dense();
   const std::shared_ptr<const Turn> turn = loop_.turn(LoopStateId(node));
   const auto add = [&](const Box& box, Units earlier, Units before_end) {
-    auto wait = translated(box, earlier, before_end);
+    auto wait = clocks_.translated(box, earlier, before_end);
     if (wait) result.push_back(std::move(*wait));
     return wait.has_value();
   };
@@ -113,7 +94,7 @@ bool LoopInstants::comes_back(const Outcome& outcome, LoopStateId from, Instant&
 
 void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, LoopStateId from,
                             std::vector<Instant>& result) {
-  const auto bounds = translated(outcome.bounds, 0, 0);
+  const auto bounds = clocks_.translated(outcome.bounds, 0, 0);
   if (!bounds) return;
   const LoopState& here = loop_[from];
   // A clock that has come to the end of its cell goes on to the next one, and never comes back.
@@ -134,10 +115,8 @@ void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, LoopStat
   if (there.marking.empty() == here.marking.empty() && !ends_(there.modes) && comes_back(outcome, from, step)) {
     step.leads_on = false;
     step.target = loop_.number(there).value;
-    for (std::size_t c = 0; c < there.modes.size(); ++c) {
-      const auto clock = clock_of(ComponentId(c));
-      if (there.modes[c] != loop_[from].modes[c] && clock) step.restarts.push_back(*clock);
-    }
+    const std::vector<std::size_t> moved = clocks_.restarted(loop_[from].modes, there.modes);
+    step.restarts.insert(step.restarts.end(), moved.begin(), moved.end());
   }
   result.push_back(std::move(step));
 }

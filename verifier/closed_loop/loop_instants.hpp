@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <map>
-#include <optional>
 
+#include "base/function_ref.hpp"
 #include "verifier/closed_loop/loop.hpp"
+#include "verifier/plant/instant_clocks.hpp"
 #include "verifier/search/standstill.hpp"
 
 namespace rmpl::verifier {
@@ -14,16 +14,14 @@ namespace rmpl::verifier {
 /// From one state on; nodes are numbers of states. Keeps references.
 class LoopInstants : public Instants {
  public:
-  /// `others` clocks come before those of the program in the zone. What leads to modes that `ends` holds for leads on.
-  LoopInstants(Loop& loop, LoopStateId root, std::size_t others, std::function<bool(const automata::Modes&)> ends);
+  /// `others` clocks come before those of the program in the zone. What leads to modes that `ends` holds for leads on;
+  /// it is kept as long as this object is.
+  LoopInstants(Loop& loop, LoopStateId root, std::size_t others, base::FunctionRef<bool(const automata::Modes&)> ends);
 
   const std::vector<ZoneBox>& waits(std::uint64_t node) override;
   const std::vector<Instant>& steps(std::uint64_t node) override;
 
  private:
-  [[nodiscard]] std::optional<std::size_t> clock_of(automata::ComponentId component) const;
-  /// Of the clocks of the root. Nothing where a clock that has started since is not within its bounds.
-  [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, Units earlier, Units before_end) const;
   /// The clock of the root that a group of a node reads, by its position there; none: it has started since, and reads
   /// 0.
   [[nodiscard]] std::optional<std::size_t> group_clock(LoopStateId node, std::size_t group) const;
@@ -35,8 +33,8 @@ class LoopInstants : public Instants {
   Loop& loop_;
   LoopStateId root_;
   std::size_t others_;
-  std::function<bool(const automata::Modes&)> ends_;
-  std::vector<automata::ComponentId> live_;  ///< at the root
+  base::FunctionRef<bool(const automata::Modes&)> ends_;
+  InstantClocks clocks_;
   bool own_clocks_ = false;                  ///< the program has some: what has started can be forgotten again
   /// By node, for each of its groups: 1 + the position at the root of the one that it is, or 0: it has started since.
   std::map<std::uint64_t, std::vector<std::size_t>> sources_;

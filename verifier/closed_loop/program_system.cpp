@@ -192,7 +192,7 @@ void ProgramSystem::enter(LoopStateId id, const Zone& zone, const Arrival& arriv
     // The period that brings it may be the first one to end after the deadline: that is too late.
     if (!now.constrain(1, {quest_.deadline, unbounded})) return;
   }
-  const std::vector<ClockLimits> clocks = limits(state);
+  const std::vector<ClockLimits> clocks = limits_in(state);
   const std::uint64_t discrete = (std::uint64_t{id.value} << phase_bits) | arrival.phase;
   Label label = arrival.label;
   bool whole = false;
@@ -288,7 +288,7 @@ std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& stat
   return 1 + extra() + state.groups.size() + static_cast<std::size_t>(at - live.begin());
 }
 
-std::vector<ClockLimits> ProgramSystem::limits(const LoopState& state) const {
+std::vector<ClockLimits> ProgramSystem::limits_in(const LoopState& state) const {
   std::vector<ClockLimits> result;
   if (stopwatch()) result.push_back({quest_.deadline, -1});
   if (progress_clock()) result.push_back({loop_.time().grain(), 0});

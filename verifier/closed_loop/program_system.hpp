@@ -126,7 +126,7 @@ class ProgramSystem : public TransitionSystem {
   void enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit);
   [[nodiscard]] bool wait(Zone& zone, const Box& box, LoopStateId id) const;
   [[nodiscard]] std::size_t clock_of(automata::ComponentId component, const LoopState& state) const;
-  [[nodiscard]] std::vector<ClockLimits> limits(const LoopState& state) const;
+  [[nodiscard]] std::vector<ClockLimits> limits_in(const LoopState& state) const;
   [[nodiscard]] std::optional<Standstill> stop_in(const Zone& zone, LoopStateId id);
   void enter_end(const SymbolicState& state, const Visit& visit);
   [[nodiscard]] bool is_wanted(const SymbolicState& state) const;

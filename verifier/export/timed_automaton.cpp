@@ -3,13 +3,12 @@
 #include "verifier/export/timed_automaton.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "verifier/plant/choices.hpp"
+#include "verifier/plant/joint_choices.hpp"
 #include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {
@@ -20,23 +19,6 @@ using automata::Modes;
 using automata::Plant;
 
 namespace {
-
-/// One choice for every component.
-using Joint = std::vector<Choice>;
-
-/// Visits every combination, in declaration order.
-void for_each_joint(const std::vector<std::vector<Choice>>& choices, const std::function<void(const Joint&)>& visit) {
-  Joint joint;
-  const std::function<void()> extend = [&] {
-    if (joint.size() == choices.size()) return visit(joint);
-    for (const Choice& choice : choices[joint.size()]) {
-      joint.push_back(choice);
-      extend();
-      joint.pop_back();
-    }
-  };
-  extend();
-}
 
 /// The modes that guards let follow each other, first come first. One combination of modes is one location or two:
 /// `running` lets time pass up to the invariant; `stopped` lets none pass, for where an untimed exit is forced or a
@@ -86,20 +68,9 @@ class Unfolding {
   };
 
   void start() {
-    std::vector<std::vector<Choice>> all;
-    for (const std::vector<automata::ModeId>& modes : initial_modes(plant_, question_.from)) {
-      auto& choices = all.emplace_back();
-      for (const automata::ModeId mode : modes) choices.push_back({mode, 0, {}});
-    }
-    for_each_joint(all, [&](const Joint& joint) {
-      if (const auto state = find(modes_of(joint))) result_.initial.push_back(location(*state, states_[*state].urgent));
+    base::for_each_combination(initial_modes(plant_, question_.from), [&](const Modes& modes) {
+      if (const auto state = find(modes)) result_.initial.push_back(location(*state, states_[*state].urgent));
     });
-  }
-
-  static Modes modes_of(const Joint& joint) {
-    Modes modes;
-    for (const Choice& choice : joint) modes.push_back(choice.mode);
-    return modes;
   }
 
   /// Nothing where the modes are impossible.
@@ -141,7 +112,7 @@ class Unfolding {
   void explore(std::size_t from) {
     const Modes modes = states_[from].modes;
     std::set<std::vector<std::vector<Choice>>> seen_choices;
-    std::set<Joint> seen;
+    std::set<JointChoice> seen;
     for_each_action(plant_, question_.commands, [&](const ControlAction& action) {
       meter_.poll();
       const automata::AllEnabled& enabled = step_.enabled(modes, action);
@@ -150,24 +121,22 @@ class Unfolding {
         all.push_back(choices(plant_.components[c], modes[c], enabled[c], result_.time));
       }
       if (!seen_choices.insert(all).second) return;
-      for_each_joint(all, [&](const Joint& joint) {
+      for_each_joint(all, question_.faults, [&](const JointChoice& joint) {
         meter_.poll();
         if (seen.insert(joint).second) step(from, modes, joint);
       });
     });
   }
 
-  void step(std::size_t from, const Modes& modes, const Joint& joint) {
-    Edge edge{0, 0, {}, {}, 0};
-    for (std::size_t c = 0; c < joint.size(); ++c) {
-      edge.faults += joint[c].faults;
-      if (!joint[c].clock.is_trivial()) edge.guard.push_back({clocks_[c], joint[c].clock});
-      const bool restarts = joint[c].mode != modes[c] && plant_.has_timed_exit(ComponentId(c), joint[c].mode);
+  void step(std::size_t from, const Modes& modes, const JointChoice& joint) {
+    if (joint.modes == modes) return;
+    Edge edge{0, 0, {}, {}, joint.faults};
+    for (const ClockBound& bound : joint.bounds) edge.guard.push_back({clocks_[bound.component.index()], bound.clock});
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      const bool restarts = joint.modes[c] != modes[c] && plant_.has_timed_exit(ComponentId(c), joint.modes[c]);
       if (restarts) edge.resets.push_back(clocks_[c]);
     }
-    const Modes next = modes_of(joint);
-    if (next == modes || edge.faults > question_.faults) return;
-    const auto to = find(next);
+    const auto to = find(joint.modes);
     if (!to) return;
     edge.to = location(*to, states_[*to].urgent);
     steps_.push_back({from, edge});

@@ -193,15 +193,18 @@ class Check {
   /// is all the while, a path with fewest steps of the cone is one of the plant.
   std::optional<Witness> search(const Observe& observe) {
     if (std::count(cone_.begin(), cone_.end(), false) > 0) {
-      situations_.freeze_all_but(cone_);
-      std::optional<Witness> witness = search_as_it_is(observe);
-      situations_.freeze_all_but({});
+      std::optional<Witness> witness = search_cone(observe);
       if (!witness || !failure_of_all(*witness)) return witness;
     }
     std::optional<Witness> witness = search_as_it_is(observe);
     if (!witness) return std::nullopt;
     if (const auto failure = failure_of_all(*witness)) throw base::InternalError("a witness fails: " + *failure);
     return witness;
+  }
+
+  std::optional<Witness> search_cone(const Observe& observe) {
+    const Situations::Frozen rest(situations_, cone_);
+    return search_as_it_is(observe);
   }
 
   /// Why the run, or one of the cut sets, is not possible in the plant or does not show what it is to show.
@@ -226,15 +229,20 @@ class Check {
     return failure_to_show(judge(), property_, options_.entailed, witness);
   }
 
+  /// In dense time, for as long as it lives, the steps that nothing else makes up for.
+  [[nodiscard]] std::unique_ptr<const Situations::FewerSteps> fewer_steps() {
+    if (!situations_.time().is_dense()) return nullptr;
+    return std::make_unique<const Situations::FewerSteps>(situations_, visible_);
+  }
+
   std::optional<Witness> search_cut_sets(PlantSystem& system) {
     FaultSets sets;
     system.tell_faults_apart(sets);
-    if (situations_.time().is_dense()) situations_.use(Steps::irreducible, visible_);
+    const auto fewer = fewer_steps();
     cut_sets_.clear();
     for (const CutPath& cut : minimal_cut_sets(system, sets, meter_)) {
       cut_sets_.push_back({cut.set.faults, witness_of(cut.path, system)});
     }
-    situations_.use(Steps::all, {});
     return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
   }
 
@@ -245,10 +253,9 @@ class Check {
     if (options_.cut_sets) return search_cut_sets(system);
     std::optional<Witness> any;
     if (situations_.time().is_dense() || options_.fewest_faults) {
-      if (situations_.time().is_dense()) situations_.use(Steps::irreducible, visible_);
+      const auto fewer = fewer_steps();
       const auto path = find_path(system, SearchOrder::covering, options_.threads, meter_);
       if (path) any = witness_of(*path, system);
-      situations_.use(Steps::all, {});
       cut_off_ = system.cut_off();
       if (!any || any_) return any;
     }

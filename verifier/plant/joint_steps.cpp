@@ -76,23 +76,32 @@ template <class Leaf>
 void JointSteps::product(const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf) {
   const std::vector<std::size_t> like = likes(options);
   std::vector<std::size_t> chosen(options.size());
-  const auto choose = [&](const auto& self, std::size_t position, unsigned so_far) -> void {
-    if (position == options.size()) return leaf();
-    meter_.poll();
-    for (std::size_t i = like[position] == position ? 0 : chosen[like[position]]; i < options[position].size(); ++i) {
-      const Option& option = options[position][i];
-      if (so_far + option.choice->faults > faults_) continue;
-      ahead_.modes[option.component] = option.choice == &stays ? modes_[option.component] : option.choice->mode;
-      if (nogoods_.refutes(ahead_, ComponentId(option.component))) continue;
-      chosen[position] = i;
-      ahead_.decided[option.component] = true;
-      taken.push_back(option);
-      self(self, position + 1, so_far + option.choice->faults);
-      taken.pop_back();
-      ahead_.decided[option.component] = false;
-    }
-  };
-  choose(choose, 0, faults);
+  unsigned so_far = faults;
+  base::multiply_out(
+      options,
+      [&](std::size_t position, std::size_t i) {
+        if (i == 0) meter_.poll();
+        if (like[position] != position && i < chosen[like[position]]) return false;
+        const Option& option = options[position][i];
+        if (so_far + option.choice->faults > faults_) return false;
+        ahead_.modes[option.component] = option.choice == &stays ? modes_[option.component] : option.choice->mode;
+        if (nogoods_.refutes(ahead_, ComponentId(option.component))) return false;
+        chosen[position] = i;
+        ahead_.decided[option.component] = true;
+        taken.push_back(option);
+        so_far += option.choice->faults;
+        return true;
+      },
+      [&](std::size_t position, std::size_t i) {
+        const Option& option = options[position][i];
+        so_far -= option.choice->faults;
+        taken.pop_back();
+        ahead_.decided[option.component] = false;
+      },
+      [&] {
+        leaf();
+        return false;
+      });
 }
 
 const Modes& JointSteps::after(const std::vector<Option>& taken) {

@@ -7,26 +7,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "base/function_ref.hpp"
 #include "verifier/plant/behaviour.hpp"
+#include "verifier/plant/joint_choices.hpp"
 #include "verifier/plant/nogoods.hpp"
 #include "verifier/property/commands.hpp"
 #include "verifier/search/limits.hpp"
 #include "verifier/symmetry/symmetry.hpp"
 
 namespace rmpl::verifier {
-
-/// An interval for the clock of one component, which is live.
-struct ClockBound {
-  automata::ComponentId component;
-  Interval clock;
-  auto operator<=>(const ClockBound&) const = default;
-};
-
-/// A box: all of its bounds hold. Sorted by component, trivial bounds left out.
-using Box = std::vector<ClockBound>;
 
 /// Components whose clocks may be past the bound up to which they can stay under idle controls, in dense time;
 /// ascending.
@@ -56,7 +47,7 @@ class JointSteps {
   void use_as(const JointSteps& other);
 
   /// A possible step: the modes that it leads to, the faults it costs, and where the clocks must be.
-  using Visit = std::function<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;
+  using Visit = base::FunctionRef<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;
 
   /// Every step from the possible `modes` under the action that changes a mode; the behaviours there are `idling` with
   /// idle controls, `here` under the action. Where steps are left out, no component but those that are `late` is past

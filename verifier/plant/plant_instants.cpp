@@ -2,36 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/plant_instants.hpp"
 
-#include <algorithm>
+#include <optional>
 
 namespace rmpl::verifier {
 
-using automata::ComponentId;
-
 PlantInstants::PlantInstants(Situations& situations, SituationId root, const Situation& here, std::size_t others,
                              const Zone& zone)
-    : situations_(situations), root_(root), here_(here), others_(others), zone_(zone) {}
-
-std::optional<std::size_t> PlantInstants::clock_of(ComponentId component) const {
-  const auto at = std::lower_bound(here_.live.begin(), here_.live.end(), component);
-  if (at == here_.live.end() || *at != component) return std::nullopt;
-  return 1 + others_ + static_cast<std::size_t>(at - here_.live.begin());
-}
-
-std::optional<ZoneBox> PlantInstants::translated(const Box& box, Units earlier, Units before_end) const {
-  ZoneBox result;
-  for (const ClockBound& bound : box) {
-    Interval range{std::max<Units>(bound.clock.lower - earlier, 0), bound.clock.upper};
-    if (range.upper != unbounded) range.upper -= before_end;
-    if (range.empty()) return std::nullopt;
-    if (const auto clock = clock_of(bound.component)) {
-      result.push_back({*clock, range});
-    } else if (!range.contains(0)) {
-      return std::nullopt;
-    }
-  }
-  return result;
-}
+    : situations_(situations), root_(root), here_(here), clocks_(here.live, others), zone_(zone) {}
 
 const std::vector<ZoneBox>& PlantInstants::waits(std::uint64_t node) {
   const auto [at, fresh] = waits_.try_emplace(node);
@@ -40,12 +17,12 @@ const std::vector<ZoneBox>& PlantInstants::waits(std::uint64_t node) {
   const Situation& there = SituationId(node) == root_ ? here_ : other.emplace(situations_[SituationId(node)]);
   for (const Box& box : there.waits) {
     // At its end a wait passes no more time.
-    if (auto wait = translated(box, 0, 1)) at->second.push_back(std::move(*wait));
+    if (auto wait = clocks_.translated(box, 0, 1)) at->second.push_back(std::move(*wait));
   }
   // What would come where a fault is certain, only the budget leaves out.
   for (const ClockBound& bound : there.faulty) {
     const Units period = situations_.time().is_dense() ? 0 : 1;
-    if (auto faulty = translated({bound}, period, period)) at->second.push_back(std::move(*faulty));
+    if (auto faulty = clocks_.translated({bound}, period, period)) at->second.push_back(std::move(*faulty));
   }
   if (!situations_.time().is_dense() && SituationId(node) == root_) add_periods(at->second);
   return at->second;
@@ -56,14 +33,14 @@ void PlantInstants::add_periods(std::vector<ZoneBox>& result) {
   const auto moves = situations_.moves(root_, {});
   for (const JointStep& move : *moves) {
     if (move.faults > 0) continue;
-    if (auto box = translated(move.bounds, move.hold ? 0 : 1, 1)) result.push_back(std::move(*box));
+    if (auto box = clocks_.translated(move.bounds, move.hold ? 0 : 1, 1)) result.push_back(std::move(*box));
   }
 }
 
 Late PlantInstants::late(const Situation& there) const {
   Late result;
   for (std::size_t i = 0; i < there.live.size(); ++i) {
-    const auto clock = clock_of(there.live[i]);
+    const auto clock = clocks_.clock_of(there.live[i]);
     const Units reading = clock ? zone_.upper(*clock) : 0;
     if (there.stays_until[i] >= 0 && reading > there.stays_until[i]) result.push_back(there.live[i]);
   }
@@ -78,15 +55,10 @@ const std::vector<Instant>& PlantInstants::steps(std::uint64_t node) {
   for (std::size_t m = 0; m < moves->size(); ++m) {
     const JointStep& move = (*moves)[m];
     if (move.faults > 0 || move.hold) continue;
-    auto bounds = translated(move.bounds, 0, 0);
+    auto bounds = clocks_.translated(move.bounds, 0, 0);
     if (!bounds) continue;
-    std::vector<std::size_t> restarts;
-    for (std::size_t c = 0; c < there.modes.size(); ++c) {
-      const auto clock = clock_of(ComponentId(c));
-      if (there.modes[c] != move.target[c] && clock) restarts.push_back(*clock);
-    }
     at->second.push_back({situations_.number(move.target).value, static_cast<std::uint32_t>(m), std::move(*bounds),
-                          std::move(restarts), false});
+                          clocks_.restarted(there.modes, move.target), false});
   }
   return at->second;
 }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <map>
-#include <optional>
 
+#include "verifier/plant/instant_clocks.hpp"
 #include "verifier/plant/situation.hpp"
 #include "verifier/search/standstill.hpp"
 
@@ -20,16 +20,13 @@ class PlantInstants : public Instants {
   const std::vector<Instant>& steps(std::uint64_t node) override;
 
  private:
-  [[nodiscard]] std::optional<std::size_t> clock_of(automata::ComponentId component) const;
-  /// Of the clocks of the root. Nothing where a clock that has started since is not within its bounds.
-  [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, Units earlier, Units before_end) const;
   [[nodiscard]] Late late(const Situation& there) const;
   void add_periods(std::vector<ZoneBox>& result);
 
   Situations& situations_;
   SituationId root_;
   const Situation& here_;
-  std::size_t others_;
+  InstantClocks clocks_;
   const Zone& zone_;
   std::map<std::uint64_t, std::vector<ZoneBox>> waits_;
   std::map<std::uint64_t, std::vector<Instant>> steps_;

@@ -230,11 +230,11 @@ class Copy : private Parts, public PlantSystem {
 
 }  // namespace
 
-std::unique_ptr<TransitionSystem> PlantSystem::copy(const Limits& limits) const {
+std::unique_ptr<CopyableSystem> PlantSystem::copy(const Limits& limits) const {
   return std::make_unique<Copy>(situations_, limits, observe_, symmetry_, start_);
 }
 
-TransitionSystem::Key PlantSystem::key(std::uint64_t discrete) const {
+CopyableSystem::Key PlantSystem::key(std::uint64_t discrete) const {
   Key result = {static_cast<std::uint32_t>(phase_of(discrete))};
   for (const automata::ModeId mode : situations_.modes(situation_of(discrete))) result.push_back(mode.value);
   return result;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "verifier/plant/fault_sets.hpp"
 #include "verifier/plant/observer.hpp"
 #include "verifier/plant/situation.hpp"
@@ -16,7 +18,7 @@ namespace rmpl::verifier {
 /// symmetry makes alike, one is visited.
 ///
 /// Clocks, in this order: the observer's stopwatch where it runs, then those of the live components.
-class PlantSystem : public TransitionSystem {
+class PlantSystem : public CopyableSystem {
  public:
   /// An observer that asks a step function about modes. Called for copies from their threads.
   using Observe = std::function<Observer(automata::PlantStep&)>;
@@ -34,8 +36,8 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] unsigned fault_count(unsigned faults) const override;
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override;
   /// None where faults are told apart.
-  [[nodiscard]] bool has_copies() const override { return sets_ == nullptr; }
-  [[nodiscard]] std::unique_ptr<TransitionSystem> copy(const Limits& limits) const override;
+  [[nodiscard]] CopyableSystem* copyable() override { return sets_ == nullptr ? this : nullptr; }
+  [[nodiscard]] std::unique_ptr<CopyableSystem> copy(const Limits& limits) const override;
   /// The phase, then the modes.
   [[nodiscard]] Key key(std::uint64_t discrete) const override;
   [[nodiscard]] std::uint64_t number(const Key& key) override;
@@ -61,7 +63,7 @@ class PlantSystem : public TransitionSystem {
     Zone zone;
     Label label;
   };
-  using VisitEntered = std::function<void(Entered&&)>;
+  using VisitEntered = base::FunctionRef<void(Entered&&)>;
   void enumerate_initial(const VisitEntered& visit);
   void enumerate_successors(const SymbolicState& state, const VisitEntered& visit);
   /// The state that is visited in its place; `applied`, where wanted, becomes the permutation that leads there.

@@ -166,19 +166,11 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
 }
 
 std::vector<Modes> Situations::initial(const std::vector<Assignment>& from) {
-  std::vector<Modes> result = {{}};
-  for (const std::vector<ModeId>& own : initial_modes(plant(), from)) {
-    std::vector<Modes> longer;
-    for (const Modes& modes : result) {
-      for (const ModeId mode : own) {
-        meter_.poll();
-        longer.push_back(modes);
-        longer.back().push_back(mode);
-      }
-    }
-    result = std::move(longer);
-  }
-  std::erase_if(result, [&](const Modes& modes) { return !step_.possible(modes); });
+  std::vector<Modes> result;
+  base::for_each_combination(initial_modes(plant(), from), [&](const Modes& modes) {
+    meter_.poll();
+    if (step_.possible(modes)) result.push_back(modes);
+  });
   return result;
 }
 

@@ -50,13 +50,35 @@ class Situations {
   [[nodiscard]] unsigned faults() const { return faults_; }
   [[nodiscard]] const TimeModel& time() const { return behaviours_.time(); }
   [[nodiscard]] const automata::ControlAction& action(std::uint32_t position) const { return actions_[position]; }
-  /// Which joint steps are moves, from here on (JointSteps); all of them to begin with.
-  void use(Steps steps, const std::vector<automata::ComponentId>& visible);
+  /// While it lives, only the irreducible joint steps are moves (JointSteps); else all are.
+  class [[nodiscard]] FewerSteps {
+   public:
+    FewerSteps(Situations& situations, const std::vector<automata::ComponentId>& visible) : situations_(situations) {
+      situations_.use(Steps::irreducible, visible);
+    }
+    ~FewerSteps() { situations_.use(Steps::all, {}); }
+    FewerSteps(const FewerSteps&) = delete;
+    FewerSteps& operator=(const FewerSteps&) = delete;
+
+   private:
+    Situations& situations_;
+  };
+  /// While it lives, all components but these, by component, are frozen (Behaviours); else all move.
+  class [[nodiscard]] Frozen {
+   public:
+    Frozen(Situations& situations, std::vector<bool> moving) : situations_(situations) {
+      situations_.freeze_all_but(std::move(moving));
+    }
+    ~Frozen() { situations_.freeze_all_but({}); }
+    Frozen(const Frozen&) = delete;
+    Frozen& operator=(const Frozen&) = delete;
+
+   private:
+    Situations& situations_;
+  };
 
   /// From here on moves are told up to the symmetry (JointSteps::up_to). Keeps a reference.
   void up_to(const Symmetry& symmetry);
-  /// From here on all components but these, by component, are frozen (Behaviours); none: all move.
-  void freeze_all_but(std::vector<bool> moving);
 
   /// The number of possible modes.
   SituationId number(const automata::Modes& modes) { return SituationId(table_.intern(modes)); }
@@ -73,6 +95,8 @@ class Situations {
   std::vector<automata::Modes> initial(const std::vector<automata::Assignment>& from);
 
  private:
+  void use(Steps steps, const std::vector<automata::ComponentId>& visible);
+  void freeze_all_but(std::vector<bool> moving);
   std::uint32_t position_of(const automata::ControlAction& action);
   [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
   [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes, const Late& late);

@@ -15,7 +15,7 @@ std::size_t values_of(const Plant& plant, std::size_t control) {
 }
 
 /// Idle first, then combinations like the readings of a counter whose last digit is the last control.
-void for_each_combination(const Plant& plant, const std::function<void(const ControlAction&)>& visit) {
+void for_each_combination(const Plant& plant, base::FunctionRef<void(const ControlAction&)> visit) {
   const ControlAction idle = automata::idle_action(plant);
   visit(idle);
   ControlAction action(plant.controls.size(), ValueId(0));
@@ -30,7 +30,7 @@ void for_each_combination(const Plant& plant, const std::function<void(const Con
 
 }  // namespace
 
-void for_each_action(const Plant& plant, Commands commands, const std::function<void(const ControlAction&)>& visit) {
+void for_each_action(const Plant& plant, Commands commands, base::FunctionRef<void(const ControlAction&)> visit) {
   if (commands == Commands::any) return for_each_combination(plant, visit);
   ControlAction action = automata::idle_action(plant);
   visit(action);

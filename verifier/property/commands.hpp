@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-
 #include "automata/state.hpp"
+#include "base/function_ref.hpp"
 
 namespace rmpl::verifier {
 
@@ -17,7 +16,7 @@ enum class Commands {
 /// Every free control action, each once: first idle, then in declaration order of controls and values. One at a time,
 /// as `any` may be very many.
 void for_each_action(const automata::Plant& plant, Commands commands,
-                     const std::function<void(const automata::ControlAction&)>& visit);
+                     base::FunctionRef<void(const automata::ControlAction&)> visit);
 
 /// Whether the control action is among them.
 bool is_free(const automata::Plant& plant, Commands commands, const automata::ControlAction& action);

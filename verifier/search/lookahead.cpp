@@ -7,9 +7,8 @@
 
 namespace rmpl::verifier {
 
-Lookahead::Lookahead(TransitionSystem& system, unsigned threads, Meter& meter) : system_(system), meter_(meter) {
+Lookahead::Lookahead(CopyableSystem& system, unsigned threads, Meter& meter) : system_(system), meter_(meter) {
   limits_.interrupted = &stopped_;
-  if (!system.has_copies()) return;
   for (unsigned t = 1; t < threads; ++t) workers_.emplace_back([this] { work(); });
 }
 
@@ -74,7 +73,7 @@ void Lookahead::successors(std::uint32_t node, const SymbolicState& state, const
 }
 
 void Lookahead::work() {
-  std::unique_ptr<TransitionSystem> copy;
+  std::unique_ptr<CopyableSystem> copy;
   while (true) {
     std::shared_ptr<Task> task;
     {
@@ -101,7 +100,7 @@ void Lookahead::work() {
   }
 }
 
-void Lookahead::work_out(TransitionSystem& copy, Task& task) {
+void Lookahead::work_out(CopyableSystem& copy, Task& task) {
   copy.successors({copy.number(task.key), task.faults, std::move(task.zone)},
                   [&](SymbolicState&& next, const Label& label) {
                     task.successors.push_back({copy.key(next.discrete), next.faults, std::move(next.zone), label});

@@ -25,7 +25,7 @@ class Lookahead {
  public:
   /// `threads` counts the caller's. Each of the others works with a copy of the system; none is started where the
   /// system has none. Keeps references; the meter is polled, by the caller's thread alone.
-  Lookahead(TransitionSystem& system, unsigned threads, Meter& meter);
+  Lookahead(CopyableSystem& system, unsigned threads, Meter& meter);
   Lookahead(const Lookahead&) = delete;
   Lookahead& operator=(const Lookahead&) = delete;
   ~Lookahead();
@@ -48,13 +48,13 @@ class Lookahead {
   static constexpr std::size_t states_a_thread = 32;
 
   struct Successor {
-    TransitionSystem::Key key;
+    CopyableSystem::Key key;
     unsigned faults;
     Zone zone;
     Label label;
   };
   struct Task {
-    TransitionSystem::Key key;
+    CopyableSystem::Key key;
     unsigned faults;
     Zone zone;
     enum class Progress { waiting, taken, done } progress = Progress::waiting;
@@ -63,9 +63,9 @@ class Lookahead {
   };
 
   void work();
-  void work_out(TransitionSystem& copy, Task& task);
+  void work_out(CopyableSystem& copy, Task& task);
 
-  TransitionSystem& system_;
+  CopyableSystem& system_;
   Meter& meter_;
   std::atomic<bool> stopped_ = false;
   Limits limits_;  ///< of the copies

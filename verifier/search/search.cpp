@@ -20,6 +20,7 @@ class Search {
       : system_(system),
         order_(order),
         threads_(threads),
+        copyable_(threads > 1 ? system.copyable() : nullptr),
         meter_(meter),
         passed_(system, order == SearchOrder::fewest_steps) {}
 
@@ -62,8 +63,8 @@ class Search {
  private:
   /// Tells the other threads what comes next in the queue.
   void announce(const std::deque<std::uint32_t>& queue) {
-    if (threads_ > 1 && !lookahead_ && meter_.progress().seconds - begun_ > seconds_alone) {
-      lookahead_.emplace(system_, threads_, meter_);
+    if (copyable_ != nullptr && !lookahead_ && meter_.progress().seconds - begun_ > seconds_alone) {
+      lookahead_.emplace(*copyable_, threads_, meter_);
     }
     if (!lookahead_ || !lookahead_->runs_dry()) return;
     const std::size_t ahead = std::min(queue.size(), lookahead_->window());
@@ -90,6 +91,7 @@ class Search {
   TransitionSystem& system_;
   SearchOrder order_;
   unsigned threads_;
+  CopyableSystem* copyable_;  ///< none: explored by one thread
   Meter& meter_;
   double begun_ = meter_.progress().seconds;
   Passed passed_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/steps_at.hpp"
 
+#include "base/product.hpp"
 #include "verifier/witness/rules.hpp"
 
 namespace rmpl::verifier {
@@ -11,7 +12,7 @@ using automata::ModeId;
 using automata::Modes;
 using automata::Ticks;
 
-bool StepsAt::any(const ControlAction& action, const std::function<bool(const Modes&)>& visit) {
+bool StepsAt::any(const ControlAction& action, base::FunctionRef<bool(const Modes&)> visit) {
   const automata::Plant& plant = rules_.plant();
   const std::vector<automata::Enabled> enabled = rules_.enabled(state_.modes, action);
   std::vector<std::vector<ModeId>> options;
@@ -24,26 +25,28 @@ bool StepsAt::any(const ControlAction& action, const std::function<bool(const Mo
     }
   }
   Modes next;
-  const std::function<bool(std::size_t)> extend = [&](std::size_t changes) {
-    if (next.size() < options.size()) {
-      const std::size_t c = next.size();
-      for (const ModeId mode : options[c]) {
-        next.push_back(mode);
-        const bool found = extend(changes + (mode != state_.modes[c] ? 1 : 0));
+  std::size_t changes = 0;
+  const auto is_change = [&](std::size_t c, std::size_t i) { return options[c][i] != state_.modes[c] ? 1U : 0U; };
+  return base::multiply_out(
+      options,
+      [&](std::size_t c, std::size_t i) {
+        next.push_back(options[c][i]);
+        changes += is_change(c, i);
+        return true;
+      },
+      [&](std::size_t c, std::size_t i) {
         next.pop_back();
-        if (found) return true;
-      }
-      return false;
-    }
-    if (changes == 0 && !period_) return false;
-    if (rules_.possible(next)) return visit(next);
-    if (refused_.empty() || changes < changes_) {
-      refused_ = next;
-      changes_ = changes;
-    }
-    return false;
-  };
-  return extend(0);
+        changes -= is_change(c, i);
+      },
+      [&] {
+        if (changes == 0 && !period_) return false;
+        if (rules_.possible(next)) return visit(next);
+        if (refused_.empty() || changes < changes_) {
+          refused_ = next;
+          changes_ = changes;
+        }
+        return false;
+      });
 }
 
 bool StepsAt::time_passes(const ControlAction& action) {

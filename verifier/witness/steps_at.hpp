@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "automata/step/plain_step.hpp"
+#include "base/function_ref.hpp"
 
 namespace rmpl::verifier {
 
@@ -20,7 +20,7 @@ class StepsAt {
 
   /// Visits what each step leads to until `visit` returns true; then that is the answer. In dense time a step changes a
   /// mode. What contradicts the constraints is no step: of such modes, those with the fewest changes are kept.
-  bool any(const automata::ControlAction& action, const std::function<bool(const automata::Modes&)>& visit);
+  bool any(const automata::ControlAction& action, base::FunctionRef<bool(const automata::Modes&)> visit);
   /// Modes that no step leads to as they are impossible; empty where there are none.
   [[nodiscard]] const automata::Modes& refused() const { return refused_; }
   /// In dense time: whether time may pass.

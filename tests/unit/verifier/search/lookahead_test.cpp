@@ -14,7 +14,7 @@ namespace {
 
 /// Numbers n with steps to 2n + 1 and 2n + 2 below a bound. A copy numbers its states in the order in which it meets
 /// them, as real ones do.
-class Tree : public TransitionSystem {
+class Tree : public CopyableSystem {
  public:
   explicit Tree(std::uint32_t bound, std::uint32_t fails_at = UINT32_MAX) : bound_(bound), fails_at_(fails_at) {}
 
@@ -28,8 +28,8 @@ class Tree : public TransitionSystem {
     }
   }
   [[nodiscard]] bool accepts(const SymbolicState& state) const override { return key(state.discrete)[0] + 1 == bound_; }
-  [[nodiscard]] bool has_copies() const override { return true; }
-  [[nodiscard]] std::unique_ptr<TransitionSystem> copy(const Limits& /*limits*/) const override {
+  [[nodiscard]] CopyableSystem* copyable() override { return this; }
+  [[nodiscard]] std::unique_ptr<CopyableSystem> copy(const Limits& /*limits*/) const override {
     return std::make_unique<Tree>(bound_, fails_at_);
   }
   [[nodiscard]] Key key(std::uint64_t discrete) const override { return {met_[discrete]}; }

@@ -1,0 +1,33 @@
+// The clocks of an instant: bounds on components, whatever has started anew since, as bounds on the zone it began in.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "verifier/plant/joint_choices.hpp"
+#include "verifier/search/standstill.hpp"
+
+namespace rmpl::verifier {
+
+/// The live components at the start of the instant, whose clocks are the last ones of the zone.
+class InstantClocks {
+ public:
+  /// `others` clocks come before those of the live components, which are ascending.
+  InstantClocks(std::vector<automata::ComponentId> live, std::size_t others)
+      : live_(std::move(live)), others_(others) {}
+
+  /// Nothing where the component was not live.
+  [[nodiscard]] std::optional<std::size_t> clock_of(automata::ComponentId component) const;
+  /// The box, `earlier` units before it and ended so many before its end. Nothing where it is empty, or a clock that
+  /// has started since is not within its bounds.
+  [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, Units earlier, Units before_end) const;
+  /// The clocks of those that change their modes.
+  [[nodiscard]] std::vector<std::size_t> restarted(const automata::Modes& from, const automata::Modes& to) const;
+
+ private:
+  std::vector<automata::ComponentId> live_;
+  std::size_t others_;
+};
+
+}  // namespace rmpl::verifier
