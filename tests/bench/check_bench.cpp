@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
+#include "base/check.hpp"
 #include "tests/bench/example.hpp"
 #include "verifier/plant/check.hpp"
 
@@ -19,7 +20,9 @@ void check(benchmark::State& state, const char* file, const char* target, std::o
   std::size_t states = 0;
   for (auto _ : state) {
     automata::PlantStep step(plant);
-    states = verifier::check(step, property, options, {}).progress.states;
+    const verifier::Answer answer = verifier::check(step, property, options, {});
+    CHECK(answer.verdict == verifier::Verdict::holds && answer.witness);
+    states = answer.progress.states;
   }
   state.counters["states"] = static_cast<double>(states);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/check.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
@@ -24,9 +25,13 @@ void estimation_cycle(benchmark::State& state) {
   const auto estimator = runtime::make_k_best_estimator(step, {.live_clocks_only = true});
   const automata::ControlAction idle = automata::idle_action(step.plant());
   Ticks now;
-  for (auto _ : state) benchmark::DoNotOptimize(estimator->update(idle, {}, now += cycle));
+  for (auto _ : state) CHECK(estimator->update(idle, {}, now += cycle).consistent);
 }
 BENCHMARK(estimation_cycle)->Unit(benchmark::kMicrosecond);
+
+bool is_command(const runtime::Reconfiguration& answer) {
+  return answer.outcome == runtime::Reconfiguration::Outcome::command;
+}
 
 /// The first command of the propulsion example, asked anew each time.
 void reconfiguration_anew(benchmark::State& state) {
@@ -39,7 +44,7 @@ void reconfiguration_anew(benchmark::State& state) {
     automata::PlantStep step(plant);
     const auto reconfigurer = runtime::make_reconfigurer(step);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(reconfigurer->next(start, goal));
+    CHECK(is_command(reconfigurer->next(start, goal)));
   }
 }
 BENCHMARK(reconfiguration_anew)->Unit(benchmark::kMicrosecond);
@@ -52,7 +57,7 @@ void reconfiguration_again(benchmark::State& state) {
   const automata::Modes start(plant.components.size());
   automata::PlantStep step(plant);
   const auto reconfigurer = runtime::make_reconfigurer(step);
-  for (auto _ : state) benchmark::DoNotOptimize(reconfigurer->next(start, goal));
+  for (auto _ : state) CHECK(is_command(reconfigurer->next(start, goal)));
 }
 BENCHMARK(reconfiguration_again)->Unit(benchmark::kMicrosecond);
 
@@ -84,7 +89,8 @@ void fly(benchmark::State& state, const char* file) {
   Stopwatch stopwatch;
   for (auto _ : state) {
     stopwatch.start_again();
-    benchmark::DoNotOptimize(runtime::run_scenario(document, document.scenarios.front(), {}, {&stopwatch}));
+    const auto flown = runtime::run_scenario(document, document.scenarios.front(), {}, {&stopwatch});
+    CHECK(flown.verdict() == runtime::Judgement::Verdict::met);
   }
   state.counters["p99_us"] = 1e6 * stopwatch.p99();
   state.counters["cycles"] = static_cast<double>(stopwatch.cycles()) / static_cast<double>(state.iterations());

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "tools/rmpl-run/scenario_junit.hpp"
 
-#include "verifier/verdict/junit.hpp"
+#include "base/junit.hpp"
 
 namespace rmpl::tools {
 namespace {
 
+using base::TestCase;
 using runtime::Judgement;
-using verifier::TestCase;
 
 TestCase::Outcome outcome_of(Judgement::Verdict verdict) {
   switch (verdict) {
@@ -55,7 +55,7 @@ std::string to_junit(const std::string& suite, const std::vector<Flown>& flights
                      flown.result.interrupted ? "interrupted" : "",
                      {}});
   }
-  return verifier::to_junit(suite, cases);
+  return base::to_junit(suite, cases);
 }
 
 }  // namespace rmpl::tools

@@ -14,7 +14,7 @@ namespace rmpl::tools {
 using verifier::Commands;
 using verifier::Verdict;
 
-void add_freedom(CLI::App& command, Freedom& freedom) {
+void add_freedom(CLI::App& command, Freedom& freedom, bool formula) {
   const auto period = [](const std::string& text) {
     return text == "dense" ? std::nullopt : std::optional(positive_duration(text));
   };
@@ -24,8 +24,10 @@ void add_freedom(CLI::App& command, Freedom& freedom) {
   constexpr std::uint64_t most = 1'000'000;
   add_whole_number(command, "--faults", freedom.faults, 0, most, "the most faults that may happen (default: 0)")
       ->option_text("K");
-  command.add_flag("--entailed", freedom.entailed,
-                   "a formula holds where the constraints imply it, not where they allow it");
+  if (formula) {
+    command.add_flag("--entailed", freedom.entailed,
+                     "a formula holds where the constraints imply it, not where they allow it");
+  }
   add_text(command, "--from", freedom.from, "MODES",
            "modes to start in, such as 'engine = off'; what is not named starts as in the plant");
 }

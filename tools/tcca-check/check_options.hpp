@@ -23,7 +23,8 @@ struct Freedom {
   bool entailed = false;
   std::string from;  ///< assignments; empty: the initial distribution
 };
-void add_freedom(CLI::App& command, Freedom& freedom);
+/// `formula`: what is asked has one, to be read in either way.
+void add_freedom(CLI::App& command, Freedom& freedom, bool formula = true);
 
 /// What a search may cost.
 struct Budget {

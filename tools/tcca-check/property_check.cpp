@@ -30,12 +30,8 @@ verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& 
   return result;
 }
 
-}  // namespace
-
-void add_property_options(CLI::App& command, PropertyOptions& options, Common& common) {
-  add_model(command, options.model);
-  add_freedom(command, options.freedom);
-  add_commands(command, options.commands);
+/// Which traces are wanted, where one is not as good as another.
+void add_choice_of_traces(CLI::App& command, PropertyOptions& options) {
   CLI::Option* fewest =
       command.add_flag("--fewest-faults", options.fewest_faults,
                        "a trace with the least number of faults there is; --faults bounds how many are tried");
@@ -44,6 +40,15 @@ void add_property_options(CLI::App& command, PropertyOptions& options, Common& c
                    "every minimal set of up to so many faults that leads to a trace")
       ->excludes(fewest)
       ->excludes(command.get_option("--faults"));
+}
+
+}  // namespace
+
+void add_property_options(CLI::App& command, PropertyOptions& options, Common& common, Asked asked) {
+  add_model(command, options.model);
+  add_freedom(command, options.freedom, asked == Asked::formula);
+  add_commands(command, options.commands);
+  if (asked == Asked::formula) add_choice_of_traces(command, options);
   add_threads(command, options.threads);
   command.add_flag("--no-symmetry", options.no_symmetry,
                    "explore also what differs only in the names of like components");

@@ -21,7 +21,10 @@ struct PropertyOptions {
   unsigned threads = 1;
   bool statistics = false;
 };
-void add_property_options(CLI::App& command, PropertyOptions& options, Common& common);
+
+/// What is asked: whether a formula holds somewhere, or for any dead end, of which one is enough.
+enum class Asked { formula, dead_end };
+void add_property_options(CLI::App& command, PropertyOptions& options, Common& common, Asked asked = Asked::formula);
 
 /// When a formula counts, and which trace is wanted.
 struct WindowOptions {

@@ -11,11 +11,7 @@ void add_stuck(Program& program) {
   CLI::App* command = program.app().add_subcommand(
       "stuck", "can something follow wherever the plant comes, and does time pass? no: the way there");
   const auto options = std::make_shared<PropertyOptions>();
-  add_property_options(*command, *options, program.common());
-  // There is no formula, and one dead end is enough.
-  for (const char* name : {"--entailed", "--fewest-faults", "--cut-sets"}) {
-    command->remove_option(command->get_option(name));
-  }
+  add_property_options(*command, *options, program.common(), Asked::dead_end);
   program.add({command, [options, &common = program.common()] {
                  return check_property(*options, common, "stuck",
                                        [](const automata::Plant&) { return verifier::Stuck{}; });

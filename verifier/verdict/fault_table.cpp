@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "verifier/verdict/junit.hpp"
+#include "base/junit.hpp"
 #include "verifier/verdict/question_json.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/trace.hpp"
@@ -124,8 +124,8 @@ std::string to_text(const Subject& subject, const FaultTable& table) {
 }
 
 std::string to_junit(const Subject& subject, const FaultTable& table) {
-  using enum TestCase::Outcome;
-  std::vector<TestCase> cases;
+  using enum base::TestCase::Outcome;
+  std::vector<base::TestCase> cases;
   for (const FaultOutcome& row : table.rows) {
     cases.push_back({.name = name_of(subject, row),
                      .classname = subject.plant.name + "." + subject.program->name,
@@ -136,7 +136,7 @@ std::string to_junit(const Subject& subject, const FaultTable& table) {
                      .message = outcome_text(row),
                      .text = failure_text(subject, row)});
   }
-  return to_junit(title(subject), cases);
+  return base::to_junit(title(subject), cases);
 }
 
 }  // namespace rmpl::verifier

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/junit.hpp"
 #include "verifier/verdict/cause.hpp"
-#include "verifier/verdict/junit.hpp"
 #include "verifier/verdict/question_json.hpp"
 #include "verifier/verdict/trace.hpp"
 #include "verifier/verdict/wording.hpp"
@@ -147,14 +147,14 @@ ordered_json to_json(const Subject& subject, const ProgramQuestion& question, co
 
 std::string to_junit(const Subject& subject, const std::vector<Property>& properties,
                      const std::vector<Answer>& answers) {
-  std::vector<TestCase> cases;
+  std::vector<base::TestCase> cases;
   for (std::size_t p = 0; p < properties.size(); ++p) {
     const Verdict verdict = answers[p].verdict;
     const std::string report = to_text(subject, {properties[p], {}}, answers[p], false);
     const auto headline = report.find('\n');
     const auto* asked = std::get_if<ProgramProperty>(&properties[p]);
     const std::string formula = asked != nullptr ? asked->text : "";
-    using enum TestCase::Outcome;
+    using enum base::TestCase::Outcome;
     cases.push_back({.name = name_of(properties[p]) + (formula.empty() ? "" : " " + formula),
                      .classname = subject.plant.name + "." + subject.program->name,
                      .seconds = p == 0 ? answers.back().progress.seconds : 0.0,
@@ -165,7 +165,7 @@ std::string to_junit(const Subject& subject, const std::vector<Property>& proper
                      .message = report.substr(0, headline),
                      .text = report.substr(headline + 1)});
   }
-  return to_junit(title(subject), cases);
+  return base::to_junit(title(subject), cases);
 }
 
 ordered_json statistics_of(const Progress& progress) {

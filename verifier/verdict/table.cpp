@@ -6,7 +6,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "verifier/verdict/junit.hpp"
+#include "base/junit.hpp"
+#include "base/painter.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/wording.hpp"
 
@@ -17,9 +18,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const char* color_of(const Claim& claim) {
-  if (!claim.decided()) return "\033[33m";
-  return claim.as_expected() ? "\033[32m" : "\033[31m";
+std::string paint(const Claim& claim, const std::string& verdict, const base::Painter& painter) {
+  if (!claim.decided()) return painter.doubtful(verdict);
+  return claim.as_expected() ? painter.good(verdict) : painter.bad(verdict);
 }
 
 /// What has to be said of a verdict beside its word.
@@ -68,7 +69,7 @@ std::string to_table(const Plant& plant, const std::vector<Claim>& claims, bool 
   std::string text;
   for (const Claim& claim : claims) {
     const std::string verdict(to_text(claim.answer.verdict));
-    const std::string painted = color ? color_of(claim) + verdict + "\033[0m" : verdict;
+    const std::string painted = paint(claim, verdict, {color});
     std::string line = claim.name + std::string(width - claim.name.size() + 2, ' ') + painted;
     std::string after = remark(claim);
     if (statistics) {
@@ -101,9 +102,9 @@ ordered_json to_json(const Plant& plant, const std::vector<Claim>& claims) {
 }
 
 std::string to_junit(const Plant& plant, const std::vector<Claim>& claims) {
-  std::vector<TestCase> cases;
+  std::vector<base::TestCase> cases;
   for (const Claim& claim : claims) {
-    using Outcome = TestCase::Outcome;
+    using Outcome = base::TestCase::Outcome;
     const std::string after = remark(claim);
     cases.push_back({.name = claim.name,
                      .classname = plant.name + "." + name_of(claim.question.property),
@@ -114,7 +115,7 @@ std::string to_junit(const Plant& plant, const std::vector<Claim>& claims) {
                      .message = std::string(to_text(claim.answer.verdict)) + (after.empty() ? "" : ": " + after),
                      .text = trace_of(plant, claim)});
   }
-  return to_junit(plant.name, cases);
+  return base::to_junit(plant.name, cases);
 }
 
 }  // namespace rmpl::verifier

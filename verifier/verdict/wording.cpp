@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/overloaded.hpp"
+#include "base/painter.hpp"
 #include "verifier/verdict/cause.hpp"
 #include "verifier/verdict/trace.hpp"
 
@@ -98,10 +99,16 @@ std::string_view to_text(Verdict verdict) {
 }
 
 std::string painted(Verdict verdict, bool color, bool warning) {
-  const std::string text(to_text(verdict));
-  if (!color) return text;
-  const char* code = verdict == Verdict::holds ? "32" : verdict == Verdict::violated && !warning ? "31" : "33";
-  return "\033[1;" + std::string(code) + "m" + text + "\033[0m";
+  const base::Painter painter{color};
+  switch (verdict) {
+    case Verdict::holds:
+      return painter.good(to_text(verdict));
+    case Verdict::violated:
+      return warning ? painter.doubtful(to_text(verdict)) : painter.bad(to_text(verdict));
+    case Verdict::undecided:
+      break;
+  }
+  return painter.doubtful(to_text(verdict));
 }
 
 std::string reason(std::optional<Limit> limit, const Progress& p) {

@@ -1,13 +1,13 @@
 // JUnit XML: the subset that readers agree on.
 // SPDX-License-Identifier: MIT
-#include "verifier/verdict/junit.hpp"
+#include "base/junit.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <pugixml.hpp>
 #include <sstream>
 
-namespace rmpl::verifier {
+namespace rmpl::base {
 
 std::string to_junit(const std::string& suite, const std::vector<TestCase>& cases) {
   using Outcome = TestCase::Outcome;
@@ -45,4 +45,4 @@ std::string to_junit(const std::string& suite, const std::vector<TestCase>& case
   return std::move(out).str();
 }
 
-}  // namespace rmpl::verifier
+}  // namespace rmpl::base

@@ -1,11 +1,11 @@
-// Verdicts as JUnit XML, for continuous integration.
+// Outcomes as JUnit XML, for continuous integration.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 #include <vector>
 
-namespace rmpl::verifier {
+namespace rmpl::base {
 
 struct TestCase {
   enum class Outcome { success, warning, failure, error };  ///< a warning is no failure: its text is told beside
@@ -20,4 +20,4 @@ struct TestCase {
 /// One suite, with how many of its cases have which outcome.
 std::string to_junit(const std::string& suite, const std::vector<TestCase>& cases);
 
-}  // namespace rmpl::verifier
+}  // namespace rmpl::base
