@@ -35,7 +35,7 @@ class LoopInstants : public Instants {
   std::size_t others_;
   base::FunctionRef<bool(const automata::Modes&)> ends_;
   InstantClocks clocks_;
-  bool own_clocks_ = false;                  ///< the program has some: what has started can be forgotten again
+  bool own_clocks_ = false;  ///< the program has some: what has started can be forgotten again
   /// By node, for each of its groups: 1 + the position at the root of the one that it is, or 0: it has started since.
   std::map<std::uint64_t, std::vector<std::size_t>> sources_;
   std::map<std::uint64_t, std::vector<ZoneBox>> waits_;
