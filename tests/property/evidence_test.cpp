@@ -7,6 +7,7 @@
 
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
+#include "tests/property/parts.hpp"
 #include "tests/reference/step.hpp"
 
 namespace rmpl::property {
@@ -25,14 +26,6 @@ std::vector<automata::Formula> parts_of(const runtime::Evidence& evidence, const
   }
   for (const std::size_t i : evidence.interconnections) parts.push_back(plant.interconnections[i].constraint);
   return parts;
-}
-
-bool consistent(const automata::Plant& plant, const std::vector<automata::Formula>& parts, std::size_t without) {
-  automata::Theory fresh(plant.variables);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i != without) fresh.tell(parts[i]);
-  }
-  return fresh.consistent({});
 }
 
 RC_GTEST_PROP(Evidence, RefutesAndNothingOfItCanBeSpared, ()) {

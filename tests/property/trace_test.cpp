@@ -10,7 +10,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "automata/logic/theory.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/executive/sequence/log_run.hpp"
@@ -18,6 +17,7 @@
 #include "runtime/executive/trace/trace_writer.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
+#include "tests/property/parts.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -112,14 +112,6 @@ std::vector<automata::Formula> parts_of(const nlohmann::json& evidence, const au
     parts.push_back(plant.interconnections[printed["number"].get<std::size_t>() - 1].constraint);
   }
   return parts;
-}
-
-bool consistent(const automata::Plant& plant, const std::vector<automata::Formula>& parts, std::size_t without) {
-  automata::Theory fresh(plant.variables);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i != without) fresh.tell(parts[i]);
-  }
-  return fresh.consistent({});
 }
 
 RC_GTEST_PROP(Traces, PrintEvidenceThatRefutesAndOfWhichNothingCanBeSpared, ()) {
