@@ -123,8 +123,11 @@ std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective
 std::optional<IslandPlan> Planner::recall(const Modes& modes, const Objective& objective) {
   if (!objective.keeps_number) return std::nullopt;
   const RememberedStep* const known = remembered_.find(question(modes, objective));
-  // What the other islands are in tolerates the action, or no action of this one.
-  if (known == nullptr || !nominal_.tolerates(modes, known->action)) return std::nullopt;
+  // What the other islands are in tolerates the action, or no action of this one. Where it does not even tolerate all
+  // controls idle, the action is not of this island alone.
+  if (known == nullptr || !nominal_.tolerates(modes, idle_) || !nominal_.tolerates(modes, known->action)) {
+    return std::nullopt;
+  }
   IslandPlan plan{{known->action, known->component, known->serves, {modes, known->moves}, known->idle}, modes};
   for (const NominalMove& move : known->moves) plan.first.outcome.modes[move.component.index()] = move.transition->to;
   for (const ComponentId c : islands_.components(objective.island)) plan.end[c.index()] = known->end[c.index()];
@@ -192,6 +195,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
   }
   if (safe && order == Order::downstream_first && objective.keeps_number) {
     for (const auto& [before, step] : taken) {
+      if (!nominal_.tolerates(before, idle_)) continue;  // the action does for other islands, too
       auto key = question(before, objective);
       if (remembered_.find(key) != nullptr) continue;
       remembered_.add(key, {step.action, step.component, step.serves, step.outcome.moves, step.idle, current});

@@ -322,6 +322,19 @@ TEST(Rules, AGuardThatNothingCanBringAboutIsNoWay) {
   EXPECT_EQ(craft.next({"off"}, craft.is("x", "on")).outcome, Outcome::no_plan);
 }
 
+TEST(Rules, WhatOneModelForcesIsNotRememberedForAnother) {
+  // While the latch is held, all controls idle would contradict the model; what is sent then is not the lamp's way.
+  Builder b;
+  b.control("cmd", {"none", "free", "hold"});
+  b.component("latch", {{"rest"}, {"held", b.is("cmd", "hold"), 0, true}});
+  b.transition("held", "rest", b.is("cmd", "hold"));
+  b.component("lamp", {{"on"}, {"out", automata::constant(true), 0, true}});
+  b.transition("out", "on", automata::constant(true), std::pair(0, 1000));
+  Craft craft(std::move(b));
+  EXPECT_EQ(craft.text(craft.next({"held", "out"}, craft.is("lamp", "on")).action), "hold");
+  EXPECT_EQ(craft.next({"rest", "out"}, craft.is("lamp", "on")).outcome, Outcome::wait);
+}
+
 TEST(Rules, AnImpossibleEstimateIsNoPlan) {
   Craft craft(crafts::propulsion());
   const auto answer = craft.next({"off", "closed", "closed", "full", "full", "firing"}, craft.is("engine", "off"));
