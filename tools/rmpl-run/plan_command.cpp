@@ -1,10 +1,10 @@
 // rmpl-run plan: the goal state and the nominal command sequence that leads there.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
 
+#include "automata/place.hpp"
 #include "automata/step/plant_step.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/trace/json_line.hpp"
@@ -102,8 +102,7 @@ std::string hint(const automata::Plant& plant, const runtime::Reason& why) {
   const automata::Origin origin = runtime::origin_of(plant, why);
   const std::string would = runtime::remedy(why, plant);
   if (would.empty()) return "";
-  const std::string place = std::filesystem::path(origin.file).filename().string() + ":" + std::to_string(origin.line);
-  return "  " + (origin.line == 0 ? "" : place + ": ") + would + "\n";
+  return "  " + (origin.line == 0 ? "" : short_place(origin) + ": ") + would + "\n";
 }
 
 std::string text_of(const automata::Plant& plant, const Plan& plan) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/executive/trace/place.hpp"
+#include "automata/place.hpp"
 
 namespace rmpl::runtime {
 namespace {

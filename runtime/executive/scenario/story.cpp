@@ -7,8 +7,8 @@
 #include <charconv>
 #include <utility>
 
+#include "automata/place.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
-#include "runtime/executive/trace/place.hpp"
 
 namespace rmpl::runtime {
 namespace {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "automata/place.hpp"
 #include "runtime/executive/trace/place.hpp"
 
 namespace rmpl::runtime {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/reconfigure/reason.hpp"
 
-#include <filesystem>
+#include "automata/place.hpp"
 
 namespace rmpl::runtime {
 
@@ -16,11 +16,6 @@ const automata::Transition& transition(const Plant& plant, const TransitionOf& s
 
 std::string mode(const Plant& plant, automata::ComponentId component, automata::ModeId m) {
   return "'" + plant[component].modes[m.index()].name + "'";
-}
-
-std::string line(const automata::Origin& origin) {
-  if (origin.line == 0) return "";
-  return " (" + std::filesystem::path(origin.file).filename().string() + ":" + std::to_string(origin.line) + ")";
 }
 
 std::string purpose(const Reason& reason, const Plant& plant, const automata::Formula& goal) {
@@ -58,7 +53,7 @@ std::string to_text(const Reason& reason, const Plant& plant, const automata::Fo
   if (reason.step) {
     const auto& t = transition(plant, *reason.step);
     text += ": '" + plant[reason.step->component].name + "' from " + mode(plant, reason.step->component, t.from) +
-            " to " + mode(plant, reason.step->component, t.to) + line(t.origin);
+            " to " + mode(plant, reason.step->component, t.to) + in_parentheses(t.origin);
   }
   return text;
 }
