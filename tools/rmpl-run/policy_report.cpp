@@ -14,14 +14,14 @@ using runtime::JsonLine;
 using runtime::NominalGraph;
 using runtime::PolicyEntry;
 using runtime::PolicyTable;
+using runtime::Precondition;
 using runtime::Requirement;
-using runtime::Support;
 
 namespace {
 
-std::string text_of(const Plant& plant, const Support& support) {
+std::string text_of(const Plant& plant, const Precondition& precondition) {
   std::string text;
-  for (const Requirement& r : support) {
+  for (const Requirement& r : precondition) {
     text += (text.empty() ? "" : ", ") + to_text(member(r.variable, r.values), plant.variables);
   }
   return text;
@@ -36,8 +36,8 @@ std::string text_of(const Plant& plant, const PolicyEntry& entry) {
     case PolicyEntry::Kind::failure:
       return "failure";
     case PolicyEntry::Kind::command:
-      text = text_of(plant, entry.supports.front());
-      if (entry.supports.size() > 1) text += " (or " + std::to_string(entry.supports.size() - 1) + " more)";
+      text = text_of(plant, entry.preconditions.front());
+      if (entry.preconditions.size() > 1) text += " (or " + std::to_string(entry.preconditions.size() - 1) + " more)";
       if (entry.irreversible) text += " (irreversible)";
       return text;
   }
@@ -94,9 +94,9 @@ void write_policies(JsonLine& json, const Plant& plant, const NominalGraph& grap
         if (entry.irreversible) json.key("irreversible").digits("true");
         if (entry.kind == PolicyEntry::Kind::command) {
           json.key("supports").open('[');
-          for (const Support& support : entry.supports) {
+          for (const Precondition& precondition : entry.preconditions) {
             json.open('{');
-            for (const Requirement& r : support) {
+            for (const Requirement& r : precondition) {
               json.key(plant.variables.name(r.variable)).open('[');
               for (const automata::ValueId v : r.values) json.string(plant.variables[r.variable].values[v.index()]);
               json.close(']');

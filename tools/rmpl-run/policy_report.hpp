@@ -16,7 +16,7 @@ namespace rmpl::tools {
 std::string policy_text(const automata::Plant& plant, const runtime::NominalGraph& graph,
                         const std::vector<automata::ComponentId>& components);
 
-/// One object, every support of every entry (grammar/schema/policy.schema.json).
+/// One object, every precondition of every entry (grammar/schema/policy.schema.json).
 void write_policies(runtime::JsonLine& json, const automata::Plant& plant, const runtime::NominalGraph& graph,
                     const std::vector<automata::ComponentId>& components);
 

@@ -1,4 +1,4 @@
-// Checking a program: a quest for each property, searches, the evidence.
+// Checking a program: a query for each property, searches, the evidence.
 // SPDX-License-Identifier: MIT
 #include "verifier/closed_loop/check.hpp"
 
@@ -24,7 +24,7 @@ namespace rmpl::verifier {
 using automata::Formula;
 using automata::Modes;
 using automata::Ticks;
-using Aim = Quest::Aim;
+using Aim = Query::Aim;
 using Kind = ProgramProperty::Kind;
 
 namespace {
@@ -142,18 +142,18 @@ class ProgramCheck {
   void find_others(const ProgramProperty& property, Answer& answer) {
     const bool plans = property.kind == Kind::no_plan;
     if (!plans && property.kind != Kind::endless_wait) return;
-    Quest quest{plans ? Aim::no_plan : Aim::endless_wait};
+    Query query{plans ? Aim::no_plan : Aim::endless_wait};
     std::set<Cause> known;
     const auto learn = [&](const Witness& witness) {
       for (Cause& cause : causes_of(program_, witness, plans)) known.insert(std::move(cause));
     };
     learn(*answer.witness);
-    quest.fresh = [&](const LoopState& state, const Turn& turn) {
+    query.fresh = [&](const LoopState& state, const Turn& turn) {
       return !known.contains(
           plans ? no_plan_cause(program_, state.marking, turn.goal, turn.answer.why, turn.answer.reason)
                 : waiting_cause(program_, state.marking));
     };
-    while (auto witness = search(quest, &property)) {
+    while (auto witness = search(query, &property)) {
       learn(*witness);
       answer.others.push_back(std::move(*witness));
       answer.progress = meter_.progress();
@@ -236,18 +236,18 @@ class ProgramCheck {
   }
 
   /// `shown` is what the witness is to show, where it is a property.
-  std::optional<Witness> search(const Quest& quest, const ProgramProperty* shown = nullptr) {
-    ProgramSystem system(loop_, start_, quest);
+  std::optional<Witness> search(const Query& query, const ProgramProperty* shown = nullptr) {
+    ProgramSystem system(loop_, start_, query);
     const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
     cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
     cut_off_.still = cut_off_.still || system.cut_off().still;
     if (!path) return std::nullopt;
-    if (ProgramSystem::is_end(path->back().discrete)) return stopped(*path, system, quest, shown);
-    Witness witness = earliest_witness(*path, loop_, quest);
-    if (quest.aim == Aim::undone) witness.undone = undone_at_end(judge().rules(), witness);
-    if (quest.aim == Aim::endless_wait) witness.hindrances = hindrances(step_, program_, witness);
+    if (ProgramSystem::is_end(path->back().discrete)) return stopped(*path, system, query, shown);
+    Witness witness = earliest_witness(*path, loop_, query);
+    if (query.aim == Aim::undone) witness.undone = undone_at_end(judge().rules(), witness);
+    if (query.aim == Aim::endless_wait) witness.hindrances = hindrances(step_, program_, witness);
     add_refusals(witness);
-    return replayed(std::move(witness), quest.aim == Aim::endless_wait, shown);
+    return replayed(std::move(witness), query.aim == Aim::endless_wait, shown);
   }
 
   /// Which other goals of a cycle without a plan have none by themselves.
@@ -264,14 +264,14 @@ class ProgramCheck {
   }
 
   /// A run that is cut off, or that goes round while time stands still.
-  Witness stopped(std::vector<PathState> path, ProgramSystem& system, const Quest& quest,
+  Witness stopped(std::vector<PathState> path, ProgramSystem& system, const Query& query,
                   const ProgramProperty* shown) {
     path.pop_back();
     const std::size_t last = path.size() - 1;
     const Standstill found = system.standstill(system.accepted());
     const PathEnd end = system.end_of(system.accepted(), last);
     for (const Instant& step : found.round) path.push_back(ProgramSystem::state_after(step));
-    Witness witness = earliest_witness(path, loop_, quest, end);
+    Witness witness = earliest_witness(path, loop_, query, end);
     witness.stop.emplace();
     witness.stop->still = !found.round.empty();
     if (witness.stop->still) {
@@ -296,11 +296,11 @@ class ProgramCheck {
   }
 
   std::optional<Witness> lasso(const FaultFilter& only, const ProgramProperty& shown) {
-    const Quest quest{.filter = only, .progress = true};
-    ProgramSystem system(loop_, start_, quest);
+    const Query query{.filter = only, .progress = true};
+    ProgramSystem system(loop_, start_, query);
     const auto found = find_lasso(system, loop_, only.fault.has_value(), meter_);
     if (!found) return std::nullopt;
-    Witness witness = earliest_witness(found->path, loop_, quest);
+    Witness witness = earliest_witness(found->path, loop_, query);
     witness.repeats_from = found->repeats_from + 1;
     return replayed(std::move(witness), false, &shown);
   }

@@ -12,8 +12,8 @@ namespace rmpl::verifier {
 
 using automata::ComponentId;
 
-ProgramSystem::ProgramSystem(Loop& loop, const std::vector<LoopState>& start, const Quest& quest)
-    : loop_(loop), start_(start), quest_(quest) {}
+ProgramSystem::ProgramSystem(Loop& loop, const std::vector<LoopState>& start, const Query& query)
+    : loop_(loop), start_(start), query_(query) {}
 
 void ProgramSystem::initial(const Visit& visit) {
   for (const LoopState& state : start_) {
@@ -26,7 +26,7 @@ void ProgramSystem::initial(const Visit& visit) {
 void ProgramSystem::successors(const SymbolicState& state, const Visit& visit) {
   const LoopStateId id = loop_state(state.discrete);
   if (is_end(state.discrete)) return;
-  if (loop_[id].marking.empty() && quest_.aim != Quest::Aim::late) return;
+  if (loop_[id].marking.empty() && query_.aim != Query::Aim::late) return;
   const std::shared_ptr<const Turn> turn = loop_.turn(id, loop_.faults() - state.faults);
   for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) step(state, *turn, move, visit);
   enter_end(state, visit);
@@ -75,7 +75,7 @@ PathState ProgramSystem::state_after(const Instant& step) {
 }
 
 bool ProgramSystem::is_filtered(const LoopState& from, const Outcome& outcome) const {
-  const auto& fault = quest_.filter.fault;
+  const auto& fault = query_.filter.fault;
   if (!fault || outcome.faults > 1) return true;
   const std::size_t c = fault->component.index();
   return from.modes[c] != fault->from || outcome.state.modes[c] != fault->to;
@@ -111,11 +111,11 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
                   state.discrete & happened_bit,
                   {move, no_wait, outcome.same}};
   if (arrival.faults > loop_.faults()) return;
-  if (quest_.filter.only && outcome.faults > 0) {
+  if (query_.filter.only && outcome.faults > 0) {
     if (is_filtered(from, outcome)) return;
     arrival.phase |= happened_bit;
   }
-  if (quest_.aim == Quest::Aim::undone) note_achieved(state, turn, outcome, arrival);
+  if (query_.aim == Query::Aim::undone) note_achieved(state, turn, outcome, arrival);
   // A program clock starts with the cycle, the clock of a component with its end.
   const std::size_t old = state.zone.clocks();
   std::vector<std::size_t> sources;
@@ -190,7 +190,7 @@ void ProgramSystem::enter(LoopStateId id, const Zone& zone, const Arrival& arriv
   Zone now = zone;
   if (stopwatch() && test(state.modes)) {
     // The period that brings it may be the first one to end after the deadline: that is too late.
-    if (!now.constrain(1, {quest_.deadline, unbounded})) return;
+    if (!now.constrain(1, {query_.deadline, unbounded})) return;
   }
   const std::vector<ClockLimits> clocks = limits_in(state);
   const std::uint64_t discrete = (std::uint64_t{id.value} << phase_bits) | arrival.phase;
@@ -234,21 +234,21 @@ bool ProgramSystem::accepts(const SymbolicState& state) const {
 }
 
 bool ProgramSystem::is_wanted(const SymbolicState& state) const {
-  if (quest_.filter.fault && (state.discrete & happened_bit) == 0) return false;
+  if (query_.filter.fault && (state.discrete & happened_bit) == 0) return false;
   const LoopStateId id = loop_state(state.discrete);
   const LoopState& at = loop_[id];
   const bool still = (state.discrete & still_bit) != 0;
   cut_off_.stuck = cut_off_.stuck || (state.discrete & stuck_bit) != 0;
   cut_off_.still = cut_off_.still || still;
   if (is_end(state.discrete)) {
-    return quest_.aim == Quest::Aim::stop || (still && (quest_.aim == Quest::Aim::still || stopwatch()));
+    return query_.aim == Query::Aim::stop || (still && (query_.aim == Query::Aim::still || stopwatch()));
   }
-  switch (quest_.aim) {
-    case Quest::Aim::goal_conflict:
+  switch (query_.aim) {
+    case Query::Aim::goal_conflict:
       return !loop_.turn(id)->conflicts.empty();
-    case Quest::Aim::no_plan:
+    case Query::Aim::no_plan:
       return loop_.turn(id)->answer.outcome == runtime::Reconfiguration::Outcome::no_plan && is_fresh(id);
-    case Quest::Aim::endless_wait: {
+    case Query::Aim::endless_wait: {
       const std::shared_ptr<const Turn> turn = loop_.turn(id);
       return std::any_of(turn->waits.begin(), turn->waits.end(),
                          [&](const Wait& w) {
@@ -257,28 +257,28 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
                          }) &&
              is_fresh(id);
     }
-    case Quest::Aim::holds:
+    case Query::Aim::holds:
       return test(at.modes);
-    case Quest::Aim::late:
-      return state.zone.upper(1) >= quest_.deadline;
-    case Quest::Aim::ends_with:
+    case Query::Aim::late:
+      return state.zone.upper(1) >= query_.deadline;
+    case Query::Aim::ends_with:
       return at.marking.empty() && test(at.modes);
-    case Quest::Aim::happens:
+    case Query::Aim::happens:
       return true;
-    case Quest::Aim::undone:
+    case Query::Aim::undone:
       return (state.discrete & undone_bit) != 0;
-    case Quest::Aim::stop:
-    case Quest::Aim::still:
-    case Quest::Aim::nothing:
+    case Query::Aim::stop:
+    case Query::Aim::still:
+    case Query::Aim::nothing:
       return false;
   }
   return false;
 }
 
-bool ProgramSystem::is_fresh(LoopStateId id) const { return !quest_.fresh || quest_.fresh(loop_[id], *loop_.turn(id)); }
+bool ProgramSystem::is_fresh(LoopStateId id) const { return !query_.fresh || query_.fresh(loop_[id], *loop_.turn(id)); }
 
 bool ProgramSystem::test(const automata::Modes& modes) const {
-  return answers_.find_or(modes, [&] { return quest_.test(modes); });
+  return answers_.find_or(modes, [&] { return query_.test(modes); });
 }
 
 std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& state) const {
@@ -290,7 +290,7 @@ std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& stat
 
 std::vector<ClockLimits> ProgramSystem::limits_in(const LoopState& state) const {
   std::vector<ClockLimits> result;
-  if (stopwatch()) result.push_back({quest_.deadline, -1});
+  if (stopwatch()) result.push_back({query_.deadline, -1});
   if (progress_clock()) result.push_back({loop_.time().grain(), 0});
   for (const ClockGroup& group : state.groups) {
     ClockLimits limits;

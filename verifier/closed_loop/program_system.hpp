@@ -24,7 +24,7 @@ struct FaultFilter {
 };
 
 /// What is looked for along the runs of the loop.
-struct Quest {
+struct Query {
   enum class Aim {
     goal_conflict,  ///< a cycle whose goals contradict each other
     no_plan,        ///< a cycle without a plan
@@ -63,7 +63,7 @@ struct PathEnd {
 class ProgramSystem : public TransitionSystem {
  public:
   /// Keeps references.
-  ProgramSystem(Loop& loop, const std::vector<LoopState>& start, const Quest& quest);
+  ProgramSystem(Loop& loop, const std::vector<LoopState>& start, const Query& query);
 
   void initial(const Visit& visit) override;
   void successors(const SymbolicState& state, const Visit& visit) override;
@@ -112,8 +112,8 @@ class ProgramSystem : public TransitionSystem {
     Label label;
   };
 
-  [[nodiscard]] bool stopwatch() const { return quest_.aim == Quest::Aim::late; }
-  [[nodiscard]] bool progress_clock() const { return quest_.progress && loop_.time().is_dense(); }
+  [[nodiscard]] bool stopwatch() const { return query_.aim == Query::Aim::late; }
+  [[nodiscard]] bool progress_clock() const { return query_.progress && loop_.time().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }
   /// Notes what the step achieves and what it takes away.
   void note_achieved(const SymbolicState& state, const Turn& turn, const Outcome& outcome, Arrival& arrival);
@@ -135,7 +135,7 @@ class ProgramSystem : public TransitionSystem {
 
   Loop& loop_;
   const std::vector<LoopState>& start_;
-  const Quest& quest_;
+  const Query& query_;
   mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> answers_{1u << 16};  ///< of `test`
   std::map<Achieved, std::uint64_t> achieved_numbers_{{{}, 0}};
   std::vector<const Achieved*> achieved_{&achieved_numbers_.begin()->first};  ///< by number

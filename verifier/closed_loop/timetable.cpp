@@ -18,8 +18,8 @@ namespace {
 /// The points in time of one path: for each state when it is entered, and when the next cycle after waiting begins.
 class LoopTimetable {
  public:
-  LoopTimetable(const std::vector<PathState>& path, Loop& loop, const Quest& quest, const std::optional<PathEnd>& end)
-      : path_(path), loop_(loop), quest_(quest), end_(end), started_(loop.program().clocks.size()) {}
+  LoopTimetable(const std::vector<PathState>& path, Loop& loop, const Query& query, const std::optional<PathEnd>& end)
+      : path_(path), loop_(loop), query_(query), end_(end), started_(loop.program().clocks.size()) {}
 
   Witness witness() {
     restarted_.assign(state(0).modes.size(), 0);
@@ -42,7 +42,7 @@ class LoopTimetable {
     schedule_.fix(begin, end, loop_.time().is_dense() ? 0 : 1);
     const Box bounds = outcome(i).bounds;
     for (const ClockBound& b : bounds) schedule_.constrain(restarted(b), end, b.clock);
-    if (quest_.progress && loop_.time().is_dense()) {
+    if (query_.progress && loop_.time().is_dense()) {
       const bool progressed = ProgramSystem::progressed(path_[i].discrete);
       schedule_.constrain(progress_, end, progressed ? Interval{loop_.time().grain(), unbounded} : Interval{0, 0});
       if (progressed) progress_ = end;
@@ -103,12 +103,12 @@ class LoopTimetable {
 
   [[nodiscard]] std::vector<Units> solve() const {
     const Schedule::Point last = left_.back();
-    if (quest_.aim == Quest::Aim::late && !end_) {
+    if (query_.aim == Query::Aim::late && !end_) {
       Schedule late = schedule_;
-      late.constrain(0, last, {quest_.deadline, unbounded});
+      late.constrain(0, last, {query_.deadline, unbounded});
       return times_of(late);
     }
-    if (quest_.aim != Quest::Aim::endless_wait || end_) return times_of(schedule_);
+    if (query_.aim != Query::Aim::endless_wait || end_) return times_of(schedule_);
     const std::shared_ptr<const Turn> turn = loop_.turn(id(path_.size() - 1));
     for (const Wait& wait : turn->waits) {
       if (!wait.endless) continue;
@@ -167,7 +167,7 @@ class LoopTimetable {
 
   const std::vector<PathState>& path_;
   Loop& loop_;
-  const Quest& quest_;
+  const Query& query_;
   const std::optional<PathEnd>& end_;
   Schedule schedule_;
   std::vector<Schedule::Point> entered_;    ///< per state
@@ -179,9 +179,9 @@ class LoopTimetable {
 
 }  // namespace
 
-Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Quest& quest,
+Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Query& query,
                          const std::optional<PathEnd>& end) {
-  return LoopTimetable(path, loop, quest, end).witness();
+  return LoopTimetable(path, loop, query, end).witness();
 }
 
 }  // namespace rmpl::verifier

@@ -10,8 +10,8 @@
 
 namespace rmpl::verifier {
 
-/// The run with the earliest times of a path of `ProgramSystem` to what the quest looks for.
-Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Quest& quest,
+/// The run with the earliest times of a path of `ProgramSystem` to what the query looks for.
+Witness earliest_witness(const std::vector<PathState>& path, Loop& loop, const Query& query,
                          const std::optional<PathEnd>& end = std::nullopt);
 
 }  // namespace rmpl::verifier

@@ -92,7 +92,7 @@ void Extensions::adjust(std::vector<const OptimalSearch::Domain*>& domains) {
     const double gain = std::log(factors_.gains[c]);
     std::vector<double> costs;
     double least = std::numeric_limits<double>::infinity();
-    for (const OptimalSearch::Choice& choice : domains[c]->choices()) {
+    for (const OptimalSearch::PricedValue& choice : domains[c]->choices()) {
       costs.resize(std::max<std::size_t>(costs.size(), choice.value + 1), std::numeric_limits<double>::infinity());
       costs[choice.value] = choice.cost - (choice.value == base_[c].index() ? 0.0 : gain);
       least = std::min(least, costs[choice.value]);
@@ -120,7 +120,7 @@ void Extensions::look_at_factors() {
   for (std::size_t c = 0; c < moves_.size(); ++c) {
     const double stays = prior(c, base_[c]);
     double all = 0;
-    for (const OptimalSearch::Choice& choice : moves_[c]->domain().choices()) all += std::exp(-choice.cost);
+    for (const OptimalSearch::PricedValue& choice : moves_[c]->domain().choices()) all += std::exp(-choice.cost);
     mass_ *= stays + std::max(0.0, all - stays) * factors_.gains[c];
   }
 }

@@ -94,7 +94,7 @@ class Extensions {
     return factors_.gains.empty() || mode == base_[component] ? stays : stays * factors_.gains[component];
   }
   /// The modes that a component may move to, likeliest first.
-  [[nodiscard]] std::span<const OptimalSearch::Choice> choices(std::size_t component) const {
+  [[nodiscard]] std::span<const OptimalSearch::PricedValue> choices(std::size_t component) const {
     return moves_[component]->domain().choices();
   }
   /// The probability of moving to exactly these modes, before the observation.

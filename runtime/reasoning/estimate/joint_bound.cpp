@@ -13,7 +13,7 @@ constexpr std::size_t most_nodes = 512;
 
 double greatest_promise(const Extensions& extensions, std::size_t component) {
   double greatest = 0;
-  for (const OptimalSearch::Choice& choice : extensions.choices(component)) {
+  for (const OptimalSearch::PricedValue& choice : extensions.choices(component)) {
     greatest = std::max(greatest, extensions.promise(component, ModeId(choice.value)));
   }
   return greatest;
@@ -22,7 +22,7 @@ double greatest_promise(const Extensions& extensions, std::size_t component) {
 ModeId best_mode(const Extensions& extensions, std::size_t component) {
   ModeId best(0u);
   double greatest = -1;
-  for (const OptimalSearch::Choice& choice : extensions.choices(component)) {
+  for (const OptimalSearch::PricedValue& choice : extensions.choices(component)) {
     const double promise = extensions.promise(component, ModeId(choice.value));
     if (promise > greatest) {
       greatest = promise;
@@ -68,7 +68,7 @@ void JointBound::contest(std::span<const Source> sources, std::size_t component)
       return greatest > 0 ? source.extensions->promise(component, mode) / greatest : 0.0;
     };
     double other = 0;
-    for (const OptimalSearch::Choice& choice : source.extensions->choices(component)) {
+    for (const OptimalSearch::PricedValue& choice : source.extensions->choices(component)) {
       const ModeId mode(choice.value);
       if (std::find(bests.begin(), bests.end(), mode) == bests.end()) other = std::max(other, share(mode));
     }

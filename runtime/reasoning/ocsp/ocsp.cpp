@@ -46,7 +46,7 @@ OptimalSearch::Domain::Domain(std::span<const double> costs, int exponent) {
     if (!std::isfinite(costs[v])) continue;
     choices_.push_back({static_cast<std::uint32_t>(v), std::llround(std::ldexp(costs[v], -exponent_)), costs[v]});
   }
-  std::sort(choices_.begin(), choices_.end(), [](const Choice& a, const Choice& b) {
+  std::sort(choices_.begin(), choices_.end(), [](const PricedValue& a, const PricedValue& b) {
     return a.units != b.units ? a.units < b.units : a.value < b.value;
   });
 }
@@ -84,7 +84,7 @@ void OptimalSearch::restart(std::span<const Domain* const> domains, std::shared_
     own_.reserve(domains.size());
     for (const Domain* const domain : domains) {
       std::vector<double> costs;
-      for (const Choice& choice : domain->choices()) {
+      for (const PricedValue& choice : domain->choices()) {
         costs.resize(std::max<std::size_t>(costs.size(), choice.value + 1), std::numeric_limits<double>::infinity());
         costs[choice.value] = choice.cost;
       }
@@ -184,7 +184,7 @@ const OptimalSearch::Alternative& OptimalSearch::alternative(std::uint32_t split
       if (a.delta != b.delta) return a.delta < b.delta;
       if (a.variable == b.variable) return false;
       const Alternative& first = a.variable < b.variable ? a : b;
-      const std::span<const Choice> choices = choices_[first.variable];
+      const std::span<const PricedValue> choices = choices_[first.variable];
       const bool first_is_smaller = choices[first.rank].value < choices[first.rank - 1].value;
       return first_is_smaller == (a.variable < b.variable);
     };
@@ -213,7 +213,7 @@ void OptimalSearch::split(const Node& node, std::span<const Decision> conflict) 
   }
   const auto begin = alternatives_.size();
   for (const Decision& d : conflict) {
-    const std::span<const Choice> choices = choices_[d.variable];
+    const std::span<const PricedValue> choices = choices_[d.variable];
     const std::uint32_t rank = rank_[d.variable];
     if (fixed_[d.variable] != 0 || rank + 1 == choices.size()) continue;
     alternatives_.push_back({d.variable, rank + 1, choices[rank + 1].units - choices[rank].units});

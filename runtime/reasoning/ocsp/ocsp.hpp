@@ -56,7 +56,7 @@ class OptimalSearch {
   using Costs = std::vector<std::vector<double>>;
   using Units = std::int64_t;
   /// A value that a variable can take.
-  struct Choice {
+  struct PricedValue {
     std::uint32_t value;
     Units units;
     double cost;
@@ -67,12 +67,12 @@ class OptimalSearch {
     static constexpr int finest = -40;
     explicit Domain(std::span<const double> costs, int exponent = finest);
 
-    [[nodiscard]] std::span<const Choice> choices() const { return choices_; }
+    [[nodiscard]] std::span<const PricedValue> choices() const { return choices_; }
     [[nodiscard]] double greatest() const { return greatest_; }
     [[nodiscard]] int exponent() const { return exponent_; }
 
    private:
-    std::vector<Choice> choices_;
+    std::vector<PricedValue> choices_;
     double greatest_ = 0;
     int exponent_;
   };
@@ -151,8 +151,8 @@ class OptimalSearch {
   std::vector<Domain> own_;  ///< where nobody else has them
   std::shared_ptr<ConflictSet> conflicts_;
   double unit_ = 0;
-  std::vector<std::span<const Choice>> choices_;  ///< per variable
-  std::vector<Node> queue_;                       ///< a heap
+  std::vector<std::span<const PricedValue>> choices_;  ///< per variable
+  std::vector<Node> queue_;                            ///< a heap
   std::vector<Split> splits_;
   std::vector<Alternative> alternatives_;  ///< pool
   std::vector<Deviation> deviations_;      ///< pool; of one node in order of variable

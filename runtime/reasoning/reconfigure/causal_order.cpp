@@ -70,9 +70,9 @@ class Cycles {
   std::size_t visited_ = 0;
 };
 
-/// The edges of the causal graph, without those that only supports need which another one of the same transition makes
-/// superfluous: a mode that lets a cause be concluded from its effect (one engine burns, so there is pressure for the
-/// other) is no way to bring it about while there are others.
+/// The edges of the causal graph, without those that only preconditions need which another one of the same transition
+/// makes superfluous: a mode that lets a cause be concluded from its effect (one engine burns, so there is pressure for
+/// the other) is no way to bring it about while there are others.
 class CausalGraph {
  public:
   CausalGraph(const automata::Plant& plant, const NominalGraph& graph) {
@@ -82,9 +82,9 @@ class CausalGraph {
       auto& transitions = ways_.emplace_back();
       for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
         auto& ways = transitions.emplace_back();
-        for (const Support& support : t.supports) {
+        for (const Precondition& precondition : t.preconditions) {
           auto& way = ways.emplace_back();
-          for (const Requirement& r : support) {
+          for (const Requirement& r : precondition) {
             if (const auto at = component_of.find(r.variable); at != component_of.end()) way.push_back(at->second);
           }
         }
@@ -119,7 +119,7 @@ class CausalGraph {
   }
 
  private:
-  std::vector<std::vector<std::vector<std::vector<std::size_t>>>> ways_;  ///< per component, transition, support
+  std::vector<std::vector<std::vector<std::vector<std::size_t>>>> ways_;  ///< per component, transition, precondition
 };
 
 }  // namespace
@@ -166,8 +166,8 @@ CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph
   }
 }
 
-bool CausalOrder::goes_upstream(ComponentId component, const Support& support) const {
-  return std::all_of(support.begin(), support.end(), [&](const Requirement& r) {
+bool CausalOrder::goes_upstream(ComponentId component, const Precondition& precondition) const {
+  return std::all_of(precondition.begin(), precondition.end(), [&](const Requirement& r) {
     const auto at = component_of_.find(r.variable);
     return at == component_of_.end() || std::binary_search(upstream_[component.index()].begin(),
                                                            upstream_[component.index()].end(), at->second.index());

@@ -9,8 +9,8 @@
 
 namespace rmpl::runtime {
 
-/// Component u is upstream of c when a transition of c has a support that requires modes of u. Supports that make a
-/// causal cycle do not count where the transition has others.
+/// Component u is upstream of c when a transition of c has a precondition that requires modes of u. Preconditions that
+/// make a causal cycle do not count where the transition has others.
 class CausalOrder {
  public:
   CausalOrder(const automata::Plant& plant, const NominalGraph& graph);
@@ -23,8 +23,8 @@ class CausalOrder {
   /// Whether the component is upstream of itself, through others or directly.
   [[nodiscard]] bool in_cycle(automata::ComponentId component) const { return in_cycle_[component.index()]; }
 
-  /// Whether all that the support requires counts as upstream of the component.
-  [[nodiscard]] bool goes_upstream(automata::ComponentId component, const Support& support) const;
+  /// Whether all that the precondition requires counts as upstream of the component.
+  [[nodiscard]] bool goes_upstream(automata::ComponentId component, const Precondition& precondition) const;
 
  private:
   std::unordered_map<automata::VariableId, automata::ComponentId> component_of_;

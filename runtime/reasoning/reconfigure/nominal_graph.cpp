@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "runtime/reasoning/reconfigure/support_finder.hpp"
+#include "runtime/reasoning/reconfigure/precondition_finder.hpp"
 
 namespace rmpl::runtime {
 
@@ -76,8 +76,8 @@ NamedModes named_modes(const automata::Plant& plant, const Formula& goal) {
   return named;
 }
 
-NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands) {
-  SupportFinder finder(plant, islands);
+NominalGraph::NominalGraph(const automata::Plant& plant, const Parts& parts) {
+  PreconditionFinder finder(plant, parts);
   component_of_.resize(plant.variables.size());
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     component_of_[plant.components[c].mode.index()] = ComponentId(c);
@@ -89,8 +89,8 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
       const automata::Transition& t = component.transitions[i];
       const bool weightless = t.weight.kind != automata::Weight::Kind::none && !(t.weight.value > 0);
       if (component.is_fault(t) || weightless) continue;
-      auto supports = finder.supports(ComponentId(c), TransitionId(i));
-      if (supports.empty()) continue;
+      auto preconditions = finder.preconditions(ComponentId(c), TransitionId(i));
+      if (preconditions.empty()) continue;
       transitions.push_back({.id = TransitionId(i),
                              .from = t.from,
                              .to = t.to,
@@ -101,15 +101,16 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
                              .possible = finder.possible(ComponentId(c), t.to),
                              .comes_by_itself = false,
                              .commanded = true,
-                             .supports = std::move(supports),
+                             .preconditions = std::move(preconditions),
                              .silent = {}});
       NominalTransition& added = transitions.back();
       const auto about_mode = [&](const Requirement& r) { return component_of_[r.variable.index()].has_value(); };
-      for (const Support& support : added.supports) {
-        added.silent.push_back(needs_no_command(plant, support));
-        const auto modes = static_cast<std::size_t>(std::count_if(support.begin(), support.end(), about_mode));
+      for (const Precondition& precondition : added.preconditions) {
+        added.silent.push_back(needs_no_command(plant, precondition));
+        const auto modes =
+            static_cast<std::size_t>(std::count_if(precondition.begin(), precondition.end(), about_mode));
         added.comes_by_itself = added.comes_by_itself || (added.silent.back() && modes == 0);
-        added.commanded = added.commanded && modes < support.size();
+        added.commanded = added.commanded && modes < precondition.size();
       }
     }
     leads_.push_back(closure(transitions, component.modes.size()));
@@ -120,8 +121,8 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Islands& islands)
     std::vector<bool> known(plant.components.size());
     known[c] = true;
     for (const NominalTransition& t : transitions_[c]) {
-      for (const Support& support : t.supports) {
-        for (const Requirement& requirement : support) {
+      for (const Precondition& precondition : t.preconditions) {
+        for (const Requirement& requirement : precondition) {
           const auto other = component_of_[requirement.variable.index()];
           if (!other || known[other->index()]) continue;
           known[other->index()] = true;
@@ -144,8 +145,8 @@ std::vector<ComponentId> NominalGraph::restless(const automata::Plant& plant) co
   for (std::size_t c = 0; c < transitions_.size(); ++c) {
     const auto moves_of_itself = [&](const NominalTransition& t) {
       return !t.timed && t.from != t.to &&
-             std::any_of(t.supports.begin(), t.supports.end(),
-                         [&](const Support& support) { return needs_no_command(plant, support); });
+             std::any_of(t.preconditions.begin(), t.preconditions.end(),
+                         [&](const Precondition& precondition) { return needs_no_command(plant, precondition); });
     };
     if (std::any_of(transitions_[c].begin(), transitions_[c].end(), moves_of_itself)) result.emplace_back(c);
   }

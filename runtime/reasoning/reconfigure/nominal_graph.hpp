@@ -8,8 +8,8 @@
 
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "runtime/reasoning/reconfigure/islands.hpp"
-#include "runtime/reasoning/reconfigure/support.hpp"
+#include "runtime/reasoning/reconfigure/parts.hpp"
+#include "runtime/reasoning/reconfigure/precondition.hpp"
 
 namespace rmpl::runtime {
 
@@ -22,10 +22,10 @@ struct NominalTransition {
   bool repair = false;      ///< leaves a fault mode
   bool reversible = false;  ///< nominal transitions lead back from `to` to `from`: computed, not declared (6.3.1)
   bool possible = false;    ///< some state has mode `to`; else the transition is never taken, whatever enables it
-  bool comes_by_itself = false;  ///< some support asks neither for a command nor for modes of others
-  bool commanded = false;        ///< every support asks for some value of a control, be it the idle one
-  std::vector<Support> supports;
-  std::vector<bool> silent;  ///< per support: it can be met with every control idle
+  bool comes_by_itself = false;  ///< some precondition asks neither for a command nor for modes of others
+  bool commanded = false;        ///< every precondition asks for some value of a control, be it the idle one
+  std::vector<Precondition> preconditions;
+  std::vector<bool> silent;  ///< per precondition: it can be met with every control idle
 };
 
 /// Per component, per mode: whether the configuration goal names the mode (6.3.3).
@@ -39,10 +39,10 @@ NamedModes named_modes(const automata::Plant& plant, const automata::Formula& go
 /// Per component, per position in `NominalGraph::transitions`: whether reconfiguration may take the transition.
 using Permitted = std::vector<std::vector<bool>>;
 
-/// Per component, the graph over its modes. Computed once; its cost is that of the supports.
+/// Per component, the graph over its modes. Computed once; its cost is that of the preconditions.
 class NominalGraph {
  public:
-  NominalGraph(const automata::Plant& plant, const Islands& islands);
+  NominalGraph(const automata::Plant& plant, const Parts& parts);
 
   /// In declaration order.
   [[nodiscard]] const std::vector<NominalTransition>& transitions(automata::ComponentId component) const {
@@ -69,7 +69,7 @@ class NominalGraph {
   [[nodiscard]] bool leads_to_named(automata::ComponentId component, automata::ModeId from,
                                     const NamedModes& named) const;
 
-  /// Others whose supports read the component's mode.
+  /// Others whose preconditions read the component's mode.
   [[nodiscard]] const std::vector<automata::ComponentId>& dependents(automata::ComponentId component) const {
     return dependents_[component.index()];
   }
@@ -81,14 +81,14 @@ class NominalGraph {
   }
 
   /// The components that may change their mode of themselves: some untimed transition needs no command. While one part
-  /// of the plant is commanded, these do not stand still, so their islands are planned together.
+  /// of the plant is commanded, these do not stand still, so their parts are planned together.
   [[nodiscard]] std::vector<automata::ComponentId> restless(const automata::Plant& plant) const;
 
  private:
   std::vector<std::vector<NominalTransition>> transitions_;
   std::vector<std::vector<std::vector<bool>>> leads_;               ///< per component, from, to
   std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
-  std::vector<std::vector<automata::ComponentId>> dependents_;      ///< by component: others whose supports read it
+  std::vector<std::vector<automata::ComponentId>> dependents_;  ///< by component: others whose preconditions read it
 };
 
 }  // namespace rmpl::runtime

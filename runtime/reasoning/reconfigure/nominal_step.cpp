@@ -44,9 +44,9 @@ const NominalTransition* NominalStep::heaviest(ComponentId component, const Enab
 }
 
 std::vector<NominalOutcome> NominalStep::combinations(const Modes& modes, const automata::AllEnabled& enabled,
-                                                      std::size_t island, std::optional<NominalMove> fixed) const {
+                                                      std::size_t part, std::optional<NominalMove> fixed) const {
   std::vector<NominalOutcome> all{{modes, {}}};
-  for (const ComponentId c : islands_.components(island)) {
+  for (const ComponentId c : parts_.components(part)) {
     const auto& untimed = enabled[c.index()].untimed;
     if (untimed.empty()) continue;
     std::vector<NominalOutcome> extended;
@@ -65,8 +65,8 @@ std::vector<NominalOutcome> NominalStep::combinations(const Modes& modes, const 
   return all;
 }
 
-std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Support* support) {
-  return least_action(modes, support, [](const ControlAction&) { return true; });
+std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Precondition* precondition) {
+  return least_action(modes, precondition, [](const ControlAction&) { return true; });
 }
 
 std::optional<ControlAction> NominalStep::resting_action(const Modes& modes) {
@@ -86,14 +86,15 @@ std::optional<ControlAction> NominalStep::resting_action(const Modes& modes) {
 }
 
 template <class Suits>
-std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Support* support, const Suits& suits) {
+std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Precondition* precondition,
+                                                       const Suits& suits) {
   const auto& controls = plant().controls;
   ControlAction action = idle_action(plant());
-  std::vector<const Requirement*> asked(support == nullptr ? 0 : controls.size(), nullptr);
+  std::vector<const Requirement*> asked(precondition == nullptr ? 0 : controls.size(), nullptr);
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    const auto at = std::find_if(support->begin(), support->end(),
+    const auto at = std::find_if(precondition->begin(), precondition->end(),
                                  [&](const Requirement& r) { return r.variable == controls[i].variable; });
-    if (at == support->end()) continue;
+    if (at == precondition->end()) continue;
     asked[i] = &*at;
     if (!std::binary_search(at->values.begin(), at->values.end(), action[i])) action[i] = at->values.front();
   }
@@ -134,8 +135,8 @@ std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const
   return action;
 }
 
-bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::size_t island,
-                          const Permitted& permitted, const NominalMove* intended, const Modes* keep) {
+bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::size_t part, const Permitted& permitted,
+                          const NominalMove* intended, const Modes* keep) {
   refused_.reset();
   const ControlAction idle = idle_action(plant());
   if (action == idle) return true;
@@ -144,7 +145,7 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
   const bool can_idle = tolerates(modes, idle);
   const automata::AllEnabled without = step_.enabled(modes, idle);
   const automata::AllEnabled with = step_.enabled(modes, action);
-  for (const ComponentId c : islands_.components(island)) {
+  for (const ComponentId c : parts_.components(part)) {
     const Enabled& anyway = can_idle ? without[c.index()] : nothing;
     if (&with[c.index()] == &anyway) continue;
     const bool own = intended != nullptr && intended->component == c;
@@ -153,7 +154,7 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
       if (t.from == t.to || contains(anyway.untimed, id) || (own && intended->transition == &t)) continue;
       const bool undoes = !own && keep != nullptr && (*keep)[c.index()] == t.from;
       if (is_permitted(c, t, permitted) && !undoes) continue;
-      const auto ways = combinations(modes, with, island, NominalMove{c, &t});
+      const auto ways = combinations(modes, with, part, NominalMove{c, &t});
       if (std::any_of(ways.begin(), ways.end(), [&](const NominalOutcome& o) { return step_.possible(o.modes); })) {
         if (!is_permitted(c, t, permitted)) refused_ = TransitionOf{c, id};
         return false;
@@ -178,10 +179,10 @@ bool NominalStep::can_risk(ComponentId c, automata::ModeId mode, const Permitted
   });
 }
 
-bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t island, const Permitted& permitted) {
+bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t part, const Permitted& permitted) {
   const ControlAction idle = idle_action(plant());
   Modes state = after;
-  for (const ComponentId c : islands_.components(island)) {
+  for (const ComponentId c : parts_.components(part)) {
     if (!can_risk(c, after[c.index()], permitted)) continue;
     std::vector<automata::ModeId> open{after[c.index()]};
     for (std::size_t next = 0; next < open.size(); ++next) {
@@ -212,12 +213,12 @@ bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t isl
 
 std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const ControlAction& action, NominalMove move,
                                                 const Permitted& permitted, const Modes* keep) {
-  const std::size_t island = islands_.of(move.component);
+  const std::size_t part = parts_.of(move.component);
   refused_.reset();
-  if (!tolerates(modes, action) || !permits(modes, action, island, permitted, &move, keep)) return std::nullopt;
+  if (!tolerates(modes, action) || !permits(modes, action, part, permitted, &move, keep)) return std::nullopt;
   const automata::AllEnabled& enabled = step_.enabled(modes, action);
   NominalOutcome outcome{modes, {}};
-  for (const ComponentId c : islands_.components(island)) {
+  for (const ComponentId c : parts_.components(part)) {
     const auto& untimed = enabled[c.index()].untimed;
     const NominalTransition* taken = nullptr;
     if (c == move.component) {
@@ -234,11 +235,11 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
     outcome.moves.push_back({c, taken});
   }
   if (!step_.possible(outcome.modes)) return std::nullopt;
-  if (action != idle_action(plant()) && risks(modes, outcome.modes, island, permitted)) return std::nullopt;
+  if (action != idle_action(plant()) && risks(modes, outcome.modes, part, permitted)) return std::nullopt;
   return outcome;
 }
 
-bool NominalStep::join_others(const Modes& modes, const ControlAction& action, std::size_t island,
+bool NominalStep::join_others(const Modes& modes, const ControlAction& action, std::size_t part,
                               const Permitted& permitted, NominalOutcome& outcome) {
   const auto join = [&outcome](const std::vector<NominalMove>& moves) {
     for (const NominalMove& move : moves) {
@@ -247,10 +248,10 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
     }
   };
   const automata::AllEnabled enabled = step_.enabled(modes, action);
-  for (std::size_t other = 0; other < islands_.count(); ++other) {
-    if (other == island) continue;
+  for (std::size_t other = 0; other < parts_.count(); ++other) {
+    if (other == part) continue;
     NominalOutcome drift{modes, {}};
-    for (const ComponentId c : islands_.components(other)) {
+    for (const ComponentId c : parts_.components(other)) {
       const NominalTransition* const taken = heaviest(c, enabled[c.index()]);
       if (taken == nullptr || taken->from == taken->to) continue;
       drift.modes[c.index()] = taken->to;
@@ -268,11 +269,11 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
   return true;
 }
 
-std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const ControlAction& action, std::size_t island) {
+std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const ControlAction& action, std::size_t part) {
   std::vector<ComponentId> result;
   if (!tolerates(modes, action)) return result;
   const automata::AllEnabled& enabled = step_.enabled(modes, action);
-  for (const ComponentId c : islands_.components(island)) {
+  for (const ComponentId c : parts_.components(part)) {
     const auto& timed = enabled[c.index()].timed;
     const auto leaves = [&](TransitionId id) {
       const NominalTransition& t = nominal(c, id);
@@ -283,16 +284,16 @@ std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const Control
   return result;
 }
 
-std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t island,
+std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t part,
                                                   const Permitted& permitted) {
   std::vector<NominalOutcome> result;
-  if (!tolerates(modes, action) || !permits(modes, action, island, permitted, nullptr, nullptr)) return result;
+  if (!tolerates(modes, action) || !permits(modes, action, part, permitted, nullptr, nullptr)) return result;
   const automata::AllEnabled enabled = step_.enabled(modes, action);
-  std::vector<NominalOutcome> all = combinations(modes, enabled, island, {});
+  std::vector<NominalOutcome> all = combinations(modes, enabled, part, {});
   const bool moves = std::any_of(all.begin(), all.end(), [](const NominalOutcome& o) { return !o.moves.empty(); });
   if (!moves) {
     all.clear();
-    for (const ComponentId c : islands_.components(island)) {
+    for (const ComponentId c : parts_.components(part)) {
       if (!enabled[c.index()].untimed.empty()) continue;
       for (const TransitionId id : enabled[c.index()].timed) {
         const NominalTransition& t = nominal(c, id);
@@ -305,7 +306,7 @@ std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const Cont
   const bool commanded = action != idle_action(plant());
   for (NominalOutcome& outcome : all) {
     if (outcome.moves.empty() || !step_.possible(outcome.modes)) continue;
-    if (commanded && risks(modes, outcome.modes, island, permitted)) return {};
+    if (commanded && risks(modes, outcome.modes, part, permitted)) return {};
     result.push_back(std::move(outcome));
   }
   return result;

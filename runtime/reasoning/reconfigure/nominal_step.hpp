@@ -7,8 +7,8 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
-#include "runtime/reasoning/reconfigure/islands.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/reason.hpp"
 
 namespace rmpl::runtime {
@@ -25,12 +25,12 @@ struct NominalOutcome {
   std::vector<NominalMove> moves;  ///< by component; those that change nothing are left out
 };
 
-/// The nominal part of semantics 3 for one island of the plant, without clocks: enabled untimed transitions are taken,
+/// The nominal part of semantics 3 for one part of the plant, without clocks: enabled untimed transitions are taken,
 /// enabled timed ones may fire or not. Enabledness is asked of `PlantStep`.
 class NominalStep {
  public:
-  NominalStep(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands)
-      : step_(step), graph_(graph), islands_(islands) {}
+  NominalStep(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts)
+      : step_(step), graph_(graph), parts_(parts) {}
 
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
   /// Whether the store of the modes tolerates the action.
@@ -39,8 +39,9 @@ class NominalStep {
   }
 
   /// All controls idle; where the store does not tolerate that, the tolerated action with the fewest controls off idle,
-  /// of several the first by values. Nothing where it tolerates none. With `support`, of those that meet it.
-  std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Support* support = nullptr);
+  /// of several the first by values. Nothing where it tolerates none. With `precondition`, of those that meet it.
+  std::optional<automata::ControlAction> least_action(const automata::Modes& modes,
+                                                      const Precondition* precondition = nullptr);
   /// Likewise; where it cannot be idle, before all others one under which no untimed transition changes a mode.
   std::optional<automata::ControlAction> resting_action(const automata::Modes& modes);
 
@@ -54,41 +55,40 @@ class NominalStep {
   std::optional<NominalOutcome> take(const automata::Modes& modes, const automata::ControlAction& action,
                                      NominalMove move, const Permitted& permitted, const automata::Modes* keep);
 
-  /// Adds to a step of one island what goes on in the others meanwhile: each of their components takes its heaviest
-  /// enabled untimed transition, or an island goes some other way where that one is impossible. Whether there is a way.
-  bool join_others(const automata::Modes& modes, const automata::ControlAction& action, std::size_t island,
+  /// Adds to a step of one part what goes on in the others meanwhile: each of their components takes its heaviest
+  /// enabled untimed transition, or a part goes some other way where that one is impossible. Whether there is a way.
+  bool join_others(const automata::Modes& modes, const automata::ControlAction& action, std::size_t part,
                    const Permitted& permitted, NominalOutcome& outcome);
 
-  /// The components of the island whose mode a timed nominal transition with an upper bound ends while the action is
+  /// The components of the part whose mode a timed nominal transition with an upper bound ends while the action is
   /// held; none where the modes do not tolerate it.
   std::vector<automata::ComponentId> fleeting(const automata::Modes& modes, const automata::ControlAction& action,
-                                              std::size_t island);
+                                              std::size_t part);
 
-  /// Every way a step may go in the island, where the action risks nothing that is not permitted: each combination of
+  /// Every way a step may go in the part, where the action risks nothing that is not permitted: each combination of
   /// untimed transitions, where some are enabled; else each timed transition by itself. Those that change nothing are
   /// left out.
   std::vector<NominalOutcome> outcomes(const automata::Modes& modes, const automata::ControlAction& action,
-                                       std::size_t island, const Permitted& permitted);
+                                       std::size_t part, const Permitted& permitted);
 
  private:
   const NominalTransition& nominal(automata::ComponentId component, automata::TransitionId id) const;
   /// The heaviest of the enabled untimed transitions, the first of several; null where there is none.
   const NominalTransition* heaviest(automata::ComponentId component, const automata::Enabled& enabled) const;
-  /// Each combination of enabled untimed transitions of the island, in order of components, then transitions,
+  /// Each combination of enabled untimed transitions of the part, in order of components, then transitions,
   /// impossible ones too; with `fixed`, those that it is part of.
   std::vector<NominalOutcome> combinations(const automata::Modes& modes, const automata::AllEnabled& enabled,
-                                           std::size_t island, std::optional<NominalMove> fixed) const;
+                                           std::size_t part, std::optional<NominalMove> fixed) const;
   /// Whether all that the action enables, idling does not, and the model does not exclude, may be taken. A step that
   /// cannot be undone is left to chance neither as a side effect nor as the other branch of an intended one.
-  bool permits(const automata::Modes& modes, const automata::ControlAction& action, std::size_t island,
+  bool permits(const automata::Modes& modes, const automata::ControlAction& action, std::size_t part,
                const Permitted& permitted, const NominalMove* intended, const automata::Modes* keep);
 
   template <class Suits>
-  std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Support* support,
+  std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Precondition* precondition,
                                                       const Suits& suits);
   /// Whether in the state that a command leads to time alone could take a forbidden step, and could not before.
-  bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t island,
-             const Permitted& permitted);
+  bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t part, const Permitted& permitted);
   [[nodiscard]] bool can_risk(automata::ComponentId c, automata::ModeId mode, const Permitted& permitted) const;
   [[nodiscard]] bool is_permitted(automata::ComponentId c, const NominalTransition& t,
                                   const Permitted& permitted) const {
@@ -97,7 +97,7 @@ class NominalStep {
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;
-  const Islands& islands_;
+  const Parts& parts_;
   std::optional<TransitionOf> refused_;
 };
 

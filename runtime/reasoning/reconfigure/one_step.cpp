@@ -10,8 +10,8 @@
 #include "base/check.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/reconfigure/precondition_finder.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
-#include "runtime/reasoning/reconfigure/support_finder.hpp"
 
 namespace rmpl::runtime {
 
@@ -163,9 +163,9 @@ class OneStepReconfigurer final : public Reconfigurer {
     std::set<std::size_t> controls;
     for (const NominalTransition& t : graph_->transitions(component)) {
       if (t.from != from || (only && t.id != *only)) continue;
-      if (t.supports.size() >= SupportFinder::limit) return whole(action);
-      for (const Support& support : t.supports) {
-        for (const Requirement& r : support) {
+      if (t.preconditions.size() >= PreconditionFinder::limit) return whole(action);
+      for (const Precondition& precondition : t.preconditions) {
+        for (const Requirement& r : precondition) {
           if (control_of_[r.variable.index()] != none) controls.insert(control_of_[r.variable.index()]);
         }
       }

@@ -17,7 +17,7 @@ bool Planner::is_safe(const Modes& modes, const Objective& objective, const Cont
                       const NominalOutcome& outcome) {
   const auto& moves = outcome.moves;
   if (std::none_of(moves.begin(), moves.end(), [](const NominalMove& m) { return m.transition->timed; })) return true;
-  std::vector<ComponentId> others = nominal_.fleeting(modes, action, objective.island);
+  std::vector<ComponentId> others = nominal_.fleeting(modes, action, objective.part);
   std::erase_if(others, [&](ComponentId c) { return outcome.modes[c.index()] != modes[c.index()]; });
   if (others.empty()) return true;
   const std::vector<bool> relied = relied_on(modes, objective);
@@ -26,7 +26,7 @@ bool Planner::is_safe(const Modes& modes, const Objective& objective, const Cont
 
 std::vector<bool> Planner::relied_on(const Modes& modes, const Objective& objective) {
   std::vector<ComponentId> seeds;
-  for (const ComponentId c : islands_.components(objective.island)) {
+  for (const ComponentId c : parts_.components(objective.part)) {
     if (objective.wanted[c.index()]) seeds.push_back(c);
   }
   return followed(modes, objective, seeds).relied;
@@ -63,8 +63,8 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
     const NominalTransition* t = policy.next(modes[component.index()], wanted);
     if (t != nullptr && !t->timed) result.relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
-      for (const Support& support : t->supports) {
-        for (const Requirement& r : support) {
+      for (const Precondition& precondition : t->preconditions) {
+        for (const Requirement& r : precondition) {
           const auto upstream = component_of_[r.variable.index()];
           if (!upstream || *upstream == component) continue;
           for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
@@ -77,7 +77,7 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
 
 bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
   const Modes& reached = step.outcome.modes;
-  const auto brief = nominal_.fleeting(reached, idle_, objective.island);
+  const auto brief = nominal_.fleeting(reached, idle_, objective.part);
   return std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(), [&](const NominalMove& move) {
     const ComponentId c = move.component;
     return objective.wanted[c.index()] && reached[c.index()] == objective.target[c.index()] &&
@@ -86,7 +86,7 @@ bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
 }
 
 bool Planner::has_waits(const Modes& modes, const Objective& objective) {
-  for (const ComponentId c : islands_.components(objective.island)) {
+  for (const ComponentId c : parts_.components(objective.part)) {
     if (!objective.wanted[c.index()]) continue;
     const ModeId target = objective.target[c.index()];
     const Policy& policy = policies_.of(c, objective.permitted);

@@ -1,4 +1,4 @@
-// The reactive planner: the search of an island where the walk through the policies does not get there.
+// The reactive planner: the search of a part where the walk through the policies does not get there.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <queue>
@@ -41,15 +41,15 @@ std::vector<automata::ControlAction> Planner::promising(const Modes& modes, cons
     involved[c.index()] = true;
     open.push_back(c);
   };
-  for (const automata::ComponentId c : islands_.components(objective.island)) {
+  for (const automata::ComponentId c : parts_.components(objective.part)) {
     if (astray(modes, objective, c)) involve(c);
   }
   while (!open.empty()) {
     const automata::ComponentId c = open.back();
     open.pop_back();
     for (const NominalTransition& t : graph_.transitions(c)) {
-      for (const Support& support : t.supports) {
-        for (const Requirement& r : support) {
+      for (const Precondition& precondition : t.preconditions) {
+        for (const Requirement& r : precondition) {
           useful[r.variable.index()] = true;
           if (const auto upstream = component_of_[r.variable.index()]) involve(*upstream);
         }
@@ -58,7 +58,7 @@ std::vector<automata::ControlAction> Planner::promising(const Modes& modes, cons
   }
   std::vector<automata::ControlAction> actions;
   const auto& controls = nominal_.plant().controls;
-  for (const automata::ControlAction& action : actions_[objective.island]) {
+  for (const automata::ControlAction& action : actions_[objective.part]) {
     bool useless = false;
     for (std::size_t i = 0; i < action.size(); ++i) {
       useless = useless || (action[i] != idle_[i] && !useful[controls[i].variable.index()]);
@@ -70,18 +70,18 @@ std::vector<automata::ControlAction> Planner::promising(const Modes& modes, cons
 
 /// Promising actions first; where they do not get there, all.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits) {
-  const auto& all = actions_[objective.island];
+  const auto& all = actions_[objective.part];
   const std::vector<automata::ControlAction> some = promising(modes, objective);
   Found found = search(modes, objective, otherwise, waits, some);
   if (std::holds_alternative<PlannedStep>(found.first) || some.size() == all.size()) return found;
   return search(modes, objective, otherwise, waits, all);
 }
 
-/// Uniform-cost search over the nominal successors of the whole island: fewest irreversible steps, then fewest steps.
+/// Uniform-cost search over the nominal successors of the whole part: fewest irreversible steps, then fewest steps.
 /// The same rules on irreversible steps hold; what is achieved may be undone on the path.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
                                std::span<const automata::ControlAction> actions) {
-  const auto& components = ordered_[objective.island];
+  const auto& components = ordered_[objective.part];
   const automata::ComponentId served =
       *std::find_if(components.begin(), components.end(), [&](auto c) { return astray(modes, objective, c); });
   bool excluded = false;
@@ -112,7 +112,7 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
     }
     tried_ += actions.size();
     for (const automata::ControlAction& action : actions) {
-      for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.island, objective.permitted)) {
+      for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.part, objective.permitted)) {
         if (waits == Waits::safe && !is_safe(current, objective, action, outcome)) {
           excluded = true;
           continue;

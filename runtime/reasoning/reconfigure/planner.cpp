@@ -19,27 +19,27 @@ using automata::ValueId;
 
 namespace {
 
-/// Idle; each control of the island off its idle value by itself; then what supports need of several at once.
-std::vector<ControlAction> actions_of(const Plant& plant, const NominalGraph& graph, const Islands& islands,
-                                      std::size_t island) {
+/// Idle; each control of the part off its idle value by itself; then what preconditions need of several at once.
+std::vector<ControlAction> actions_of(const Plant& plant, const NominalGraph& graph, const Parts& parts,
+                                      std::size_t part) {
   const ControlAction idle = idle_action(plant);
   std::vector<ControlAction> actions{idle};
-  for (const std::size_t i : islands.controls(island)) {
+  for (const std::size_t i : parts.controls(part)) {
     for (std::size_t v = 0; v < plant.variables[plant.controls[i].variable].values.size(); ++v) {
       if (ValueId(v) == idle[i]) continue;
       actions.push_back(idle);
       actions.back()[i] = ValueId(v);
     }
   }
-  for (const ComponentId c : islands.components(island)) {
+  for (const ComponentId c : parts.components(part)) {
     for (const NominalTransition& t : graph.transitions(c)) {
-      for (const Support& support : t.supports) {
+      for (const Precondition& precondition : t.preconditions) {
         std::vector<ControlAction> joint{idle};
-        for (const std::size_t i : islands.controls(island)) {
-          const auto r = std::find_if(support.begin(), support.end(), [&](const Requirement& requirement) {
+        for (const std::size_t i : parts.controls(part)) {
+          const auto r = std::find_if(precondition.begin(), precondition.end(), [&](const Requirement& requirement) {
             return requirement.variable == plant.controls[i].variable;
           });
-          if (r == support.end() || std::binary_search(r->values.begin(), r->values.end(), idle[i])) continue;
+          if (r == precondition.end() || std::binary_search(r->values.begin(), r->values.end(), idle[i])) continue;
           std::vector<ControlAction> extended;
           for (const ControlAction& action : joint) {
             for (const ValueId v : r->values) extended.emplace_back(action)[i] = v;
@@ -57,26 +57,26 @@ std::vector<ControlAction> actions_of(const Plant& plant, const NominalGraph& gr
 
 }  // namespace
 
-Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands)
+Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts)
     : graph_(graph),
-      islands_(islands),
+      parts_(parts),
       order_(step.plant(), graph),
       policies_(step.plant(), graph),
       ways_(step.plant(), graph, order_),
-      nominal_(step, graph, islands),
+      nominal_(step, graph, parts),
       idle_(idle_action(step.plant())),
       component_of_(step.plant().variables.size()),
-      ordered_(islands.count()) {
+      ordered_(parts.count()) {
   const Plant& plant = step.plant();
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     component_of_[plant.components[c].mode.index()] = ComponentId(c);
   }
-  for (const ComponentId c : order_.downstream_first()) ordered_[islands.of(c)].push_back(c);
-  for (std::size_t i = 0; i < islands.count(); ++i) actions_.push_back(actions_of(plant, graph, islands, i));
+  for (const ComponentId c : order_.downstream_first()) ordered_[parts.of(c)].push_back(c);
+  for (std::size_t i = 0; i < parts.count(); ++i) actions_.push_back(actions_of(plant, graph, parts, i));
 }
 
 bool Planner::arrived(const Modes& modes, const Objective& objective) const {
-  const auto& components = islands_.components(objective.island);
+  const auto& components = parts_.components(objective.part);
   return std::all_of(components.begin(), components.end(), [&](ComponentId c) { return !astray(modes, objective, c); });
 }
 
@@ -89,7 +89,7 @@ std::variant<IslandPlan, Impasse> Planner::next(const Modes& modes, const Object
   auto result = planned(modes, objective);
   auto* const plan = std::get_if<IslandPlan>(&result);
   if (plan == nullptr ||
-      nominal_.join_others(modes, plan->first.action, objective.island, objective.permitted, plan->first.outcome)) {
+      nominal_.join_others(modes, plan->first.action, objective.part, objective.permitted, plan->first.outcome)) {
     return result;
   }
   return Impasse{std::nullopt, "what happens next of itself contradicts the model"};
@@ -104,11 +104,11 @@ bool Planner::may_take(const Modes& modes, const Objective& objective, bool idle
 }
 
 std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective& objective) const {
-  std::vector<std::uint64_t> key{objective.island, *objective.keeps_number};
-  for (const ComponentId c : islands_.components(objective.island)) {
+  std::vector<std::uint64_t> key{objective.part, *objective.keeps_number};
+  for (const ComponentId c : parts_.components(objective.part)) {
     key.push_back(std::uint64_t{modes[c.index()].value} << 32 | objective.target[c.index()].value);
   }
-  for (const ComponentId c : islands_.components(objective.island)) {
+  for (const ComponentId c : parts_.components(objective.part)) {
     if (objective.wanted[c.index()]) key.push_back(std::uint64_t{1} << 63 | c.value);
     // Few irreversible steps are permitted, most often none.
     const auto& transitions = graph_.transitions(c);
@@ -123,14 +123,14 @@ std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective
 std::optional<IslandPlan> Planner::recall(const Modes& modes, const Objective& objective) {
   if (!objective.keeps_number) return std::nullopt;
   const RememberedStep* const known = remembered_.find(question(modes, objective));
-  // What the other islands are in tolerates the action, or no action of this one. Where it does not even tolerate all
-  // controls idle, the action is not of this island alone.
+  // What the other parts are in tolerates the action, or no action of this one. Where it does not even tolerate all
+  // controls idle, the action is not of this part alone.
   if (known == nullptr || !nominal_.tolerates(modes, idle_) || !nominal_.tolerates(modes, known->action)) {
     return std::nullopt;
   }
   IslandPlan plan{{known->action, known->component, known->serves, {modes, known->moves}, known->idle}, modes};
   for (const NominalMove& move : known->moves) plan.first.outcome.modes[move.component.index()] = move.transition->to;
-  for (const ComponentId c : islands_.components(objective.island)) plan.end[c.index()] = known->end[c.index()];
+  for (const ComponentId c : parts_.components(objective.part)) plan.end[c.index()] = known->end[c.index()];
   return plan;
 }
 
@@ -180,7 +180,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
         break;
       }
     }
-    Choice choice = walk(current, objective, order);
+    NextStep choice = walk(current, objective, order);
     if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false, {}};
     auto& step = std::get<PlannedStep>(choice);
     if (!may_take(current, objective, step.idle, step.outcome)) {
@@ -195,7 +195,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
   }
   if (safe && order == Order::downstream_first && objective.keeps_number) {
     for (const auto& [before, step] : taken) {
-      if (!nominal_.tolerates(before, idle_)) continue;  // the action does for other islands, too
+      if (!nominal_.tolerates(before, idle_)) continue;  // the action does for other parts, too
       auto key = question(before, objective);
       if (remembered_.find(key) != nullptr) continue;
       remembered_.add(key, {step.action, step.component, step.serves, step.outcome.moves, step.idle, current});
@@ -204,11 +204,11 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
   return {std::move(taken.front().second), safe, std::move(current)};
 }
 
-Planner::Choice Planner::advance(const Modes& modes, const Objective& objective, Order order) {
-  std::optional<Choice> first;
-  for (const ComponentId c : ordered_[objective.island]) {
+Planner::NextStep Planner::advance(const Modes& modes, const Objective& objective, Order order) {
+  std::optional<NextStep> first;
+  for (const ComponentId c : ordered_[objective.part]) {
     if (!astray(modes, objective, c)) continue;
-    Choice choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
+    NextStep choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
     auto* const step = std::get_if<PlannedStep>(&choice);
     if (step != nullptr) step->serves = c;
     if (order == Order::downstream_first) return choice;
@@ -220,9 +220,9 @@ Planner::Choice Planner::advance(const Modes& modes, const Objective& objective,
   return std::move(*first);
 }
 
-Planner::Choice Planner::walk(const Modes& modes, const Objective& objective, Order order) {
-  const auto& components = ordered_[objective.island];
-  Choice choice = advance(modes, objective, order);
+Planner::NextStep Planner::walk(const Modes& modes, const Objective& objective, Order order) {
+  const auto& components = ordered_[objective.part];
+  NextStep choice = advance(modes, objective, order);
   const auto* waiting = std::get_if<PlannedStep>(&choice);
   if (waiting == nullptr || !waiting->idle) return choice;
 
@@ -230,7 +230,7 @@ Planner::Choice Planner::walk(const Modes& modes, const Objective& objective, Or
   for (const ComponentId c : components) {
     const ModeId target = objective.target[c.index()];
     if (!astray(modes, objective, c) || !nominal_.plant()[c].modes[modes[c.index()].index()].fault) continue;
-    Choice repair = achieve(modes, objective, c, std::span(&target, 1));
+    NextStep repair = achieve(modes, objective, c, std::span(&target, 1));
     auto* const command = std::get_if<PlannedStep>(&repair);
     if (command == nullptr || command->idle || command->component != c) continue;
     command->serves = c;
@@ -239,8 +239,8 @@ Planner::Choice Planner::walk(const Modes& modes, const Objective& objective, Or
   return choice;
 }
 
-Planner::Choice Planner::achieve(const Modes& modes, const Objective& objective, ComponentId component,
-                                 std::span<const ModeId> wanted) {
+Planner::NextStep Planner::achieve(const Modes& modes, const Objective& objective, ComponentId component,
+                                   std::span<const ModeId> wanted) {
   const Plant& plant = nominal_.plant();
   const ModeId current = modes[component.index()];
   const Policy& policy = policies_.of(component, objective.permitted);
@@ -310,13 +310,13 @@ const ModeRequirement* Planner::first_pending(const Modes& modes, const Way& way
 }
 
 /// The step of a way of which only the command is missing.
-Planner::Choice Planner::command(const Modes& modes, const Objective& objective, ComponentId component,
-                                 const NominalTransition& transition, const Support& support) {
+Planner::NextStep Planner::command(const Modes& modes, const Objective& objective, ComponentId component,
+                                   const NominalTransition& transition, const Precondition& precondition) {
   const Plant& plant = nominal_.plant();
   const auto change = [&](ComponentId c, const char* goes, ModeId from, ModeId to) {
     return "'" + plant[c].name + "' " + goes + " from " + name(c, from) + " to " + name(c, to);
   };
-  auto action = nominal_.least_action(modes, &support);
+  auto action = nominal_.least_action(modes, &precondition);
   auto outcome = action
                      ? nominal_.take(modes, *action, {component, &transition}, objective.permitted, &objective.target)
                      : std::nullopt;
@@ -344,8 +344,8 @@ Planner::Choice Planner::command(const Modes& modes, const Objective& objective,
   return Impasse{component, "every command that would cause " + purpose + " undoes what is achieved", why};
 }
 
-Planner::Choice Planner::bring_about(const Modes& modes, const Objective& objective, ComponentId component,
-                                     const NominalTransition& transition) {
+Planner::NextStep Planner::bring_about(const Modes& modes, const Objective& objective, ComponentId component,
+                                       const NominalTransition& transition) {
   const auto purpose = [&] {
     return "'" + nominal_.plant()[component].name + "' to go from " + name(component, transition.from) + " to " +
            name(component, transition.to);
@@ -359,19 +359,19 @@ Planner::Choice Planner::bring_about(const Modes& modes, const Objective& object
 
   std::optional<Impasse> obstacle;
   for (const auto& [distance, way] : ways) {
-    std::optional<Choice> choice;
+    std::optional<NextStep> choice;
     if (const ModeRequirement* const pending = first_pending(modes, *way)) {
       std::vector<ModeId> wanted;
       for (const ValueId v : pending->requirement->values) wanted.emplace_back(v.index());
       choice = achieve(modes, objective, pending->component, wanted);
       if (auto* stuck = std::get_if<Impasse>(&*choice)) stuck->reason += ", as it takes for " + purpose();
     } else {
-      choice = command(modes, objective, component, transition, *way->support);
+      choice = command(modes, objective, component, transition, *way->precondition);
     }
     if (std::holds_alternative<PlannedStep>(*choice)) return std::move(*choice);
     if (!obstacle) obstacle = std::get<Impasse>(std::move(*choice));
   }
-  CHECK(obstacle && "a transition in the graph has a support");
+  CHECK(obstacle && "a transition in the graph has a precondition");
   return *obstacle;
 }
 

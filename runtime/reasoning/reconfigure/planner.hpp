@@ -13,9 +13,9 @@
 #include "base/bounded_cache.hpp"
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
 #include "runtime/reasoning/reconfigure/impasse.hpp"
-#include "runtime/reasoning/reconfigure/islands.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/nominal_step.hpp"
+#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/policy.hpp"
 #include "runtime/reasoning/reconfigure/ways.hpp"
 
@@ -34,39 +34,39 @@ struct PlannedStep {
 struct Objective {
   const automata::Modes& target;
   const Permitted& permitted;       ///< transitions that may be taken
-  std::size_t island;               ///< only its components are looked at
+  std::size_t part;                 ///< only its components are looked at
   const std::vector<bool>& wanted;  ///< by component: it is to come to its target; others may end where they are
   /// Housekeeping: what every state on the way satisfies. It waits for no timed transition but of components that are
   /// astray themselves. Empty for what the goal needs.
   std::function<bool(const automata::Modes&)> keeps = {};
   /// Plans of objectives with the same number may be remembered for each other: 0 where nothing is kept. None where
-  /// what is kept is no matter of the island alone.
+  /// what is kept is no matter of the part alone.
   std::optional<std::uint64_t> keeps_number = 0;
 };
 
-/// A plan for one island.
+/// A plan for one part.
 struct IslandPlan {
   PlannedStep first;
-  automata::Modes end;  ///< other islands as they were
+  automata::Modes end;  ///< other parts as they were
 };
 
 /// Goals are achieved one by one, downstream first; the policy of a component names the transition to take, and what
 /// its guard requires of components upstream becomes a subgoal (a depth-first walk through the policies). Each choice
 /// is checked on the step function: it must not undo a goal that is achieved, nor take an irreversible step that is not
 /// named. The walk is followed to the goal state before its first action is given; where it turns in a circle or gets
-/// stuck, and where components control each other in a cycle, the whole island is searched instead.
+/// stuck, and where components control each other in a cycle, the whole part is searched instead.
 ///
 /// A wait is unsafe while another component has a mode that the rest of the plan relies on and may leave it by a timed
 /// transition of its own. A way without unsafe waits goes before all others: the walk, then the walk that puts off what
 /// does not last, then a search; only where there is none are unsafe waits accepted. Whether a wait is unsafe is read
 /// from the state alone, so the answers along a plan agree with each other.
 ///
-/// Cost of a walk: about the plan's length times the requirements along it. Of a search: exponential in the island.
+/// Cost of a walk: about the plan's length times the requirements along it. Of a search: exponential in the part.
 class Planner {
  public:
-  Planner(automata::PlantStep& step, const NominalGraph& graph, const Islands& islands);
+  Planner(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts);
 
-  /// The first step from `modes`, which differ from the target in some wanted component of the island, and where the
+  /// The first step from `modes`, which differ from the target in some wanted component of the part, and where the
   /// plan ends.
   std::variant<IslandPlan, Impasse> next(const automata::Modes& modes, const Objective& objective);
   /// The searches of one answer share a budget; this renews it.
@@ -92,18 +92,18 @@ class Planner {
   static constexpr std::size_t trial_limit = 1u << 16;
 
  private:
-  using Choice = std::variant<PlannedStep, Impasse>;
+  using NextStep = std::variant<PlannedStep, Impasse>;
   enum class Order { downstream_first, lasting_first };
   enum class Waits { safe, any };
   /// A walk to the goal state: its first step, or why it does not get there; and whether each of its waits is safe.
   struct Trace {
-    Choice first;
+    NextStep first;
     bool safe;
     automata::Modes end;
   };
   /// What a search finds; `excluded`: ways were left out because of unsafe waits.
   struct Found {
-    Choice first;
+    NextStep first;
     bool excluded;
     automata::Modes end;
   };
@@ -115,15 +115,15 @@ class Planner {
   static bool may_take(const automata::Modes& modes, const Objective& objective, bool idle,
                        const NominalOutcome& outcome);
   Trace follow(const automata::Modes& modes, const Objective& objective, Order order);
-  Choice walk(const automata::Modes& modes, const Objective& objective, Order order);
+  NextStep walk(const automata::Modes& modes, const Objective& objective, Order order);
   /// Of the components that are astray, the first that can be brought on without reaching a goal too early.
-  Choice advance(const automata::Modes& modes, const Objective& objective, Order order);
-  Choice achieve(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
-                 std::span<const automata::ModeId> wanted);
-  Choice bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
-                     const NominalTransition& transition);
-  Choice command(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
-                 const NominalTransition& transition, const Support& support);
+  NextStep advance(const automata::Modes& modes, const Objective& objective, Order order);
+  NextStep achieve(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                   std::span<const automata::ModeId> wanted);
+  NextStep bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                       const NominalTransition& transition);
+  NextStep command(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                   const NominalTransition& transition, const Precondition& precondition);
   /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
   /// upstream of it. It can take others, to bring a component out of the way that is where it should be in the end.
   [[nodiscard]] std::vector<automata::ControlAction> promising(const automata::Modes& modes,
@@ -153,24 +153,24 @@ class Planner {
   [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
   [[nodiscard]] std::string name(automata::ComponentId component, automata::ModeId mode) const;
 
-  /// What the island and the objective have to do with where a walk leads, as a key.
+  /// What the part and the objective have to do with where a walk leads, as a key.
   std::vector<std::uint64_t> question(const automata::Modes& modes, const Objective& objective) const;
   /// The first step of a safe walk that was followed before, or part of one.
   std::optional<IslandPlan> recall(const automata::Modes& modes, const Objective& objective);
 
-  /// What is remembered of a step: all but the modes of other islands.
+  /// What is remembered of a step: all but the modes of other parts.
   struct RememberedStep {
     automata::ControlAction action;
     automata::ComponentId component, serves;
     std::vector<NominalMove> moves;
     bool idle;
-    automata::Modes end;  ///< of the whole plant; the island's are looked at
+    automata::Modes end;  ///< of the whole plant; the part's are looked at
   };
   /// Beyond about so many remembered steps they are forgotten.
   static constexpr std::size_t memory_limit = 1u << 11;
 
   const NominalGraph& graph_;
-  const Islands& islands_;
+  const Parts& parts_;
   CausalOrder order_;
   Policies policies_;
   Ways ways_;
@@ -178,8 +178,8 @@ class Planner {
   std::size_t tried_ = 0;
   automata::ControlAction idle_;
   std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
-  std::vector<std::vector<automata::ComponentId>> ordered_;         ///< per island, downstream first
-  std::vector<std::vector<automata::ControlAction>> actions_;       ///< per island: idle, then all that are tried
+  std::vector<std::vector<automata::ComponentId>> ordered_;         ///< per part, downstream first
+  std::vector<std::vector<automata::ControlAction>> actions_;       ///< per part: idle, then all that are tried
   /// The steps of safe walks downstream first, by `question`: what follows on the first step is a safe walk, too, and
   /// its answer was found on the way.
   base::BoundedCache<std::vector<std::uint64_t>, RememberedStep> remembered_{memory_limit};

@@ -58,7 +58,7 @@ const Policy& Policies::of(ComponentId component, const Permitted& permitted) {
 }
 
 PolicyTable policy_table(const automata::Plant& plant, ComponentId component) {
-  return policy_table(plant, NominalGraph(plant, Islands(plant)), component);
+  return policy_table(plant, NominalGraph(plant, Parts(plant)), component);
 }
 
 PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph, ComponentId component) {
@@ -79,7 +79,7 @@ PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph
         entry.kind = uncommanded ? PolicyEntry::Kind::wait : PolicyEntry::Kind::command;
         entry.transition = next->id;
         entry.irreversible = !next->reversible;
-        entry.supports = next->supports;
+        entry.preconditions = next->preconditions;
       }
     }
   }

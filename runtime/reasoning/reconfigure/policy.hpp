@@ -68,13 +68,13 @@ struct PolicyEntry {
   enum class Kind {
     arrived,  ///< current and target are the same: stay idle
     wait,     ///< idle: the transition is a matter of time, or happens of itself
-    command,  ///< achieve one of `supports`, its modes before its control values
+    command,  ///< achieve one of `preconditions`, its modes before its control values
     failure   ///< no nominal way leads there
   };
   Kind kind = Kind::failure;
-  automata::TransitionId transition;  ///< with `wait` and `command`
-  bool irreversible = false;          ///< with `wait` and `command`: nothing leads back
-  std::vector<Support> supports;      ///< with `wait` and `command`
+  automata::TransitionId transition;        ///< with `wait` and `command`
+  bool irreversible = false;                ///< with `wait` and `command`: nothing leads back
+  std::vector<Precondition> preconditions;  ///< with `wait` and `command`
 };
 
 /// Table 6.2 for any component: `entries[current][target]`, over all modes, every irreversible step permitted: each

@@ -18,8 +18,8 @@ Prospects::Prospects(const NominalGraph& graph, const Modes& modes, const Goal& 
   }
   passed_ = drift_;
   spread(drift_, [&](ComponentId, const NominalTransition& t) {
-    for (std::size_t i = 0; i < t.supports.size(); ++i) {
-      if (t.silent[i] && supported(t.supports[i], drift_)) return true;
+    for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
+      if (t.silent[i] && supported(t.preconditions[i], drift_)) return true;
     }
     return false;
   });
@@ -59,19 +59,21 @@ void Prospects::spread(std::vector<std::vector<bool>>& reached, const Usable& us
   }
 }
 
-bool Prospects::supported(const Support& support, const std::vector<std::vector<bool>>& reached) const {
-  return std::all_of(support.begin(), support.end(), [&](const Requirement& r) { return graph_.meets(r, reached); });
+bool Prospects::supported(const Precondition& precondition, const std::vector<std::vector<bool>>& reached) const {
+  return std::all_of(precondition.begin(), precondition.end(),
+                     [&](const Requirement& r) { return graph_.meets(r, reached); });
 }
 
 bool Prospects::supported(const NominalTransition& t) const {
-  return std::any_of(t.supports.begin(), t.supports.end(), [&](const Support& s) { return supported(s, passed_); });
+  return std::any_of(t.preconditions.begin(), t.preconditions.end(),
+                     [&](const Precondition& s) { return supported(s, passed_); });
 }
 
 /// Whether it may be taken with all controls idle.
 bool Prospects::drifts(ComponentId c, const NominalTransition& t) const {
   if (!drift_[c.index()][t.from.index()] || !drift_[c.index()][t.to.index()]) return false;
-  for (std::size_t i = 0; i < t.supports.size(); ++i) {
-    if (t.silent[i] && supported(t.supports[i], drift_)) return true;
+  for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
+    if (t.silent[i] && supported(t.preconditions[i], drift_)) return true;
   }
   return false;
 }
@@ -98,15 +100,15 @@ void Prospects::count_steps(ComponentId c) {
   }
 }
 
-/// Whether commands, or components that are commanded, decide whether the transition is taken: some support in reach
-/// asks for them, and none is met whatever they do.
+/// Whether commands, or components that are commanded, decide whether the transition is taken: some precondition in
+/// reach asks for them, and none is met whatever they do.
 bool Prospects::felt(ComponentId c, const NominalTransition& t) const {
   if (t.commanded) return supported(t);
   bool felt = false;
-  for (const Support& support : t.supports) {
+  for (const Precondition& precondition : t.preconditions) {
     bool asks = false;
     bool met = true;
-    for (const Requirement& r : support) {
+    for (const Requirement& r : precondition) {
       const auto other = graph_.component_of(r);
       if (other == c) continue;
       const bool now = other && std::binary_search(r.values.begin(), r.values.end(),
@@ -123,7 +125,7 @@ bool Prospects::felt(ComponentId c, const NominalTransition& t) const {
       met = met && now;
     }
     if (!asks && met) return false;
-    felt = felt || (asks && supported(support, passed_));
+    felt = felt || (asks && supported(precondition, passed_));
   }
   return felt;
 }
@@ -166,11 +168,11 @@ Prospects::Barrier Prospects::barrier(ComponentId component, const std::vector<b
     for (std::size_t m = 0; m < wanted.size(); ++m)
       leads = leads || (wanted[m] && graph_.leads(component, t.to, ModeId(m)));
     if (!leads || (first.transition != nullptr && !wanted[t.to.index()])) continue;
-    const Support& support = t.supports.front();
-    const auto unmet =
-        std::find_if(support.begin(), support.end(), [&](const Requirement& r) { return !graph_.meets(r, passed_); });
+    const Precondition& precondition = t.preconditions.front();
+    const auto unmet = std::find_if(precondition.begin(), precondition.end(),
+                                    [&](const Requirement& r) { return !graph_.meets(r, passed_); });
     const bool leave = NominalGraph::harmless(t) || graph_.leads_to_named(component, t.to, goal_.named());
-    if (leave && unmet == support.end()) continue;
+    if (leave && unmet == precondition.end()) continue;
     first = {&t, leave ? &*unmet : nullptr};
     if (wanted[t.to.index()]) break;
   }

@@ -13,8 +13,8 @@
 namespace rmpl::runtime {
 
 /// Components are looked at one by one, others through what they can come to themselves: nothing that a plan can reach
-/// is left out, and what hangs behind a failed driver is out of reach. Cost: about the supports of the transitions out
-/// of what is reached.
+/// is left out, and what hangs behind a failed driver is out of reach. Cost: about the preconditions of the transitions
+/// out of what is reached.
 class Prospects {
  public:
   /// With `keeping`, nothing that a command does may leave what the goal's conjuncts over modes permit.
@@ -47,7 +47,7 @@ class Prospects {
  private:
   template <class Usable>
   void spread(std::vector<std::vector<bool>>& reached, const Usable& usable) const;
-  [[nodiscard]] bool supported(const Support& support, const std::vector<std::vector<bool>>& reached) const;
+  [[nodiscard]] bool supported(const Precondition& precondition, const std::vector<std::vector<bool>>& reached) const;
   [[nodiscard]] bool supported(const NominalTransition& t) const;
   [[nodiscard]] bool drifts(automata::ComponentId c, const NominalTransition& t) const;
   [[nodiscard]] bool felt(automata::ComponentId c, const NominalTransition& t) const;

@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
-#include "runtime/reasoning/reconfigure/islands.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/planner.hpp"
 #include "runtime/reasoning/reconfigure/prospects.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
@@ -41,9 +41,9 @@ class PolicyReconfigurer : public Reconfigurer {
       : step_(step),
         idle_(idle_action(step.plant())),
         graph_(std::move(graph)),
-        islands_(step.plant(), graph_->restless(step.plant())),
+        parts_(step.plant(), graph_->restless(step.plant())),
         interpreter_(step, *graph_),
-        planner_(step, *graph_, islands_),
+        planner_(step, *graph_, parts_),
         goals_(step) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
@@ -64,13 +64,13 @@ class PolicyReconfigurer : public Reconfigurer {
   };
   using Asked = RecentGoals<Memory>::Entry;
 
-  /// The next step of one island; whether it achieves what does not last, and whether the island has to be waited for.
+  /// The next step of one part; whether it achieves what does not last, and whether the part has to be waited for.
   struct Offer {
     IslandPlan plan;
-    std::size_t island;
+    std::size_t part;
     bool brief, waits;
   };
-  /// What the goal needs of a goal state, and the islands' plans for it.
+  /// What the goal needs of a goal state, and the parts' plans for it.
   struct Needed {
     std::vector<ComponentId> components;
     Modes target;  ///< the estimate, with those changes alone
@@ -144,7 +144,7 @@ class PolicyReconfigurer : public Reconfigurer {
     return result;
   }
 
-  /// The first command that need not be put off until another island has been waited for; else the first wait; else the
+  /// The first command that need not be put off until another part has been waited for; else the first wait; else the
   /// first command.
   static std::size_t best(const std::vector<Offer>& offers) {
     const auto waiting = std::count_if(offers.begin(), offers.end(), [](const Offer& o) { return o.waits; });
@@ -157,20 +157,20 @@ class PolicyReconfigurer : public Reconfigurer {
     return static_cast<std::size_t>(at - offers.begin());
   }
 
-  /// Islands do not touch each other, so each is planned by itself, in the order of goals. An impasse, and its island.
+  /// Parts do not touch each other, so each is planned by itself, in the order of goals. An impasse, and its part.
   std::optional<std::pair<Impasse, std::size_t>> plan(const Modes& modes, Objective objective,
                                                       std::vector<Offer>& offers) {
-    std::vector<bool> planned(islands_.count());
+    std::vector<bool> planned(parts_.count());
     for (const ComponentId c : planner_.order()) {
-      const std::size_t island = islands_.of(c);
-      if (!objective.wanted[c.index()] || modes[c.index()] == objective.target[c.index()] || planned[island]) continue;
-      planned[island] = true;
-      objective.island = island;
+      const std::size_t part = parts_.of(c);
+      if (!objective.wanted[c.index()] || modes[c.index()] == objective.target[c.index()] || planned[part]) continue;
+      planned[part] = true;
+      objective.part = part;
       auto found = planner_.next(modes, objective);
-      if (auto* impasse = std::get_if<Impasse>(&found)) return std::pair{std::move(*impasse), island};
+      if (auto* impasse = std::get_if<Impasse>(&found)) return std::pair{std::move(*impasse), part};
       auto& way = std::get<IslandPlan>(found);
       const bool brief = planner_.is_brief(way.first, objective);
-      offers.push_back({std::move(way), island, brief, planner_.has_waits(modes, objective)});
+      offers.push_back({std::move(way), part, brief, planner_.has_waits(modes, objective)});
     }
     return std::nullopt;
   }
@@ -205,7 +205,7 @@ class PolicyReconfigurer : public Reconfigurer {
           std::vector<ComponentId> blamed;
           if (++failures >= failure_limit) return blamed;
           for (const ComponentId c : needed.components) {
-            if (islands_.of(c) == failed->second) blamed.push_back(c);
+            if (parts_.of(c) == failed->second) blamed.push_back(c);
           }
           return blamed;
         });
@@ -232,7 +232,7 @@ class PolicyReconfigurer : public Reconfigurer {
   std::optional<Modes> aim(const Modes& modes, const Needed& needed, Asked& asked) {
     Modes end = modes;
     for (const Offer& offer : needed.offers) {
-      for (const ComponentId c : islands_.components(offer.island)) end[c.index()] = offer.plan.end[c.index()];
+      for (const ComponentId c : parts_.components(offer.part)) end[c.index()] = offer.plan.end[c.index()];
     }
     auto& aims = asked.memory.aims;
     if (const auto known = aims.find(end); known != aims.end()) return known->second;
@@ -264,7 +264,7 @@ class PolicyReconfigurer : public Reconfigurer {
       };
       const Permitted permitted = prospects.permitted(aim);
       planner_.renew_budget(housekeeping_trials);
-      auto found = planner_.next(modes, {aim, permitted, islands_.of(c), wanted, others_rest, std::nullopt});
+      auto found = planner_.next(modes, {aim, permitted, parts_.of(c), wanted, others_rest, std::nullopt});
       auto* const plan = std::get_if<IslandPlan>(&found);
       if (plan != nullptr && !plan->first.idle) return std::move(plan->first);
     }
@@ -293,7 +293,7 @@ class PolicyReconfigurer : public Reconfigurer {
           if (!failed) return std::nullopt;
           std::vector<ComponentId> blamed;
           if (++failures >= failure_limit) return blamed;
-          for (const ComponentId c : islands_.components(failed->second)) {
+          for (const ComponentId c : parts_.components(failed->second)) {
             if (failures < exact_failures || candidate[c.index()] != modes[c.index()]) blamed.push_back(c);
           }
           return blamed;
@@ -343,7 +343,7 @@ class PolicyReconfigurer : public Reconfigurer {
   automata::PlantStep& step_;
   automata::ControlAction idle_;
   std::shared_ptr<const NominalGraph> graph_;
-  Islands islands_;
+  Parts parts_;
   GoalInterpreter interpreter_;
   Planner planner_;
   RecentGoals<Memory> goals_;
@@ -359,7 +359,7 @@ std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step, std::
 }
 
 std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant) {
-  return std::make_shared<NominalGraph>(plant, Islands(plant));
+  return std::make_shared<NominalGraph>(plant, Parts(plant));
 }
 
 }  // namespace rmpl::runtime

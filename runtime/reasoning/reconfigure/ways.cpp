@@ -16,10 +16,10 @@ Ways::Ways(const automata::Plant& plant, const NominalGraph& graph, const Causal
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     auto& transitions = ways_.emplace_back(plant.components[c].transitions.size());
     for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
-      for (const Support& support : t.supports) {
-        if (!order.goes_upstream(ComponentId(c), support)) continue;
-        Way& way = transitions[t.id.index()].emplace_back(Way{&support, {}});
-        for (const Requirement& r : support) {
+      for (const Precondition& precondition : t.preconditions) {
+        if (!order.goes_upstream(ComponentId(c), precondition)) continue;
+        Way& way = transitions[t.id.index()].emplace_back(Way{&precondition, {}});
+        for (const Requirement& r : precondition) {
           if (const auto upstream = component_of[r.variable.index()]) way.modes.push_back({*upstream, &r});
         }
       }

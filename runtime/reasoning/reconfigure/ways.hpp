@@ -1,4 +1,4 @@
-// Ways to bring about each nominal transition: its supports, with what they require of other components at hand.
+// Ways to bring about each nominal transition: its preconditions, with what they require of other components at hand.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,10 +15,10 @@ struct ModeRequirement {
   const Requirement* requirement;
 };
 
-/// A support that goes upstream.
+/// A precondition that goes upstream.
 struct Way {
-  const Support* support;
-  std::vector<ModeRequirement> modes;  ///< in order of the support
+  const Precondition* precondition;
+  std::vector<ModeRequirement> modes;  ///< in order of the precondition
 };
 
 /// Computed once: a planner looks at them in each step of each plan.
@@ -26,7 +26,7 @@ class Ways {
  public:
   Ways(const automata::Plant& plant, const NominalGraph& graph, const CausalOrder& order);
 
-  /// Simplest supports first, as the transition has them.
+  /// Simplest preconditions first, as the transition has them.
   [[nodiscard]] const std::vector<Way>& of(automata::ComponentId component, const NominalTransition& transition) const {
     return ways_[component.index()][transition.id.index()];
   }

@@ -1,4 +1,4 @@
-// Policies: Table 6.2 of the thesis, entry by entry, and the supports that its commands stand on.
+// Policies: Table 6.2 of the thesis, entry by entry, and the preconditions that its commands stand on.
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/reconfigure/policy.hpp"
 
@@ -15,9 +15,9 @@ using automata::ComponentId;
 using automata::Plant;
 using ::testing::ElementsAre;
 
-std::string text(const Plant& plant, const Support& support) {
+std::string text(const Plant& plant, const Precondition& precondition) {
   std::string result;
-  for (const Requirement& r : support) {
+  for (const Requirement& r : precondition) {
     result += (result.empty() ? "" : " & ") + to_text(member(r.variable, r.values), plant.variables);
   }
   return result;
@@ -30,7 +30,7 @@ std::string text(const Plant& plant, const PolicyEntry& entry) {
     case PolicyEntry::Kind::wait:
       return "Idle";
     case PolicyEntry::Kind::command:
-      return text(plant, entry.supports.front());
+      return text(plant, entry.preconditions.front());
     case PolicyEntry::Kind::failure:
       return "Failure";
   }
@@ -59,7 +59,7 @@ TEST(Policy, CommandsPassThroughTheDriver) {
   const auto valve = policy_table(plant, *plant.find_component("valve1"));
   EXPECT_EQ(text(plant, valve.entries[0][1]), "pde.cmd = open1 & pde = on");
   const auto engine = policy_table(plant, *plant.find_component("engine"));
-  EXPECT_EQ(engine.entries[2][3].supports.size(), 1U);
+  EXPECT_EQ(engine.entries[2][3].preconditions.size(), 1U);
   EXPECT_EQ(text(plant, engine.entries[2][3]),
             "pde.cmd = fireEngine & pde = on & valve1 in {open, stuck-open} & valve2 in {open, stuck-open} & "
             "tank1 = full & tank2 = full");
@@ -75,19 +75,19 @@ TEST(Policy, MarksWhatCannotBeUndone) {
 
 TEST(CausalOrder, PutsTheDriverAfterWhatItDrives) {
   const Plant plant = crafts::propulsion().plant;
-  const Islands islands(plant);
-  const CausalOrder order(plant, NominalGraph(plant, islands));
+  const Parts parts(plant);
+  const CausalOrder order(plant, NominalGraph(plant, parts));
   std::vector<std::string> names;
   for (const ComponentId c : order.downstream_first()) names.push_back(plant[c].name);
   EXPECT_THAT(names, ElementsAre("engine", "valve1", "valve2", "pde", "tank1", "tank2"));
-  EXPECT_EQ(islands.of(ComponentId(0)), islands.of(ComponentId(5)));
+  EXPECT_EQ(parts.of(ComponentId(0)), parts.of(ComponentId(5)));
 }
 
-TEST(Islands, SeparateWhatSharesNoConstraint) {
+TEST(Parts, SeparateWhatSharesNoConstraint) {
   const Plant plant = crafts::lander().plant;
-  const Islands islands(plant);
-  EXPECT_NE(islands.of(ComponentId(0)), islands.of(ComponentId(1)));
-  EXPECT_THAT(islands.controls(islands.of(ComponentId(1))), ElementsAre(1U));
+  const Parts parts(plant);
+  EXPECT_NE(parts.of(ComponentId(0)), parts.of(ComponentId(1)));
+  EXPECT_THAT(parts.controls(parts.of(ComponentId(1))), ElementsAre(1U));
 }
 
 }  // namespace

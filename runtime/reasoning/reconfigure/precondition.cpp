@@ -1,6 +1,6 @@
-// Supports as sets of what fits them.
+// Preconditions as sets of what fits them.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/reconfigure/support.hpp"
+#include "runtime/reasoning/reconfigure/precondition.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -12,21 +12,21 @@ using automata::Plant;
 using automata::ValueId;
 using automata::VariableId;
 
-std::size_t commanded_controls(const Plant& plant, const Support& support) {
-  return static_cast<std::size_t>(std::count_if(support.begin(), support.end(), [&](const Requirement& r) {
+std::size_t commanded_controls(const Plant& plant, const Precondition& precondition) {
+  return static_cast<std::size_t>(std::count_if(precondition.begin(), precondition.end(), [&](const Requirement& r) {
     return std::any_of(plant.controls.begin(), plant.controls.end(), [&](const automata::Control& control) {
       return control.variable == r.variable && !std::binary_search(r.values.begin(), r.values.end(), control.idle);
     });
   }));
 }
 
-Formula formula_of(const Support& support) {
+Formula formula_of(const Precondition& precondition) {
   std::vector<Formula> parts;
-  for (const Requirement& r : support) parts.push_back(member(r.variable, r.values));
+  for (const Requirement& r : precondition) parts.push_back(member(r.variable, r.values));
   return automata::conjunction(std::move(parts));
 }
 
-bool subsumes(const Support& wide, const Support& narrow) {
+bool subsumes(const Precondition& wide, const Precondition& narrow) {
   return std::all_of(wide.begin(), wide.end(), [&](const Requirement& r) {
     const auto at = std::lower_bound(narrow.begin(), narrow.end(), r.variable,
                                      [](const Requirement& n, VariableId v) { return n.variable < v; });
@@ -35,8 +35,8 @@ bool subsumes(const Support& wide, const Support& narrow) {
   });
 }
 
-std::optional<Support> both(const Support& left, const Support& right) {
-  Support result = left;
+std::optional<Precondition> both(const Precondition& left, const Precondition& right) {
+  Precondition result = left;
   for (const Requirement& r : right) {
     const auto at = std::lower_bound(result.begin(), result.end(), r.variable,
                                      [](const Requirement& n, VariableId v) { return n.variable < v; });
@@ -53,6 +53,8 @@ std::optional<Support> both(const Support& left, const Support& right) {
   return result;
 }
 
-bool needs_no_command(const Plant& plant, const Support& support) { return commanded_controls(plant, support) == 0; }
+bool needs_no_command(const Plant& plant, const Precondition& precondition) {
+  return commanded_controls(plant, precondition) == 0;
+}
 
 }  // namespace rmpl::runtime

@@ -1,6 +1,6 @@
-// Supports by counterexample-guided refinement over the constraint store.
+// Preconditions by counterexample-guided refinement over the constraint store.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/reconfigure/support_finder.hpp"
+#include "runtime/reasoning/reconfigure/precondition_finder.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -94,24 +94,24 @@ bool reads(const Formula& formula, const std::vector<bool>& set) {
 }  // namespace
 
 /// One conjunct of a guard in one source mode: what is asked, and what may be decided to bring it about.
-struct SupportFinder::Question {
+struct PreconditionFinder::Question {
   ComponentId component;
   Assignment asked;   ///< assumed where the conjunct is wanted and what is excluded stays excluded
   Assignment source;  ///< the component's own mode
   Formula guard;
   Theory::Handle refuted;  ///< its negation
-  std::size_t island;
+  std::size_t part;
   std::vector<VariableId> decisions;   ///< modes of other components and controls
   std::vector<VariableId> attributes;  ///< that the decisions may leave open
 };
 
-SupportFinder::SupportFinder(const Plant& plant, const Islands& islands)
+PreconditionFinder::PreconditionFinder(const Plant& plant, const Parts& parts)
     : plant_(with_questions(automata::relevant_part(plant), questions_, tolerates_)),
-      islands_(islands),
+      parts_(parts),
       theory_(fresh_theory()),
       regions_(plant_, plant.variables.size()) {}
 
-Theory SupportFinder::fresh_theory() const {
+Theory PreconditionFinder::fresh_theory() const {
   Theory theory = model_theory(plant_, Theory::Upkeep::searched);
   for (std::size_t c = 0; c < plant_.components.size(); ++c) {
     for (std::size_t m = 0; m < tolerates_[c].size(); ++m) {
@@ -121,10 +121,10 @@ Theory SupportFinder::fresh_theory() const {
   return theory;
 }
 
-std::vector<Support> SupportFinder::supports(ComponentId component, TransitionId transition) {
+std::vector<Precondition> PreconditionFinder::preconditions(ComponentId component, TransitionId transition) {
   const auto& t = plant_[component].transitions[transition.index()];
   const Assignment source{plant_[component].mode, ValueId(t.from.index())};
-  std::vector<Support> found{{}};
+  std::vector<Precondition> found{{}};
   const std::vector<Formula> conjuncts = conjuncts_of(t.guard);
   for (std::size_t i = 0; i < conjuncts.size(); ++i) {
     Question question{.component = component,
@@ -132,7 +132,7 @@ std::vector<Support> SupportFinder::supports(ComponentId component, TransitionId
                       .source = source,
                       .guard = conjuncts[i],
                       .refuted = {},
-                      .island = islands_.of(component),
+                      .part = parts_.of(component),
                       .decisions = {},
                       .attributes = {}};
     std::vector<bool> chosen(plant_.variables.size());
@@ -151,12 +151,12 @@ std::vector<Support> SupportFinder::supports(ComponentId component, TransitionId
       for (const VariableId attribute : region->attributes) choose(attribute, question.attributes);
     }
     std::sort(question.decisions.begin(), question.decisions.end());
-    found = joined(found, part_supports(question), source);
+    found = joined(found, part_preconditions(question), source);
   }
-  const auto rank = [&](const Support& support) {
-    return std::make_tuple(commanded_controls(plant_, support), support.size());
+  const auto rank = [&](const Precondition& precondition) {
+    return std::make_tuple(commanded_controls(plant_, precondition), precondition.size());
   };
-  std::sort(found.begin(), found.end(), [&](const Support& a, const Support& b) {
+  std::sort(found.begin(), found.end(), [&](const Precondition& a, const Precondition& b) {
     return std::tuple_cat(rank(a), std::tie(a)) < std::tuple_cat(rank(b), std::tie(b));
   });
   if (found.size() > limit) found.resize(limit);
@@ -164,29 +164,29 @@ std::vector<Support> SupportFinder::supports(ComponentId component, TransitionId
 }
 
 /// The unions that the store permits, without those that a wider one makes superfluous.
-std::vector<Support> SupportFinder::joined(const std::vector<Support>& left, const std::vector<Support>& right,
-                                           Assignment source) {
-  std::vector<Support> unions;
-  for (const Support& l : left) {
-    for (const Support& r : right) {
+std::vector<Precondition> PreconditionFinder::joined(const std::vector<Precondition>& left,
+                                                     const std::vector<Precondition>& right, Assignment source) {
+  std::vector<Precondition> unions;
+  for (const Precondition& l : left) {
+    for (const Precondition& r : right) {
       if (auto whole = both(l, r)) unions.push_back(std::move(*whole));
     }
   }
   std::sort(unions.begin(), unions.end());
   unions.erase(std::unique(unions.begin(), unions.end()), unions.end());
-  std::vector<Support> result;
-  for (const Support& support : unions) {
-    const bool superfluous = std::any_of(unions.begin(), unions.end(), [&](const Support& other) {
-      return &other != &support && subsumes(other, support);
+  std::vector<Precondition> result;
+  for (const Precondition& precondition : unions) {
+    const bool superfluous = std::any_of(unions.begin(), unions.end(), [&](const Precondition& other) {
+      return &other != &precondition && subsumes(other, precondition);
     });
-    if (!superfluous && theory_.allows(std::span(&source, 1), theory_.encode(formula_of(support)))) {
-      result.push_back(support);
+    if (!superfluous && theory_.allows(std::span(&source, 1), theory_.encode(formula_of(precondition)))) {
+      result.push_back(precondition);
     }
   }
   return result;
 }
 
-std::vector<Support> SupportFinder::part_supports(Question& question) {
+std::vector<Precondition> PreconditionFinder::part_preconditions(Question& question) {
   // What was told for the questions before only slows the solver down.
   if (excluded_ > exclusion_limit) {
     theory_ = fresh_theory();
@@ -194,7 +194,7 @@ std::vector<Support> SupportFinder::part_supports(Question& question) {
   }
   question.refuted = theory_.encode(negation(question.guard));
   theory_.tell_if(question.asked, question.guard);
-  std::vector<Support> found;
+  std::vector<Precondition> found;
   const std::vector<Assignment> wanted{question.asked, question.source};
   while (found.size() < limit && theory_.consistent(wanted)) {
     const World proposal = read_world(question);
@@ -203,27 +203,27 @@ std::vector<Support> SupportFinder::part_supports(Question& question) {
     if (theory_.allows(decisions, question.refuted)) {
       exclude(question, proposal);
     } else {
-      Support support = shrink(question);
-      widen(question, support);
-      theory_.tell_if(question.asked, negation(formula_of(support)));
-      found.push_back(std::move(support));
+      Precondition precondition = shrink(question);
+      widen(question, precondition);
+      theory_.tell_if(question.asked, negation(formula_of(precondition)));
+      found.push_back(std::move(precondition));
     }
   }
   return found;
 }
 
-bool SupportFinder::possible(ComponentId component, automata::ModeId mode) {
+bool PreconditionFinder::possible(ComponentId component, automata::ModeId mode) {
   return theory_.consistent(std::vector<Assignment>{{plant_[component].mode, ValueId(mode.index())}});
 }
 
-SupportFinder::World SupportFinder::read_world(const Question& question) const {
+PreconditionFinder::World PreconditionFinder::read_world(const Question& question) const {
   World world(plant_.variables.size());
-  for (const VariableId v : islands_.variables(question.island)) world[v.index()] = theory_.value(v);
+  for (const VariableId v : parts_.variables(question.part)) world[v.index()] = theory_.value(v);
   return world;
 }
 
 /// After the decisions were found to imply the guard: those that are needed for it, one value each.
-Support SupportFinder::shrink(const Question& question) {
+Precondition PreconditionFinder::shrink(const Question& question) {
   std::vector<Assignment> core = theory_.conflict();
   std::erase(core, question.source);
   for (std::size_t i = 0; i < core.size();) {
@@ -238,37 +238,38 @@ Support SupportFinder::shrink(const Question& question) {
     }
   }
   std::sort(core.begin(), core.end());
-  Support support;
-  for (const Assignment& a : core) support.push_back({a.variable, {a.value}});
-  return support;
+  Precondition precondition;
+  for (const Assignment& a : core) precondition.push_back({a.variable, {a.value}});
+  return precondition;
 }
 
-/// Adds each value with which the support stays one, whatever the others are, and which the store permits.
-void SupportFinder::widen(const Question& question, Support& support) {
-  for (std::size_t i = 0; i < support.size(); ++i) {
-    Support others = support;
+/// Adds each value with which the precondition stays one, whatever the others are, and which the store permits.
+void PreconditionFinder::widen(const Question& question, Precondition& precondition) {
+  for (std::size_t i = 0; i < precondition.size(); ++i) {
+    Precondition others = precondition;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     const Formula context = formula_of(others);
     const auto permitted = theory_.encode(context);
     const auto refuted = theory_.encode(automata::conjunction({context, negation(question.guard)}));
-    const VariableId variable = support[i].variable;
+    const VariableId variable = precondition[i].variable;
     std::vector<ValueId> values;
     for (std::size_t v = 0; v < plant_.variables[variable].values.size(); ++v) {
       const std::vector<Assignment> with{question.source, {variable, ValueId(v)}};
       if (theory_.allows(with, permitted) && !theory_.allows(with, refuted)) values.emplace_back(v);
     }
-    support[i].values = std::move(values);
+    precondition[i].values = std::move(values);
   }
 }
 
 /// After a world was found that refutes the guard under the assumptions: another one that satisfies the constraints of
 /// as many modes as can be added one by one, so that it refutes as many proposals as possible.
-SupportFinder::World SupportFinder::most_tolerant(const Question& question, std::vector<Assignment> assumptions) {
+PreconditionFinder::World PreconditionFinder::most_tolerant(const Question& question,
+                                                            std::vector<Assignment> assumptions) {
   World world = read_world(question);
   const auto tolerated = [&](ComponentId c, std::size_t m) {
     return evaluate(plant_[c].modes[m].constraint, [&](VariableId v) { return world[v.index()]; });
   };
-  for (const ComponentId c : islands_.components(question.island)) {
+  for (const ComponentId c : parts_.components(question.part)) {
     const bool decided = std::binary_search(question.decisions.begin(), question.decisions.end(), plant_[c].mode);
     if (!decided) continue;
     for (std::size_t m = 0; m < plant_[c].modes.size(); ++m) {
@@ -286,7 +287,8 @@ SupportFinder::World SupportFinder::most_tolerant(const Question& question, std:
 
 /// The attributes that are to have their values from the refuting world: those that differ from the proposal, and
 /// around them all that can take part without any mode being at odds with it that is not at odds already.
-std::vector<bool> SupportFinder::swapped(const Question& question, const World& proposal, const World& refuting) const {
+std::vector<bool> PreconditionFinder::swapped(const Question& question, const World& proposal,
+                                              const World& refuting) const {
   const auto at_odds = [&](Assignment mode) {
     const auto& modes = plant_[*plant_.component_of(mode.variable)].modes;
     return !evaluate(modes[mode.value.index()].constraint, [&](VariableId v) { return refuting[v.index()]; });
@@ -322,10 +324,10 @@ std::vector<bool> SupportFinder::swapped(const Question& question, const World& 
 
 /// After the proposal's decisions were found not to imply the guard. A refuting world is looked for that keeps as many
 /// attributes as the proofs of its impossibility allow. Whatever world the values of those that are swapped, put in
-/// place of its own, turn into one that satisfies the store and refutes the guard, it proposes no support: its own
+/// place of its own, turn into one that satisfies the store and refutes the guard, it proposes no precondition: its own
 /// decisions admit that other world. Only constraints that read what is swapped can tell, so only those are in what is
 /// excluded.
-void SupportFinder::exclude(const Question& question, const World& proposal) {
+void PreconditionFinder::exclude(const Question& question, const World& proposal) {
   std::vector<Assignment> fixed{question.source};
   for (const VariableId v : question.decisions) fixed.push_back({v, proposal[v.index()]});
   std::vector<Assignment> kept;
@@ -349,7 +351,7 @@ void SupportFinder::exclude(const Question& question, const World& proposal) {
   for (const automata::Interconnection& q : plant_.interconnections) {
     if (reads(q.constraint, changed)) parts.push_back(substituted(q.constraint, value_of));
   }
-  for (const ComponentId c : islands_.components(question.island)) {
+  for (const ComponentId c : parts_.components(question.part)) {
     const Component& component = plant_[c];
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       const Formula& constraint = component.modes[m].constraint;

@@ -1,4 +1,4 @@
-// Supports: what must hold of other components' modes and of the controls for a guard to be implied.
+// Preconditions: what must hold of other components' modes and of the controls for a guard to be implied.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -18,18 +18,18 @@ struct Requirement {
 
 /// Requirements, in order of variable, that together with the component's own mode make the store imply a guard,
 /// whichever of the permitted values are taken. None of them can be left out.
-using Support = std::vector<Requirement>;
+using Precondition = std::vector<Requirement>;
 
-/// Whether a support can be met with every control at its idle value.
-bool needs_no_command(const automata::Plant& plant, const Support& support);
+/// Whether a precondition can be met with every control at its idle value.
+bool needs_no_command(const automata::Plant& plant, const Precondition& precondition);
 /// How many controls it needs off their idle values.
-std::size_t commanded_controls(const automata::Plant& plant, const Support& support);
+std::size_t commanded_controls(const automata::Plant& plant, const Precondition& precondition);
 
 /// That all requirements are met.
-automata::Formula formula_of(const Support& support);
+automata::Formula formula_of(const Precondition& precondition);
 /// Whether whatever fits `narrow` fits `wide` too.
-bool subsumes(const Support& wide, const Support& narrow);
+bool subsumes(const Precondition& wide, const Precondition& narrow);
 /// What fits both; nothing where they exclude each other.
-std::optional<Support> both(const Support& left, const Support& right);
+std::optional<Precondition> both(const Precondition& left, const Precondition& right);
 
 }  // namespace rmpl::runtime

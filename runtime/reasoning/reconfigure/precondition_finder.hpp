@@ -1,0 +1,67 @@
+// Finding preconditions: what modes and controls bring a guard about.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "automata/logic/theory.hpp"
+#include "automata/plant.hpp"
+#include "runtime/reasoning/reconfigure/parts.hpp"
+#include "runtime/reasoning/reconfigure/precondition.hpp"
+#include "runtime/reasoning/reconfigure/regions.hpp"
+
+namespace rmpl::runtime {
+
+/// Finds preconditions by abduction over the constraint store (the preconditions of Williams & Nayak 1997, 4.1, without
+/// compiling the interactions away first).
+///
+/// Which modes and controls bring a guard about is a question of two quantifiers: do some modes and controls make it
+/// true in all worlds? It is answered by counterexample-guided refinement. A world in which the guard holds proposes
+/// its modes and controls. If they imply the guard, the failed assumptions are a precondition; it is shrunk, widened to
+/// sets of values, and excluded. If not, a world with the same modes and controls refutes them; it is chosen close to
+/// the proposal, and all worlds that the same local change refutes are excluded with it, so that components far from
+/// the change are never enumerated.
+///
+/// A guard is asked conjunct by conjunct: what is enough for a conjunction is enough for each part, so its
+/// preconditions are unions of theirs. And each part is asked of its region only, the attributes that constraints join
+/// once modes and controls are fixed: those of other regions cannot make it true or false in a consistent state.
+class PreconditionFinder {
+ public:
+  PreconditionFinder(const automata::Plant& plant, const Parts& parts);
+
+  /// The preconditions of a transition's guard in its source mode; none when nothing can bring the guard about. Every
+  /// consistent state and control action that imply the guard fit one of them, unless there are more than `limit`.
+  /// Sorted: fewest controls off their idle values first, then fewest requirements, then by variables and values.
+  std::vector<Precondition> preconditions(automata::ComponentId component, automata::TransitionId transition);
+
+  /// Whether some state of the plant has this mode.
+  bool possible(automata::ComponentId component, automata::ModeId mode);
+
+  static constexpr std::size_t limit = 256;
+
+ private:
+  struct Question;
+  using World = std::vector<automata::ValueId>;  ///< by variable; of the part only
+
+  [[nodiscard]] automata::Theory fresh_theory() const;
+  std::vector<Precondition> part_preconditions(Question& question);
+  std::vector<Precondition> joined(const std::vector<Precondition>& left, const std::vector<Precondition>& right,
+                                   automata::Assignment source);
+  World read_world(const Question& question) const;
+  Precondition shrink(const Question& question);
+  void widen(const Question& question, Precondition& precondition);
+  World most_tolerant(const Question& question, std::vector<automata::Assignment> assumptions);
+  [[nodiscard]] std::vector<bool> swapped(const Question& question, const World& proposal, const World& refuting) const;
+  void exclude(const Question& question, const World& proposal);
+
+  /// Per component, per transition, per conjunct of its guard.
+  std::vector<std::vector<std::vector<automata::VariableId>>> questions_;
+  std::vector<std::vector<automata::VariableId>> tolerates_;  ///< per component, per mode
+  automata::Plant plant_;  ///< with those variables: assumed, one asks for a conjunct, or tells a mode's constraint
+  const Parts& parts_;
+  automata::Theory theory_;
+  std::size_t excluded_ = 0;  ///< by this theory
+  Regions regions_;
+};
+
+}  // namespace rmpl::runtime
