@@ -19,6 +19,7 @@ namespace rmpl::compiler {
 struct Compilation::Result {
   grammar::Findings findings;
   automata::Document document;
+  std::vector<automata::PlantProperty> properties;
   std::vector<File> files;
 };
 
@@ -33,6 +34,13 @@ const automata::Document& Compilation::document() const {
   CHECK(ok() && "a compilation with errors has no document");
   return result_->document;
 }
+
+const std::vector<automata::PlantProperty>& Compilation::properties() const {
+  CHECK(ok() && "a compilation with errors has no properties");
+  return result_->properties;
+}
+
+std::span<const File> Compilation::files() const { return result_->files; }
 
 const grammar::Findings& Compilation::findings() const { return result_->findings; }
 
@@ -51,6 +59,7 @@ Compilation compile(std::span<const std::string> paths, const Options& options, 
   auto result = std::make_unique<Compilation::Result>();
   InputSet inputs(provider, result->findings.sources, result->findings.diagnostics);
   result->document = inputs.compile(paths, options);
+  result->properties = inputs.take_properties();
   result->files = inputs.take_files();
   return Compilation(std::move(result));
 }

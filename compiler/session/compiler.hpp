@@ -18,10 +18,12 @@
 namespace rmpl::compiler {
 
 class NameIndex;
+struct File;
 class Provider;
 
 struct Options {
-  std::string main;  ///< the entry definition of the control program; empty: the one that no other calls
+  std::string main;         ///< the entry definition of the control program; empty: the one that no other calls
+  bool properties = false;  ///< whether `.props` files may be among the inputs; they speak of the plant of the inputs
 };
 
 /// What came of compiling an input set: a document, or at least one error. Nothing is rendered or printed here.
@@ -34,6 +36,10 @@ class Compilation {
   [[nodiscard]] bool ok() const;
   /// The document. Only where `ok()`.
   [[nodiscard]] const automata::Document& document() const;
+  /// What the `.props` files among the inputs state, in order of the files. Only where `ok()`.
+  [[nodiscard]] const std::vector<automata::PlantProperty>& properties() const;
+  /// All that was read, with or without errors, by index.
+  [[nodiscard]] std::span<const File> files() const;
   /// Every diagnostic, warnings too, and the texts that they speak of.
   [[nodiscard]] const grammar::Findings& findings() const;
   /// The names in all that was read, with or without errors (`compiler/session/names.hpp`).

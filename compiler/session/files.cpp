@@ -24,6 +24,8 @@ const char* name_of(Kind kind) {
       return "a plant model";
     case Kind::scenario:
       return "a set of scenarios";
+    case Kind::properties:
+      return "a set of properties";
     case Kind::document:
       return "a compiled document";
   }
@@ -73,7 +75,7 @@ const File* Files::open(const File& from, const grammar::String& path) {
 const File& Files::read(const std::string& path, const std::string& id, std::string text) {
   const bool standard_input = path == "-";
   const auto kind = standard_input ? kind_by_content(text) : kind_by_name(path);
-  if (!kind) throw base::InputError(path + ": expected a file named .rmpl, .tcca, .scn or .json");
+  if (!kind) throw base::InputError(not_a_model(path));
   File file;
   file.kind = *kind;
   file.directory = standard_input ? "" : std::filesystem::path(path).parent_path().string();
@@ -92,6 +94,9 @@ const File& Files::read(const std::string& path, const std::string& id, std::str
       break;
     case Kind::scenario:
       keep(grammar::parse_scenarios(sources_, file.index, diagnostics_), file.scenarios);
+      break;
+    case Kind::properties:
+      keep(grammar::parse_properties(sources_, file.index, diagnostics_), file.properties);
       break;
     case Kind::document:
       file.document = read_document(file.index);
@@ -145,7 +150,7 @@ std::vector<File> Files::take() {
 
 void Files::follow(const File& file, std::vector<Importing>& path, FileSet& set) {
   constexpr std::size_t depth_limit = 200;
-  if (file.kind == Kind::scenario || !file.whole) set.complete = false;
+  if (file.kind == Kind::scenario || file.kind == Kind::properties || !file.whole) set.complete = false;
   if (!file.whole) return;
   for (const grammar::Import* import : imports_of(file)) {
     const File* imported = open(file, import->path);

@@ -15,6 +15,7 @@
 #include "compiler/session/provider.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
+#include "grammar/ast/property.hpp"
 #include "grammar/ast/scenario.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
@@ -22,7 +23,7 @@
 namespace rmpl::compiler {
 
 /// What a file holds, told by its extension; of standard input, by its content.
-enum class Kind { program, plant, scenario, document };
+enum class Kind { program, plant, scenario, properties, document };
 
 /// One file: its text, and what it holds; with syntax errors a part of that, for an index of names.
 struct File {
@@ -33,6 +34,7 @@ struct File {
   std::optional<grammar::ProgramFile> program;
   std::optional<grammar::PlantFile> plant;
   std::optional<grammar::ScenarioFile> scenarios;
+  std::optional<grammar::PropertyFile> properties;
   std::optional<automata::Document> document;
 };
 
@@ -74,10 +76,12 @@ class Files {
   std::map<std::string, File> files_;  ///< by identity; a map, for files are referred to
 };
 
-/// The kind of a file by its extension: `.rmpl`, `.tcca`, `.scn`, `.json`. Nothing for any other.
+/// The kind of a file by its extension: `.rmpl`, `.tcca`, `.scn`, `.props`, `.json`. Nothing for any other.
 std::optional<Kind> kind_by_name(const std::string& path);
-/// The kind of a text: `{` opens a document; `scenario`, `component`, `module`, `domain` or `plant` say what they are;
-/// all else is a program.
+/// What to say of a file of another kind than models have.
+std::string not_a_model(const std::string& path);
+/// The kind of a text: `{` opens a document; `scenario`, `property "`, `component`, `module`, `domain` or `plant` say
+/// what they are; all else is a program.
 Kind kind_by_content(std::string_view text);
 
 }  // namespace rmpl::compiler

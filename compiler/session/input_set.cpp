@@ -3,6 +3,7 @@
 #include "compiler/session/input_set.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/error.hpp"
@@ -12,6 +13,7 @@
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lower/module.hpp"
 #include "compiler/lower/program.hpp"
+#include "compiler/lower/property.hpp"
 #include "compiler/lower/scenario.hpp"
 
 namespace rmpl::compiler {
@@ -21,7 +23,7 @@ using grammar::Span;
 
 automata::Document InputSet::compile(std::span<const std::string> paths, const Options& options) {
   std::map<Kind, Roots> roots;
-  for (const File* file : opened(paths)) {
+  for (const File* file : opened(paths, options)) {
     Roots& same = roots[file->kind];
     if (std::find(same.begin(), same.end(), file) == same.end()) same.push_back(file);
   }
@@ -40,15 +42,17 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
     throw base::InputError("--main " + options.main + ": expected a control program (.rmpl) among the inputs");
   }
   for (const File* file : roots[Kind::scenario]) scenarios(*file);
+  for (const File* file : roots[Kind::properties]) properties(*file, plant);
   return std::move(document_);
 }
 
-InputSet::Roots InputSet::opened(std::span<const std::string> paths) {
+InputSet::Roots InputSet::opened(std::span<const std::string> paths, const Options& options) {
   Roots roots;
   std::vector<std::string> failures;
   for (const std::string& path : paths) {
     try {
       roots.push_back(&files_.open(path));
+      if (roots.back()->kind == Kind::properties && !options.properties) throw base::InputError(not_a_model(path));
     } catch (const base::InputError& error) {
       failures.emplace_back(error.what());
     }
@@ -218,6 +222,22 @@ void InputSet::scenarios(const File& file) {
     scenario.program = *position;
     document_.scenarios.push_back(std::move(scenario));
   }
+}
+
+void InputSet::properties(const File& file, const Plant& plant) {
+  if (!file.whole) return;
+  const Part* part = plant.part;
+  if (part == nullptr && parts_.size() == 1 && document_.plants.size() == 1) part = &parts_.front();
+  if (part == nullptr) {
+    // A plant with errors has been told of.
+    if (!diagnostics_.has_errors()) {
+      diagnostics_.error(Code::no_plant, {file.index, 0, 0},
+                         "properties speak of a plant, and there is not one of it among the inputs");
+    }
+    return;
+  }
+  auto stated = lower_properties(sources_, *file.properties, {file.index, 0, 0}, part->plant, diagnostics_);
+  std::move(stated.begin(), stated.end(), std::back_inserter(properties_));
 }
 
 const File* InputSet::referred(const File& from, const grammar::String& path, Kind kind) {

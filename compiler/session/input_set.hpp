@@ -9,8 +9,10 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "automata/property.hpp"
 #include "automata/scenario.hpp"
 #include "compiler/lower/part.hpp"
 #include "compiler/session/compiler.hpp"
@@ -28,6 +30,8 @@ class InputSet {
       : sources_(sources), diagnostics_(diagnostics), files_(provider, sources, diagnostics) {}
 
   automata::Document compile(std::span<const std::string> paths, const Options& options);
+  /// What the `.props` files stated, once all is compiled.
+  std::vector<automata::PlantProperty> take_properties() { return std::move(properties_); }
   /// What was read, once all is compiled.
   std::vector<File> take_files() { return files_.take(); }
 
@@ -52,7 +56,7 @@ class InputSet {
   automata::Program bound(const automata::Program& program, const Part* plant, grammar::Span blame);
 
   /// The files that the user named. Throws base::InputError that tells of all that cannot be read.
-  Roots opened(std::span<const std::string> paths);
+  Roots opened(std::span<const std::string> paths, const Options& options);
   Plant plant(const Roots& roots, grammar::Span blame);
   std::optional<Part> lower_plant(const Roots& roots, grammar::Span blame);
   /// The position of the program, or nothing where it has errors.
@@ -60,6 +64,7 @@ class InputSet {
   std::optional<automata::Program> lower_program(const Roots& roots, const Entry& entry, const Part* plant,
                                                  grammar::Span blame);
   void scenarios(const File& file);
+  void properties(const File& file, const Plant& plant);
   /// A file that a scenario names; null where it is missing or of another kind, and then it has been reported.
   const File* referred(const File& from, const grammar::String& path, Kind kind);
 
@@ -67,6 +72,7 @@ class InputSet {
   grammar::Diagnostics& diagnostics_;
   Files files_;
   automata::Document document_;
+  std::vector<automata::PlantProperty> properties_;
   std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document
   std::deque<Part> parts_;              ///< of plants without errors; a deque, for they are referred to
   std::map<Roots, Plant> plants_;

@@ -43,8 +43,13 @@ std::optional<Kind> kind_by_name(const std::string& path) {
   if (extension == ".rmpl") return Kind::program;
   if (extension == ".tcca") return Kind::plant;
   if (extension == ".scn") return Kind::scenario;
+  if (extension == ".props") return Kind::properties;
   if (extension == ".json") return Kind::document;
   return std::nullopt;
+}
+
+std::string not_a_model(const std::string& path) {
+  return path + ": expected a file named .rmpl, .tcca, .scn or .json";
 }
 
 Kind kind_by_content(std::string_view text) {
@@ -62,6 +67,7 @@ Kind kind_by_content(std::string_view text) {
   }
   // `plant() :: { … }` is a definition: the words are reserved only where the grammar expects them.
   if (!text.empty() && text.front() == '(') return Kind::program;
+  if (word == "property" && !text.empty() && text.front() == '"') return Kind::properties;
   if (word == "scenario") return Kind::scenario;
   if (word == "component" || word == "module" || word == "domain" || word == "plant") return Kind::plant;
   return Kind::program;

@@ -23,6 +23,10 @@ class Walk {
   void run(const File& file) {
     if (file.plant) items(file.plant->items);
     if (file.program) items(file.program->items);
+    if (file.properties) {
+      items(file.properties->defaults);
+      for (const grammar::PropertyDefinition& property : file.properties->properties) items(property.items);
+    }
     if (!file.scenarios) return;
     for (const grammar::ScenarioDefinition& scenario : file.scenarios->scenarios) {
       declare(scenario.name.span, NameKind::scenario);
@@ -192,6 +196,22 @@ class Walk {
   void add(const grammar::CyclePart&) {}
   void add(const grammar::DurationPart&) {}
   void add(const grammar::SeedPart&) {}
+
+  // Properties.
+  void add(const grammar::NeverClaim& claim) { add(claim.constraint); }
+  void add(const grammar::ReachClaim& claim) { add(claim.constraint); }
+  void add(const grammar::ResponseClaim& claim) {
+    add(claim.after);
+    add(claim.then);
+  }
+  void add(const grammar::FromSetting& setting) {
+    for (const grammar::AssignmentText& assignment : setting.modes) add(assignment);
+  }
+  void add(const grammar::FaultsSetting&) {}
+  void add(const grammar::TimeSetting&) {}
+  void add(const grammar::CommandsSetting&) {}
+  void add(const grammar::EntailedSetting&) {}
+  void add(const grammar::ExpectedVerdict&) {}
 
   // Constraints.
   void add(const grammar::Constraint& constraint) {

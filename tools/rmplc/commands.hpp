@@ -9,6 +9,8 @@
 namespace rmpl::tools {
 
 void add_compile(Program& program);
+void add_check(Program& program);
+void add_lint(Program& program);
 void add_import(Program& program);
 void add_explain(Program& program);
 

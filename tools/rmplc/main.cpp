@@ -7,7 +7,8 @@ namespace rmpl::tools {
 namespace {
 
 constexpr const char* notes = R"(Exit status:
-  0  done
+  0  done; lint found nothing
+  1  lint found something
   2  the command line or an input is wrong; nothing was written
   3  out of memory; nothing was written
   4  an internal error; nothing is claimed
@@ -40,6 +41,8 @@ int main(int count, char** arguments) {
   Program program("rmplc", RMPL_VERSION,
                   "The RMPL compiler: control programs, plant models and scenarios become automata.", notes);
   add_compile(program);
+  add_check(program);
+  add_lint(program);
   add_import(program);
   add_explain(program);
   return program.run(count, arguments);

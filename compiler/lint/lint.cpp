@@ -1,0 +1,75 @@
+// The runner of lint: the passes in order, and what the codes are.
+// SPDX-License-Identifier: MIT
+#include "compiler/lint/lint.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.hpp"
+
+namespace rmpl::compiler {
+
+using grammar::Diagnostics;
+
+const char* to_string(LintGroup group) {
+  switch (group) {
+    case LintGroup::impossible:
+      return "impossible";
+    case LintGroup::suspicious:
+      return "suspicious";
+    case LintGroup::unused:
+      return "unused";
+    case LintGroup::observability:
+      return "observability";
+    case LintGroup::timing:
+      return "timing";
+    case LintGroup::style:
+      return "style";
+    case LintGroup::allowance:
+      return "allowance";
+  }
+  return "";
+}
+
+std::vector<LintCode> lint_codes() {
+  std::vector<LintCode> all;
+  for (const auto codes : {plant_lint_codes(), program_lint_codes()}) all.insert(all.end(), codes.begin(), codes.end());
+  std::sort(all.begin(), all.end(), [](const LintCode& a, const LintCode& b) { return a.code < b.code; });
+  return all;
+}
+
+const LintCode* find_lint_code(grammar::Code code) {
+  for (const auto codes : {plant_lint_codes(), program_lint_codes()}) {
+    const auto found = std::find_if(codes.begin(), codes.end(), [&](const LintCode& one) { return one.code == code; });
+    if (found != codes.end()) return &*found;
+  }
+  return nullptr;
+}
+
+grammar::Diagnostic& add_finding(Diagnostics& found, grammar::Code code, grammar::Span span, std::string message) {
+  const LintCode* known = find_lint_code(code);
+  CHECK(known != nullptr && "what lint finds is among its codes");
+  switch (known->level) {
+    case grammar::Severity::error:
+      return found.error(code, span, std::move(message));
+    case grammar::Severity::warning:
+      return found.warning(code, span, std::move(message));
+    case grammar::Severity::note:
+      break;
+  }
+  return found.note(code, span, std::move(message));
+}
+
+Diagnostics lint(const Compilation& compilation) {
+  const grammar::Sources& sources = compilation.findings().sources;
+  Diagnostics found = compilation.findings().diagnostics;
+  const NameIndex names = compilation.names();
+  const Places places(sources, compilation.files());
+  const LintInput input{sources, compilation.files(), compilation.document(), compilation.properties(), names, places};
+  for (const auto passes : {plant_passes(), program_passes()}) {
+    for (const LintPass pass : passes) pass(input, found);
+  }
+  return found;
+}
+
+}  // namespace rmpl::compiler
