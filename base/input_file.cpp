@@ -12,6 +12,7 @@
 #include <map>
 #include <mutex>
 #include <streambuf>
+#include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
@@ -44,6 +45,15 @@ class FilesRead {
   std::mutex mutex_;
   std::map<std::pair<dev_t, ino_t>, std::string> names_;
 };
+
+/// At once, in bytes. Set before anything is read, so that threads only read it.
+std::size_t limit = std::size_t{1} << 30;
+
+void check_length(const std::string& name, const char* what, std::size_t length) {
+  if (length <= limit) return;
+  throw InputError(name + ": " + what + " of more than " + std::to_string(limit) +
+                   " bytes; `--max-input` permits more");
+}
 
 FilesRead& files_read() {
   static FilesRead files;
@@ -86,6 +96,7 @@ class InputFile::Buffer final : public std::streambuf {
       if (count < 0 && errno == EINTR && stop_ && stop_()) return traits_type::eof();
     } while (count < 0 && errno == EINTR);
     if (count < 0) fail(name_, errno);
+    measure(std::string_view(block_.data(), static_cast<std::size_t>(count)));
     setg(block_.data(), block_.data(), block_.data() + count);
     return count == 0 ? traits_type::eof() : traits_type::to_int_type(block_.front());
   }
@@ -94,11 +105,17 @@ class InputFile::Buffer final : public std::streambuf {
   void close() {
     if (owned_) ::close(file_);
   }
+  void measure(std::string_view text) {
+    const std::size_t end = text.find_last_of('\n');
+    line_ = end == std::string_view::npos ? line_ + text.size() : text.size() - end - 1;
+    check_length(name_, "a line", line_);
+  }
 
   const std::string& name_;
   std::function<bool()> stop_;
   bool owned_;
   int file_ = -1;
+  std::size_t line_ = 0;  ///< bytes of the last line so far; of longer ones within a block there is nothing to fear
   std::array<char, std::size_t{1} << 16> block_;
 };
 
@@ -111,6 +128,8 @@ InputFile::InputFile(const std::string& path, std::function<bool()> stop)
 
 InputFile::~InputFile() = default;
 
+void limit_inputs(std::size_t bytes) { limit = bytes; }
+
 std::string read_file(const std::string& path) {
   InputFile file(path);
   std::streambuf& buffer = *file.stream().rdbuf();
@@ -118,6 +137,7 @@ std::string read_file(const std::string& path) {
   std::array<char, std::size_t{1} << 16> block;
   while (const std::streamsize count = buffer.sgetn(block.data(), block.size())) {
     text.append(block.data(), static_cast<std::size_t>(count));
+    check_length(file.name(), "a text", text.size());
   }
   return text;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <istream>
 #include <memory>
@@ -9,6 +10,10 @@
 #include <string>
 
 namespace rmpl::base {
+
+/// What may be read at once, in bytes: a file that is read whole, a line of one that is read line by line. 1 GiB unless
+/// it is set. What is longer is an InputError, so that a wrong file name does not end in a lack of memory.
+void limit_inputs(std::size_t bytes);
 
 /// The whole of a file; `-` is standard input. Throws InputError with the reason where a byte of it cannot be read.
 std::string read_file(const std::string& path);

@@ -14,6 +14,9 @@ void add_common(CLI::App& app, Common& common) {
   add_choice<Color>(app, "--color", common.color,
                     {{"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}},
                     "colours; auto, the default, is on a terminal where NO_COLOR is not set");
+  add_read(app, "--max-input", common.max_input, memory_size,
+           "the longest file, or line of a log, that is read (default 1G)")
+      ->option_text("BYTES[K|M|G]");
   app.add_flag("-q,--quiet", common.quiet, "say less: no warnings, no progress, no story");
   app.add_flag("-v,--verbose", common.verbose, "say more: what is read, and what it cost");
 }

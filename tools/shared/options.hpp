@@ -25,6 +25,7 @@ struct Common {
   Format format = Format::text;  ///< of results, and with json also of diagnostics
   bool quiet = false;
   bool verbose = false;
+  std::size_t max_input = std::size_t{1} << 30;  ///< bytes that are read at once
 };
 
 /// A subcommand: declared at the start, run where it was called.

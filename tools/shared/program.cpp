@@ -14,6 +14,7 @@
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/limit_error.hpp"
 #include "base/printable.hpp"
 #include "tools/shared/complaint.hpp"
@@ -78,6 +79,7 @@ ExitStatus Program::parse_and_run(int count, const char* const* arguments) {
   finish_options(app_);
   try {
     app_.parse(count, arguments);
+    base::limit_inputs(common_.max_input);
     for (const Subcommand& command : commands_) {
       if (command.app->parsed()) return command.run();
     }

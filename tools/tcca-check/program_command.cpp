@@ -94,16 +94,18 @@ void write_scenario(base::OutputFile& file, const ScenarioFrame& frame, const Su
   std::optional<std::string> why;
   for (std::size_t p = 0; p < properties.size(); ++p) {
     if (!answers[p].witness || verifier::is_warning(properties[p])) continue;
-    std::optional<verifier::Witness> witness = answers[p].witness;
-    if (!free.period && !witness->stop) {
+    Answer answer = answers[p];
+    if (!free.period && !answer.witness->stop) {
       CheckOptions sampled = free;
       sampled.period = frame.cycle;
-      witness = verifier::check(*subject.program, step, {properties[p]}, sampled, limits).front().witness;
+      answer = verifier::check(*subject.program, step, {properties[p]}, sampled, limits).front();
     }
+    const auto& witness = answer.witness;
     const auto& property = std::get<ProgramProperty>(properties[p]);
-    const auto refused = witness ? verifier::no_scenario(step, property, *witness)
-                                 : std::optional("in cycles of " + automata::format_seconds(frame.cycle) +
-                                                 " s the violation was not found; --cycle takes another length");
+    const std::string not_found = "in cycles of " + automata::format_seconds(frame.cycle) +
+                                  " s the violation was not found" +
+                                  (answer.limit ? " before the search was ended" : "; --cycle takes another length");
+    const auto refused = witness ? verifier::no_scenario(step, property, *witness) : std::optional(not_found);
     if (!refused) {
       file.write(verifier::scenario_text(step, property, *witness, frame));
       file.keep();

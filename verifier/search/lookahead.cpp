@@ -3,13 +3,19 @@
 #include "verifier/search/lookahead.hpp"
 
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace rmpl::verifier {
 
 Lookahead::Lookahead(CopyableSystem& system, unsigned threads, Meter& meter) : system_(system), meter_(meter) {
   limits_.interrupted = &stopped_;
-  for (unsigned t = 1; t < threads; ++t) workers_.emplace_back([this] { work(); });
+  workers_.reserve(threads - 1);
+  try {
+    while (workers_.size() + 1 < threads) workers_.emplace_back([this] { work(); });
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that there are do, the result is the same.
+  }
 }
 
 Lookahead::~Lookahead() {

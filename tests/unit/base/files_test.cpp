@@ -47,6 +47,22 @@ class Files : public testing::Test {
   fs::path directory_ = fs::path(testing::TempDir()) / ("rmpl-files-test-" + std::to_string(::getpid()));
 };
 
+TEST_F(Files, LongerThanTheLimitAreRefused) {
+  const std::string lines = make("lines", std::string(100, 'x') + "\n" + std::string(100, 'y'));
+  limit_inputs(201);
+  EXPECT_EQ(read_file(lines).size(), 201u);
+  limit_inputs(200);
+  EXPECT_THAT([&] { (void)read_file(lines); }, ThrowsMessage<InputError>(HasSubstr("a text of more than 200 bytes")));
+  const std::string line = make("line", std::string(100'000, 'z'));
+  InputFile file(lines);
+  InputFile endless(line);
+  std::string text;
+  EXPECT_TRUE(std::getline(file.stream(), text));
+  EXPECT_THAT([&] { std::getline(endless.stream(), text); },
+              ThrowsMessage<InputError>(HasSubstr("a line of more than 200 bytes")));
+  limit_inputs(std::size_t{1} << 30);
+}
+
 TEST_F(Files, AreReadWhole) {
   std::string big(200'000, 'x');
   big += std::string("\0\r\n", 3);
