@@ -22,9 +22,11 @@ constexpr std::size_t module_depth_limit = 200;
 
 }  // namespace
 
-std::optional<Part> ModelLowering::run(const std::vector<const grammar::PlantFile*>& files, grammar::Span blame) {
+std::optional<Part> ModelLowering::run(const std::vector<const grammar::PlantFile*>& files, grammar::Span blame,
+                                       bool types_suffice) {
   declare_types(files);
   for (Type* type : order_) lower(*type);
+  if (plants_.empty() && types_suffice && !order_.empty()) return instances_of_types();
   if (plants_.empty()) {
     auto& error = diagnostics_.error(Code::no_plant, blame, "the model has no plant");
     error.suggestion = "add `plant Name { … }` with the instances of the model";
@@ -159,6 +161,14 @@ void ModelLowering::add_instance(const Name& name, const Part& type, const std::
   if (!make_room(part, type.size, name.span, diagnostics_)) return;
   instantiate(part, name.text, type);
   if (initial) part.plant.components.back().initial = *initial;
+}
+
+Part ModelLowering::instances_of_types() {
+  Part part;
+  for (const Type* type : order_) {
+    if (!type->part->plant.components.empty()) add_instance(type->name, *type->part, std::nullopt, part);
+  }
+  return part;
 }
 
 ModelLowering::Type* ModelLowering::find_type(const Name& name) {

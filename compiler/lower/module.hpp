@@ -26,9 +26,11 @@ class ModelLowering {
   ModelLowering(const grammar::Sources& sources, grammar::Diagnostics& diagnostics)
       : sources_(sources), diagnostics_(diagnostics), domains_(diagnostics) {}
 
-  /// The plant of the model. `blame` is where a model without a plant is reported. Only where no error was reported is
-  /// the result a plant that means what the text says.
-  std::optional<Part> run(const std::vector<const grammar::PlantFile*>& files, grammar::Span blame);
+  /// The plant of the model. `blame` is where a model without a plant is reported; where types suffice, it is one
+  /// without a name, with an instance of each type, called as the type. Only where no error was reported is the result
+  /// a plant that means what the text says.
+  std::optional<Part> run(const std::vector<const grammar::PlantFile*>& files, grammar::Span blame,
+                          bool types_suffice = false);
 
  private:
   /// A component type or a module, lowered when it is first needed.
@@ -45,6 +47,7 @@ class ModelLowering {
   /// The part of a type; null where there is none (a cycle, or an error that was reported).
   const Part* lower(Type& type);
   void lower_module(const grammar::ModuleDefinition& definition, Part& part);
+  Part instances_of_types();
   void add_instances(const grammar::InstanceDeclaration& declaration, Uniqueness& names, Part& part);
   void add_instance(const grammar::Name& name, const Part& type, const std::optional<std::vector<double>>& initial,
                     Part& part);

@@ -30,6 +30,7 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
   for (const File* file : roots[Kind::document]) adopt(*file);
   Plant plant;
   if (!roots[Kind::plant].empty()) {
+    types_suffice_ = options.types_suffice;
     plant = this->plant(roots[Kind::plant], {roots[Kind::plant].front()->index, 0, 0});
   } else if (document_.plants.size() == 1) {
     plant = {0, &parts_.emplace_back(Part{document_.plants.front(), {}, {}, 0})};
@@ -127,7 +128,7 @@ std::optional<Part> InputSet::lower_plant(const Roots& roots, Span blame) {
   }
   std::vector<const grammar::PlantFile*> files;
   for (const File* file : set.files) files.push_back(&*file->plant);
-  auto part = ModelLowering(sources_, diagnostics_).run(files, blame);
+  auto part = ModelLowering(sources_, diagnostics_).run(files, blame, types_suffice_);
   return diagnostics_.error_count() == errors ? std::move(part) : std::nullopt;
 }
 

@@ -13,6 +13,7 @@ void add_check(Program& program);
 void add_lint(Program& program);
 void add_import(Program& program);
 void add_explain(Program& program);
+void add_diagram(Program& program);
 
 /// `-o`: where a result goes.
 void add_output(CLI::App& command, std::string& output, const char* name, const char* description);

@@ -1,4 +1,4 @@
-// rmplc: compiles control programs, plant models and scenarios; explains diagnostics.
+// rmplc: compiles control programs, plant models and scenarios; explains diagnostics; draws.
 // SPDX-License-Identifier: MIT
 #include "base/output_file.hpp"
 #include "tools/rmplc/commands.hpp"
@@ -16,6 +16,7 @@ constexpr const char* notes = R"(Exit status:
 Examples:
   rmplc compile mars_entry.rmpl mars_lander.tcca -o mars_entry.json
   rmplc compile --main EntrySequence edl.rmpl
+  rmplc diagram mars_entry.rmpl -o mars_entry.svg
   rmplc explain RMPL0301)";
 
 }  // namespace
@@ -45,5 +46,6 @@ int main(int count, char** arguments) {
   add_lint(program);
   add_import(program);
   add_explain(program);
+  add_diagram(program);
   return program.run(count, arguments);
 }

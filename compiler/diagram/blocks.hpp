@@ -1,0 +1,52 @@
+// A plant, or one module of it, in blocks: its components, and modules that are folded into one block each.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "automata/plant.hpp"
+
+namespace rmpl::compiler {
+
+/// A picture of more blocks than this is hard to read: without a depth, modules are folded until there are no more.
+inline constexpr std::size_t legible_blocks = 30;
+
+struct Block {
+  std::string path;
+  const automata::Component* component = nullptr;  ///< null: a module, folded
+  std::size_t components = 0;                      ///< how many are in it
+};
+
+/// The blocks inside an instance (empty: the plant), in order of their first components.
+class Blocks {
+ public:
+  /// `depth` levels of modules are opened; without it as many as are legible.
+  Blocks(const automata::Plant& plant, std::string_view inside, std::optional<std::size_t> depth);
+
+  [[nodiscard]] const std::vector<Block>& all() const { return blocks_; }
+  /// The block that a variable belongs to: it is of a component in it, or a port of it. None for what is outside, and
+  /// for ports of modules that are open.
+  [[nodiscard]] std::optional<std::size_t> block_of(automata::VariableId variable) const;
+  /// The path of the open module that a variable that is of no block is a port of; the instance itself for any other.
+  [[nodiscard]] std::string module_of(automata::VariableId variable) const;
+  [[nodiscard]] bool is_inside(automata::VariableId variable) const;
+
+ private:
+  void fold(std::size_t depth);
+  [[nodiscard]] std::size_t levels() const;
+
+  const automata::Plant& plant_;
+  std::string inside_;
+  std::vector<Block> blocks_;
+  std::map<std::string, std::size_t, std::less<>> by_path_;
+};
+
+/// The module that a path lies in: `mes.fuel` of `mes.fuel.tank`, nothing of `engine`.
+std::string_view parent_of(std::string_view path);
+
+}  // namespace rmpl::compiler

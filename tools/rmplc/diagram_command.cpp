@@ -1,0 +1,112 @@
+// rmplc diagram: a program, a component type or a plant as a picture.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "base/error.hpp"
+#include "compiler/diagram/figures.hpp"
+#include "tools/rmplc/commands.hpp"
+#include "tools/rmplc/graphviz.hpp"
+#include "tools/shared/models.hpp"
+#include "tools/shared/suggestion.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+using compiler::Figure;
+
+enum class Picture { unsaid, dot, svg };
+
+struct Options {
+  std::vector<std::string> files;
+  std::string output;
+  std::string main;
+  std::string of;
+  std::optional<std::size_t> depth;
+  Picture format = Picture::unsaid;
+};
+
+constexpr const char* notes =
+    R"(A control program is drawn as its hierarchy of locations, a component type as its
+modes and transitions, a plant or a module in it as a block diagram. Of several
+figures --of names one: a program, a plant, a component type, the path of a module
+(mes.fuel) or of a component. A file with component types alone will do.
+
+SVG is laid out by Graphviz: its program dot must be there. DOT needs nothing, and the
+same input gives the same bytes.
+
+Without --depth a program is drawn with all that is in it, and of a plant as many
+levels of modules are opened as make no more than 30 boxes.
+
+Examples:
+  rmplc diagram mars_entry.rmpl -o mars_entry.svg
+  rmplc diagram mars_lander.tcca --of Engine -o engine.svg
+  rmplc diagram newmaap.tcca --of mes.fuel --format dot | dot -Tpdf > fuel.pdf)";
+
+/// `program 'Burn', plant 'Propulsion'`.
+std::string listed(const std::vector<Figure>& figures) {
+  std::string text;
+  for (const Figure& figure : figures) {
+    text += (text.empty() ? "" : ", ") + std::string(to_string(figure.kind)) + " '" + figure.name + "'";
+  }
+  return text;
+}
+
+/// The figures that were asked for; of those that look alike the first.
+std::vector<Figure> asked_for(const std::vector<Figure>& figures, const Options& options) {
+  if (options.of.empty()) return compiler::main_figures(figures);
+  std::vector<Figure> found = compiler::named(figures, options.of);
+  if (found.empty()) {
+    std::set<std::string_view> names;
+    for (const Figure& figure : figures) {
+      if (figure.kind != Figure::Kind::instance) names.insert(figure.name);
+    }
+    throw base::InputError("--of: there is nothing called '" + options.of + "'" +
+                           suggestion_or_list(options.of, {names.begin(), names.end()}));
+  }
+  return found;
+}
+
+std::string drawn(const std::vector<Figure>& figures, const Options& options) {
+  const std::vector<Figure> asked = asked_for(figures, options);
+  if (asked.empty()) throw base::InputError("there is nothing to draw: no program, plant or component type");
+  std::string graph = to_dot(asked.front(), options.depth);
+  const bool alike = std::all_of(asked.begin() + 1, asked.end(),
+                                 [&](const Figure& other) { return to_dot(other, options.depth) == graph; });
+  if (alike) return graph;
+  if (options.of.empty()) throw base::InputError("there are several figures; name one with --of: " + listed(asked));
+  throw base::InputError("--of: '" + options.of + "' is the name of " + std::to_string(asked.size()) +
+                         " different figures; give the files of one");
+}
+
+bool is_svg(const Options& options) {
+  if (options.format != Picture::unsaid) return options.format == Picture::svg;
+  return options.output.ends_with(".svg");
+}
+
+ExitStatus run(const Options& options, const Common& common) {
+  const compiler::Compilation result = load(options.files, common, {.main = options.main, .types_suffice = true});
+  const std::string graph = drawn(compiler::figures_of(result.document()), options);
+  write_result(options.output, is_svg(options) ? svg_of(graph) : graph);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_diagram(Program& program) {
+  CLI::App* command = program.app().add_subcommand("diagram", "draw a program, a component type or a plant");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->files, "sources and compiled documents")->required();
+  add_output(*command, options->output, "OUT", "write the picture to this file");
+  add_choice<Picture>(*command, "--format", options->format, {{"dot", Picture::dot}, {"svg", Picture::svg}},
+                      "the form of the picture (default: svg where OUT ends in .svg, else dot)");
+  command->add_option("--of", options->of, "what to draw")->option_text("NAME");
+  add_whole_number(*command, "--depth", options->depth, 0, 1000, "how many levels of boxes are opened");
+  command->add_option("--main", options->main, "start the control program at this definition")->option_text("NAME");
+  Common& common = program.common();
+  command->footer(notes);
+  program.add({command, [options, &common] { return run(*options, common); }});
+}
+
+}  // namespace rmpl::tools
