@@ -11,6 +11,7 @@ namespace rmpl::grammar {
 std::span<const CodeInfo> text_codes();
 std::span<const CodeInfo> name_codes();
 std::span<const CodeInfo> plant_codes();
+std::span<const CodeInfo> chance_codes();
 std::span<const CodeInfo> program_codes();
 std::span<const CodeInfo> scenario_codes();
 std::span<const CodeInfo> lint_codes();

@@ -11,9 +11,9 @@
 
 namespace rmpl::grammar {
 
-/// The number of a code: `RMPL0001` is 1. A number is never given to another meaning. Hundreds group by subject:
-/// 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled documents, 7 properties,
-/// 8 netlists.
+/// The number of a code: `RMPL0001` is 1. A number is never given to another meaning (105 and 216 are used up).
+/// Hundreds group by subject: 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled
+/// documents, 7 properties, 8 netlists.
 enum class Code : std::uint16_t {
   // Text.
   syntax = 1,
@@ -32,7 +32,6 @@ enum class Code : std::uint16_t {
   value_outside_domain = 102,
   different_domains = 103,
   ambiguous_name = 104,
-  empty_domain = 105,
   wrong_kind_of_name = 106,
   // Plants.
   probability_out_of_range = 200,
@@ -51,7 +50,6 @@ enum class Code : std::uint16_t {
   density_out_of_range = 213,
   initial_distribution = 214,
   no_default = 215,
-  direction = 216,
   negative_rate = 217,
   branch_distribution = 218,
   // Control programs.
@@ -113,13 +111,13 @@ enum class Code : std::uint16_t {
   netlist_driver = 802,
 };
 
-/// What a code means.
+/// What a code means. Examples are inputs that can be tried, in the notation that docs/development.md gives.
 struct CodeInfo {
   Code code;
   std::string_view title;        ///< a few words, lower case
   std::string_view explanation;  ///< what it means and why it is wrong, in sentences
-  std::string_view wrong;        ///< a shortest input that has it
-  std::string_view right;        ///< the same, put right
+  std::string_view wrong;        ///< a shortest whole input that gives it, and nothing else
+  std::string_view right;        ///< the same, put right: it gives nothing
 };
 
 /// `RMPL0001`.

@@ -11,7 +11,30 @@ constexpr std::array table = {
     CodeInfo{Code::duplicate_transition, "transition given twice",
              "Two transitions have the same source, target, guard and time bounds. Both count: their weights, risks or "
              "probabilities add up. One of them was most likely meant otherwise.",
-             "off -> on when cmd = on;\noff -> on when cmd = on;", "off -> on when cmd = on;"},
+             R"(component Valve {
+  input cmd : { none, open, close };
+  initial closed;
+  mode closed;
+  mode opened;
+  closed -> opened when cmd = open;
+  closed -> opened when cmd = open;  // and back?
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+})",
+             R"(component Valve {
+  input cmd : { none, open, close };
+  initial closed;
+  mode closed;
+  mode opened;
+  closed -> opened when cmd = open;
+  opened -> closed when cmd = close;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+})"},
     CodeInfo{
         Code::condition_never_holds, "condition never holds",
         "No state of the plant satisfies the condition: the domains, the mode constraints and the interconnections "

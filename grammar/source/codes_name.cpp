@@ -11,30 +11,100 @@ constexpr std::array table = {
     CodeInfo{Code::unknown_name, "unknown name",
              "Nothing of this name is declared here: no variable, mode, value, domain, type, definition or instance, "
              "whichever the place needs. Where a declared name is near, it is suggested.",
-             "mode off { thurst = zero };", "mode off { thrust = zero };"},
+             R"(component Engine {
+  output thrust : { zero, full };
+  initial off;
+  mode off { thurst = zero };
+}
+plant Lander { engine : Engine; })",
+             R"(component Engine {
+  output thrust : { zero, full };
+  initial off;
+  mode off { thrust = zero };
+}
+plant Lander { engine : Engine; })"},
     CodeInfo{Code::duplicate_name, "name defined twice",
              "Two things of one kind have the same name in the same scope. The note shows the first one.",
-             "mode off;\nmode off;", "mode off;\nmode standby;"},
+             R"(component Engine {
+  initial off;
+  mode off;
+  mode off;
+}
+plant Lander { engine : Engine; })",
+             R"(component Engine {
+  initial off;
+  mode off;
+  mode standby;
+}
+plant Lander { engine : Engine; })"},
     CodeInfo{Code::value_outside_domain, "value outside the domain",
              "The variable never has this value: it is not in its domain.",
-             "output thrust : { zero, full };\nmode on { thrust = half };",
-             "output thrust : { zero, half, full };\nmode on { thrust = half };"},
+             R"(component Engine {
+  output thrust : { zero, full };
+  initial idle;
+  mode idle { thrust = half };
+}
+plant Lander { engine : Engine; })",
+             R"(component Engine {
+  output thrust : { zero, half, full };
+  initial idle;
+  mode idle { thrust = half };
+}
+plant Lander { engine : Engine; })"},
     CodeInfo{Code::different_domains, "variables of different domains",
              "Two variables can be equal only where their domains list the same values in the same order.",
-             "input a : { on, off };\ninput b : { off, on };\nmode m { a = b };",
-             "domain Switch = { on, off };\ninput a, b : Switch;\nmode m { a = b };"},
+             R"(component Relay {
+  input coil : { on, off };
+  output contact : { off, on };
+  initial ok;
+  mode ok { contact = coil };
+}
+plant Board { relay : Relay; })",
+             R"(domain Switch = { on, off };
+component Relay {
+  input coil : Switch;
+  output contact : Switch;
+  initial ok;
+  mode ok { contact = coil };
+}
+plant Board { relay : Relay; })"},
     CodeInfo{
         Code::ambiguous_name, "both a value and a variable",
         "The name on the right is a value of the variable on the left, and also a variable of the same domain. The "
         "constraint would mean different things; rename one of them.",
-        "input a : { low, high };\ninput low : { low, high };\nmode m { a = low };",
-        "input a : { low, high };\ninput bound : { low, high };\nmode m { a = low };"},
-    CodeInfo{Code::empty_domain, "domain without values", "A variable needs at least one value that it can have.",
-             "domain Level = { };", "domain Level = { low, high };"},
+        R"(component Gauge {
+  input level, low : { low, high };
+  initial ok;
+  mode ok { level = low };
+}
+plant Tank { gauge : Gauge; })",
+        R"(component Gauge {
+  input level, bound : { low, high };
+  initial ok;
+  mode ok { level = low };
+}
+plant Tank { gauge : Gauge; })"},
     CodeInfo{Code::wrong_kind_of_name, "name of another kind",
-             "The name is declared, but as something else than this place needs: a module where a component type was "
-             "expected, a mode variable where an attribute was, and so on.",
-             "engine : Level;  // Level is a domain", "engine : Engine;"},
+             "The name is declared, but as something else than this place needs: a component where an attribute was "
+             "expected, the plant where a module was, a lone name where a constraint was, and so on.",
+             R"(component Gauge {
+  output level : { low, high };
+  initial ok;
+  mode ok;
+}
+plant Tank {
+  gauge : Gauge;
+  observe gauge;
+})",
+             R"(component Gauge {
+  output level : { low, high };
+  initial ok;
+  mode ok;
+}
+plant Tank {
+  gauge : Gauge;
+  observe gauge.level;
+})"},
 };
 
 }  // namespace

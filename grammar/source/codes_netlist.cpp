@@ -11,13 +11,37 @@ constexpr std::array table = {
     CodeInfo{Code::netlist_syntax, "not a netlist",
              "The text is no `.bench` netlist (INPUT(n), OUTPUT(n), n = GATE(a, b), a statement a line), or no system "
              "catalogue of the diagnostic competition, or it has no gates.",
-             "INPUT a\nb = NOT(a)", "INPUT(a)\nb = NOT(a)"},
+             R"(// inverter.bench
+INPUT(a)
+OUTPUT b
+b = NOT(a))",
+             R"(// inverter.bench
+INPUT(a)
+OUTPUT(b)
+b = NOT(a))"},
     CodeInfo{Code::netlist_gate, "gate that there is not",
              "Gates are AND, NAND, OR, NOR, XOR and XNOR of two inputs or more, and NOT and BUFF of one.",
-             "c = NOT(a, b)", "c = NAND(a, b)"},
+             R"(// gate.bench
+INPUT(a)
+INPUT(b)
+OUTPUT(c)
+c = NOT(a, b))",
+             R"(// gate.bench
+INPUT(a)
+INPUT(b)
+OUTPUT(c)
+c = NAND(a, b))"},
     CodeInfo{Code::netlist_driver, "net without one driver",
              "Each net is driven once, by an input of the circuit or by a gate; one that is read has a driver.",
-             "INPUT(a)\nc = AND(a, b)", "INPUT(a)\nINPUT(b)\nc = AND(a, b)"},
+             R"(// gate.bench
+INPUT(a)
+OUTPUT(c)
+c = AND(a, b))",
+             R"(// gate.bench
+INPUT(a)
+INPUT(b)
+OUTPUT(c)
+c = AND(a, b))"},
 };
 
 }  // namespace

@@ -8,20 +8,219 @@ namespace rmpl::grammar {
 namespace {
 
 constexpr std::array table = {
-    CodeInfo{Code::no_property, "no property", "A file of properties states at least one.", "faults 1;",
-             R"(faults 1; property "p" { never engine = failed; })"},
+    CodeInfo{Code::no_property, "no property", "A file of properties states at least one.", R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+faults 1;)",
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+faults 1;
+property "opens" {
+  reach valve = opened;
+})"},
     CodeInfo{Code::property_without_claim, "property claims nothing",
-             "A property makes one claim: `never`, `reach` or `after … within …`.", R"(property "p" { faults 1; })",
-             R"(property "p" { never engine = failed; faults 1; })"},
+             "A property makes one claim: `never`, `reach` or `after … within …`.", R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  faults 1;
+})",
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  reach valve = opened;
+  faults 1;
+})"},
     CodeInfo{
         Code::property_repeated_part, "property says a thing twice",
         "A property has a name of its own and makes one claim; a setting is made once, and so is one for the file.",
-        R"(property "p" { never engine = failed; faults 1; faults 2; })",
-        R"(property "p" { never engine = failed; faults 2; })"},
+        R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  reach valve = opened;
+  faults 1;
+  faults 2;
+})",
+        R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  reach valve = opened;
+  faults 2;
+})"},
     CodeInfo{Code::property_not_a_mode, "not a mode", "`from` gives modes of components, each once, to start in.",
-             "from engine.thrust = full;", "from engine = firing;"},
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  reach valve = opened;
+  from valve.flow = no;
+})",
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  reach valve = opened;
+  from valve = closed;
+})"},
     CodeInfo{Code::property_period, "period out of range", "Steps happen at multiples of a period longer than 0.",
-             "time 0 s;", "time 0.5 s;"},
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  reach valve = opened;
+  time 0 s;
+})",
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "opens" {
+  reach valve = opened;
+  time 0.5 s;
+})"},
 };
 
 }  // namespace

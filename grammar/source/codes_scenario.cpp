@@ -9,31 +9,405 @@ namespace {
 
 constexpr std::array table = {
     CodeInfo{Code::scenario_missing_part, "scenario lacks a part", "A scenario names a program and a plant.",
-             R"(scenario "s" { program "p.rmpl"; })", R"(scenario "s" { program "p.rmpl"; plant "p.tcca"; })"},
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  expect valve = opened within 5 s;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  expect valve = opened within 5 s;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
     CodeInfo{
         Code::scenario_repeated_part, "scenario says a thing twice",
         "Program, plant, cycle, duration and seed stand once in a scenario; a mode or an initial truth is given once.",
-        "seed 1;\nseed 2;", "seed 1;"},
+        R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  seed 1;
+  seed 2;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+        R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  seed 1;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
     CodeInfo{Code::scenario_not_a_mode, "not a mode",
              "`truth` and `fault` speak of components and their modes: the real ones of the simulated plant.",
-             "truth engine.thrust = full;", "truth engine = firing;"},
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  truth valve.flow = yes;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  truth valve = opened;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
     CodeInfo{Code::scenario_not_observable, "not an observable variable",
              "`observe` in a scenario overrides a sensor: a variable that the plant declares with `observe`.",
-             "at 10 s observe engine = off;", "at 10 s observe engine.temp = low;"},
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  at 10 s observe valve = stuck;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  at 10 s observe valve.flow = no;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
     CodeInfo{Code::scenario_not_a_command, "not a control variable",
-             "`when command` waits for a command: a constraint over the plant's control variables.",
-             "when command engine = firing observe engine.temp = nominal;",
-             "when command engine.cmd = fire observe engine.temp = nominal;"},
+             "`when command` waits for a command: a constraint over the plant's control variables.", R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  when command valve = opened observe valve.flow = no;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  when command valve.cmd = open observe valve.flow = no;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
     CodeInfo{Code::scenario_after_end, "after the end of the scenario",
-             "The event or expectation lies behind the scenario's duration: it would never come about.",
-             "duration 1 min;\nat 100 s fault engine = failed;", "duration 2 min;\nat 100 s fault engine = failed;"},
+             "The event or expectation lies behind the scenario's duration: it would never come about.", R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  duration 1 min;
+  at 100 s fault valve = stuck;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  duration 2 min;
+  at 100 s fault valve = stuck;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
     CodeInfo{Code::scenario_finer_than_cycle, "cycle out of range", "The executive's cycle is longer than 0.",
-             "cycle 0 s;", "cycle 0.5 s;"},
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  cycle 0 s;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca";
+  cycle 0.5 s;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
     CodeInfo{Code::scenario_without_truth, "no truth to speak of",
              "A plant that follows the rules only has readings, and no modes behind them: nothing can fail in it, and "
              "`truth` and `expect truth` have nothing to speak of.",
-             "plant \"p.tcca\" rules only;\nat 10 s fault engine = failed;",
-             "plant \"p.tcca\" rules only;\nat 10 s observe engine.thrust = zero;"},
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca" rules only;
+  at 10 s fault valve = stuck;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"(// test.scn
+scenario "opens" {
+  program "main.rmpl";
+  plant "tap.tcca" rules only;
+  at 10 s observe valve.flow = no;
+}
+// main.rmpl
+Main() :: { valve = opened }
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
 };
 
 }  // namespace

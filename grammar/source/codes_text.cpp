@@ -22,44 +22,134 @@ constexpr std::array table = {
         Code::invalid_encoding, "not UTF-8 text",
         "Sources are UTF-8 text without NUL bytes. This place holds a NUL, or bytes that are no UTF-8: perhaps the "
         "file is in another encoding, or it is no text at all.",
-        "// caf\\xE9, written in Latin-1", "// café, written in UTF-8"},
+        R"($ printf '// caf\351\nMain() :: { engine = on }\n' > main.rmpl  # \351 is Latin-1
+$ rmplc compile main.rmpl -o model.json)",
+        R"($ printf '// caf\303\251\nMain() :: { engine = on }\n' > main.rmpl  # \303\251 is UTF-8
+$ rmplc compile main.rmpl -o model.json)"},
     CodeInfo{Code::nesting_too_deep, "nested too deep",
              "Constraints and steps may nest 400 levels deep. No model that a person reads comes near; the limit keeps "
              "a text that a program wrote from exhausting the stack. Name parts of it: definitions, or internal "
              "attributes with a constraint each.",
-             "when ((((…400 more…((x = on))…)))) donext y = off", "when x = on donext y = off"},
+             R"($ many() { printf "$1%.0s" $(seq 401); }
+$ echo "Main() :: { if $(many '(') valve = open $(many ')') thennext engine = on }" > main.rmpl
+$ rmplc compile main.rmpl -o model.json)",
+             R"(Main() :: { if valve = open thennext engine = on })"},
     CodeInfo{Code::number_out_of_range, "number out of range",
              "The number is too large: a decimal goes up to 1.8e308, a whole number up to 2^64 - 1.",
-             "seed 99999999999999999999;", "seed 7;"},
+             R"(component Engine {
+  input cmd : { none, fire };
+  initial off;
+  mode off;
+  mode on;
+  fault failed;
+  any -> failed with 1e999;
+}
+plant Lander {
+  engine : Engine;
+  control engine.cmd default none;
+})",
+             R"(component Engine {
+  input cmd : { none, fire };
+  initial off;
+  mode off;
+  mode on;
+  fault failed;
+  any -> failed with 1e-9;
+}
+plant Lander {
+  engine : Engine;
+  control engine.cmd default none;
+})"},
     CodeInfo{
         Code::duration_out_of_range, "duration out of range",
         "A duration is between 0 and about 292 years, and no finer than a nanosecond. Units are us, ms, s, min (or "
         "mins), h and d; a bare number is seconds.",
-        "off -> on after 1000000 d;", "off -> on after 30 d;"},
+        R"(component Heater {
+  initial heating;
+  mode heating;
+  mode warm;
+  heating -> warm after 1000000 d;
+}
+plant Cabin { heater : Heater; })",
+        R"(component Heater {
+  initial heating;
+  mode heating;
+  mode warm;
+  heating -> warm after 30 d;
+}
+plant Cabin { heater : Heater; })"},
     CodeInfo{Code::import_not_found, "import not found",
              "The imported file cannot be read. The path is taken relative to the file that imports it.",
-             R"(import "valves.tcca";  // the file is called valve.tcca)", R"(import "valve.tcca";)"},
+             R"($ rmplc compile plant.tcca -o model.json
+// gauge.tcca
+component Gauge {
+  output reading : { low, high };
+  initial ok;
+  mode ok;
+}
+// plant.tcca
+import "gauges.tcca";
+plant Tank { gauge : Gauge; })",
+             R"(// gauge.tcca
+component Gauge {
+  output reading : { low, high };
+  initial ok;
+  mode ok;
+}
+// plant.tcca
+import "gauge.tcca";
+plant Tank { gauge : Gauge; })"},
     CodeInfo{Code::import_cycle, "files import each other",
              "A file imports itself, directly or by way of others. Put what both need into a third file.",
-             R"(// a.tcca
-import "b.tcca";
-// b.tcca
-import "a.tcca";)",
-             R"(// a.tcca
-import "types.tcca";
-// b.tcca
-import "types.tcca";)"},
+             R"($ rmplc compile entry.rmpl -o model.json
+// entry.rmpl
+import "descent.rmpl";
+Entry() :: { engine = standby; Descent() }
+// descent.rmpl
+import "entry.rmpl";
+Descent() :: { engine = on })",
+             R"(// entry.rmpl
+import "descent.rmpl";
+Entry() :: { engine = standby; Descent() }
+// descent.rmpl
+Descent() :: { engine = on })"},
     CodeInfo{Code::too_many_errors, "too many syntax errors",
              "After a hundred syntax errors the rest of the text is not read. Is it in the language that the file's "
              "ending says?",
-             "(a picture, named plant.tcca)", "(a plant model, named plant.tcca)"},
-    CodeInfo{Code::text_too_long, "text too long", "A source text may have 4 GiB - 1 bytes.", "(a text of 5 GiB)",
-             "(the same in several files that import each other)"},
+             R"($ seq 200 | sed 's/$/;/' > plant.tcca  # no plant at all: the numbers from 1 to 200
+$ rmplc compile plant.tcca -o model.json 2>&1 | grep --after-context=4 RMPL0008)",
+             R"(// plant.tcca
+component Gauge {
+  output reading : { low, high };
+  initial ok;
+  mode ok;
+}
+plant Tank { gauge : Gauge; })"},
+    CodeInfo{Code::text_too_long, "text too long", "A source text may have 4 GiB - 1 bytes.",
+             R"($ truncate --size=5G main.rmpl
+$ rmplc compile main.rmpl -o model.json)",
+             R"(Main() :: { engine = on })"},
     CodeInfo{
         Code::too_large, "model too large",
         "A few lines can ask for more than any machine holds: a module of ten modules of ten modules, and so on. A "
         "plant may have four million values, modes and transitions altogether.",
-        "module A { a, b, c, d : B; }  // B holds four C, and so on, twenty times", "module A { a, b, c, d : Valve; }"},
+        R"(component Gauge {
+  initial ok;
+  mode ok;
+}
+module A { a, b, c, d, e, f, g, h, i, j : Gauge; }
+module B { a, b, c, d, e, f, g, h, i, j : A; }
+module C { a, b, c, d, e, f, g, h, i, j : B; }
+module D { a, b, c, d, e, f, g, h, i, j : C; }
+module E { a, b, c, d, e, f, g, h, i, j : D; }
+module F { a, b, c, d, e, f, g, h, i, j : E; }
+plant Tanks { a, b, c, d, e, f, g, h, i, j : F; })",
+        R"(component Gauge {
+  initial ok;
+  mode ok;
+}
+module A { a, b, c, d, e, f, g, h, i, j : Gauge; }
+plant Tanks { a, b, c, d, e, f, g, h, i, j : A; })"},
 };
 
 }  // namespace

@@ -1,14 +1,52 @@
-// rmplc explain: what a diagnostic means.
+// rmplc explain: what a diagnostic means, and which there are.
 // SPDX-License-Identifier: MIT
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "compiler/lint/lint.hpp"
 #include "grammar/source/codes.hpp"
+#include "grammar/source/diagnostic.hpp"
 #include "tools/rmplc/commands.hpp"
+#include "tools/rmplc/example.hpp"
 
 namespace rmpl::tools {
 namespace {
+
+using grammar::CodeInfo;
+using Json = nlohmann::ordered_json;
+
+/// How it is reported: at the level that lint gives it, or else as an error.
+const char* level(const CodeInfo& info) {
+  const compiler::LintCode* found = compiler::find_lint_code(info.code);
+  return to_string(found == nullptr ? grammar::Severity::error : found->level);
+}
+
+/// Each paragraph in lines of at most 80 characters.
+std::string wrapped(std::string_view text) {
+  constexpr std::size_t width = 80;
+  std::string result;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::size_t end = text.find_first_of(" \n");
+    const std::string_view word = text.substr(0, end);
+    if (column > 0 && column + 1 + word.size() > width) {
+      result += '\n';
+      column = 0;
+    }
+    if (column > 0) result += ' ';
+    column += word.size() + (column > 0 ? 1 : 0);
+    result += word;
+    if (end == std::string_view::npos) break;
+    if (text[end] == '\n') {
+      result += '\n';
+      column = 0;
+    }
+    text.remove_prefix(end + 1);
+  }
+  return result;
+}
 
 std::string indented(std::string_view text) {
   std::string result = "  ";
@@ -16,13 +54,50 @@ std::string indented(std::string_view text) {
   return result;
 }
 
-ExitStatus run(const std::string& text) {
+Json to_json(const Example& example) {
+  Json files = Json::array();
+  for (const ExampleFile& file : example.files) files.push_back({{"name", file.name}, {"text", file.text}});
+  return {{"files", files}, {"commands", example.commands}};
+}
+
+Json to_json(const CodeInfo& info) {
+  return {{"code", to_string(info.code)},
+          {"level", level(info)},
+          {"title", info.title},
+          {"explanation", info.explanation},
+          {"wrong", to_json(example(info, info.wrong))},
+          {"right", to_json(example(info, info.right))}};
+}
+
+ExitStatus list(Format format) {
+  Json codes = Json::array();
+  std::string text;
+  for (const CodeInfo& info : grammar::all_codes()) {
+    if (format == Format::json) {
+      codes.push_back(to_json(info));
+      continue;
+    }
+    std::string column = level(info);
+    column.resize(sizeof "warning", ' ');
+    text += to_string(info.code) + "  " + column + " " + std::string(info.title) + "\n";
+  }
+  print(format == Format::json ? Json{{"codes", codes}}.dump(2) + "\n" : text);
+  return ExitStatus::done;
+}
+
+ExitStatus explain(const std::string& text, Format format) {
   const auto code = grammar::find_code(text);
-  if (!code) throw base::InputError("'" + text + "' is not a diagnostic code; expected one such as RMPL0100");
-  const grammar::CodeInfo& info = grammar::info(*code);
-  print(std::string(grammar::to_string(*code)) + ": " + std::string(info.title) + "\n\n" +
-        std::string(info.explanation) + "\n\nwrong:\n" + indented(info.wrong) + "\n\nright:\n" + indented(info.right) +
-        "\n");
+  if (!code) {
+    throw base::InputError("'" + text +
+                           "' is not a diagnostic code; expected one such as RMPL0100: see rmplc explain --list");
+  }
+  const CodeInfo& info = grammar::info(*code);
+  if (format == Format::json) {
+    print(Json{{"codes", Json::array({to_json(info)})}}.dump(2) + "\n");
+    return ExitStatus::done;
+  }
+  print(to_string(*code) + ": " + std::string(info.title) + " (" + level(info) + ")\n\n" + wrapped(info.explanation) +
+        "\n\nwrong:\n" + indented(info.wrong) + "\n\nright:\n" + indented(info.right) + "\n");
   return ExitStatus::done;
 }
 
@@ -31,8 +106,13 @@ ExitStatus run(const std::string& text) {
 void add_explain(Program& program) {
   CLI::App* command = program.app().add_subcommand("explain", "tell what a diagnostic means, with an example");
   const auto code = std::make_shared<std::string>();
-  command->add_option("CODE", *code, "as in the diagnostic: RMPL0301")->required();
-  program.add({command, [code] { return run(*code); }});
+  const auto all = std::make_shared<bool>(false);
+  CLI::Option* one = command->add_option("CODE", *code, "as in the diagnostic: RMPL0301");
+  CLI::Option* list_all = command->add_flag("--list", *all, "list all diagnostics");
+  require_one(*command, one, list_all);
+  Common& common = program.common();
+  add_format(*command, common);
+  program.add({command, [code, all, &common] { return *all ? list(common.format) : explain(*code, common.format); }});
 }
 
 }  // namespace rmpl::tools
