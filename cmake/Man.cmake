@@ -1,4 +1,4 @@
-# Manual pages from their scdoc sources, where scdoc is present.
+# Manual pages from their scdoc sources, where scdoc is present; compressed, as they are read.
 include(GNUInstallDirs)
 find_program(SCDOC_PROGRAM scdoc)
 if(SCDOC_PROGRAM)
@@ -7,13 +7,14 @@ if(SCDOC_PROGRAM)
     set(manual ${CMAKE_BINARY_DIR}/man/${page})
     string(REGEX MATCH "[0-9]$" section ${page})
     add_custom_command(
-      OUTPUT ${manual}
+      OUTPUT ${manual}.gz
       COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man
       COMMAND ${SCDOC_PROGRAM} < ${source} > ${manual}
+      COMMAND gzip --best --no-name --keep --force ${manual}
       DEPENDS ${source}
       VERBATIM)
-    list(APPEND manuals ${manual})
-    install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section})
+    list(APPEND manuals ${manual}.gz)
+    install(FILES ${manual}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man${section} COMPONENT programs)
   endforeach()
   add_custom_target(man ALL DEPENDS ${manuals})
 endif()

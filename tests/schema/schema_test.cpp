@@ -82,6 +82,8 @@ const std::vector<Output> outputs = {
     {"DocumentOfScenarios", "rmplc compile {examples}/propulsion/burn.scn", "document"},
     {"DocumentOfALongProgram", "rmplc compile {examples}/mars-edl/mars_edl.rmpl", "document"},
     {"Diagnostics", "echo 'plant P { }' > wrong.tcca; rmplc compile --format json wrong.tcca 2>&1", "diagnostics"},
+    {"Codes", "rmplc explain --list --format json", "codes"},
+    {"OneCode", "rmplc explain 100 --format json", "codes"},
     {"ReachabilityHolds",
      "tcca-check reachability {examples}/propulsion/propulsion.tcca --target 'engine = heating' --format json",
      "verdict"},

@@ -28,7 +28,7 @@ std::optional<std::string> heading(std::string_view line) {
 std::string name_by_content(std::string_view text) {
   const compiler::Kind kind = compiler::kind_by_content(text);
   if (kind == compiler::Kind::plant) return "plant.tcca";
-  if (kind == compiler::Kind::document) return "model.json";
+  if (kind == compiler::Kind::document) return "document.json";
   return kind == compiler::Kind::scenario ? "test.scn" : "main.rmpl";
 }
 

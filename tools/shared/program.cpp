@@ -11,6 +11,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -18,6 +19,7 @@
 #include "base/limit_error.hpp"
 #include "base/printable.hpp"
 #include "tools/shared/complaint.hpp"
+#include "tools/shared/completion.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/last_words.hpp"
 
@@ -77,6 +79,11 @@ Program::Program(const char* name, const char* version, const char* description,
 
 ExitStatus Program::parse_and_run(int count, const char* const* arguments) {
   finish_options(app_);
+  // For the installation only, and therefore no option: what the shells are told is what the parser knows.
+  if (count == 3 && std::string_view(arguments[1]) == "--completion") {
+    print(completion(app_, arguments[2]));
+    return ExitStatus::done;
+  }
   try {
     app_.parse(count, arguments);
     base::limit_inputs(common_.max_input);
