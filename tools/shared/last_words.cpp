@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -48,10 +50,28 @@ void on_exit() {
 /// destroyed, and a string stream would go on with half a text.
 [[noreturn]] void on_lack_of_memory() { end(ExitStatus::undecided, "", "out of memory"); }
 
+/// Abort and segmentation fault as they were before.
+struct sigaction abort_before = {}, fault_before = {};
+
+/// A library that goes on with the null pointer of an allocation, as bliss does, fails an assertion of its own or reads
+/// what is not there. Anything else keeps its signal, and its core.
+extern "C" void on_failure(int signal, siginfo_t* about, void*) {
+  constexpr std::uintptr_t null_page = 1U << 16;
+  const bool null = signal == SIGABRT || reinterpret_cast<std::uintptr_t>(about->si_addr) < null_page;
+  if (errno == ENOMEM && null) end(ExitStatus::undecided, "", "out of memory");
+  sigaction(signal, signal == SIGABRT ? &abort_before : &fault_before, nullptr);
+  if (about->si_code <= 0) std::raise(signal);  // it was sent; else what failed is tried again, and fails
+}
+
 /// Before the constructors of all that is static, which have no priority of their own.
 __attribute__((constructor(101))) void choose_last_words() noexcept {
   std::set_terminate(on_terminate);
   std::set_new_handler(on_lack_of_memory);
+  struct sigaction action = {};
+  action.sa_sigaction = on_failure;
+  action.sa_flags = SA_SIGINFO;
+  sigaction(SIGABRT, &action, &abort_before);
+  sigaction(SIGSEGV, &action, &fault_before);
 }
 
 }  // namespace

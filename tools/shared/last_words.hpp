@@ -5,7 +5,8 @@
 namespace rmpl::tools {
 
 // From before main on, an allocation that operator new cannot make ends the program with a line on standard error and
-// exit code 3, and so does std::terminate, with exit code 4 where anything else was the reason.
+// exit code 3, and so do std::terminate and a library's abort or null pointer after it; std::terminate for any other
+// reason ends it with exit code 4.
 
 /// From now on a library that calls `exit` by itself, as bliss does where it gets no memory, ends the program likewise.
 void exit_is_a_failure() noexcept;
