@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/rewrite_file.hpp"
 
 namespace rmpl::base {
 namespace {
@@ -28,6 +29,10 @@ class FilesRead {
   void add(const struct stat& file, const std::string& name) {
     const std::lock_guard lock(mutex_);
     names_.insert_or_assign(std::pair(file.st_dev, file.st_ino), name);
+  }
+  void forget(const struct stat& file) {
+    const std::lock_guard lock(mutex_);
+    names_.erase({file.st_dev, file.st_ino});
   }
   std::optional<std::string> find(const struct stat& file) {
     const std::lock_guard lock(mutex_);
@@ -154,6 +159,11 @@ std::optional<std::string> input_at(const std::string& path) {
     fail(path, errno);
   }
   return S_ISREG(about.st_mode) ? files_read().find(about) : std::nullopt;
+}
+
+void forget_input(const std::string& path) {
+  struct stat file = {};
+  if (stat(path.c_str(), &file) == 0) files_read().forget(file);
 }
 
 }  // namespace rmpl::base

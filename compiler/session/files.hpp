@@ -12,6 +12,7 @@
 
 #include "automata/scenario.hpp"
 #include "compiler/check/definitions.hpp"
+#include "compiler/session/kind.hpp"
 #include "compiler/session/provider.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
@@ -21,9 +22,6 @@
 #include "grammar/source/source_file.hpp"
 
 namespace rmpl::compiler {
-
-/// What a file holds, told by its extension; of standard input, by its content.
-enum class Kind { program, plant, scenario, properties, document };
 
 /// One file: its text, and what it holds; with syntax errors a part of that, for an index of names.
 struct File {
@@ -75,13 +73,5 @@ class Files {
   grammar::Diagnostics& diagnostics_;
   std::map<std::string, File> files_;  ///< by identity; a map, for files are referred to
 };
-
-/// The kind of a file by its extension: `.rmpl`, `.tcca`, `.scn`, `.props`, `.json`. Nothing for any other.
-std::optional<Kind> kind_by_name(const std::string& path);
-/// What to say of a file of another kind than models have.
-std::string not_a_model(const std::string& path);
-/// The kind of a text: `{` opens a document; `scenario`, `property "`, `component`, `module`, `domain` or `plant` say
-/// what they are; all else is a program.
-Kind kind_by_content(std::string_view text);
 
 }  // namespace rmpl::compiler

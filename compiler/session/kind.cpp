@@ -1,8 +1,10 @@
 // What a file holds: by its name, or by its first words.
 // SPDX-License-Identifier: MIT
-#include <cctype>
+#include "compiler/session/kind.hpp"
 
-#include "compiler/session/files.hpp"
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 
 namespace rmpl::compiler {
 
@@ -68,6 +70,9 @@ Kind kind_by_content(std::string_view text) {
   // `plant() :: { … }` is a definition: the words are reserved only where the grammar expects them.
   if (!text.empty() && text.front() == '(') return Kind::program;
   if (word == "property" && !text.empty() && text.front() == '"') return Kind::properties;
+  for (const std::string_view setting : {"faults", "time", "commands", "from", "entailed"}) {
+    if (word == setting) return Kind::properties;
+  }
   if (word == "scenario") return Kind::scenario;
   if (word == "component" || word == "module" || word == "domain" || word == "plant") return Kind::plant;
   return Kind::program;

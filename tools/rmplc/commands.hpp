@@ -14,6 +14,7 @@ void add_lint(Program& program);
 void add_import(Program& program);
 void add_explain(Program& program);
 void add_diagram(Program& program);
+void add_format(Program& program);
 
 /// `-o`: where a result goes.
 void add_output(CLI::App& command, std::string& output, const char* name, const char* description);

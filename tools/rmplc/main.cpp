@@ -1,4 +1,4 @@
-// rmplc: compiles control programs, plant models and scenarios; explains diagnostics; draws.
+// rmplc: compiles control programs, plant models and scenarios; explains diagnostics; draws; lays sources out.
 // SPDX-License-Identifier: MIT
 #include "base/output_file.hpp"
 #include "tools/rmplc/commands.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* notes = R"(Exit status:
   0  done; lint found nothing
-  1  lint found something
+  1  lint found something; format --check, --diff: a file would change
   2  the command line or an input is wrong; nothing was written
   3  out of memory; nothing was written
   4  an internal error; nothing is claimed
@@ -17,7 +17,8 @@ Examples:
   rmplc compile mars_entry.rmpl mars_lander.tcca -o mars_entry.json
   rmplc compile --main EntrySequence edl.rmpl
   rmplc diagram mars_entry.rmpl -o mars_entry.svg
-  rmplc explain RMPL0301)";
+  rmplc explain RMPL0301
+  rmplc format --check mars_entry.rmpl)";
 
 }  // namespace
 
@@ -47,5 +48,6 @@ int main(int count, char** arguments) {
   add_import(program);
   add_explain(program);
   add_diagram(program);
+  add_format(program);
   return program.run(count, arguments);
 }

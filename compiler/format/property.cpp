@@ -1,0 +1,68 @@
+// Properties: a claim and its settings, line by line.
+// SPDX-License-Identifier: MIT
+#include "base/overloaded.hpp"
+#include "compiler/format/syntax.hpp"
+
+namespace rmpl::compiler {
+namespace {
+
+/// A claim about one constraint: its keyword and the constraint.
+void write_claim(Document& document, const grammar::Constraint& constraint) {
+  document.take();
+  write(document, constraint);
+}
+
+void write_response(Document& document, const grammar::ResponseClaim& claim) {
+  document.take();
+  write(document, claim.after);
+  document.line();
+  document.take_to(claim.within.span.end);
+  document.line();
+  write(document, claim.then);
+}
+
+void write_from(Document& document, const grammar::FromSetting& from) {
+  document.take();
+  write_list(document, from.modes);
+}
+
+void write(Document& document, const grammar::PropertyItem& item) {
+  document.open_statement();
+  const base::Overloaded write_node{[&](const grammar::NeverClaim& claim) { write_claim(document, claim.constraint); },
+                                    [&](const grammar::ReachClaim& claim) { write_claim(document, claim.constraint); },
+                                    [&](const grammar::ResponseClaim& claim) { write_response(document, claim); },
+                                    [&](const grammar::FromSetting& from) { write_from(document, from); },
+                                    [](const auto&) {}};
+  std::visit(write_node, item);
+  document.take_to(std::visit([](const auto& node) { return node.span.end; }, item));
+  document.close_statement();
+}
+
+}  // namespace
+
+void write(Document& document, const grammar::PropertyFile& file) {
+  const auto begin = [](const grammar::PropertyItem& item) {
+    return std::visit([](const auto& node) { return node.span.begin; }, item);
+  };
+  auto setting = file.defaults.begin();
+  // Settings for all stand before, between and behind the properties.
+  const auto write_settings = [&](std::uint32_t before) {
+    for (; setting != file.defaults.end() && begin(*setting) < before; ++setting) {
+      document.hard_line();
+      write(document, *setting);
+    }
+  };
+  for (const grammar::PropertyDefinition& property : file.properties) {
+    write_settings(property.span.begin);
+    document.hard_line();
+    document.open_statement();
+    document.take_to(property.name.span.end);
+    write_block(document, property.items, [&](const grammar::PropertyItem& item) { write(document, item); });
+    document.close_statement();
+  }
+  write_settings(0xFFFFFFFF);
+  document.hard_line();
+  document.take();
+}
+
+}  // namespace rmpl::compiler
