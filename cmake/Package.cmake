@@ -15,6 +15,7 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME rmpl)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS graphviz) # rmplc diagram lays out SVG with it
 set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION
     "timed model-based programming: compile, verify, fly
 Compiler, verifier and executive for control programs in RMPL and plant

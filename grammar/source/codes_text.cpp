@@ -32,7 +32,7 @@ $ rmplc compile main.rmpl -o model.json)"},
              "attributes with a constraint each.",
              R"($ many() { printf "$1%.0s" $(seq 401); }
 $ echo "Main() :: { if $(many '(') valve = open $(many ')') thennext engine = on }" > main.rmpl
-$ rmplc compile main.rmpl -o model.json)",
+$ rmplc compile --max-input 8G main.rmpl -o model.json)",
              R"(Main() :: { if valve = open thennext engine = on })"},
     CodeInfo{Code::number_out_of_range, "number out of range",
              "The number is too large: a decimal goes up to 1.8e308, a whole number up to 2^64 - 1.",
@@ -127,7 +127,7 @@ component Gauge {
 plant Tank { gauge : Gauge; })"},
     CodeInfo{Code::text_too_long, "text too long", "A source text may have 4 GiB - 1 bytes.",
              R"($ truncate --size=5G main.rmpl
-$ rmplc compile main.rmpl -o model.json)",
+$ rmplc compile --max-input 8G main.rmpl -o model.json)",
              R"(Main() :: { engine = on })"},
     CodeInfo{
         Code::too_large, "model too large",

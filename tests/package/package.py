@@ -88,9 +88,9 @@ def check_programs(root, work):
 def check_pages(root):
     for page in PAGES:
         with gzip.open(root / "usr/share/man" / page, "rb") as compressed:
-            done = subprocess.run(["groff", "-man", "-Tutf8", "-ww", "-K", "utf8"], input=compressed.read(),
+            done = subprocess.run(["groff", "-man", "-Tutf8", "-P-cbou", "-ww", "-K", "utf8"], input=compressed.read(),
                                   capture_output=True, timeout=60, check=False)
-        expect(done.returncode == 0 and b"NAME" in done.stdout, f"{page} does not render")
+        expect(done.returncode == 0 and b"\nNAME\n" in done.stdout, f"{page} does not render")
         expect(not done.stderr, f"{page}: {done.stderr.decode()}")
 
 

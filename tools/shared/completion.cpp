@@ -89,7 +89,7 @@ std::string header(const std::string& program, const char* shell) {
   return "# " + std::string(shell) + " completion of " + program + ", written from its options.\n";
 }
 
-/// A function name may have no hyphen.
+/// In bash the name of a function may have no hyphen.
 std::string function_name(const std::string& program) {
   std::string name = "_" + program;
   for (char& c : name) c = c == '-' ? '_' : c;
@@ -176,7 +176,7 @@ std::string zsh_options(const Command& command, const std::string& indent) {
 std::string zsh(const CLI::App& app) {
   const Command top = command_of(app);
   const std::vector<Command> commands = subcommands_of(app);
-  const std::string function = function_name(top.name);
+  const std::string function = "_" + top.name;  // also the name of the file, by which it is loaded
   std::string text = "#compdef " + top.name + "\n" + header(top.name, "zsh") + function +
                      "() {\n  local context state state_descr line\n  typeset -A opt_args\n  local -a commands=(\n";
   for (const Command& command : commands) {
