@@ -6,19 +6,24 @@
 namespace rmpl::compiler {
 namespace {
 
-/// A claim about one constraint: its keyword and the constraint.
-void write_claim(Document& document, const grammar::Constraint& constraint) {
+/// A claim about one constraint: its keyword, after `program` where it is of one, and the constraint.
+void write_claim(Document& document, bool of_program, const grammar::Constraint& constraint) {
+  if (of_program) document.take();
   document.take();
   write(document, constraint);
 }
 
 void write_response(Document& document, const grammar::ResponseClaim& claim) {
-  document.take();
-  write(document, claim.after);
+  write_claim(document, claim.of_program, claim.after);
   document.line();
   document.take_to(claim.within.span.end);
   document.line();
   write(document, claim.then);
+}
+
+void write_eventually(Document& document, const grammar::EventuallyClaim& claim) {
+  write_claim(document, true, claim.constraint);
+  document.line();
 }
 
 void write_from(Document& document, const grammar::FromSetting& from) {
@@ -28,11 +33,14 @@ void write_from(Document& document, const grammar::FromSetting& from) {
 
 void write(Document& document, const grammar::PropertyItem& item) {
   document.open_statement();
-  const base::Overloaded write_node{[&](const grammar::NeverClaim& claim) { write_claim(document, claim.constraint); },
-                                    [&](const grammar::ReachClaim& claim) { write_claim(document, claim.constraint); },
-                                    [&](const grammar::ResponseClaim& claim) { write_response(document, claim); },
-                                    [&](const grammar::FromSetting& from) { write_from(document, from); },
-                                    [](const auto&) {}};
+  const base::Overloaded write_node{
+      [&](const grammar::NeverClaim& claim) { write_claim(document, claim.of_program, claim.constraint); },
+      [&](const grammar::ReachClaim& claim) { write_claim(document, false, claim.constraint); },
+      [&](const grammar::FinallyClaim& claim) { write_claim(document, true, claim.constraint); },
+      [&](const grammar::ResponseClaim& claim) { write_response(document, claim); },
+      [&](const grammar::EventuallyClaim& claim) { write_eventually(document, claim); },
+      [&](const grammar::FromSetting& from) { write_from(document, from); },
+      [](const auto&) {}};
   std::visit(write_node, item);
   document.take_to(std::visit([](const auto& node) { return node.span.end; }, item));
   document.close_statement();

@@ -1,4 +1,4 @@
-// From a file of properties to properties of a plant.
+// From a file of properties to what is claimed of a plant, and of a program.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/property.hpp"
 
@@ -18,12 +18,13 @@ namespace rmpl::compiler {
 
 using automata::PlantProperty;
 using grammar::Code;
+using Claim = PlantProperty::Claim;
 
 namespace {
 
 /// What stands once: the index of an item's kind, all claims counting as one.
 std::size_t subject_of(const grammar::PropertyItem& item) {
-  constexpr std::size_t last_claim = 2;
+  constexpr std::size_t last_claim = 5;
   return item.index() <= last_claim ? 0 : item.index();
 }
 
@@ -31,11 +32,32 @@ grammar::Span span_of(const grammar::PropertyItem& item) {
   return std::visit([](const auto& part) { return part.span; }, item);
 }
 
+Claim claim_of(grammar::GeneralClaim::Kind kind) {
+  using Kind = grammar::GeneralClaim::Kind;
+  switch (kind) {
+    case Kind::stuck:
+      return Claim::stuck;
+    case Kind::goal_conflict:
+      return Claim::goal_conflict;
+    case Kind::no_plan:
+      return Claim::no_plan;
+    case Kind::endless_wait:
+      return Claim::endless_wait;
+    case Kind::termination:
+      return Claim::termination;
+    case Kind::undone:
+      return Claim::undone;
+  }
+  return Claim::stuck;
+}
+
 class PropertyLowering {
  public:
-  PropertyLowering(const grammar::Sources& sources, const automata::Plant& plant, grammar::Diagnostics& diagnostics)
+  PropertyLowering(const grammar::Sources& sources, const automata::Plant& plant, bool under_program,
+                   grammar::Diagnostics& diagnostics)
       : sources_(sources),
         plant_(plant),
+        under_program_(under_program),
         diagnostics_(diagnostics),
         resolver_({plant.variables, nullptr, "plant " + backquoted(plant.name), Code::not_in_plant}, diagnostics) {}
 
@@ -59,8 +81,9 @@ class PropertyLowering {
       property.origin = origin_of(sources_, definition.span);
       if (!add_all(definition.items, property)) {
         diagnostics_.error(Code::property_without_claim, definition.name.span,
-                           "the property claims nothing, expected `never`, `reach` or `after`");
+                           "the property claims nothing, expected `never`, `reach`, `after` or `program`");
       }
+      if (property.of_program) demand_program(definition);
       result.push_back(std::move(property));
     }
     return result;
@@ -73,10 +96,25 @@ class PropertyLowering {
     diagnostics_.error(Code::property_repeated_part, span, what).notes.push_back({first, "the first is here"});
   }
 
+  /// What a claim on a program needs, and what it leaves no room for.
+  void demand_program(const grammar::PropertyDefinition& definition) {
+    for (const grammar::PropertyItem& item : definition.items) {
+      if (subject_of(item) == 0 && !under_program_) {
+        auto& error = diagnostics_.error(Code::property_without_program, span_of(item),
+                                         "this is claimed of a program, and none is given");
+        error.suggestion = "give the program after the properties";
+      }
+      if (std::holds_alternative<grammar::CommandsSetting>(item)) {
+        diagnostics_.error(Code::property_commands_of_program, span_of(item),
+                           "under a program the executive commands: nothing is left for `commands` to say");
+      }
+    }
+  }
+
   /// Whether a claim is among them.
   bool add_all(const std::vector<grammar::PropertyItem>& items, PlantProperty& property) {
-    constexpr std::array names = {"claim",      "claim",  "claim",      "`faults`", "`time`",
-                                  "`commands`", "`from`", "`entailed`", "`expect`"};
+    constexpr std::array names = {"claim",    "claim",  "claim",      "claim",  "claim",      "claim",
+                                  "`faults`", "`time`", "`commands`", "`from`", "`entailed`", "`expect`"};
     static_assert(names.size() == std::variant_size_v<grammar::PropertyItem>);
     std::map<std::size_t, grammar::Span> seen;
     for (const grammar::PropertyItem& item : items) {
@@ -88,18 +126,35 @@ class PropertyLowering {
   }
 
   void add(const grammar::NeverClaim& part, PlantProperty& property) {
-    property.claim = PlantProperty::Claim::never;
+    property.claim = Claim::never;
+    property.of_program = part.of_program;
     property.formula = resolver_.resolve(part.constraint);
   }
   void add(const grammar::ReachClaim& part, PlantProperty& property) {
-    property.claim = PlantProperty::Claim::reach;
+    property.claim = Claim::reach;
     property.formula = resolver_.resolve(part.constraint);
   }
   void add(const grammar::ResponseClaim& part, PlantProperty& property) {
-    property.claim = PlantProperty::Claim::response;
+    property.claim = Claim::response;
+    property.of_program = part.of_program;
     property.formula = resolver_.resolve(part.after);
     property.then = resolver_.resolve(part.then);
     if (const auto within = ticks_of(part.within, diagnostics_)) property.within = *within;
+  }
+  void add(const grammar::EventuallyClaim& part, PlantProperty& property) {
+    property.claim = Claim::eventually;
+    property.of_program = true;
+    property.formula = resolver_.resolve(part.constraint);
+    if (const auto within = ticks_of(part.within, diagnostics_)) property.within = *within;
+  }
+  void add(const grammar::FinallyClaim& part, PlantProperty& property) {
+    property.claim = Claim::finally;
+    property.of_program = true;
+    property.formula = resolver_.resolve(part.constraint);
+  }
+  void add(const grammar::GeneralClaim& part, PlantProperty& property) {
+    property.claim = claim_of(part.kind);
+    property.of_program = part.of_program;
   }
   void add(const grammar::FaultsSetting& part, PlantProperty& property) {
     // More than any plant has components is as many as one likes.
@@ -147,6 +202,7 @@ class PropertyLowering {
 
   const grammar::Sources& sources_;
   const automata::Plant& plant_;
+  bool under_program_;
   grammar::Diagnostics& diagnostics_;
   Resolver resolver_;
 };
@@ -154,9 +210,9 @@ class PropertyLowering {
 }  // namespace
 
 std::vector<PlantProperty> lower_properties(const grammar::Sources& sources, const grammar::PropertyFile& file,
-                                            grammar::Span start, const automata::Plant& plant,
+                                            grammar::Span start, const automata::Plant& plant, bool under_program,
                                             grammar::Diagnostics& diagnostics) {
-  return PropertyLowering(sources, plant, diagnostics).run(file, start);
+  return PropertyLowering(sources, plant, under_program, diagnostics).run(file, start);
 }
 
 }  // namespace rmpl::compiler

@@ -100,18 +100,19 @@ CompiledAssignments compile_assignments(std::string_view text, const automata::P
   return result;
 }
 
-CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant) {
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool under_program) {
   Disk disk;
-  return compile_properties(path, plant, disk);
+  return compile_properties(path, plant, under_program, disk);
 }
 
-CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, Provider& provider) {
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool under_program,
+                                      Provider& provider) {
   CompiledProperties result;
   auto& [sources, diagnostics] = result.findings;
   const std::uint32_t file = sources.add(path == "-" ? "standard input" : path, provider.read(path));
   const auto properties = grammar::parse_properties(sources, file, diagnostics);
   if (properties.whole)
-    result.properties = lower_properties(sources, properties.tree, {file, 0, 0}, plant, diagnostics);
+    result.properties = lower_properties(sources, properties.tree, {file, 0, 0}, plant, under_program, diagnostics);
   if (diagnostics.has_errors()) result.properties.reset();
   return result;
 }

@@ -77,13 +77,15 @@ struct CompiledAssignments {
 };
 CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where);
 
-/// A file of properties (`.props`; `-` is standard input) over a plant. Where it is wrong, `properties` is empty and
-/// `findings` says why. Throws base::InputError where the file cannot be read.
+/// A file of properties (`.props`; `-` is standard input) over a plant, and over a program that controls it where there
+/// is one: `under_program`. Where it is wrong, `properties` is empty and `findings` says why. Throws base::InputError
+/// where the file cannot be read.
 struct CompiledProperties {
   std::optional<std::vector<automata::PlantProperty>> properties;
   grammar::Findings findings;
 };
-CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant);
-CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, Provider& provider);
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool under_program);
+CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool under_program,
+                                      Provider& provider);
 
 }  // namespace rmpl::compiler

@@ -237,7 +237,8 @@ void InputSet::properties(const File& file, const Plant& plant) {
     }
     return;
   }
-  auto stated = lower_properties(sources_, *file.properties, {file.index, 0, 0}, part->plant, diagnostics_);
+  // The program that some speak of is needed where they are decided.
+  auto stated = lower_properties(sources_, *file.properties, {file.index, 0, 0}, part->plant, true, diagnostics_);
   std::move(stated.begin(), stated.end(), std::back_inserter(properties_));
 }
 

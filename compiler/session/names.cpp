@@ -204,6 +204,9 @@ class Walk {
     add(claim.after);
     add(claim.then);
   }
+  void add(const grammar::EventuallyClaim& claim) { add(claim.constraint); }
+  void add(const grammar::FinallyClaim& claim) { add(claim.constraint); }
+  void add(const grammar::GeneralClaim&) {}
   void add(const grammar::FromSetting& setting) {
     for (const grammar::AssignmentText& assignment : setting.modes) add(assignment);
   }

@@ -1,4 +1,4 @@
-// Properties of a plant as written (grammar/props.ebnf).
+// Properties of a plant, and of a program that controls it, as written (grammar/props.ebnf).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,9 +12,10 @@
 
 namespace rmpl::grammar {
 
-/// `never φ;`
+/// `never φ;`, `program never φ;`
 struct NeverClaim {
   Span span;
+  bool of_program = false;
   Constraint constraint;
 };
 
@@ -24,12 +25,34 @@ struct ReachClaim {
   Constraint constraint;
 };
 
-/// `after φ within T ψ;`
+/// `after φ within T ψ;`, `program after φ within T ψ;`
 struct ResponseClaim {
   Span span;
+  bool of_program = false;
   Constraint after;
   Duration within;
   Constraint then;
+};
+
+/// `program eventually φ within T;`
+struct EventuallyClaim {
+  Span span;
+  Constraint constraint;
+  Duration within;
+};
+
+/// `program finally φ;`
+struct FinallyClaim {
+  Span span;
+  Constraint constraint;
+};
+
+/// `never stuck;`, `program terminates;`, `program never no-plan;`: what is the same for every plant or program.
+struct GeneralClaim {
+  enum class Kind { stuck, goal_conflict, no_plan, endless_wait, termination, undone };
+  Span span;
+  bool of_program = false;
+  Kind kind = Kind::stuck;
 };
 
 /// `faults 2;`
@@ -68,8 +91,9 @@ struct ExpectedVerdict {
   bool violated = false;
 };
 
-using PropertyItem = std::variant<NeverClaim, ReachClaim, ResponseClaim, FaultsSetting, TimeSetting, CommandsSetting,
-                                  FromSetting, EntailedSetting, ExpectedVerdict>;
+using PropertyItem =
+    std::variant<NeverClaim, ReachClaim, ResponseClaim, EventuallyClaim, FinallyClaim, GeneralClaim, FaultsSetting,
+                 TimeSetting, CommandsSetting, FromSetting, EntailedSetting, ExpectedVerdict>;
 
 /// `property "name" { … }`
 struct PropertyDefinition {

@@ -8,6 +8,9 @@ namespace {
 const Rule<struct NeverClaimId, NeverClaim> never_claim{"`never`"};
 const Rule<struct ReachClaimId, ReachClaim> reach_claim{"`reach`"};
 const Rule<struct ResponseClaimId, ResponseClaim> response_claim{"`after`"};
+const Rule<struct EventuallyClaimId, EventuallyClaim> eventually_claim{"`program eventually`"};
+const Rule<struct FinallyClaimId, FinallyClaim> finally_claim{"`program finally`"};
+const Rule<struct GeneralClaimId, GeneralClaim> general_claim{"`program`"};
 const Rule<struct FaultsSettingId, FaultsSetting> faults_setting{"`faults`"};
 const Rule<struct TimeSettingId, TimeSetting> time_setting{"`time`"};
 const Rule<struct CommandsSettingId, CommandsSetting> commands_setting{"`commands`"};
@@ -16,11 +19,34 @@ const Rule<struct EntailedSettingId, EntailedSetting> entailed_setting{"`entaile
 const Rule<struct ExpectedVerdictId, ExpectedVerdict> expected_verdict{"`expect`"};
 const Rule<struct PropertyId, PropertyDefinition> property{"a property"};
 
-const auto never_claim_def = record[Keyword("never") > field<&NeverClaim::constraint>[constraint] > semicolon];
+const Keyword program{"program"};
+const auto never_claim_def = record[-set<&NeverClaim::of_program, true>[program] >> Keyword("never") >
+                                    field<&NeverClaim::constraint>[constraint] > semicolon];
 const auto reach_claim_def = record[Keyword("reach") > field<&ReachClaim::constraint>[constraint] > semicolon];
 const auto response_claim_def =
-    record[Keyword("after") > field<&ResponseClaim::after>[constraint] > Keyword("within") >
-           field<&ResponseClaim::within>[duration] > field<&ResponseClaim::then>[constraint] > semicolon];
+    record[-set<&ResponseClaim::of_program, true>[program] >> Keyword("after") >
+           field<&ResponseClaim::after>[constraint] > Keyword("within") > field<&ResponseClaim::within>[duration] >
+           field<&ResponseClaim::then>[constraint] > semicolon];
+const auto eventually_claim_def =
+    record[program >> Keyword("eventually") > field<&EventuallyClaim::constraint>[constraint] > Keyword("within") >
+           field<&EventuallyClaim::within>[duration] > semicolon];
+
+constexpr auto kind = &GeneralClaim::kind;
+using Kind = GeneralClaim::Kind;
+const auto never_stuck = Keyword("never") >> set<kind, Kind::stuck>[Keyword("stuck")] >> semicolon;
+const auto never_held_up = Keyword("never") >> (set<kind, Kind::goal_conflict>[Keyword("goal-conflict")] |
+                                                set<kind, Kind::no_plan>[Keyword("no-plan")] |
+                                                set<kind, Kind::endless_wait>[Keyword("endless-wait")] |
+                                                set<kind, Kind::undone>[Keyword("undone")]) >>
+                           semicolon;
+const auto terminates = set<kind, Kind::termination>[Keyword("terminates")] > semicolon;
+// A component may be called `stuck`.
+const auto general_claim_def =
+    record[never_stuck | (set<&GeneralClaim::of_program, true>[program] >> (never_stuck | never_held_up | terminates))];
+// The last of the claims on a program: what begins like one and is none of the others ends here.
+const auto finally_claim_def =
+    record[program > named("`terminates`, `never`, `eventually`, `finally` or `after`", Keyword("finally")) >
+           field<&FinallyClaim::constraint>[constraint] > semicolon];
 
 const auto faults_setting_def = record[Keyword("faults") > field<&FaultsSetting::count>[whole_number] > semicolon];
 const auto time_setting_def =
@@ -47,8 +73,9 @@ constexpr auto items = &PropertyDefinition::items;
 const auto property_def =
     record[Keyword("property") > field<&PropertyDefinition::name>[string] >
            statements_in_braces(
-               "`never`, `reach`, `after`, `faults`, `time`, `commands`, `from`, `entailed` or `expect`",
-               append<items>[never_claim] | append<items>[reach_claim] | append<items>[response_claim] |
+               "`never`, `reach`, `after`, `program`, `faults`, `time`, `commands`, `from`, `entailed` or `expect`",
+               append<items>[general_claim] | append<items>[never_claim] | append<items>[reach_claim] |
+                   append<items>[response_claim] | append<items>[eventually_claim] | append<items>[finally_claim] |
                    append<items>[faults_setting] | append<items>[time_setting] | append<items>[commands_setting] |
                    append<items>[from_setting] | append<items>[entailed_setting] | append<items>[expected_verdict])];
 
@@ -58,8 +85,9 @@ const auto property_file_def = record[statements_of_file(
     append<&PropertyFile::properties>[property] | append<defaults>[faults_setting] | append<defaults>[time_setting] |
         append<defaults>[commands_setting] | append<defaults>[from_setting] | append<defaults>[entailed_setting])];
 
-BOOST_SPIRIT_DEFINE(never_claim, reach_claim, response_claim, faults_setting, time_setting, commands_setting)
-BOOST_SPIRIT_DEFINE(from_setting, entailed_setting, expected_verdict, property)
+BOOST_SPIRIT_DEFINE(never_claim, reach_claim, response_claim, eventually_claim, finally_claim, general_claim)
+BOOST_SPIRIT_DEFINE(faults_setting, time_setting, commands_setting, from_setting, entailed_setting)
+BOOST_SPIRIT_DEFINE(expected_verdict, property)
 
 }  // namespace
 

@@ -105,6 +105,8 @@ enum class Code : std::uint16_t {
   property_not_a_mode = 702,
   property_period = 703,
   no_property = 704,
+  property_without_program = 705,
+  property_commands_of_program = 706,
   // Netlists.
   netlist_syntax = 800,
   netlist_gate = 801,

@@ -48,7 +48,7 @@ property "opens" {
   reach valve = opened;
 })"},
     CodeInfo{Code::property_without_claim, "property claims nothing",
-             "A property makes one claim: `never`, `reach` or `after … within …`.", R"(// tap.tcca
+             "A property makes one claim: `never`, `reach` or `after … within …`, or one on a program.", R"(// tap.tcca
 component Valve {
   input cmd : { none, open };
   output flow : { no, yes };
@@ -220,6 +220,104 @@ plant Tap {
 property "opens" {
   reach valve = opened;
   time 0.5 s;
+})"},
+    CodeInfo{
+        Code::property_without_program, "no program",
+        "What is claimed of a program is asked of the plant under that program, which is given after the properties.",
+        R"($ tcca-check check tap.tcca tap.props
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// pour.rmpl
+Pour() :: { valve = opened }
+// tap.props
+property "the pouring ends" {
+  program terminates;
+})",
+        R"($ tcca-check check tap.tcca tap.props pour.rmpl
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// pour.rmpl
+Pour() :: { valve = opened }
+// tap.props
+property "the pouring ends" {
+  program terminates;
+})"},
+    CodeInfo{Code::property_commands_of_program, "commands under a program",
+             "Under a program the executive commands; `commands` says what is free without one.",
+             R"($ tcca-check check tap.tcca tap.props pour.rmpl
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// pour.rmpl
+Pour() :: { valve = opened }
+// tap.props
+property "the pouring ends" {
+  program terminates;
+  commands any;
+})",
+             R"($ tcca-check check tap.tcca tap.props pour.rmpl
+// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// pour.rmpl
+Pour() :: { valve = opened }
+// tap.props
+property "the pouring ends" {
+  program terminates;
 })"},
 };
 

@@ -65,6 +65,16 @@ automata::Program chain(const automata::Plant& plant) {
   return program;
 }
 
+reference::Adviser advice_of(runtime::Reconfigurer& reconfigurer, const automata::Plant& plant) {
+  return [&](const automata::Modes& modes, const std::vector<automata::Assignment>& goal) {
+    const auto answer = reconfigurer.next(modes, automata::conjunction_of(goal));
+    const bool command = answer.outcome == runtime::Reconfiguration::Outcome::command;
+    return reference::Advice{answer.outcome == runtime::Reconfiguration::Outcome::no_plan,
+                             command ? answer.action : automata::idle_action(plant),
+                             answer.why.purpose == runtime::Reason::Purpose::reward};
+  };
+}
+
 void compare(std::optional<Ticks> period, bool chained = false) {
   Shape shape = small();
   shape.commanded = shape.commanded || chained;
@@ -75,19 +85,14 @@ void compare(std::optional<Ticks> period, bool chained = false) {
   question.period = period;
   question.unit = Ticks{Ticks::per_second / 2};
   question.formula = *formulas(model.plant.variables, all_variables(model.plant), 1);
+  question.then = *formulas(model.plant.variables, all_variables(model.plant), 1);
   question.within = Ticks::of_seconds(static_cast<std::int64_t>(up_to(0, 4)));
 
   draw_rewards(model.plant);
 
   automata::PlantStep step(model.plant);
   const auto reconfigurer = runtime::make_reconfigurer(step);
-  const auto adviser = [&](const automata::Modes& modes, const std::vector<automata::Assignment>& goal) {
-    const auto answer = reconfigurer->next(modes, automata::conjunction_of(goal));
-    const bool command = answer.outcome == runtime::Reconfiguration::Outcome::command;
-    return reference::Advice{answer.outcome == runtime::Reconfiguration::Outcome::no_plan,
-                             command ? answer.action : automata::idle_action(model.plant),
-                             answer.why.purpose == runtime::Reason::Purpose::reward};
-  };
+  const reference::Adviser adviser = advice_of(*reconfigurer, model.plant);
   const reference::Step slow(model.plant);
   const reference::LoopAnswer expected = reference::explore_loop(program.program, slow, adviser, question);
   RC_PRE(!expected.too_many);
@@ -99,23 +104,27 @@ void compare(std::optional<Ticks> period, bool chained = false) {
       ProgramProperty{Kind::termination},
       ProgramProperty{Kind::never, question.formula},
       ProgramProperty{Kind::eventually, question.formula, question.within},
+      ProgramProperty{
+          .kind = Kind::response, .formula = question.formula, .within = question.within, .then = question.then},
       ProgramProperty{Kind::finally, question.formula},
       ProgramProperty{Kind::stuck},
       ProgramProperty{Kind::undone}};
   verifier::CheckOptions options;
   options.period = period;
   options.faults = static_cast<unsigned>(question.faults);
+  RC_LOG() << "formula " << automata::to_text(question.formula, model.plant.variables) << ", within "
+           << question.within.count << ", faults " << question.faults << std::endl;
   const std::vector<verifier::Answer> found = verifier::check(program.program, step, properties, options, {});
-  const std::vector<bool> violated = {expected.conflict,      expected.no_plan, expected.waits_for_ever,
-                                      expected.runs_for_ever, expected.holds,   expected.late,
-                                      expected.ends_without,  expected.stops,   expected.undone};
+  const std::vector<bool> violated = {
+      expected.conflict, expected.no_plan, expected.waits_for_ever, expected.runs_for_ever, expected.holds,
+      expected.late,     expected.missed,  expected.ends_without,   expected.stops,         expected.undone};
   for (std::size_t p = 0; p < properties.size(); ++p) {
-    RC_LOG() << verifier::name_of(properties[p]) << " is " << (violated[p] ? "" : "not ")
-             << "violated tick by tick; formula " << automata::to_text(question.formula, model.plant.variables)
-             << ", within " << question.within.count << ", faults " << question.faults << std::endl;
+    RC_LOG() << verifier::name_of(properties[p]) << " is " << (violated[p] ? "" : "not ") << "violated tick by tick"
+             << std::endl;
     RC_ASSERT(answers(found[p], violated[p]));
-    // `eventually` looks on when the program has ended, and runs may stop there, which the twin does not look at.
-    const bool looks_on = std::get<ProgramProperty>(properties[p]).kind == Kind::eventually;
+    // These look on when the program has ended, and runs may stop there, which the twin does not look at.
+    const Kind kind = std::get<ProgramProperty>(properties[p]).kind;
+    const bool looks_on = kind == Kind::eventually || kind == Kind::response;
     RC_ASSERT(expected.stops || looks_on || (!found[p].cut_off.stuck && !found[p].cut_off.still));
   }
   RC_CLASSIFY(expected.stops);
@@ -131,6 +140,111 @@ RC_GTEST_PROP(ClosedLoop, GoalsOneAfterAnother, ()) {
 
 RC_GTEST_PROP(ClosedLoop, SampledIsTheTicks, ()) {
   compare(pick<Ticks>({{Ticks::per_second}, {Ticks::per_second / 2}, {3 * Ticks::per_second / 4}}));
+}
+
+std::optional<Ticks> some_period() { return chance(50) ? std::nullopt : std::optional(Ticks{Ticks::per_second}); }
+
+/// Something that does not hold from the start on, as often as not.
+automata::Formula some_modes(const automata::Plant& plant, const automata::Component& component) {
+  std::vector<automata::Formula> modes;
+  for (std::size_t m = 0; m < component.modes.size(); ++m) {
+    if (component.modes[m].fault || chance(30)) {
+      modes.push_back(
+          automata::conjunction_of(std::vector{automata::Assignment{component.mode, automata::ValueId(m)}}));
+    }
+  }
+  return modes.empty() ? *formulas(plant.variables, all_variables(plant), 1) : automata::disjunction(std::move(modes));
+}
+
+/// The soonest violation is one at its own time, and there is none before.
+RC_GTEST_PROP(ClosedLoop, TheSoonestViolationIsTheFirstInAnyWindow, ()) {
+  Model model = *models(small());
+  const RandomProgram program = *programs(model.plant);
+  draw_rewards(model.plant);
+  automata::PlantStep step(model.plant);
+  verifier::CheckOptions options;
+  options.period = some_period();
+  options.faults = static_cast<unsigned>(up_to(0, 1));
+  ProgramProperty never{Kind::never, some_modes(model.plant, pick(model.plant.components))};
+  const auto ask = [&] { return verifier::check(program.program, step, {never}, options, {}).front(); };
+  const verifier::Answer any = ask();
+  never.fastest = true;
+  const verifier::Answer soonest = ask();
+  RC_ASSERT(any.witness.has_value() == soonest.witness.has_value());
+  RC_PRE(soonest.witness.has_value());
+  const Ticks time = soonest.witness->events.back().time;
+  RC_LOG() << "soonest at " << automata::format_seconds(time) << " s" << std::endl;
+  RC_ASSERT(time <= any.witness->events.back().time);
+  never.fastest = false;
+  never.window.by = time;
+  RC_ASSERT(ask().witness.has_value());
+  never.window.not_before = time;
+  RC_ASSERT(ask().witness.has_value());
+  RC_CLASSIFY(Ticks{0} < time);
+  if (time == Ticks{0}) return;
+  never.window = {std::nullopt, time - Ticks{1}};
+  RC_ASSERT(!ask().witness);
+}
+
+/// Each set of fault modes, by itself, leads there or not: the cut sets are the smallest that do.
+RC_GTEST_PROP(ClosedLoop, CutSetsAreTheSmallestThatLeadThere, ()) {
+  Model model = *models(small());
+  const RandomProgram program = *programs(model.plant);
+  draw_rewards(model.plant);
+  using FaultMode = std::pair<std::size_t, automata::ModeId>;
+  std::vector<FaultMode> faults;
+  for (std::size_t c = 0; c < model.plant.components.size(); ++c) {
+    const auto& modes = model.plant.components[c].modes;
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      if (modes[m].fault) faults.emplace_back(c, automata::ModeId(m));
+    }
+  }
+  RC_PRE(!faults.empty() && faults.size() <= 3);
+  reference::LoopQuestion question;
+  question.faults = up_to(1, 2);
+  question.period = some_period();
+  question.unit = Ticks{Ticks::per_second / 2};
+  std::vector<automata::Formula> both;
+  for (const automata::Component& component : model.plant.components)
+    both.push_back(some_modes(model.plant, component));
+  question.formula = chance(50) ? automata::conjunction(std::move(both)) : automata::disjunction(std::move(both));
+  automata::PlantStep step(model.plant);
+  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const reference::Adviser adviser = advice_of(*reconfigurer, model.plant);
+  const reference::Step slow(model.plant);
+  std::vector<std::set<FaultMode>> expected;
+  for (std::size_t size = 0; size <= faults.size(); ++size) {
+    for (std::size_t chosen = 0; chosen < std::size_t{1} << faults.size(); ++chosen) {
+      std::set<FaultMode> set;
+      for (std::size_t f = 0; f < faults.size(); ++f) {
+        if ((chosen >> f & 1U) != 0) set.insert(faults[f]);
+      }
+      const bool smaller = std::any_of(expected.begin(), expected.end(), [&](const std::set<FaultMode>& known) {
+        return std::includes(set.begin(), set.end(), known.begin(), known.end());
+      });
+      if (set.size() != size || smaller) continue;
+      question.faults_allowed = set;
+      const reference::LoopAnswer answer = reference::explore_loop(program.program, slow, adviser, question);
+      RC_PRE(!answer.too_many);
+      if (answer.holds) expected.push_back(set);
+    }
+  }
+  verifier::CheckOptions options;
+  options.period = question.period;
+  options.faults = static_cast<unsigned>(question.faults);
+  options.cut_sets = true;
+  const std::vector<verifier::Property> never = {ProgramProperty{Kind::never, question.formula}};
+  const verifier::Answer found = verifier::check(program.program, step, never, options, {}).front();
+  std::vector<std::set<FaultMode>> sets;
+  for (const verifier::CutSet& cut : found.cut_sets) {
+    sets.emplace_back();
+    for (const verifier::Fault& fault : cut.faults) sets.back().emplace(fault.component.index(), fault.mode);
+  }
+  std::sort(sets.begin(), sets.end());
+  std::sort(expected.begin(), expected.end());
+  RC_ASSERT(sets == expected);
+  RC_ASSERT(found.witness.has_value() == !expected.empty());
+  RC_TAG(expected.empty() ? "none" : expected.front().empty() ? "no fault needed" : "faults");
 }
 
 }  // namespace

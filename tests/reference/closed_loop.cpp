@@ -42,7 +42,7 @@ struct State {
   std::vector<Ticks> component_clocks;
   std::set<std::size_t> achieved;  ///< components that are still where a goal brought them, or found them
   std::size_t faults = 0;
-  std::optional<Ticks> late;  ///< time so far, while the formula has not held
+  std::optional<Ticks> late;  ///< time so far, while what is to hold has not
   auto operator<=>(const State&) const = default;
 };
 
@@ -54,10 +54,15 @@ struct Begun {
   Advice advice;
 };
 
+/// What a run through all states is for.
+enum class Look { all, late, missed };
+
 class Explorer {
  public:
-  Explorer(const automata::Program& program, const Step& step, const Adviser& adviser, const LoopQuestion& question)
-      : program_(program),
+  Explorer(const automata::Program& program, const Step& step, const Adviser& adviser, const LoopQuestion& question,
+           Look look)
+      : look_(look),
+        program_(program),
         step_(step),
         plant_(step.plant()),
         adviser_(adviser),
@@ -76,18 +81,18 @@ class Explorer {
     cap_ += unit_ + unit_;
   }
 
-  LoopAnswer run(bool late) {
+  LoopAnswer run() {
     for (const auto& [start, probability] : initial_belief(step_)) {
       State state{
           Sequencer(program_, step_.models()).marking(), {}, start.modes, start.clock_starts, {}, 0, std::nullopt};
-      if (late) state.late = Ticks{0};
-      if (!late || !implies(state.modes)) number(state);
+      if (look_ == Look::late) state.late = Ticks{0};
+      if (!state.late || !has_come(state.modes)) arrive(state);
     }
     for (std::size_t s = 0; s < states_.size() && states_.size() < most_states; ++s) {
       const State state = *states_[s];
       look(state);
       judged_.resize(states_.size(), false);
-      if (state.marking.empty() && !late) continue;
+      if (state.marking.empty() && !state.late) continue;
       if (state.late && *state.late > question_.within) continue;
       judged_[s] = true;
       if (question_.period)
@@ -96,11 +101,23 @@ class Explorer {
         dense(s, state);
     }
     answer_.too_many = states_.size() >= most_states;
-    if (!late && !answer_.too_many) find_endless();
+    if (look_ == Look::all && !answer_.too_many) find_endless();
     return answer_;
   }
 
  private:
+  /// A state, and where `then` is asked for in it, the one from which on it is owed.
+  std::size_t arrive(const State& state) {
+    const bool asks = look_ == Look::missed && !state.late && !has_come(state.modes) &&
+                      step_.models().allows(assumptions_of(plant_, state.modes), question_.formula);
+    if (asks) {
+      State owed = state;
+      owed.late = Ticks{0};
+      number(owed);
+    }
+    return number(state);
+  }
+
   std::size_t number(const State& state) {
     const auto [at, fresh] = numbers_.try_emplace(state, states_.size());
     if (fresh) states_.push_back(&at->first);
@@ -116,6 +133,12 @@ class Explorer {
 
   [[nodiscard]] bool implies(const Modes& modes) const {
     return step_.models().entails(assumptions_of(plant_, modes), question_.formula);
+  }
+
+  /// Of what is to hold in time.
+  [[nodiscard]] bool has_come(const Modes& modes) const {
+    const automata::Formula& wanted = look_ == Look::missed ? question_.then : question_.formula;
+    return step_.models().entails(assumptions_of(plant_, modes), wanted);
   }
 
   /// `seen` is the state with its clocks on the sides from which this cycle sees them.
@@ -247,15 +270,18 @@ class Explorer {
     }
     for (const auto& tuple : tuples(sizes)) {
       State next = at_end;
+      bool allowed = true;
       for (std::size_t c = 0; c < tuple.size(); ++c) {
         const auto [mode, fault] = options[c][tuple[c]];
         if (mode != state.modes[c]) next.component_clocks[c] = Ticks{0};
         next.modes[c] = mode;
         next.faults += fault;
+        allowed = allowed && (!fault || !question_.faults_allowed || question_.faults_allowed->contains({c, mode}));
       }
+      if (!allowed) continue;
       if (next.faults > question_.faults || !step_.possible(next.modes)) continue;
       finish(next, begun, sampled);
-      if (next.late && *next.late <= question_.within && implies(next.modes)) continue;
+      if (next.late && *next.late <= question_.within && has_come(next.modes)) continue;
       achieve(state, begun, next);
       add_edge(from, state, next, sampled, begun.advice.action);
     }
@@ -310,7 +336,7 @@ class Explorer {
   void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action) {
     std::vector<bool> moves;
     for (std::size_t c = 0; c < state.modes.size(); ++c) moves.push_back(state.modes[c] != next.modes[c]);
-    edges_.push_back({from, number(next), time, state.faults == next.faults, std::move(moves), &exits(state, action)});
+    edges_.push_back({from, arrive(next), time, state.faults == next.faults, std::move(moves), &exits(state, action)});
   }
 
   void dense(std::size_t from, const State& state) {
@@ -335,7 +361,7 @@ class Explorer {
     }
     if (const auto action = idles(state)) {
       State next = later(state);
-      if (!next.late || *next.late > question_.within || !implies(next.modes))
+      if (!next.late || *next.late > question_.within || !has_come(next.modes))
         add_edge(from, state, next, true, *action);
     }
   }
@@ -398,6 +424,7 @@ class Explorer {
     return true;
   }
 
+  Look look_;
   const automata::Program& program_;
   const Step& step_;
   const automata::Plant& plant_;
@@ -419,10 +446,12 @@ class Explorer {
 
 LoopAnswer explore_loop(const automata::Program& program, const Step& step, const Adviser& adviser,
                         const LoopQuestion& question) {
-  LoopAnswer answer = Explorer(program, step, adviser, question).run(false);
-  const LoopAnswer timed = Explorer(program, step, adviser, question).run(true);
+  LoopAnswer answer = Explorer(program, step, adviser, question, Look::all).run();
+  const LoopAnswer timed = Explorer(program, step, adviser, question, Look::late).run();
+  const LoopAnswer owed = Explorer(program, step, adviser, question, Look::missed).run();
   answer.late = timed.late;
-  answer.too_many = answer.too_many || timed.too_many;
+  answer.missed = owed.late;
+  answer.too_many = answer.too_many || timed.too_many || owed.too_many;
   return answer;
 }
 

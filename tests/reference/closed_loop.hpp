@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "automata/program.hpp"
@@ -26,7 +28,10 @@ struct LoopQuestion {
   std::optional<automata::Ticks> period;                  ///< none: dense time, in steps of `unit`
   automata::Ticks unit = automata::Ticks::of_seconds(1);  ///< all bounds are multiples of it
   automata::Formula formula;                              ///< asked of all modes that are met
-  automata::Ticks within;
+  automata::Formula then = automata::constant(true);      ///< asked for each time `formula` holds
+  automata::Ticks within;                                 ///< of `formula` from the start, of `then` from there on
+  /// The fault modes, by component, that may be gone into; any, where it is empty.
+  std::optional<std::set<std::pair<std::size_t, automata::ModeId>>> faults_allowed = std::nullopt;
 };
 
 /// What the loop can come to.
@@ -38,6 +43,7 @@ struct LoopAnswer {
   bool holds = false;         ///< the store allows the formula, while the program runs or as it ends
   bool ends_without = false;  ///< the store need not imply it where the program ends
   bool late = false;          ///< nor at any time up to `within`
+  bool missed = false;        ///< it allows the formula while the program runs, and does not imply `then` in time
   bool waits_for_ever = false;
   bool runs_for_ever = false;  ///< waiting or not
   bool stops = false;          ///< while the program runs it comes to where, but for faults, time never passes again

@@ -114,6 +114,14 @@ const std::vector<Output> outputs = {
     {"Verdicts",
      "tcca-check check {examples}/propulsion/propulsion.tcca {examples}/propulsion/propulsion.props --format json",
      "verdicts"},
+    {"VerdictsOnAProgram",
+     "tcca-check check {examples}/power/power.tcca {examples}/power/power.props {examples}/power/power.rmpl --format "
+     "json",
+     "verdicts"},
+    {"CutSetsUnderAProgram",
+     "tcca-check program {examples}/power/power.rmpl {examples}/power/power.tcca --check no-plan --never 'bus = "
+     "powered' --after 'bus = powered within 1 s payload = on' --cut-sets 2 --format json",
+     "program_verdict"},
     {"UndecidedVerdicts",
      "tcca-check check {examples}/propulsion/propulsion.tcca {examples}/propulsion/propulsion.props --max-states 1 "
      "--format json",

@@ -27,14 +27,22 @@ using verifier::ScenarioFrame;
 using verifier::Subject;
 using Kind = ProgramProperty::Kind;
 
-/// What is asked; where nothing is, the properties that every program should have.
-std::vector<Property> properties_of(const automata::Plant& plant, const ProgramOptions& options, const Common& common) {
-  std::vector<Property> result;
+/// Whether what violates it is there at one time, so that there is a soonest.
+bool is_at_a_moment(Kind kind) {
+  return kind != Kind::termination && kind != Kind::stuck && kind != Kind::eventually && kind != Kind::response;
+}
+
+/// What is asked by its name.
+std::vector<ProgramProperty> asked_of(const automata::Plant& plant, const ProgramOptions& options,
+                                      const Common& common) {
+  std::vector<ProgramProperty> result;
   for (const GeneralCheck& check : options.general) {
     result.push_back(ProgramProperty{.kind = check.kind, .warning = check.warning});
   }
   for (const std::string& text : options.nevers) {
-    result.push_back(ProgramProperty{Kind::never, formula_option(text, plant, "--never", common), {}, text});
+    ProgramProperty never{Kind::never, formula_option(text, plant, "--never", common), {}, text};
+    never.window = options.window.window;
+    result.push_back(std::move(never));
   }
   for (const Promise& promise : options.eventuallys) {
     const auto within = promise.within ? promise.within : options.within;
@@ -43,12 +51,41 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
                                      formula_option(promise.constraint, plant, "--eventually", common), *within,
                                      promise.constraint});
   }
+  for (const Answered& response : options.responses) {
+    result.push_back(ProgramProperty{.kind = Kind::response,
+                                     .formula = formula_option(response.asks, plant, "--after", common),
+                                     .within = response.within,
+                                     .text = response.asks,
+                                     .then = formula_option(response.then, plant, "--after", common),
+                                     .then_text = response.then});
+  }
   for (const std::string& text : options.finallys) {
     result.push_back(ProgramProperty{Kind::finally, formula_option(text, plant, "--finally", common), {}, text});
   }
-  if (!result.empty() || options.each_fault) return result;
-  for (const Kind kind : verifier::general_kinds) {
-    result.push_back(ProgramProperty{.kind = kind, .warning = kind == Kind::undone});
+  return result;
+}
+
+/// What is asked; where nothing is, the properties that every program should have. Throws base::InputError where an
+/// option has no meaning for one of them.
+std::vector<Property> properties_of(const automata::Plant& plant, const ProgramOptions& options, const Common& common) {
+  std::vector<ProgramProperty> asked = asked_of(plant, options, common);
+  for (const ProgramProperty& property : asked) {
+    if (!options.window.fastest || is_at_a_moment(property.kind)) continue;
+    throw base::InputError("--fastest: " + std::string(name_of(property.kind)) +
+                           " is violated by what does not come, and not at a time; ask for it without --fastest");
+  }
+  if (asked.empty() && !options.each_fault) {
+    for (const Kind kind : verifier::general_kinds) asked.push_back({.kind = kind, .warning = kind == Kind::undone});
+  }
+  std::vector<Property> result;
+  for (ProgramProperty& property : asked) {
+    if (options.cut_sets && property.kind == Kind::termination) {
+      throw base::InputError(
+          "--cut-sets: termination has none, as a run without end is no way to a state; name what is asked, such as "
+          "--check endless-wait");
+    }
+    property.fastest = options.window.fastest && is_at_a_moment(property.kind);
+    result.push_back(std::move(property));
   }
   return result;
 }
@@ -159,9 +196,10 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
   const std::vector<Property> properties = properties_of(plant, options, common);
   const Freedom& freedom = options.freedom;
   const CheckOptions free{.period = freedom.period,
-                          .faults = freedom.faults.value_or(0),
+                          .faults = options.cut_sets ? *options.cut_sets : freedom.faults.value_or(0),
                           .entailed = freedom.entailed,
                           .fewest_faults = options.fewest_faults,
+                          .cut_sets = options.cut_sets.has_value(),
                           .from = assignments_option(freedom.from, plant, "--from", common)};
   automata::PlantStep step(plant);
   if (!options.each_fault) return run_check(options, common, subject, step, properties, free);

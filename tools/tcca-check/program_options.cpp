@@ -18,6 +18,19 @@ Promise promise(const std::string& text) {
   return {text.substr(0, at), duration(text.substr(at + keyword.size()))};
 }
 
+/// `φ within T ψ`
+Answered answered(const std::string& text) {
+  constexpr std::string_view keyword = " within ";
+  const std::size_t at = text.find(keyword);
+  if (at == std::string::npos) throw CLI::ValidationError("expected 'FORMULA within T FORMULA'");
+  const std::string rest = text.substr(at + keyword.size());
+  // The time is one word or two, `3s` or `3 s`.
+  std::size_t end = rest.find(' ');
+  if (end != std::string::npos && rest.find_first_not_of("0123456789.") == end) end = rest.find(' ', end + 1);
+  if (end == std::string::npos) throw CLI::ValidationError("expected a time and a formula after 'within'");
+  return {text.substr(0, at), duration(rest.substr(0, end)), rest.substr(end + 1)};
+}
+
 /// The properties that are the same for every program, by a list of their names.
 std::vector<GeneralCheck> general_properties(const std::string& text) {
   std::vector<GeneralCheck> result;
@@ -61,6 +74,19 @@ void add_properties(CLI::App& command, ProgramOptions& options) {
   add_read(command, "--within", options.within, duration, "how soon, from the start")
       ->option_text("T")
       ->needs(eventually);
+  const auto owe = [&options](const std::vector<std::string>& texts) {
+    try {
+      for (const std::string& text : texts) options.responses.push_back(answered(text));
+    } catch (const CLI::ValidationError& error) {
+      throw CLI::ValidationError("--after", error.what());
+    }
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--after", owe, "each time the first formula holds the second follows, as 'FORMULA within T FORMULA'")
+      ->option_text("FORMULA")
+      ->expected(1)
+      ->take_all();
   add_texts(command, "--finally", options.finallys, "FORMULA", "what is to hold where the program ends");
 }
 
@@ -82,10 +108,21 @@ void add_program_options(CLI::App& command, ProgramOptions& options, Common& com
           .add_flag("--fewest-faults", options.fewest_faults,
                     "traces with the least number of faults there is; --faults says how many are tried")
           ->needs(command.get_option("--faults"));
+  constexpr std::uint64_t most = 1'000'000;
+  CLI::Option* cut_sets = add_whole_number(command, "--cut-sets", options.cut_sets, 0, most,
+                                           "every minimal set of up to so many faults that leads to a violation")
+                              ->option_text("N")
+                              ->excludes(fewest)
+                              ->excludes(command.get_option("--faults"));
+  add_window(command, options.window);
+  command.get_option("--not-before")->needs(command.get_option("--never"));
+  command.get_option("--by")->needs(command.get_option("--never"));
   CLI::Option* each =
       command.add_flag("--each-fault", options.each_fault, "a table: every fault by itself, and what can come of it")
           ->excludes(command.get_option("--faults"))
-          ->excludes(fewest);
+          ->excludes(fewest)
+          ->excludes(cut_sets)
+          ->excludes(command.get_option("--fastest"));
   CLI::Option* scenario = add_text(command, "--scenario", options.scenario, "OUT.scn",
                                    "write the first violation as a scenario that fails the same way")
                               ->excludes(each);

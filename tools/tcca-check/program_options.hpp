@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/tcca-check/check_options.hpp"
+#include "tools/tcca-check/property_check.hpp"
 #include "verifier/property/property.hpp"
 
 namespace rmpl::tools {
@@ -15,6 +15,13 @@ namespace rmpl::tools {
 struct Promise {
   std::string constraint;
   std::optional<automata::Ticks> within;  ///< nothing: as `--within` says
+};
+
+/// What is owed each time something else holds.
+struct Answered {
+  std::string asks;
+  automata::Ticks within;
+  std::string then;
 };
 
 /// A property that holds for any program; as part of `all` *undone* only warns.
@@ -29,9 +36,12 @@ struct ProgramOptions {
   std::vector<GeneralCheck> general;  ///< of the properties that hold for any program
   std::vector<std::string> nevers, finallys;
   std::vector<Promise> eventuallys;
+  std::vector<Answered> responses;
   std::optional<automata::Ticks> within;
   bool each_fault = false;
   bool fewest_faults = false;
+  std::optional<unsigned> cut_sets;  ///< the most faults that such a set may hold
+  WindowOptions window;
   std::string scenario;  ///< where to write a witness as a scenario; empty: nowhere
   automata::Ticks cycle = {automata::Ticks::per_second / 2};  ///< of that scenario, where time is dense
   Freedom freedom;

@@ -86,7 +86,7 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
       },
       [&] { return verifier::to_json(subject, question, answer); },
       [&] {
-        return verifier::to_junit(plant, {{title, question, false, answer}});
+        return verifier::to_junit(subject, {{title, question, false, answer}});
       });
   return status_of(answer.verdict);
 }

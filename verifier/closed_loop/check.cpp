@@ -3,7 +3,6 @@
 #include "verifier/closed_loop/check.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <numeric>
 #include <set>
@@ -12,6 +11,7 @@
 #include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/lasso.hpp"
 #include "verifier/closed_loop/timetable.hpp"
+#include "verifier/plant/cut_sets.hpp"
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/witness/claim.hpp"
 #include "verifier/witness/hindrance.hpp"
@@ -42,7 +42,12 @@ std::vector<ProgramProperty> of_programs(const std::vector<Property>& properties
 std::vector<Ticks> times_of(const automata::Program& program, const std::vector<ProgramProperty>& properties) {
   std::vector<Ticks> times = ClockCells(program).constants();
   for (const ProgramProperty& property : properties) {
-    if (property.kind == Kind::eventually && !property.within.is_infinite()) times.push_back(property.within);
+    const auto add = [&](std::optional<Ticks> time) {
+      if (time && !time->is_infinite()) times.push_back(*time);
+    };
+    if (property.kind == Kind::eventually || property.kind == Kind::response) add(property.within);
+    add(property.window.not_before);
+    add(property.window.by);
   }
   return times;
 }
@@ -72,7 +77,8 @@ class ProgramCheck {
         decide(p, answers);
         answer.verdict = answer.witness ? Verdict::violated : Verdict::holds;
         answer.progress = meter_.progress();
-        if (answer.witness) find_others(properties_[p], answer);
+        answer.cut_sets = std::move(cut_sets_);
+        if (answer.witness && !options_.cut_sets) find_others(properties_[p], answer);
         if (answer.witness) continue;
         answer.vacuous = is_vacuous(properties_[p]);
         answer.cut_off = cut_off_;
@@ -160,19 +166,22 @@ class ProgramCheck {
     }
   }
 
-  /// Whether no state at all satisfies what is never to hold.
+  /// Whether no state at all satisfies what is never to hold, or no run asks for a response.
   bool is_vacuous(const ProgramProperty& property) {
+    if (property.kind == Kind::response) {
+      return !search({.aim = Aim::holds, .test = holds(property.formula, options_.entailed)});
+    }
     return property.kind == Kind::never && !step_.theory().allows({}, step_.theory().encode(property.formula));
   }
 
   void fill(FaultOutcome& row) {
     const FaultFilter only{true, row.fault};
-    if (row.fault) row.happens = search({Aim::happens, nullptr, 0, only});
+    if (row.fault) row.happens = search({.aim = Aim::happens, .filter = only});
     if (row.happens || !row.fault) {
-      row.success = search({Aim::ends_with, success(), 0, only});
+      row.success = search({.aim = Aim::ends_with, .test = success(), .filter = only});
       for (const ProgramProperty& property : properties_) {
-        const bool mission =
-            property.kind == Kind::never || property.kind == Kind::eventually || property.kind == Kind::finally;
+        const bool mission = property.kind == Kind::never || property.kind == Kind::eventually ||
+                             property.kind == Kind::response || property.kind == Kind::finally;
         if (mission && !row.lost) row.lost = violation(property, only);
       }
       row.no_plan = violation({Kind::no_plan}, only);
@@ -198,32 +207,63 @@ class ProgramCheck {
     const bool entailed = options_.entailed;
     switch (property.kind) {
       case Kind::goal_conflict:
-        return search({Aim::goal_conflict, nullptr, 0, only}, &property);
+        return at_a_moment({.aim = Aim::goal_conflict, .filter = only}, property);
       case Kind::no_plan:
-        return search({Aim::no_plan, nullptr, 0, only}, &property);
+        return at_a_moment({.aim = Aim::no_plan, .filter = only}, property);
       case Kind::endless_wait:
-        return search({Aim::endless_wait, nullptr, 0, only}, &property);
+        return at_a_moment({.aim = Aim::endless_wait, .filter = only}, property);
       case Kind::termination: {
-        auto found = search({Aim::endless_wait, nullptr, 0, only}, &property);
+        auto found = search({.aim = Aim::endless_wait, .filter = only}, &property);
         if (!found) found = lasso(only, property);
-        return found ? std::move(found) : search({Aim::still, nullptr, 0, only}, &property);
+        return found ? std::move(found) : search({.aim = Aim::still, .filter = only}, &property);
       }
       case Kind::stuck:
-        return search({Aim::stop, nullptr, 0, only}, &property);
+        return search({.aim = Aim::stop, .filter = only}, &property);
       case Kind::undone:
-        return search({Aim::undone, nullptr, 0, only}, &property);
+        return at_a_moment({.aim = Aim::undone, .filter = only}, property);
       case Kind::never:
-        return search({Aim::holds, holds(property.formula, entailed), 0, only}, &property);
+        return at_a_moment({.aim = Aim::holds, .test = holds(property.formula, entailed), .filter = only}, property);
       case Kind::eventually:
         if (property.within.is_infinite()) return std::nullopt;
-        return search({Aim::late, holds(property.formula, !entailed), loop_.time().more_than(property.within), only},
+        return search({.aim = Aim::late,
+                       .test = holds(property.formula, !entailed),
+                       .deadline = loop_.time().more_than(property.within),
+                       .filter = only},
+                      &property);
+      case Kind::response:
+        if (property.within.is_infinite()) return std::nullopt;
+        return search({.aim = Aim::missed,
+                       .test = holds(property.then, !entailed),
+                       .asks = holds(property.formula, entailed),
+                       .deadline = loop_.time().more_than(property.within),
+                       .filter = only},
                       &property);
       case Kind::finally: {
         const auto right = holds(property.formula, !entailed);
-        return search({Aim::ends_with, [right](const Modes& modes) { return !right(modes); }, 0, only}, &property);
+        const auto wrong = [right](const Modes& modes) { return !right(modes); };
+        return at_a_moment({.aim = Aim::ends_with, .test = wrong, .filter = only}, property);
       }
     }
     return std::nullopt;
+  }
+
+  /// What is there at one time, within the window. Each round asks for less time than the best so far takes, where that
+  /// is wanted, until there is none.
+  std::optional<Witness> at_a_moment(Query query, const ProgramProperty& property) {
+    const TimeModel& time = loop_.time();
+    Interval window;
+    if (property.window.not_before) window.lower = time.at_least(*property.window.not_before);
+    if (property.window.by) window.upper = time.at_most(*property.window.by);
+    if (property.window.not_before || property.window.by) query.window = window;
+    std::optional<Witness> best = search(query, &property);
+    while (property.fastest && best && best->events.back().time > Ticks{0}) {
+      window.upper = time.at_most(best->events.back().time) - 1;
+      query.window = window;
+      std::optional<Witness> faster = search(query, &property);
+      if (!faster) break;
+      best = std::move(faster);
+    }
+    return best;
   }
 
   /// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it.
@@ -238,16 +278,43 @@ class ProgramCheck {
   /// `shown` is what the witness is to show, where it is a property.
   std::optional<Witness> search(const Query& query, const ProgramProperty* shown = nullptr) {
     ProgramSystem system(loop_, start_, query);
+    if (options_.cut_sets && shown != nullptr) return search_cut_sets(system, query, shown);
     const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
     cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
     cut_off_.still = cut_off_.still || system.cut_off().still;
     if (!path) return std::nullopt;
-    if (ProgramSystem::is_end(path->back().discrete)) return stopped(*path, system, query, shown);
-    Witness witness = earliest_witness(*path, loop_, query);
+    return witness_of(*path, system.accepted(), system, query, shown);
+  }
+
+  std::optional<Witness> search_cut_sets(ProgramSystem& system, const Query& query, const ProgramProperty* shown) {
+    FaultSets sets;
+    system.tell_faults_apart(sets);
+    cut_sets_.clear();
+    for (const CutPath& cut : minimal_cut_sets(system, sets, meter_)) {
+      cut_sets_.push_back({cut.set.faults, witness_of(cut.path, cut.end, system, query, shown)});
+    }
+    cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
+    cut_off_.still = cut_off_.still || system.cut_off().still;
+    return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
+  }
+
+  /// Of a path to an accepted state.
+  Witness witness_of(const std::vector<PathState>& path, const SymbolicState& end, ProgramSystem& system,
+                     const Query& query, const ProgramProperty* shown) {
+    if (ProgramSystem::is_end(path.back().discrete)) return stopped(path, end, system, query, shown);
+    Witness witness = earliest_witness(path, loop_, query);
+    note_owed(witness, shown);
     if (query.aim == Aim::undone) witness.undone = undone_at_end(judge().rules(), witness);
     if (query.aim == Aim::endless_wait) witness.hindrances = hindrances(step_, program_, witness);
     add_refusals(witness);
     return replayed(std::move(witness), query.aim == Aim::endless_wait, shown);
+  }
+
+  /// Since when a response is owed.
+  void note_owed(Witness& witness, const ProgramProperty* shown) {
+    if (shown == nullptr || shown->kind != Kind::response) return;
+    const Response response{shown->formula, shown->then, shown->within};
+    witness.owed_since = owed_since(judge().rules(), response, options_.entailed, witness);
   }
 
   /// Which other goals of a cycle without a plan have none by themselves.
@@ -264,12 +331,12 @@ class ProgramCheck {
   }
 
   /// A run that is cut off, or that goes round while time stands still.
-  Witness stopped(std::vector<PathState> path, ProgramSystem& system, const Query& query,
+  Witness stopped(std::vector<PathState> path, const SymbolicState& accepted, ProgramSystem& system, const Query& query,
                   const ProgramProperty* shown) {
     path.pop_back();
     const std::size_t last = path.size() - 1;
-    const Standstill found = system.standstill(system.accepted());
-    const PathEnd end = system.end_of(system.accepted(), last);
+    const Standstill found = system.standstill(accepted);
+    const PathEnd end = system.end_of(accepted, last);
     for (const Instant& step : found.round) path.push_back(ProgramSystem::state_after(step));
     Witness witness = earliest_witness(path, loop_, query, end);
     witness.stop.emplace();
@@ -279,6 +346,7 @@ class ProgramCheck {
     } else {
       explain(witness);
     }
+    note_owed(witness, shown);
     return replayed(std::move(witness), false, shown);
   }
 
@@ -330,19 +398,10 @@ class ProgramCheck {
   Loop loop_;
   std::optional<LoopJudge> judge_;  ///< has no part in the search: it replays what that finds
   std::vector<LoopState> start_;
-  bool startless_ = false;  ///< known to be
-  CutOff cut_off_;          ///< seen by the searches for the answer at hand
+  std::vector<CutSet> cut_sets_;  ///< of the answer at hand, where they are asked for
+  bool startless_ = false;        ///< known to be
+  CutOff cut_off_;                ///< seen by the searches for the answer at hand
 };
-
-/// The limits less what has been spent.
-Limits remaining(Limits limits, const Progress& spent) {
-  if (limits.time) {
-    const auto left = *limits.time - std::chrono::duration<double>(spent.seconds);
-    limits.time = std::max(left, std::chrono::duration<double>::zero());
-  }
-  if (limits.states) *limits.states -= std::min(*limits.states, spent.states);
-  return limits;
-}
 
 /// Round by round one fault more, until every property is violated or as many as may be were tried.
 std::vector<Answer> with_fewest_faults(const automata::Program& program, automata::PlantStep& step,

@@ -11,7 +11,8 @@
 
 namespace rmpl::verifier {
 
-/// From one state on; nodes are numbers of states. Keeps references.
+/// From one state on, node 0. A node is a state with what its program clocks are: some that the root has, or started
+/// since, so that they read 0. Keeps references.
 class LoopInstants : public Instants {
  public:
   /// `others` clocks come before those of the program in the zone. What leads to modes that `ends` holds for leads on;
@@ -20,24 +21,27 @@ class LoopInstants : public Instants {
 
   const std::vector<ZoneBox>& waits(std::uint64_t node) override;
   const std::vector<Instant>& steps(std::uint64_t node) override;
+  [[nodiscard]] LoopStateId state_of(std::uint64_t node) const { return nodes_[node]->first; }
 
  private:
+  /// For each group of a state 1 + the position at the root of the one that it is, or 0: it has started since.
+  using Sources = std::vector<std::size_t>;
+
   /// The clock of the root that a group of a node reads, by its position there; none: it has started since, and reads
   /// 0.
-  [[nodiscard]] std::optional<std::size_t> group_clock(LoopStateId node, std::size_t group) const;
-  /// Whether the outcome leads to a node whose groups read clocks of the root, or none; then `step` restarts those that
-  /// start anew.
-  bool comes_back(const Outcome& outcome, LoopStateId from, Instant& step);
-  void add_step(const Outcome& outcome, std::uint32_t move, LoopStateId from, std::vector<Instant>& result);
+  [[nodiscard]] std::optional<std::size_t> group_clock(std::uint64_t node, std::size_t group) const;
+  std::uint64_t number(LoopStateId state, Sources sources);
+  /// The node that the outcome leads to; nothing where it cannot come back from there.
+  std::optional<std::uint64_t> target(const Outcome& outcome, std::uint64_t from);
+  void add_step(const Outcome& outcome, std::uint32_t move, std::uint64_t from, std::vector<Instant>& result);
 
   Loop& loop_;
-  LoopStateId root_;
   std::size_t others_;
   base::FunctionRef<bool(const automata::Modes&)> ends_;
   InstantClocks clocks_;
   bool own_clocks_ = false;  ///< the program has some: what has started can be forgotten again
-  /// By node, for each of its groups: 1 + the position at the root of the one that it is, or 0: it has started since.
-  std::map<std::uint64_t, std::vector<std::size_t>> sources_;
+  std::map<std::pair<LoopStateId, Sources>, std::uint64_t> numbers_;
+  std::vector<const std::pair<LoopStateId, Sources>*> nodes_;  ///< by number
   std::map<std::uint64_t, std::vector<ZoneBox>> waits_;
   std::map<std::uint64_t, std::vector<Instant>> steps_;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include "base/check.hpp"
 #include "verifier/closed_loop/loop_instants.hpp"
@@ -26,8 +27,8 @@ void ProgramSystem::initial(const Visit& visit) {
 void ProgramSystem::successors(const SymbolicState& state, const Visit& visit) {
   const LoopStateId id = loop_state(state.discrete);
   if (is_end(state.discrete)) return;
-  if (loop_[id].marking.empty() && query_.aim != Query::Aim::late) return;
-  const std::shared_ptr<const Turn> turn = loop_.turn(id, loop_.faults() - state.faults);
+  if (loop_[id].marking.empty() && !is_due(state.discrete)) return;
+  const std::shared_ptr<const Turn> turn = loop_.turn(id, loop_.faults() - fault_count(state.faults));
   for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) step(state, *turn, move, visit);
   enter_end(state, visit);
   loop_.explored(id);
@@ -35,20 +36,25 @@ void ProgramSystem::successors(const SymbolicState& state, const Visit& visit) {
 
 /// What a run is cut off in, if there is such a thing.
 void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
-  auto found = stop_in(state.zone, loop_state(state.discrete));
+  auto found = stop_in(state.zone, state.discrete);
   if (!found) return;
   const std::uint64_t end = found->round.empty() ? stuck_bit : still_bit;
   visit({state.discrete | end, state.faults, std::move(found->zone)}, {no_move, no_wait, false});
 }
 
-std::optional<Standstill> ProgramSystem::stop_in(const Zone& zone, LoopStateId id) {
-  const auto comes_true = [this](const automata::Modes& modes) { return stopwatch() && test(modes); };
+std::optional<Standstill> ProgramSystem::stop_in(const Zone& zone, std::uint64_t discrete) {
+  const bool due = is_due(discrete);
+  const LoopStateId id = loop_state(discrete);
+  const auto comes_true = [this, due](const automata::Modes& modes) { return due && test(modes); };
   LoopInstants instants(loop_, id, extra(), comes_true);
-  return find_standstill(zone, id.value, instants);
+  auto found = find_standstill(zone, 0, instants);
+  if (!found) return std::nullopt;
+  for (Instant& step : found->round) step.target = instants.state_of(step.target).value;
+  return found;
 }
 
 Standstill ProgramSystem::standstill(const SymbolicState& end) {
-  auto found = stop_in(end.zone, loop_state(end.discrete));
+  auto found = stop_in(end.zone, end.discrete);
   CHECK(found && "a run that is cut off is so when it is looked at again");
   return *found;
 }
@@ -72,6 +78,20 @@ PathEnd ProgramSystem::end_of(const SymbolicState& end, std::size_t position) co
 
 PathState ProgramSystem::state_after(const Instant& step) {
   return {step.target << phase_bits, {step.move, no_wait, false}};
+}
+
+unsigned ProgramSystem::faults_after(const SymbolicState& state, const Outcome& outcome) const {
+  if (sets_ == nullptr) return state.faults + outcome.faults;
+  const automata::Modes& from = loop_[loop_state(state.discrete)].modes;
+  return sets_->after(state.faults, loop_.plant(), from, outcome.state.modes, outcome.faults);
+}
+
+unsigned ProgramSystem::fault_count(unsigned faults) const {
+  return sets_ == nullptr ? faults : (*sets_)[faults].count;
+}
+
+bool ProgramSystem::no_more_faults(unsigned a, unsigned b) const {
+  return fault_count(a) <= fault_count(b) && (sets_ == nullptr || subset((*sets_)[a], (*sets_)[b]));
 }
 
 bool ProgramSystem::is_filtered(const LoopState& from, const Outcome& outcome) const {
@@ -107,10 +127,10 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
   const LoopState& from = loop_[id];
   const Outcome& outcome = turn.outcomes[move];
   Arrival arrival{outcome.same ? std::optional(id) : std::nullopt,
-                  state.faults + outcome.faults,
-                  state.discrete & happened_bit,
+                  faults_after(state, outcome),
+                  state.discrete & (happened_bit | owed_bit),
                   {move, no_wait, outcome.same}};
-  if (arrival.faults > loop_.faults()) return;
+  if (fault_count(arrival.faults) > loop_.faults()) return;
   if (query_.filter.only && outcome.faults > 0) {
     if (is_filtered(from, outcome)) return;
     arrival.phase |= happened_bit;
@@ -186,13 +206,26 @@ void ProgramSystem::choose_cells(const LoopState& state, std::vector<Cell>& chos
 }
 
 void ProgramSystem::enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit) {
-  const LoopState& state = loop_[id];
+  const automata::Modes& modes = loop_[id].modes;
   Zone now = zone;
-  if (stopwatch() && test(state.modes)) {
+  if (is_due(arrival.phase) && test(modes)) {
     // The period that brings it may be the first one to end after the deadline: that is too late.
     if (!now.constrain(1, {query_.deadline, unbounded})) return;
   }
-  const std::vector<ClockLimits> clocks = limits_in(state);
+  if (query_.aim == Query::Aim::missed && !owed(arrival.phase) && asks_in(modes) && !test(modes)) {
+    // What is missed later on in the same modes is missed from here on too.
+    std::vector<std::size_t> sources(now.clocks());
+    std::iota(sources.begin(), sources.end(), std::size_t{1});
+    sources.front() = 0;
+    Arrival asked = arrival;
+    asked.phase |= owed_bit;
+    stay(id, now.select(sources), asked, visit);
+  }
+  stay(id, std::move(now), arrival, visit);
+}
+
+void ProgramSystem::stay(LoopStateId id, Zone now, const Arrival& arrival, const Visit& visit) {
+  const std::vector<ClockLimits> clocks = limits_in(loop_[id], is_due(arrival.phase));
   const std::uint64_t discrete = (std::uint64_t{id.value} << phase_bits) | arrival.phase;
   Label label = arrival.label;
   bool whole = false;
@@ -241,8 +274,10 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
   cut_off_.stuck = cut_off_.stuck || (state.discrete & stuck_bit) != 0;
   cut_off_.still = cut_off_.still || still;
   if (is_end(state.discrete)) {
-    return query_.aim == Query::Aim::stop || (still && (query_.aim == Query::Aim::still || stopwatch()));
+    return query_.aim == Query::Aim::stop || (still && (query_.aim == Query::Aim::still || is_due(state.discrete)));
   }
+  const auto& window = query_.window;
+  if (window && (state.zone.upper(1) < window->lower || state.zone.lower(1) > window->upper)) return false;
   switch (query_.aim) {
     case Query::Aim::goal_conflict:
       return !loop_.turn(id)->conflicts.empty();
@@ -260,7 +295,8 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
     case Query::Aim::holds:
       return test(at.modes);
     case Query::Aim::late:
-      return state.zone.upper(1) >= query_.deadline;
+    case Query::Aim::missed:
+      return is_due(state.discrete) && state.zone.upper(1) >= query_.deadline;
     case Query::Aim::ends_with:
       return at.marking.empty() && test(at.modes);
     case Query::Aim::happens:
@@ -281,6 +317,10 @@ bool ProgramSystem::test(const automata::Modes& modes) const {
   return answers_.find_or(modes, [&] { return query_.test(modes); });
 }
 
+bool ProgramSystem::asks_in(const automata::Modes& modes) const {
+  return asked_.find_or(modes, [&] { return query_.asks(modes); });
+}
+
 std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& state) const {
   const std::vector<ComponentId> live = loop_.live(state.modes);
   const auto at = std::lower_bound(live.begin(), live.end(), component);
@@ -288,9 +328,14 @@ std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& stat
   return 1 + extra() + state.groups.size() + static_cast<std::size_t>(at - live.begin());
 }
 
-std::vector<ClockLimits> ProgramSystem::limits_in(const LoopState& state) const {
+std::vector<ClockLimits> ProgramSystem::limits_in(const LoopState& state, bool due) const {
   std::vector<ClockLimits> result;
-  if (stopwatch()) result.push_back({query_.deadline, -1});
+  if (query_.window) {
+    const auto& [lower, upper] = *query_.window;
+    result.push_back({lower, upper == unbounded ? -1 : upper});
+  } else if (stopwatch()) {
+    result.push_back({due ? query_.deadline : -1, -1});
+  }
   if (progress_clock()) result.push_back({loop_.time().grain(), 0});
   for (const ClockGroup& group : state.groups) {
     ClockLimits limits;

@@ -9,6 +9,7 @@
 
 #include "base/bounded_cache.hpp"
 #include "verifier/closed_loop/loop.hpp"
+#include "verifier/plant/fault_sets.hpp"
 #include "verifier/property/fault.hpp"
 #include "verifier/search/passed.hpp"
 #include "verifier/search/standstill.hpp"
@@ -31,6 +32,7 @@ struct Query {
     endless_wait,   ///< a wait that may last for ever
     holds,          ///< a state in which `test` holds, while the program runs or as it ends
     late,           ///< `test` has not held when `deadline` is reached; such runs go on after the program's end
+    missed,         ///< the same, counted from a state in which `asks` holds, while the program runs or as it ends
     ends_with,      ///< the program's end in a state in which `test` holds
     happens,        ///< the fault of the filter
     stop,           ///< where nothing can follow, or time stands still
@@ -40,7 +42,10 @@ struct Query {
   };
   Aim aim = Aim::nothing;
   std::function<bool(const automata::Modes&)> test = nullptr;
+  std::function<bool(const automata::Modes&)> asks = nullptr;
   Units deadline = 0;
+  /// What is at one moment is looked for at these times alone; at any, where it is empty.
+  std::optional<Interval> window = std::nullopt;
   FaultFilter filter = {};
   /// Of `no_plan` and `endless_wait`: only such a cycle; any, where it is empty.
   std::function<bool(const LoopState&, const Turn&)> fresh = nullptr;
@@ -58,8 +63,8 @@ struct PathEnd {
 /// A state is the start of a cycle with the clocks in cells, closed under waiting. A cycle is a step, silent where
 /// nothing changes but the cells.
 ///
-/// Clocks, in this order: the stopwatch of `late`, the clock of `progress`, the groups of program clocks, the clocks of
-/// the live components.
+/// Clocks, in this order: the stopwatch of `late`, `missed` and of a window, the clock of `progress`, the groups of
+/// program clocks, the clocks of the live components.
 class ProgramSystem : public TransitionSystem {
  public:
   /// Keeps references.
@@ -68,11 +73,17 @@ class ProgramSystem : public TransitionSystem {
   void initial(const Visit& visit) override;
   void successors(const SymbolicState& state, const Visit& visit) override;
   [[nodiscard]] bool accepts(const SymbolicState& state) const override;
+  [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override;
+  [[nodiscard]] unsigned fault_count(unsigned faults) const override;
+  /// From now on, which faults there were counts, by numbers of `sets`, to which a reference is kept.
+  void tell_faults_apart(FaultSets& sets) { sets_ = &sets; }
 
   /// A discrete part, taken apart.
   static LoopStateId loop_state(std::uint64_t discrete) {
     return LoopStateId(static_cast<std::uint32_t>(discrete >> phase_bits));
   }
+  /// Of `missed`: whether what is owed here has been asked for.
+  static bool owed(std::uint64_t discrete) { return (discrete & owed_bit) != 0; }
   /// Whether time passed before the step that led here.
   static bool progressed(std::uint64_t discrete) { return (discrete & progressed_bit) != 0; }
 
@@ -96,13 +107,14 @@ class ProgramSystem : public TransitionSystem {
 
  private:
   // A discrete part: what was achieved, where that is asked; the number of the state; the phase.
-  static constexpr unsigned phase_bits = 5;
+  static constexpr unsigned phase_bits = 6;
   static constexpr unsigned achieved_shift = phase_bits + 32;
   static constexpr std::uint64_t happened_bit = 1;
   static constexpr std::uint64_t progressed_bit = 2;
   static constexpr std::uint64_t stuck_bit = 4;
   static constexpr std::uint64_t still_bit = 8;
   static constexpr std::uint64_t undone_bit = 16;
+  static constexpr std::uint64_t owed_bit = 32;
 
   /// Where a step comes from and what is true of it.
   struct Arrival {
@@ -112,7 +124,13 @@ class ProgramSystem : public TransitionSystem {
     Label label;
   };
 
-  [[nodiscard]] bool stopwatch() const { return query_.aim == Query::Aim::late; }
+  [[nodiscard]] bool stopwatch() const {
+    return query_.aim == Query::Aim::late || query_.aim == Query::Aim::missed || query_.window;
+  }
+  /// Whether `test` must not come to hold before the deadline.
+  [[nodiscard]] bool is_due(std::uint64_t discrete) const {
+    return query_.aim == Query::Aim::late || (query_.aim == Query::Aim::missed && owed(discrete));
+  }
   [[nodiscard]] bool progress_clock() const { return query_.progress && loop_.time().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }
   /// Notes what the step achieves and what it takes away.
@@ -124,21 +142,26 @@ class ProgramSystem : public TransitionSystem {
   void choose_cells(const LoopState& state, std::vector<Cell>& chosen, const Zone& zone, const Arrival& arrival,
                     const Visit& visit);
   void enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit);
+  void stay(LoopStateId id, Zone now, const Arrival& arrival, const Visit& visit);
   [[nodiscard]] bool wait(Zone& zone, const Box& box, LoopStateId id) const;
   [[nodiscard]] std::size_t clock_of(automata::ComponentId component, const LoopState& state) const;
-  [[nodiscard]] std::vector<ClockLimits> limits_in(const LoopState& state) const;
-  [[nodiscard]] std::optional<Standstill> stop_in(const Zone& zone, LoopStateId id);
+  [[nodiscard]] std::vector<ClockLimits> limits_in(const LoopState& state, bool due) const;
+  [[nodiscard]] std::optional<Standstill> stop_in(const Zone& zone, std::uint64_t discrete);
   void enter_end(const SymbolicState& state, const Visit& visit);
   [[nodiscard]] bool is_wanted(const SymbolicState& state) const;
   [[nodiscard]] bool test(const automata::Modes& modes) const;
+  [[nodiscard]] bool asks_in(const automata::Modes& modes) const;
+  [[nodiscard]] unsigned faults_after(const SymbolicState& state, const Outcome& outcome) const;
   [[nodiscard]] bool is_fresh(LoopStateId id) const;
 
   Loop& loop_;
   const std::vector<LoopState>& start_;
   const Query& query_;
   mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> answers_{1u << 16};  ///< of `test`
+  mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> asked_{1u << 16};    ///< of `asks`
   std::map<Achieved, std::uint64_t> achieved_numbers_{{{}, 0}};
   std::vector<const Achieved*> achieved_{&achieved_numbers_.begin()->first};  ///< by number
+  FaultSets* sets_ = nullptr;                                                 ///< none: faults are counted
   mutable CutOff cut_off_;
   mutable std::optional<SymbolicState> accepted_;
 };

@@ -101,11 +101,16 @@ class LoopTimetable {
     });
   }
 
-  [[nodiscard]] std::vector<Units> solve() const {
+  [[nodiscard]] std::vector<Units> solve() {
     const Schedule::Point last = left_.back();
-    if (query_.aim == Query::Aim::late && !end_) {
+    if (query_.window && !end_) schedule_.constrain(0, last, *query_.window);
+    if ((query_.aim == Query::Aim::late || query_.aim == Query::Aim::missed) && !end_) {
       Schedule late = schedule_;
-      late.constrain(0, last, {query_.deadline, unbounded});
+      late.constrain(entered_[asked()], last, {query_.deadline, unbounded});
+      // What comes true on the way does so too late.
+      for (std::size_t i = asked(); i < path_.size(); ++i) {
+        if (query_.test(state(i).modes)) late.constrain(entered_[asked()], entered_[i], {query_.deadline, unbounded});
+      }
       return times_of(late);
     }
     if (query_.aim != Query::Aim::endless_wait || end_) return times_of(schedule_);
@@ -117,6 +122,14 @@ class LoopTimetable {
       if (auto times = waiting.solve()) return *times;
     }
     throw base::InternalError("an accepted state cannot wait for ever");
+  }
+
+  /// The state from which on what does not come is owed.
+  [[nodiscard]] std::size_t asked() const {
+    if (query_.aim == Query::Aim::late) return 0;
+    const auto first = std::find_if(path_.begin(), path_.end(),
+                                    [](const PathState& state) { return ProgramSystem::owed(state.discrete); });
+    return static_cast<std::size_t>(first - path_.begin());
   }
 
   static std::vector<Units> times_of(const Schedule& schedule) {

@@ -177,6 +177,7 @@ class Writer {
       case Kind::stuck:
         return "  expect finished;\n";
       case Kind::undone:
+      case Kind::response:
         break;
       case Kind::never:
         return "  expect never " + property_.text + ";\n";
@@ -216,6 +217,7 @@ std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramP
     return "'" + property.text +
            "' speaks of a control: a flight knows its commands, the check leaves open what no mode says";
   }
+  if (property.kind == Kind::response) return "no expectation of a scenario says that a response is owed each time";
   if (property.kind == Kind::undone) return "no expectation of a scenario says that something is undone";
   if (Writer(step, property, witness, {}).shows()) return std::nullopt;
   return "no sensor shows that '" + property.text + "' holds where it can: the estimate of a flight leaves it open";

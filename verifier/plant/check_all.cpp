@@ -3,7 +3,6 @@
 #include "verifier/plant/check_all.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -58,7 +57,7 @@ class CheckAll {
       if (taken[q]) continue;
       const auto target = target_of(questions_[q]);
       if (!target) {
-        answers_[q] = check(step_, questions_[q].property, questions_[q].options, remaining());
+        answers_[q] = check(step_, questions_[q].property, questions_[q].options, remaining(limits_, spent_));
         spend(answers_[q]);
         continue;
       }
@@ -84,7 +83,7 @@ class CheckAll {
       for (const std::size_t q : group) targets.push_back(*target_of(questions_[q])->formula);
       const Question& first = questions_[group.front()];
       const Reachability any{automata::disjunction(std::move(targets)), *target_of(first)->window, false};
-      const Answer found = check(step_, any, first.options, remaining());
+      const Answer found = check(step_, any, first.options, remaining(limits_, spent_));
       spend(found);
       const auto decided = std::stable_partition(group.begin(), group.end(), [&](std::size_t q) {
         return found.witness && !holds_at_end(*target_of(questions_[q])->formula, *found.witness);
@@ -108,23 +107,16 @@ class CheckAll {
     return step_.theory().allows(store, step_.theory().encode(formula));
   }
 
-  [[nodiscard]] Limits remaining() const {
-    Limits rest = limits_;
-    if (rest.time) rest.time = std::max(*rest.time - spent_, std::chrono::duration<double>::zero());
-    if (rest.states) *rest.states -= std::min(*rest.states, states_);
-    return rest;
-  }
   void spend(const Answer& result) {
-    spent_ += std::chrono::duration<double>(result.progress.seconds);
-    states_ += result.progress.states;
+    spent_.seconds += result.progress.seconds;
+    spent_.states += result.progress.states;
   }
 
   PlantStep& step_;
   const std::vector<Question>& questions_;
   const Limits& limits_;
   std::vector<Answer> answers_;
-  std::chrono::duration<double> spent_ = std::chrono::duration<double>::zero();
-  std::size_t states_ = 0;
+  Progress spent_;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 class Exploration {
  public:
-  Exploration(PlantSystem& system, const FaultSets& sets, Meter& meter)
+  Exploration(TransitionSystem& system, const FaultSets& sets, Meter& meter)
       : system_(system), sets_(sets), meter_(meter), passed_(system, false) {}
 
   std::vector<CutPath> run() {
@@ -53,7 +53,7 @@ class Exploration {
     if (passed_[node].covered || superfluous(passed_[node].faults)) return;
     const SymbolicState state = passed_.state(node);
     if (system_.accepts(state)) {
-      found_.push_back({sets_[state.faults], passed_.path(node)});
+      found_.push_back({sets_[state.faults], passed_.path(node), state});
       return;
     }
     system_.successors(state, [&](SymbolicState&& next, const Label& label) {
@@ -81,7 +81,7 @@ class Exploration {
     return result;
   }
 
-  PlantSystem& system_;
+  TransitionSystem& system_;
   const FaultSets& sets_;
   Meter& meter_;
   Passed passed_;
@@ -91,7 +91,7 @@ class Exploration {
 
 }  // namespace
 
-std::vector<CutPath> minimal_cut_sets(PlantSystem& system, const FaultSets& sets, Meter& meter) {
+std::vector<CutPath> minimal_cut_sets(TransitionSystem& system, const FaultSets& sets, Meter& meter) {
   return Exploration(system, sets, meter).run();
 }
 

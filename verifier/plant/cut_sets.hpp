@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "verifier/plant/fault_sets.hpp"
-#include "verifier/plant/plant_system.hpp"
 #include "verifier/search/limits.hpp"
 #include "verifier/search/search.hpp"
 
@@ -15,11 +14,13 @@ namespace rmpl::verifier {
 struct CutPath {
   FaultSet set;
   std::vector<PathState> path;
+  SymbolicState end;  ///< the accepted state
 };
 
 /// Every minimal set of faults of the runs to an accepted state, within the system's budget; sorted by size, then by
 /// component and mode. One exploration: a state covers another that has had a superset of its faults, and what has had
-/// a superset of a set that was found is not followed. The system counts faults by these sets. Throws LimitReached.
-std::vector<CutPath> minimal_cut_sets(PlantSystem& system, const FaultSets& sets, Meter& meter);
+/// a superset of a set that was found is not followed. The system counts faults by these sets; its states hold their
+/// numbers. Throws LimitReached.
+std::vector<CutPath> minimal_cut_sets(TransitionSystem& system, const FaultSets& sets, Meter& meter);
 
 }  // namespace rmpl::verifier

@@ -25,6 +25,8 @@ std::string_view name_of(ProgramProperty::Kind kind) {
       return "never";
     case Kind::eventually:
       return "eventually";
+    case Kind::response:
+      return "response";
     case Kind::finally:
       return "finally";
   }

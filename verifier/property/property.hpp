@@ -57,12 +57,17 @@ struct ProgramProperty {
     undone,         ///< no command for reward takes away what a goal achieved
     never,          ///< `formula` does not hold while the program runs or as it ends
     eventually,     ///< `formula` holds at some time up to `within`, on every run
+    response,       ///< each time `formula` holds while the program runs, `then` holds at most `within` later
     finally         ///< `formula` holds where the program ends
   };
   Kind kind;
   automata::Formula formula = automata::constant(true);
   automata::Ticks within = {};
   std::string text = {};  ///< the formula as written
+  automata::Formula then = automata::constant(true);
+  std::string then_text = {};  ///< `then` as written
+  Window window = {};          ///< of `never`: when the formula counts
+  bool fastest = false;        ///< of what is violated at one moment: the witness is to take the least time
   /// It only warns: of all answers together it says nothing.
   bool warning = false;
 };
@@ -75,7 +80,8 @@ inline constexpr std::array general_kinds = {ProgramProperty::Kind::goal_conflic
 /// The last one is asked of a program with its plant, the others of a plant alone.
 using Property = std::variant<Reachability, Safety, Response, Stuck, ProgramProperty>;
 
-/// `goal-conflict`, `no-plan`, `endless-wait`, `termination`, `stuck`, `undone`, `never`, `eventually`, `finally`.
+/// `goal-conflict`, `no-plan`, `endless-wait`, `termination`, `stuck`, `undone`, `never`, `eventually`, `response`,
+/// `finally`.
 std::string_view name_of(ProgramProperty::Kind kind);
 /// `reachability`, `safety`, `response`, `stuck`, or the name of what is asked of a program.
 std::string name_of(const Property& property);

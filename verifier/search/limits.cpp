@@ -21,6 +21,15 @@ std::size_t peak_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts it in kilobytes
 }
 
+Limits remaining(Limits limits, const Progress& spent) {
+  if (limits.time) {
+    const auto left = *limits.time - std::chrono::duration<double>(spent.seconds);
+    limits.time = std::max(left, std::chrono::duration<double>::zero());
+  }
+  if (limits.states) *limits.states -= std::min(*limits.states, spent.states);
+  return limits;
+}
+
 double Meter::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }

@@ -33,6 +33,9 @@ struct Limits {
   std::function<void(const Progress&)> report = nullptr;  ///< called now and then, about twice a second
 };
 
+/// The limits less what has been spent: those of a search that goes on where another one ended.
+Limits remaining(Limits limits, const Progress& spent);
+
 /// Thrown by `Meter` where a limit is reached; searches catch it and say so.
 struct LimitReached {
   Limit limit;

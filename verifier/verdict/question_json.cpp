@@ -13,11 +13,15 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json claim_of(const Plant& plant, const automata::Formula& formula, const Window& window, bool fastest) {
-  ordered_json json = {{"formula", to_text(formula, plant.variables)}};
+void add_window(ordered_json& json, const Window& window, bool fastest) {
   if (window.not_before) json["not_before"] = window.not_before->seconds();
   if (window.by) json["by"] = window.by->seconds();
   if (fastest) json["fastest"] = true;
+}
+
+ordered_json claim_of(const Plant& plant, const automata::Formula& formula, const Window& window, bool fastest) {
+  ordered_json json = {{"formula", to_text(formula, plant.variables)}};
+  add_window(json, window, fastest);
   return json;
 }
 
@@ -72,6 +76,10 @@ ordered_json claim_of(const Plant& plant, const Property& property) {
                          auto json = ordered_json::object();
                          if (!p.text.empty()) json["formula"] = p.text;
                          if (p.kind == ProgramProperty::Kind::eventually) json["within"] = seconds_of(p.within);
+                         if (p.kind == ProgramProperty::Kind::response) {
+                           json = {{"after", p.text}, {"within", seconds_of(p.within)}, {"formula", p.then_text}};
+                         }
+                         add_window(json, p.window, p.fastest);
                          return json;
                        }},
       property);
@@ -80,7 +88,10 @@ ordered_json claim_of(const Plant& plant, const Property& property) {
 ordered_json question_json(const Plant& plant, const Question& question) {
   ordered_json json = claim_of(plant, question.property);
   add_freedom(json, plant, question.options);
-  json["commands"] = name_of(question.options.commands);
+  // Under a program the executive commands.
+  if (!std::holds_alternative<ProgramProperty>(question.property)) {
+    json["commands"] = name_of(question.options.commands);
+  }
   json["fewest_faults"] = question.options.fewest_faults;
   json["cut_sets"] = question.options.cut_sets;
   add_bounds(json, question.bounds);
@@ -91,6 +102,7 @@ ordered_json question_json(const Plant& plant, const ProgramQuestion& question) 
   ordered_json json = ordered_json::object();
   add_freedom(json, plant, question.options);
   json["fewest_faults"] = question.options.fewest_faults;
+  json["cut_sets"] = question.options.cut_sets;
   add_bounds(json, question.bounds);
   return json;
 }

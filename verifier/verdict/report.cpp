@@ -21,17 +21,29 @@ const std::string& name_of(const Plant& plant, const Fault& fault) {
   return plant[fault.component].modes[fault.mode.index()].name;
 }
 
-std::string text_of_cut_sets(const Subject& subject, const CheckOptions& options, const Answer& answer) {
+/// What is said of the last event of a run.
+std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
+  const auto* asked = std::get_if<ProgramProperty>(&property);
+  if (asked != nullptr) return finding(subject, *asked, witness);
+  if (witness.stop) return to_text(subject.plant, *witness.stop);
+  const auto* response = std::get_if<Response>(&property);
+  return response != nullptr && witness.owed_since ? owed_text(subject, *response, witness) : "";
+}
+
+std::string text_of_cut_sets(const Subject& subject, const Question& question, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return "";
   const Plant& plant = subject.plant;
-  const std::string most = options.faults == 1U ? "1 fault" : std::to_string(options.faults.value()) + " faults";
+  const std::optional<unsigned> faults = question.options.faults;
+  const std::string most = faults == 1U ? "1 fault" : std::to_string(faults.value()) + " faults";
   std::string text = "minimal cut sets of up to " + most + ": " + std::to_string(answer.cut_sets.size()) + "\n";
   for (const CutSet& cut : answer.cut_sets) {
     text += "\ncut set:";
     for (std::size_t f = 0; f < cut.faults.size(); ++f) {
       text += (f == 0 ? " " : ", ") + plant[cut.faults[f].component].name + " = " + name_of(plant, cut.faults[f]);
     }
-    text += (cut.faults.empty() ? " no fault is needed\n" : "\n") + text_of(subject, cut.witness, "");
+    const bool program = std::holds_alternative<ProgramProperty>(question.property);
+    text += (cut.faults.empty() ? " no fault is needed\n" : "\n") +
+            text_of(subject, cut.witness, program ? end_of(subject, question.property, cut.witness) : "");
   }
   return text;
 }
@@ -48,13 +60,11 @@ ordered_json json_of_cut_sets(const Subject& subject, const Answer& answer) {
   return sets;
 }
 
-/// What is said of the last event of a run.
-std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
-  const auto* asked = std::get_if<ProgramProperty>(&property);
-  if (asked != nullptr) return finding(subject, *asked, witness);
-  if (witness.stop) return to_text(subject.plant, *witness.stop);
-  const auto* response = std::get_if<Response>(&property);
-  return response != nullptr && witness.owed_since ? owed_text(subject, *response, witness) : "";
+/// Further missing plans and endless waits.
+void add_others(ordered_json& json, const Subject& subject, const Property& property, const Answer& answer) {
+  for (const Witness& other : answer.others) {
+    json["others"].push_back({{"finding", end_of(subject, property, other)}, {"trace", json_of(subject, other)}});
+  }
 }
 
 /// What a verdict without a witness leaves out.
@@ -63,12 +73,13 @@ void add_cut_off(ordered_json& json, const Answer& answer) {
   json["cut_off"] = answer.cut_off.still ? "time-stands-still" : "stuck";
 }
 
-ordered_json check_json(const Subject& subject, const Property& property, const Answer& answer) {
+ordered_json check_json(const Subject& subject, const Property& property, bool cut_sets, const Answer& answer) {
   ordered_json check = {{"property", name_of(property)}, {"verdict", to_text(answer.verdict)}};
   if (is_warning(property)) check["level"] = "warning";
   check.update(claim_of(subject.plant, property));
   if (answer.vacuous) check["vacuous"] = true;
   add_cut_off(check, answer);
+  if (cut_sets) check["cut_sets"] = json_of_cut_sets(subject, answer);
   if (!answer.witness) return check;
   if (answer.fewest_faults) check["fewest_faults"] = *answer.fewest_faults;
   check["finding"] = end_of(subject, property, *answer.witness);
@@ -78,9 +89,7 @@ ordered_json check_json(const Subject& subject, const Property& property, const 
   }
   check["trace"] = json_of(subject, *answer.witness);
   if (answer.witness->repeats_from) check["repeats_from"] = *answer.witness->repeats_from;
-  for (const Witness& other : answer.others) {
-    check["others"].push_back({{"finding", end_of(subject, property, other)}, {"trace", json_of(subject, other)}});
-  }
+  add_others(check, subject, property, answer);
   return check;
 }
 
@@ -91,7 +100,7 @@ std::string to_text(const Subject& subject, const Question& question, const Answ
   std::string text = name_of(question.property) + ": " + painted(answer.verdict, color, warning) + " (" +
                      (warning && answer.witness ? "warning: " : "") + meaning(question.property, answer) + ")\n";
   if (question.options.cut_sets) {
-    text += text_of_cut_sets(subject, question.options, answer);
+    text += text_of_cut_sets(subject, question, answer);
   } else if (answer.witness && answer.same_as) {
     text += "  the same run as of endless-wait\n";
   } else if (answer.witness) {
@@ -121,6 +130,7 @@ ordered_json to_json(const Subject& subject, const Question& question, const Ans
   }
   if (answer.witness && answer.witness->repeats_from) json["repeats_from"] = *answer.witness->repeats_from;
   json["trace"] = answer.witness ? json_of(subject, *answer.witness) : ordered_json::array();
+  add_others(json, subject, question.property, answer);
   if (answer.fewest_faults) json["fewest_faults"] = *answer.fewest_faults;
   if (question.options.cut_sets) json["cut_sets"] = json_of_cut_sets(subject, answer);
   json["statistics"] = statistics_of(answer.progress);
@@ -137,7 +147,7 @@ ordered_json to_json(const Subject& subject, const ProgramQuestion& question, co
   json["trace"] = ordered_json::array();
   json["checks"] = ordered_json::array();
   for (std::size_t p = 0; p < properties.size(); ++p) {
-    ordered_json check = check_json(subject, properties[p], answers[p]);
+    ordered_json check = check_json(subject, properties[p], question.options.cut_sets, answers[p]);
     if (json["trace"].empty() && !is_warning(properties[p]) && check.contains("trace")) json["trace"] = check["trace"];
     json["checks"].push_back(std::move(check));
   }

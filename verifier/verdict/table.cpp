@@ -13,7 +13,6 @@
 
 namespace rmpl::verifier {
 
-using automata::Plant;
 using nlohmann::ordered_json;
 
 namespace {
@@ -40,10 +39,13 @@ std::string indented(const std::string& text, const char* margin) {
   return result;
 }
 
+/// What the claim is about: the plant alone, or under the program.
+Subject subject_of(const Subject& all, const Claim& claim) { return claim.of_program() ? all : Subject{all.plant}; }
+
 /// A trace for people, without the headline of a single result.
-std::string trace_of(const Plant& plant, const Claim& claim) {
+std::string trace_of(const Subject& subject, const Claim& claim) {
   if (!claim.answer.witness) return "";
-  const std::string text = to_text({plant}, claim.question, claim.answer, false);
+  const std::string text = to_text(subject_of(subject, claim), claim.question, claim.answer, false);
   return text.substr(text.find('\n') + 1);
 }
 
@@ -63,7 +65,7 @@ Count count(const std::vector<Claim>& claims) {
   return result;
 }
 
-std::string to_table(const Plant& plant, const std::vector<Claim>& claims, bool statistics, bool color) {
+std::string to_table(const Subject& subject, const std::vector<Claim>& claims, bool statistics, bool color) {
   std::size_t width = 0;
   for (const Claim& claim : claims) width = std::max(width, claim.name.size());
   std::string text;
@@ -78,7 +80,7 @@ std::string to_table(const Plant& plant, const std::vector<Claim>& claims, bool 
     }
     if (!after.empty()) line += std::string(std::string_view("undecided").size() - verdict.size() + 2, ' ') + after;
     text += line + "\n";
-    if (claim.decided() && !claim.as_expected()) text += indented(trace_of(plant, claim), "  ");
+    if (claim.decided() && !claim.as_expected()) text += indented(trace_of(subject, claim), "  ");
   }
   const Count found = count(claims);
   text += std::to_string(found.expected) + " as expected, " + std::to_string(found.unexpected) + " not, " +
@@ -86,36 +88,41 @@ std::string to_table(const Plant& plant, const std::vector<Claim>& claims, bool 
   return text;
 }
 
-ordered_json to_json(const Plant& plant, const std::vector<Claim>& claims) {
+ordered_json to_json(const Subject& subject, const std::vector<Claim>& claims) {
   ordered_json properties = ordered_json::array();
   for (const Claim& claim : claims) {
-    ordered_json one = {{"name", claim.name}, {"expected", claim.expect_violated ? "violated" : "holds"}};
-    one.update(to_json(Subject{plant}, claim.question, claim.answer));
+    ordered_json one = {{"name", claim.name},
+                        {"expected", claim.expect_violated ? "violated" : "holds"},
+                        {"subject", claim.of_program() ? "program" : "plant"}};
+    one.update(to_json(subject_of(subject, claim), claim.question, claim.answer));
     properties.push_back(std::move(one));
   }
   const Count found = count(claims);
-  return {{"plant", plant.name},
-          {"properties", std::move(properties)},
-          {"as_expected", found.expected},
-          {"unexpected", found.unexpected},
-          {"undecided", found.undecided}};
+  ordered_json json = {{"plant", subject.plant.name}};
+  if (subject.program != nullptr) json["program"] = subject.program->name;
+  json["properties"] = std::move(properties);
+  json["as_expected"] = found.expected;
+  json["unexpected"] = found.unexpected;
+  json["undecided"] = found.undecided;
+  return json;
 }
 
-std::string to_junit(const Plant& plant, const std::vector<Claim>& claims) {
+std::string to_junit(const Subject& subject, const std::vector<Claim>& claims) {
   std::vector<base::TestCase> cases;
   for (const Claim& claim : claims) {
     using Outcome = base::TestCase::Outcome;
     const std::string after = remark(claim);
     cases.push_back({.name = claim.name,
-                     .classname = plant.name + "." + name_of(claim.question.property),
+                     .classname = subject.plant.name + "." + (claim.of_program() ? subject.program->name + "." : "") +
+                                  name_of(claim.question.property),
                      .seconds = claim.answer.progress.seconds,
                      .outcome = claim.as_expected() ? Outcome::success
                                 : claim.decided()   ? Outcome::failure
                                                     : Outcome::error,
                      .message = std::string(to_text(claim.answer.verdict)) + (after.empty() ? "" : ": " + after),
-                     .text = trace_of(plant, claim)});
+                     .text = trace_of(subject, claim)});
   }
-  return base::to_junit(plant.name, cases);
+  return base::to_junit(title(subject), cases);
 }
 
 }  // namespace rmpl::verifier

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "verifier/verdict/answer.hpp"
+#include "verifier/verdict/subject.hpp"
 
 namespace rmpl::verifier {
 
@@ -17,6 +18,7 @@ struct Claim {
   bool expect_violated = false;
   Answer answer;
 
+  [[nodiscard]] bool of_program() const { return std::holds_alternative<ProgramProperty>(question.property); }
   [[nodiscard]] bool decided() const { return answer.verdict != Verdict::undecided; }
   /// Whether what came out is what was meant to.
   [[nodiscard]] bool as_expected() const {
@@ -31,9 +33,9 @@ struct Count {
 Count count(const std::vector<Claim>& claims);
 
 /// A line a property, traces of those that are not as expected below their lines, and a line that counts.
-std::string to_table(const automata::Plant& plant, const std::vector<Claim>& claims, bool statistics, bool color);
-nlohmann::ordered_json to_json(const automata::Plant& plant, const std::vector<Claim>& claims);
+std::string to_table(const Subject& subject, const std::vector<Claim>& claims, bool statistics, bool color);
+nlohmann::ordered_json to_json(const Subject& subject, const std::vector<Claim>& claims);
 /// One suite, a test case a property: a failure where the verdict is not as expected, an error where there is none.
-std::string to_junit(const automata::Plant& plant, const std::vector<Claim>& claims);
+std::string to_junit(const Subject& subject, const std::vector<Claim>& claims);
 
 }  // namespace rmpl::verifier

@@ -33,6 +33,12 @@ std::string stuck_text(bool violated) {
   return violated ? "there are runs that cannot go on" : "on every run something can follow, and time passes";
 }
 
+/// ` from 3 s on up to 5 s`
+std::string text_of(const Window& window) {
+  return (window.not_before ? " from " + automata::format_seconds(*window.not_before) + " s on" : "") +
+         (window.by ? " up to " + automata::format_seconds(*window.by) + " s" : "");
+}
+
 /// What a verdict about a program means.
 std::string meaning_of(const ProgramProperty& property, bool violated) {
   switch (property.kind) {
@@ -51,7 +57,10 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
       return violated ? "what a goal achieved can be taken away for reward"
                       : "no command for reward takes away what a goal achieved";
     case Kind::never:
-      return "'" + property.text + "' " + (violated ? "can hold" : "never holds");
+      return "'" + property.text + "' " + (violated ? "can hold" : "never holds") + text_of(property.window);
+    case Kind::response:
+      return "'" + property.then_text + "' " + (violated ? "can be missed" : "always comes") + " within " +
+             automata::format_seconds(property.within) + " s of '" + property.text + "'";
     case Kind::eventually:
       return "'" + property.text + "' " + (violated ? "can come too late, or never" : "always comes") + " within " +
              automata::format_seconds(property.within) + " s";
@@ -127,8 +136,10 @@ std::string reason(const Answer& answer) {
 }
 
 std::string vacuity(const Property& property) {
-  return std::holds_alternative<Response>(property) ? "what asks for it never happens"
-                                                    : "no state whatever satisfies it";
+  const auto* asked = std::get_if<ProgramProperty>(&property);
+  const bool response = asked != nullptr && asked->kind == Kind::response;
+  return response || std::holds_alternative<Response>(property) ? "what asks for it never happens"
+                                                                : "no state whatever satisfies it";
 }
 
 std::string meaning(const Property& property, const Answer& answer) {
@@ -165,6 +176,9 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
     case Kind::eventually:
       if (witness.stop) return "'" + property.text + "' has not held, and " + to_text(subject.plant, *witness.stop);
       return "'" + property.text + "' has not held in time";
+    case Kind::response:
+      return owed_text(subject, Response{property.formula, property.then, property.within}, witness) +
+             (witness.stop ? ", and " + to_text(subject.plant, *witness.stop) : "");
     case Kind::finally:
       return "the program has ended, and '" + property.text + "' need not hold";
   }

@@ -37,6 +37,8 @@ class Claim {
     const bool still = stop_ && stop_->still;
     const Ticks end = events_.back().time;
     for (std::size_t e = 0; e < events_.size(); ++e) {
+      // Under a program: asked for up to its end, the state that it ends in included.
+      if (events_[e].cycle && events_[e].cycle->marking.empty()) return std::nullopt;
       if (!holds(p.after, e, entailed_) || (!still && end - events_[e].time <= p.within)) continue;
       if (never_before(p.then, e, still ? Ticks::infinite() : events_[e].time + p.within)) return e;
     }
@@ -65,8 +67,9 @@ class Claim {
                    ? std::nullopt
                    : std::optional("nothing that was achieved is taken away at its end");
       case Kind::never:
-        return holds(p.formula, events_.size() - 1, entailed_) ? std::nullopt
-                                                               : std::optional("the formula does not hold at its end");
+        return reached(p.formula, p.window);
+      case Kind::response:
+        return failure(Response{p.formula, p.then, p.within});
       case Kind::eventually:
         if (stop_ && stop_->still) {
           return never_before(p.formula, 0, Ticks::infinite()) ? std::nullopt

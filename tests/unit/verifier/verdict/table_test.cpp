@@ -35,7 +35,7 @@ TEST(Table, JunitIsWellFormedAndCounts) {
   const auto b = test::engine();
   automata::PlantStep step(b.plant);
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(to_junit(b.plant, claims(step, b, {})).c_str()));
+  ASSERT_TRUE(document.load_string(to_junit({b.plant}, claims(step, b, {})).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_EQ(suite.attribute("tests").as_int(), 3);
   EXPECT_EQ(suite.attribute("failures").as_int(), 1);
@@ -54,7 +54,7 @@ TEST(Table, WhatIsUndecidedIsAnErrorOfJunit) {
   Limits limits;
   limits.states = 1;
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(to_junit(b.plant, claims(step, b, limits)).c_str()));
+  ASSERT_TRUE(document.load_string(to_junit({b.plant}, claims(step, b, limits)).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_EQ(suite.attribute("errors").as_int(), 3);
   EXPECT_TRUE(suite.first_child().child("error"));
