@@ -359,22 +359,30 @@ class Explorer {
             right = right && (a.side > b.side || (a.side == b.side && a.side != 0));
       if (right) cycles(from, state, seen, false);
     }
-    if (const auto action = idles(state)) {
+    if (const auto round = idles(state)) {
       State next = later(state);
+      for (const ClockId clock : round->restarted) next.clocks[clock] = {Ticks{0}, after, next.clocks[clock].rank};
       if (!next.late || *next.late > question_.within || !has_come(next.modes))
-        add_edge(from, state, next, true, *action);
+        add_edge(from, state, next, true, round->action);
     }
   }
 
-  /// Whether cycles go round for a unit of time while the plant stays as it is; the command of the first of them.
-  std::optional<ControlAction> idles(const State& state) {
+  /// Cycles that go round while the plant stays as it is.
+  struct Round {
+    ControlAction action;         ///< of the first of them
+    std::set<ClockId> restarted;  ///< clocks that start anew each time
+  };
+
+  /// Whether cycles go round for a unit of time.
+  std::optional<Round> idles(const State& state) {
     State seen = state;
     for (auto& [clock, c] : seen.clocks) c.side = after;
-    std::set<std::set<LocationId>> met;
-    std::optional<ControlAction> first;
-    while (met.insert(seen.marking).second) {
+    const State start = seen;
+    std::set<State> met;
+    std::optional<Round> result;
+    while (met.insert(seen).second) {
       const Begun begun = begin(seen, seen);
-      if (!first) first = begun.advice.action;
+      if (!result) result = Round{begun.advice.action, {}};
       for (std::size_t c = 0; c < plant_.components.size(); ++c) {
         bool stays = false, due = false;
         for (const Transition* t : enabled(seen.modes, c, begun.advice.action)) {
@@ -390,11 +398,11 @@ class Explorer {
         if (std::find(options.begin(), options.end(), std::pair(seen.modes[c], false)) == options.end())
           return std::nullopt;
       }
-      const auto clocks = seen.clocks;
       finish(seen, begun, false);
-      if (seen.clocks != clocks) return std::nullopt;
+      for (const auto& [clock, c] : start.clocks)
+        if (!seen.clocks.contains(clock)) result->restarted.insert(clock);
     }
-    return seen.marking == state.marking ? first : std::nullopt;
+    return seen == start ? result : std::nullopt;
   }
 
   void find_endless() {
@@ -416,11 +424,12 @@ class Explorer {
   bool round_is_shut(const State& state) {
     State seen = state;
     for (auto& [clock, c] : seen.clocks) c.side = after;
+    const State start = seen;
     do {
       const Begun begun = begin(seen, seen);
       if (!is_shut(exits(seen, begun.advice.action))) return false;
       finish(seen, begun, false);
-    } while (seen.marking != state.marking);
+    } while (seen != start);
     return true;
   }
 

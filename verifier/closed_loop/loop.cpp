@@ -3,6 +3,7 @@
 #include "verifier/closed_loop/loop.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "verifier/property/initial_modes.hpp"
@@ -211,22 +212,31 @@ Outcome Loop::follow(const LoopState& state, const Modes& modes) const {
   return result;
 }
 
-std::vector<LoopStateId> Loop::round(LoopStateId id) {
-  std::vector<LoopStateId> result;
+Loop::Round Loop::round(LoopStateId id) {
+  Round result;
+  // For each group of the state at hand 1 + the position at the begin of the one that it is, or 0: it started since.
+  std::vector<std::size_t> sources(states_[id.index()]->groups.size());
+  std::iota(sources.begin(), sources.end(), std::size_t{1});
   for (LoopStateId at = id;;) {
-    result.push_back(at);
+    result.states.push_back(at);
     const LoopState& state = *states_[at.index()];
     const std::shared_ptr<const Worked> worked = cycle(at);
     const Turn& turn = worked->turn;
-    const auto stays = std::find_if(turn.outcomes.begin(), turn.outcomes.end(), [&](const Outcome& o) {
-      return o.faults == 0 && o.state.modes == state.modes && o.state.passed == state.passed &&
-             o.state.groups == state.groups;
-    });
+    const auto stays = std::find_if(turn.outcomes.begin(), turn.outcomes.end(),
+                                    [&](const Outcome& o) { return o.faults == 0 && o.state.modes == state.modes; });
     if (stays == turn.outcomes.end() || (!stays->same && !time_.is_dense())) return {};
+    std::vector<std::size_t> moved;
+    for (const std::size_t source : stays->sources) moved.push_back(source == 0 ? 0 : sources[source - 1]);
+    sources = std::move(moved);
     at = number(stays->state);
-    if (at == id) return result;
-    if (std::find(result.begin(), result.end(), at) != result.end()) return {};
+    if (at == id) break;
+    if (std::find(result.states.begin(), result.states.end(), at) != result.states.end()) return {};
   }
+  // One that has taken the place of another is started anew too, a round later.
+  for (std::size_t g = 0; g < sources.size(); ++g) {
+    if (sources[g] != g + 1) result.restarted.push_back(g);
+  }
+  return result;
 }
 
 std::vector<Interval> Loop::stays(const std::vector<Choice>& choices, ModeId mode) const {
@@ -243,11 +253,12 @@ std::vector<Interval> Loop::stays(const std::vector<Choice>& choices, ModeId mod
 }
 
 std::vector<Wait> Loop::waits(LoopStateId id) {
-  const std::vector<LoopStateId> states = round(id);
+  const auto [states, restarted] = round(id);
   if (states.empty()) return {};
   const LoopState& state = *states_[id.index()];
   std::vector<Wait> result(1);
-  bool restless = state.marking.empty() || !state.groups.empty();
+  result.front().restarted = restarted;
+  bool restless = state.marking.empty() || restarted.size() < state.groups.size();
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     std::vector<Interval> intervals(1);
     for (const LoopStateId at : states) {

@@ -51,6 +51,8 @@ struct Outcome {
 /// A stretch of cycles in which nothing changes.
 struct Wait {
   Box bounds;
+  /// In dense time, the groups of clocks that each round of its cycles starts anew: as time passes they stay at 0.
+  std::vector<std::size_t> restarted;
   bool endless = false;  ///< it may last for ever, and then nothing but a fault would ever end it
 };
 
@@ -125,9 +127,14 @@ class Loop {
   [[nodiscard]] std::vector<std::optional<automata::Ticks>> started(const LoopState& state) const;
   /// What follows `state` where the plant is in `modes` and the sequencer has finished the cycle.
   [[nodiscard]] Outcome follow(const LoopState& state, const automata::Modes& modes) const;
-  /// The states that cycles go round in while the plant stays as it is, this one first; empty where they do not, or the
-  /// plant cannot stay. Sampled, only a cycle that changes nothing goes round: others are steps, one a period.
-  std::vector<LoopStateId> round(LoopStateId id);
+  /// What cycles go round in while the plant stays as it is.
+  struct Round {
+    std::vector<LoopStateId> states;     ///< none where they do not go round, or the plant cannot stay
+    std::vector<std::size_t> restarted;  ///< of the first state, the groups of clocks that start anew
+  };
+  /// From a state on, which is the first. Sampled, only a cycle that changes nothing goes round: others are steps, one
+  /// a period.
+  Round round(LoopStateId id);
   std::vector<Wait> waits(LoopStateId id);
   /// In dense time: where a wait may begin, and where it ends at the latest, as a fault that is certain begins there.
   [[nodiscard]] std::vector<Interval> stays(const std::vector<Choice>& choices, automata::ModeId mode) const;

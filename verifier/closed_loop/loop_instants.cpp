@@ -58,9 +58,8 @@ const std::vector<ZoneBox>& LoopInstants::waits(std::uint64_t node) {
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
       const Interval cell = loop_.cells().units(loop_.cell(state.groups[g]), loop_.time());
       const auto clock = group_clock(node, g);
-      if (!clock || cell.upper == unbounded) continue;
-      // A clock that each call starts anew stays at 0 while time passes.
-      if (cell.upper >= 1 || !own_clocks_) result.back().push_back({*clock, {0, cell.upper - 1}});
+      const bool stays = std::find(wait.restarted.begin(), wait.restarted.end(), g) != wait.restarted.end();
+      if (clock && !stays && cell.upper != unbounded) result.back().push_back({*clock, {0, cell.upper - 1}});
     }
   }
   return result;
@@ -76,13 +75,11 @@ const std::vector<Instant>& LoopInstants::steps(std::uint64_t node) {
   return at->second;
 }
 
-/// Where no clock is ever forgotten, what starts one does not come back; a program that does so while the plant stands
-/// still lets time pass.
+/// Where no clock is ever forgotten, what starts one does not come back.
 std::optional<std::uint64_t> LoopInstants::target(const Outcome& outcome, std::uint64_t from) {
   const LoopState& there = outcome.state;
   const LoopState& here = loop_[state_of(from)];
-  const bool moves = own_clocks_ && there.modes != here.modes;
-  if (!moves && (there.groups != here.groups || there.passed != here.passed)) return std::nullopt;
+  if (!own_clocks_ && (there.groups != here.groups || there.passed != here.passed)) return std::nullopt;
   Sources sources;
   for (const std::size_t source : outcome.sources) {
     sources.push_back(source == 0 ? 0 : nodes_[from]->second[source - 1]);

@@ -232,7 +232,7 @@ void ProgramSystem::stay(LoopStateId id, Zone now, const Arrival& arrival, const
   const std::shared_ptr<const Turn> turn = loop_.turn(id);
   for (std::size_t w = 0; w < turn->waits.size(); ++w) {
     Zone later = now;
-    if (!wait(later, turn->waits[w].bounds, id)) continue;
+    if (!wait(later, turn->waits[w], id)) continue;
     whole = whole || later.includes(now);
     later.extrapolate(clocks);
     label.wait = static_cast<std::uint32_t>(w);
@@ -244,14 +244,20 @@ void ProgramSystem::stay(LoopStateId id, Zone now, const Arrival& arrival, const
   visit({discrete, arrival.faults, std::move(now)}, label);
 }
 
-bool ProgramSystem::wait(Zone& zone, const Box& box, LoopStateId id) const {
+bool ProgramSystem::wait(Zone& zone, const Wait& wait, LoopStateId id) const {
   const LoopState& state = loop_[id];
-  for (const ClockBound& b : box) {
+  for (const ClockBound& b : wait.bounds) {
     if (!zone.constrain(clock_of(b.component, state), b.clock)) return false;
   }
   zone.elapse();
-  for (const ClockBound& b : box) {
+  for (const ClockBound& b : wait.bounds) {
     if (!zone.constrain(clock_of(b.component, state), {0, b.clock.upper})) return false;
+  }
+  if (!wait.restarted.empty()) {
+    std::vector<std::size_t> sources(zone.clocks());
+    std::iota(sources.begin(), sources.end(), std::size_t{1});
+    for (const std::size_t g : wait.restarted) sources[extra() + g] = 0;
+    zone = zone.select(sources);
   }
   for (std::size_t g = 0; g < state.groups.size(); ++g) {
     const Interval cell = loop_.cells().units(loop_.cell(state.groups[g]), loop_.time());
@@ -288,7 +294,7 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
       return std::any_of(turn->waits.begin(), turn->waits.end(),
                          [&](const Wait& w) {
                            Zone zone = state.zone;
-                           return w.endless && wait(zone, w.bounds, id);
+                           return w.endless && wait(zone, w, id);
                          }) &&
              is_fresh(id);
     }

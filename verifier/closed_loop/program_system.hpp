@@ -143,7 +143,7 @@ class ProgramSystem : public TransitionSystem {
                     const Visit& visit);
   void enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit);
   void stay(LoopStateId id, Zone now, const Arrival& arrival, const Visit& visit);
-  [[nodiscard]] bool wait(Zone& zone, const Box& box, LoopStateId id) const;
+  [[nodiscard]] bool wait(Zone& zone, const Wait& wait, LoopStateId id) const;
   [[nodiscard]] std::size_t clock_of(automata::ComponentId component, const LoopState& state) const;
   [[nodiscard]] std::vector<ClockLimits> limits_in(const LoopState& state, bool due) const;
   [[nodiscard]] std::optional<Standstill> stop_in(const Zone& zone, std::uint64_t discrete);

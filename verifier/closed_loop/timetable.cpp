@@ -64,6 +64,15 @@ class LoopTimetable {
     });
   }
 
+  /// Clocks that the rounds of a wait start anew: at its end they have just been started.
+  void mark_restarted(std::size_t i) {
+    if (path_[i].label.wait == ProgramSystem::no_wait) return;
+    const std::shared_ptr<const Turn> turn = loop_.turn(id(i));
+    for (const std::size_t g : turn->waits[path_[i].label.wait].restarted) {
+      for (const ClockId clock : state(i).groups[g].clocks) started_[clock.index()] = left_[i];
+    }
+  }
+
   template <class Visit>
   void for_each_clock(std::size_t i, const Visit& visit) const {
     const ClockCells& cells = loop_.cells();
@@ -88,6 +97,7 @@ class LoopTimetable {
       }
     }
     left_.push_back(left);
+    mark_restarted(i);
     if (end_ && end_->position == i) {
       for (const ClockBound& b : end_->components) schedule_.constrain(restarted(b), left, b.clock);
       for (const auto& reading : end_->program) {
@@ -96,6 +106,7 @@ class LoopTimetable {
     }
     for_each_clock(i, [&](ClockId clock, const Cell& cell) {
       const Interval readings = loop_.cells().units(cell, loop_.time());
+      if (started_[clock.index()] == left) return;
       schedule_.constrain(started_[clock.index()], entered_.back(), {readings.lower, unbounded});
       schedule_.constrain(started_[clock.index()], left, {0, readings.upper});
     });
@@ -147,6 +158,7 @@ class LoopTimetable {
     started_.assign(started_.size(), 0);
     for (std::size_t i = 0; i < path_.size(); ++i) {
       if (i > 0) mark_started(i, left_[i - 1]);
+      mark_restarted(i);
       Event event = begun(i, times);
       if (i + 1 < path_.size()) {
         event.time = loop_.time().ticks(times[entered_[i + 1]]);

@@ -21,6 +21,15 @@ namespace {
 /// What each sensor reads; one that is silent is absent.
 using Readings = std::map<VariableId, ValueId>;
 
+/// Whether all components start in the modes that are most likely there.
+bool starts_likely(const automata::Plant& plant, const Modes& modes) {
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const std::vector<double>& initial = plant.components[c].initial;
+    if (initial[modes[c].index()] < *std::max_element(initial.begin(), initial.end())) return false;
+  }
+  return true;
+}
+
 class Writer {
  public:
   Writer(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness, const ScenarioFrame& frame)
@@ -38,7 +47,8 @@ class Writer {
 
   std::string write() {
     std::string text = "// Written by tcca-check: " + std::string(name_of(property_.kind)) +
-                       " is violated, with the estimate taken as the truth.\n\nscenario \"" + frame_.name + "\" {\n";
+                       " is violated, with the estimate taken as the truth.\n" + doubt() + "\nscenario \"" +
+                       frame_.name + "\" {\n";
     text += "  program \"" + frame_.program + "\"" + (frame_.entry.empty() ? "" : " main " + frame_.entry) + ";\n";
     text += "  plant   \"" + frame_.plant + "\" rules only;\n";
     text += "  cycle   " + automata::format_seconds(frame_.cycle) + " s;\n";
@@ -48,6 +58,13 @@ class Writer {
   }
 
  private:
+  /// A flight reads its sensors at the end of the first cycle for the first time.
+  [[nodiscard]] std::string doubt() const {
+    if (starts_likely(plant_, witness_.events.front().modes)) return "";
+    return "// It starts in modes that are not the most likely ones; the first cycle of a flight takes those for "
+           "granted.\n";
+  }
+
   /// A few cycles longer than the trace: what does not come is missed when the run is over.
   [[nodiscard]] Ticks duration() const {
     const std::int64_t after = property_.kind == Kind::endless_wait || property_.kind == Kind::termination ? 20 : 4;

@@ -120,15 +120,11 @@ class LoopReplay {
   std::optional<std::string> run(const Event& event) {
     const Cycle& cycle = *event.cycle;
     if (cycle.marking != marking_) return "another marking" + at(cycle.begin);
-    const Readings now = real(cycle.begin);
-    // In dense time a cycle at a constant may be one just before or just after it.
-    const Ticks slack{rules_.period ? 0 : 1};
-    for (std::size_t c = 0; c < now.size(); ++c) {
-      if (!cycle.readings[c]) continue;
-      if (!now[c] || *cycle.readings[c] > *now[c] + slack || *cycle.readings[c] + slack < *now[c]) {
-        return "a clock reads otherwise" + at(cycle.begin);
-      }
+    if (!reads(cycle) && !rules_.period) {
+      // Cycles that go round have started clocks anew at this instant.
+      if (auto failure = go_round(cycle.begin, cycle.begin)) return failure;
     }
+    if (!reads(cycle)) return "a clock reads otherwise" + at(cycle.begin);
     begin(cycle.begin, cycle.readings);
     if (goal_ != cycle.goal || conflict_ == cycle.conflicts.empty()) return "another goal" + at(cycle.begin);
     if (action_ != event.action || outcome_ != cycle.outcome) return "another command" + at(cycle.begin);
@@ -150,6 +146,18 @@ class LoopReplay {
     return std::nullopt;
   }
 
+  /// Whether the clocks read what the cycle sees.
+  [[nodiscard]] bool reads(const Cycle& cycle) const {
+    const Readings now = real(cycle.begin);
+    // In dense time a cycle at a constant may be one just before or just after it.
+    const Ticks slack{rules_.period ? 0 : 1};
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      if (!cycle.readings[c]) continue;
+      if (!now[c] || *cycle.readings[c] > *now[c] + slack || *cycle.readings[c] + slack < *now[c]) return false;
+    }
+    return true;
+  }
+
   /// Whether no step follows under the last command, and in dense time no time passes.
   bool is_stuck() {
     const Ticks now = witness_.events.back().time + rules_.period.value_or(Ticks{0});
@@ -158,22 +166,37 @@ class LoopReplay {
     return !steps.any(action_, [](const Modes&) { return true; });
   }
 
+  /// As a cycle of a wait sees them. In dense time one that was started at the same instant reads a little more than 0.
+  [[nodiscard]] Readings seen(Ticks now) const {
+    Readings result = real(now);
+    for (auto& reading : result) {
+      if (reading && !rules_.period) reading = std::max(*reading, Ticks{1});
+    }
+    return result;
+  }
+
   /// Cycles in which nothing changes, or, in dense time, in which the marking goes round.
   std::optional<std::string> wait(Ticks from, Ticks to) {
     if (to < from) return "time runs backwards" + at(to);
     for (const Ticks now : telling(from, to)) {
-      const Marking before = marking_;
-      std::set<Marking> seen;
-      do {
-        if (!seen.insert(marking_).second) return "waiting leads elsewhere" + at(now);
-        begin(now, real(now));
-        const bool stays = rules_.period ? plant_.may_step(action_, now, now + *rules_.period, modes())
-                                         : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, to);
-        if (!stays) return "nothing changing is not possible" + at(now);
-        finish(now, modes());
-        if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);
-      } while (marking_ != before);
+      if (auto failure = go_round(now, to)) return failure;
     }
+    return std::nullopt;
+  }
+
+  /// One round of these cycles, in a wait that lasts up to a time.
+  std::optional<std::string> go_round(Ticks now, Ticks to) {
+    const Marking before = marking_;
+    std::set<Marking> met;
+    do {
+      if (!met.insert(marking_).second) return "waiting leads elsewhere" + at(now);
+      begin(now, seen(now));
+      const bool stays = rules_.period ? plant_.may_step(action_, now, now + *rules_.period, modes())
+                                       : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, to);
+      if (!stays) return "nothing changing is not possible" + at(now);
+      finish(now, modes());
+      if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);
+    } while (marking_ != before);
     return std::nullopt;
   }
 
