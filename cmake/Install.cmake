@@ -28,7 +28,7 @@ add_custom_target(completions ALL DEPENDS ${completions})
 
 # Data and documentation.
 install(DIRECTORY grammar/schema/ DESTINATION ${CMAKE_INSTALL_DATADIR}/rmpl/schema COMPONENT programs
-        FILES_MATCHING PATTERN "*.schema.json")
+        FILES_MATCHING PATTERN "*.schema.json" PATTERN "*.xsd")
 install(DIRECTORY grammar/ DESTINATION ${CMAKE_INSTALL_DATADIR}/rmpl/grammar COMPONENT programs
         FILES_MATCHING PATTERN "*.ebnf" PATTERN ast EXCLUDE PATTERN parse EXCLUDE PATTERN schema EXCLUDE PATTERN source EXCLUDE)
 if(EXISTS ${CMAKE_SOURCE_DIR}/editors)

@@ -46,9 +46,10 @@ def commands_of(document):
             yield from ((line, job["variables"]) for line in [*job["before_script"], *job["script"]])
 
 
-def copied(root, folder):
-    """A place with the files of the example."""
+def copied(root, folder, environment):
+    """A place with the files of the example, in the one style."""
     shutil.copytree(root / EXAMPLE, folder, ignore=shutil.ignore_patterns("README.md"))
+    shell("rmplc format *.rmpl *.tcca *.scn *.props", folder, environment)
     return folder
 
 
@@ -64,7 +65,7 @@ def with_a_fault(folder):
 def run_workflow(path, root, environment, work):
     """Runs what a workflow runs, and gives where."""
     import yaml  # pylint: disable=import-outside-toplevel
-    folder = copied(root, work / path.stem)
+    folder = copied(root, work / path.stem, environment)
     for command, variables in commands_of(yaml.safe_load(path.read_text(encoding="utf-8"))):
         if "apt-get" in command:
             continue
@@ -85,19 +86,22 @@ def invalid(folder, root):
 
 def findings(root, environment, work):
     """A fault is told in the forms of the services, too."""
-    folder = with_a_fault(copied(root, work / "fault"))
+    folder = with_a_fault(copied(root, work / "fault", environment))
     told = shell("rmplc lint burn.scn --format github", folder, environment)
     lines = told.stdout.splitlines()
     if told.returncode != 1 or not lines or not all(ANNOTATION.fullmatch(line) for line in lines):
         yield f"--format github ends with {told.returncode}:\n{told.stdout}"
     told = shell("rmplc lint burn.scn --format sarif", folder, environment)
+    if told.returncode != 1:
+        yield f"--format sarif ends with {told.returncode}:\n{told.stdout}"
+        return
     results = [result["ruleId"] for run in json.loads(told.stdout)["runs"] for result in run["results"]]
-    if told.returncode != 1 or "RMPL0500" not in results:
-        yield f"--format sarif ends with {told.returncode} and has {results}"
+    if "RMPL0500" not in results:
+        yield f"--format sarif has {results}"
     if has("jsonschema"):
         import jsonschema  # pylint: disable=import-outside-toplevel
         schema = json.loads((root / "grammar/schema/sarif.schema.json").read_text(encoding="utf-8"))
-        for error in jsonschema.Draft202012Validator(schema).iter_errors(json.loads(told.stdout)):
+        for error in jsonschema.validators.validator_for(schema)(schema).iter_errors(json.loads(told.stdout)):
             yield f"--format sarif: {error.json_path}: {error.message}"
 
 
@@ -120,7 +124,7 @@ def hooks(root, environment, work):
         git(ours, *words)
     config = (root / "docs/ci/pre-commit.yml").read_text(encoding="utf-8")
     for name, expected in (("good", 0), ("bad", 1)):
-        folder = copied(root, work / name)
+        folder = copied(root, work / name, environment)
         if expected:
             with_a_fault(folder)
         (folder / ".pre-commit-config.yaml").write_text(

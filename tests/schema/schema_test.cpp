@@ -172,6 +172,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, JsonOutput, testing::ValuesIn(outputs),
 /// A schema that takes anything tests nothing.
 TEST(Schemas, RefuseWhatIsNone) {
   for (const auto& entry : std::filesystem::directory_iterator(schemas)) {
+    if (entry.path().extension() != ".json") continue;
     const std::string file = entry.path().filename().string();
     const Schema schema(file.substr(0, file.find('.')));
     EXPECT_NE(schema.reject(json::parse("{\"no such key\": 1}")), "") << file;
@@ -180,7 +181,7 @@ TEST(Schemas, RefuseWhatIsNone) {
 }
 
 TEST(Schemas, AreAllUsed) {
-  std::set<std::string> used;
+  std::set<std::string> used{"junit.xsd"};  // by the test `ci`
   for (const Output& output : outputs) used.insert(output.schema + ".schema.json");
   for (const auto& entry : std::filesystem::directory_iterator(schemas))
     EXPECT_TRUE(used.contains(entry.path().filename().string())) << entry.path();
