@@ -18,6 +18,7 @@ Blocks::Blocks(const automata::Plant& plant, std::string_view inside, std::optio
   std::size_t opened = depth.value_or(levels());
   fold(opened);
   while (!depth && blocks_.size() > legible_blocks && opened > 0) fold(--opened);
+  find_homes();
 }
 
 /// How many modules lie in each other.
@@ -41,27 +42,40 @@ void Blocks::fold(std::size_t depth) {
     for (std::size_t level = 0; level < depth && end != std::string::npos; ++level) end = name.find('.', end + 1);
     const std::string path = name.substr(0, end);
     const auto [at, fresh] = by_path_.emplace(path, blocks_.size());
-    if (fresh) blocks_.push_back({path, path == name ? &component : nullptr, 0});
+    if (fresh) blocks_.push_back({path, path == name ? &component : nullptr, 0, {}});
     ++blocks_[at->second].components;
   }
 }
 
 bool Blocks::is_inside(automata::VariableId variable) const { return is_of(plant_.variables.name(variable), inside_); }
 
-std::optional<std::size_t> Blocks::block_of(automata::VariableId variable) const {
-  if (!is_inside(variable)) return std::nullopt;
-  for (std::string_view path = plant_.variables.name(variable); path.size() > inside_.size(); path = parent_of(path)) {
-    if (const auto found = by_path_.find(path); found != by_path_.end()) return found->second;
+void Blocks::find_homes() {
+  for (const Block& block : blocks_) {
+    for (std::string_view path = parent_of(block.path); path.size() > inside_.size(); path = parent_of(path)) {
+      open_.emplace(path);
+    }
   }
-  return std::nullopt;
+  homes_.resize(plant_.variables.size());
+  for (std::size_t v = 0; v < homes_.size(); ++v) {
+    const std::string& name = plant_.variables.name(automata::VariableId(v));
+    if (!is_of(name, inside_)) continue;
+    for (std::string_view path = name; path.size() > inside_.size(); path = parent_of(path)) {
+      const auto found = by_path_.find(path);
+      if (found == by_path_.end()) continue;
+      homes_[v] = found->second;
+      if (path.size() < name.size()) blocks_[found->second].variables.emplace_back(v);
+      break;
+    }
+  }
 }
 
-std::string Blocks::module_of(automata::VariableId variable) const {
-  for (std::string_view path = parent_of(plant_.variables.name(variable)); path.size() > inside_.size();
+std::string Blocks::module_of(const std::vector<automata::VariableId>& variables) const {
+  if (variables.empty()) return inside_;
+  for (std::string_view path = parent_of(plant_.variables.name(variables.front())); path.size() > inside_.size();
        path = parent_of(path)) {
-    const auto within =
-        std::any_of(blocks_.begin(), blocks_.end(), [&](const Block& b) { return is_of(b.path, path); });
-    if (within) return std::string(path);
+    if (!open_.contains(path)) continue;
+    const auto within = [&](automata::VariableId v) { return is_of(plant_.variables.name(v), path); };
+    if (std::all_of(variables.begin(), variables.end(), within)) return std::string(path);
   }
   return inside_;
 }

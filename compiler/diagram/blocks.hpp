@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct Block {
   std::string path;
   const automata::Component* component = nullptr;  ///< null: a module, folded
   std::size_t components = 0;                      ///< how many are in it
+  std::vector<automata::VariableId> variables;     ///< but for the mode variable of a component
 };
 
 /// The blocks inside an instance (empty: the plant), in order of their first components.
@@ -28,22 +30,28 @@ class Blocks {
   /// `depth` levels of modules are opened; without it as many as are legible.
   Blocks(const automata::Plant& plant, std::string_view inside, std::optional<std::size_t> depth);
 
+  [[nodiscard]] const std::string& inside() const { return inside_; }
   [[nodiscard]] const std::vector<Block>& all() const { return blocks_; }
   /// The block that a variable belongs to: it is of a component in it, or a port of it. None for what is outside, and
   /// for ports of modules that are open.
-  [[nodiscard]] std::optional<std::size_t> block_of(automata::VariableId variable) const;
-  /// The path of the open module that a variable that is of no block is a port of; the instance itself for any other.
-  [[nodiscard]] std::string module_of(automata::VariableId variable) const;
+  [[nodiscard]] std::optional<std::size_t> block_of(automata::VariableId variable) const {
+    return homes_[variable.index()];
+  }
+  /// The innermost open module that all these are in; the instance itself where there is none.
+  [[nodiscard]] std::string module_of(const std::vector<automata::VariableId>& variables) const;
   [[nodiscard]] bool is_inside(automata::VariableId variable) const;
 
  private:
-  void fold(std::size_t depth);
   [[nodiscard]] std::size_t levels() const;
+  void fold(std::size_t depth);
+  void find_homes();
 
   const automata::Plant& plant_;
   std::string inside_;
   std::vector<Block> blocks_;
   std::map<std::string, std::size_t, std::less<>> by_path_;
+  std::set<std::string, std::less<>> open_;        ///< modules around blocks
+  std::vector<std::optional<std::size_t>> homes_;  ///< per variable
 };
 
 /// The module that a path lies in: `mes.fuel` of `mes.fuel.tank`, nothing of `engine`.

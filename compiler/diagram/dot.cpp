@@ -47,6 +47,8 @@ std::string dot_value(std::string_view text) {
   return result + "\"";
 }
 
+std::string dot_tooltip(std::string_view text) { return dot_value(escaped(text)); }
+
 std::string dot_label(std::string_view markup) { return "<" + std::string(markup) + ">"; }
 
 std::string escaped(std::string_view text) {
@@ -64,6 +66,10 @@ std::string escaped(std::string_view text) {
         break;
       case '"':
         result += "&quot;";
+        break;
+      case '\\':
+        // Graphviz replaces `\N` once, or twice, or not at all: a blank of no width parts it.
+        result += "&#92;&#8203;";
         break;
       default:
         result += c;

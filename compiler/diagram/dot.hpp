@@ -8,15 +8,17 @@
 
 namespace rmpl::compiler {
 
-/// A value in DOT: a word or a number as it is, anything else in quotes. What Graphviz would read as an escape (`\N`)
-/// stays what it is.
+/// A value in DOT: a word or a number as it is, anything else in quotes.
 std::string dot_value(std::string_view text);
 
 /// An HTML-like label: `markup` is written with `escaped` and tags.
 std::string dot_label(std::string_view markup);
 
-/// A text inside of markup.
+/// A text inside of markup. What Graphviz would replace in labels and tooltips, as `\N`, stays what it is.
 std::string escaped(std::string_view text);
+
+/// A text that is shown where one points at something.
+std::string dot_tooltip(std::string_view text);
 
 /// An attribute; `value` is what `dot_value` or `dot_label` made.
 struct DotAttribute {

@@ -65,8 +65,8 @@ Flow flow_of(const Formula& constraint, const std::vector<bool>& read) {
   Flow flow;
   for (const VariableId variable : variables) (read[variable.index()] ? flow.to : flow.from).push_back(variable);
   if (variables.size() < 2 || (!flow.from.empty() && !flow.to.empty())) return flow;
-  const bool defines = constraint.kind == Formula::Kind::equivalence && variables.size() > 2 &&
-                       automata::variables_of(constraint.operands[0]).size() == 1;
+  const bool defines =
+      constraint.kind == Formula::Kind::equivalence && automata::variables_of(constraint.operands[0]).size() == 1;
   flow.from.assign(variables.begin(), variables.begin() + 1);
   flow.to.assign(variables.begin() + 1, variables.end());
   if (defines) std::swap(flow.from, flow.to);

@@ -164,7 +164,7 @@ void ProgramDiagram::draw_primitive(LocationId id) {
                                {"margin", dot_value("0.01")},
                                {"width", dot_value("0.3")},
                                {"label", dot_label(label)},
-                               {"tooltip", dot_value(place(location))}});
+                               {"tooltip", dot_tooltip(place(location))}});
 }
 
 std::string ProgramDiagram::box_top(LocationId id) const {
@@ -192,7 +192,7 @@ void ProgramDiagram::draw_folded(LocationId id) {
                                {"style", dot_value("rounded,filled,bold")},
                                {"fillcolor", dot_value(style::shade)},
                                {"label", dot_label(box_top(id))},
-                               {"tooltip", dot_value(place(at(id)))}});
+                               {"tooltip", dot_tooltip(place(at(id)))}});
 }
 
 void ProgramDiagram::draw_composite(LocationId id) {
@@ -201,7 +201,7 @@ void ProgramDiagram::draw_composite(LocationId id) {
                                        {"color", dot_value(style::line)},
                                        {"labeljust", dot_value("l")},
                                        {"label", dot_label(box_top(id))},
-                                       {"tooltip", dot_value(place(at(id)))}});
+                                       {"tooltip", dot_tooltip(place(at(id)))}});
   draw_start(id);
   for (const LocationId child : children_[id.index()]) draw(child);
   dot_.close_cluster();

@@ -68,7 +68,7 @@ std::string beside_arrow(std::string_view markup) {
          std::string(markup) + "</TD></TR></TABLE>";
 }
 
-std::string in_font(std::string_view markup, std::string_view color, int size) {
+std::string in_font(std::string_view markup, std::string_view color, std::size_t size) {
   return "<FONT COLOR=\"" + std::string(color) + "\" POINT-SIZE=\"" + std::to_string(size) + "\">" +
          std::string(markup) + "</FONT>";
 }

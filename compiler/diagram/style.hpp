@@ -39,7 +39,7 @@ std::string lines(const std::vector<std::string>& texts, Align align, std::strin
 std::string beside_arrow(std::string_view markup);
 
 /// Markup in a colour and of a size in points.
-std::string in_font(std::string_view markup, std::string_view color, int size);
+std::string in_font(std::string_view markup, std::string_view color, std::size_t size);
 
 /// A graph with the fonts and colours of all figures; `direction` as `rankdir` has it.
 DotText begin(std::string_view name, std::string_view direction);
