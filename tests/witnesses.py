@@ -11,6 +11,7 @@ import tempfile
 MARS = ("mars-entry/mars_entry.rmpl", "mars-entry/mars_lander.tcca")
 BURN = ("propulsion/burn.rmpl", "propulsion/propulsion.tcca")
 EDL = ("mars-edl/mars_edl.rmpl", "mars-edl/edl_lander.tcca")
+POLAR = ("mars-edl/mars_polar_lander.rmpl", "mars-edl/edl_lander.tcca")
 
 # Program and plant, options, and what the story of the flight holds.
 WITNESSES = [
@@ -23,9 +24,12 @@ WITNESSES = [
     (BURN, ["--faults", "1", "--check", "no-plan"], "FAILED     never no-plan"),
     (BURN, ["--faults", "1", "--check", "endless-wait"], "FAILED     finished"),
     (BURN, ["--faults", "1", "--never", "engine = failed"], "never engine = failed: it came true"),
-    (EDL, ["--check", "goal-conflict"], "FAILED     never goal-conflict"),
-    (EDL, ["--check", "no-plan"], "FAILED     never no-plan"),
-    (EDL, ["--check", "endless-wait"], "FAILED     finished"),
+    (EDL, ["--faults", "1", "--check", "goal-conflict"], "FAILED     never goal-conflict"),
+    (EDL, ["--faults", "1", "--check", "no-plan"], "FAILED     never no-plan"),
+    (EDL, ["--faults", "1", "--check", "endless-wait"], "FAILED     finished"),
+    (EDL, ["--finally", "att = landing-orient"], "FAILED     finished with att = landing-orient"),
+    (POLAR, ["--never", "engine = off & alt_12m_trigger = triggered & touchdown_sensor = triggered"],
+     "FAILED     never engine = off"),
 ]
 
 
