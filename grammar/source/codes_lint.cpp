@@ -380,7 +380,7 @@ plant Sink {
     CodeInfo{Code::allowance_without_reason, "allowance that is not understood",
              "An allowance names codes that lint finds and gives its reason: `// lint: allow RMPL0514 because …`. "
              "Another comment that begins with `lint:` allows nothing.",
-             "// lint: allow RMPL0514\nP() :: { engine = on; valve = open, lamp = on }",
+             "// lint: allow RMPL0514\nP() :: { engine = on; { valve = open, lamp = on } }",
              "// lint: allow RMPL0514 because the engine comes first\nP() :: { engine = on; valve = open, lamp = on }"},
 };
 
