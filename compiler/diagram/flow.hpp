@@ -12,6 +12,7 @@ namespace rmpl::compiler {
 struct Flow {
   std::vector<automata::VariableId> from;
   std::vector<automata::VariableId> to;
+  auto operator<=>(const Flow&) const = default;
 };
 
 /// Per variable, whether its component reads it: in a guard, or in a mode as what something else depends on.

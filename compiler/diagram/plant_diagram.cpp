@@ -63,6 +63,13 @@ PlantDiagram::PlantDiagram(const Plant& plant, std::string_view inside, std::opt
 std::string number(std::size_t position) { return std::to_string(position + 1); }
 std::string number(VariableId variable) { return number(variable.index()); }
 
+/// `q1_2_5` of interconnections.
+std::string id_of(const std::vector<std::size_t>& interconnections) {
+  std::string id;
+  for (const std::size_t q : interconnections) id += (id.empty() ? "q" : "_") + number(q);
+  return id;
+}
+
 /// The name of something in a module, without the module's path.
 std::string_view within(std::string_view name, std::string_view module) {
   return module.empty() ? name : name.substr(module.size() + 1);
@@ -170,16 +177,24 @@ void PlantDiagram::draw_ports_of(const std::string& module) {
 
 void PlantDiagram::draw_notes_of(const std::string& module) {
   for (const Note& note : wiring_.notes) {
-    const Formula& constraint = plant_.interconnections[note.interconnection].constraint;
-    if (blocks_.module_of(automata::variables_of(constraint)) != module) continue;
-    const auto text = style::wrapped(to_text(constraint, names_), constraint_width);
-    dot_.node("q" + number(note.interconnection), {{"shape", dot_value("box")},
-                                                   {"style", dot_value("dotted,filled")},
-                                                   {"fillcolor", dot_value(style::paper)},
-                                                   {"margin", dot_value("0.06,0.04")},
-                                                   {"height", dot_value("0.2")},
-                                                   {"fontsize", dot_value(std::to_string(port_size))},
-                                                   {"label", dot_label(style::lines(text, Align::left))}});
+    std::vector<VariableId> ends = note.flow.from;
+    ends.insert(ends.end(), note.flow.to.begin(), note.flow.to.end());
+    if (blocks_.module_of(ends) != module) continue;
+    std::string rows;
+    for (const std::size_t q : note.interconnections) {
+      const auto text = style::wrapped(to_text(plant_.interconnections[q].constraint, names_), constraint_width);
+      rows += std::string(rows.empty() ? "" : "<HR/>") + R"(<TR><TD BALIGN="LEFT" ALIGN="LEFT">)" +
+              style::lines(text, Align::left) + "</TD></TR>";
+    }
+    const std::string table =
+        R"(<TABLE BORDER="0" CELLBORDER="0" CELLSPACING="0" CELLPADDING="2">)" + rows + "</TABLE>";
+    dot_.node(id_of(note.interconnections), {{"shape", dot_value("box")},
+                                             {"style", dot_value("dotted,filled")},
+                                             {"fillcolor", dot_value(style::paper)},
+                                             {"margin", dot_value("0.06,0.04")},
+                                             {"height", dot_value("0.2")},
+                                             {"fontsize", dot_value(std::to_string(port_size))},
+                                             {"label", dot_label(table)}});
   }
 }
 
@@ -228,24 +243,22 @@ std::string PlantDiagram::end_of(VariableId variable) const {
 
 void PlantDiagram::draw_lines() {
   for (const Line& line : wiring_.lines) {
-    std::string id;
     std::vector<std::string> texts;
     for (const std::size_t q : line.interconnections) {
-      id += (id.empty() ? "q" : "_") + number(q);
       const Formula& constraint = plant_.interconnections[q].constraint;
       if (constraint.kind == Formula::Kind::equality) continue;
       for (std::string& part : style::wrapped(text(constraint, line), constraint_width)) {
         texts.push_back(std::move(part));
       }
     }
-    DotAttributes attributes{{"id", dot_value(id)}};
+    DotAttributes attributes{{"id", dot_value(id_of(line.interconnections))}};
     if (!texts.empty()) {
       attributes.push_back({"label", dot_label(style::beside_arrow(style::lines(texts, Align::left)))});
     }
     dot_.edge(end_of(line.from), end_of(line.to), attributes);
   }
   for (const Note& note : wiring_.notes) {
-    const std::string node = "q" + number(note.interconnection);
+    const std::string node = id_of(note.interconnections);
     for (const VariableId variable : note.flow.from) dot_.edge(end_of(variable), node, {});
     for (const VariableId variable : note.flow.to) dot_.edge(node, end_of(variable), {});
   }

@@ -34,7 +34,8 @@ void turn(Flow& flow, const std::vector<bool>& read, const Wiring& wiring) {
 
 void connect(const automata::Plant& plant, const Blocks& blocks, Wiring& wiring) {
   const std::vector<bool> read = read_variables(plant);
-  std::map<std::pair<VariableId, VariableId>, std::size_t> known;
+  std::map<Flow, std::size_t> lines;
+  std::map<Flow, std::size_t> notes;
   for (std::size_t q = 0; q < plant.interconnections.size(); ++q) {
     const automata::Formula& constraint = plant.interconnections[q].constraint;
     if (is_left_out(automata::variables_of(constraint), blocks)) continue;
@@ -42,13 +43,15 @@ void connect(const automata::Plant& plant, const Blocks& blocks, Wiring& wiring)
     turn(flow, read, wiring);
     for (const VariableId variable : flow.from) wiring.ports.emplace(variable, Side::right);
     for (const VariableId variable : flow.to) wiring.ports.emplace(variable, Side::left);
-    if (flow.from.size() != 1 || flow.to.size() != 1) {
-      wiring.notes.push_back({q, std::move(flow)});
-      continue;
+    if (flow.from.size() == 1 && flow.to.size() == 1) {
+      const auto [at, fresh] = lines.emplace(flow, wiring.lines.size());
+      if (fresh) wiring.lines.push_back({flow.from.front(), flow.to.front(), {}});
+      wiring.lines[at->second].interconnections.push_back(q);
+    } else {
+      const auto [at, fresh] = notes.emplace(flow, wiring.notes.size());
+      if (fresh) wiring.notes.push_back({flow, {}});
+      wiring.notes[at->second].interconnections.push_back(q);
     }
-    const auto [at, fresh] = known.emplace(std::pair(flow.from.front(), flow.to.front()), wiring.lines.size());
-    if (fresh) wiring.lines.push_back({flow.from.front(), flow.to.front(), {}});
-    wiring.lines[at->second].interconnections.push_back(q);
   }
 }
 

@@ -18,10 +18,10 @@ struct Line {
   std::vector<std::size_t> interconnections;
 };
 
-/// An interconnection of one variable, or of more than two.
+/// All interconnections with these ends: of one variable, or of more than two.
 struct Note {
-  std::size_t interconnection = 0;
   Flow flow;
+  std::vector<std::size_t> interconnections;
 };
 
 /// Interconnections that have no end in the picture, or all ends in one folded module, are left out.
@@ -29,8 +29,8 @@ struct Wiring {
   enum class Side { left, right };
   std::map<automata::VariableId, Side> ports;  ///< what is drawn, and at which side of its block
   std::vector<Line> lines;                     ///< in order of their first interconnection
-  std::vector<Note> notes;
-  std::vector<bool> commanded, observed;  ///< per variable
+  std::vector<Note> notes;                     ///< likewise
+  std::vector<bool> commanded, observed;       ///< per variable
 };
 
 Wiring wiring_of(const automata::Plant& plant, const Blocks& blocks);

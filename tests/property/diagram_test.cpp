@@ -197,9 +197,12 @@ RC_GTEST_PROP(Diagram, HasEachBlockAndInterconnectionOnce, ()) {
     RC_ASSERT(edges.size() == 1u);
     for (const std::size_t q : positions(id)) ++times[q];
   }
+  for (const auto& [node, around] : drawing.nodes) {
+    if (!node.starts_with("q")) continue;
+    for (const std::size_t q : positions(node)) ++times[q];
+  }
   for (std::size_t q = 0; q < times.size(); ++q) {
     const auto variables = automata::variables_of(plant.interconnections[q].constraint);
-    if (drawing.nodes.contains(numbered("q", q))) ++times[q];
     const std::string first = variables.empty() ? "" : block_of(plant, variables.front(), depth);
     const bool folded = !first.empty() && !plant.find_component(first) &&
                         std::all_of(variables.begin(), variables.end(),
