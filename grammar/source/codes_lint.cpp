@@ -17,7 +17,8 @@ constexpr std::array table = {
   mode closed;
   mode opened;
   closed -> opened when cmd = open;
-  closed -> opened when cmd = open;  // and back?
+  closed -> opened when cmd = open;
+  opened -> closed when cmd = close;
 }
 plant Tap {
   valve : Valve;
@@ -61,16 +62,17 @@ component Tap {
   mode closed;
   mode open;
   mode ajar;
-  closed -> open when cmd = open;
-  ajar -> open;
+  closed, ajar -> open when cmd = open;
 }
 plant Sink {
+  cold : Tap { initial ajar; };
+  control cold.cmd default none;
   tap : Tap;
   control tap.cmd default none;
 })",
              R"(// main.rmpl
 P() :: {
-  when tap = closed donext tap = open
+  when cold = ajar donext cold = open
 }
 // plant.tcca
 component Tap {
@@ -78,9 +80,12 @@ component Tap {
   initial closed;
   mode closed;
   mode open;
-  closed -> open when cmd = open;
+  mode ajar;
+  closed, ajar -> open when cmd = open;
 }
 plant Sink {
+  cold : Tap { initial ajar; };
+  control cold.cmd default none;
   tap : Tap;
   control tap.cmd default none;
 })"},
