@@ -1,4 +1,5 @@
-// Fuzz target: any bytes as a `.rmpl` file give a tree or diagnostics, and the diagnostics can be shown.
+// Fuzz target: any bytes as a `.rmpl` file give a tree or diagnostics, and the diagnostics can be shown;
+// what parses can be formatted.
 // SPDX-License-Identifier: MIT
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +8,7 @@
 
 #include "grammar/parse/parse.hpp"
 #include "grammar/source/render.hpp"
+#include "tests/fuzz/format_target.hpp"
 
 using namespace rmpl;
 
@@ -18,5 +20,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (tree.whole == diagnostics.has_errors()) std::abort();
   grammar::render_text(diagnostics.sorted(), sources, true);
   grammar::render_json(diagnostics.sorted(), sources);
+  if (tree.whole) fuzz::check_format(sources[file].text(), compiler::Kind::program);
   return 0;
 }

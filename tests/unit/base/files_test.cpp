@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/rewrite_file.hpp"
 
 namespace rmpl::base {
 namespace {
@@ -147,6 +148,10 @@ TEST_F(Files, WhatWasReadIsNeverOverwritten) {
     EXPECT_THAT([&] { OutputFile file(path(name)); }, ThrowsMessage<InputError>(HasSubstr("would destroy the input")));
   }
   EXPECT_EQ(text(in), "input");
+  rewrite_file(path("link"), "what was made of it");
+  EXPECT_EQ(text(in), "what was made of it");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  (void)read_file(in);
   fs::remove(path("twin"));
   fs::remove(in);
   write_file(in, "what was read is gone, so its name is free");
