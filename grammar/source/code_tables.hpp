@@ -15,6 +15,8 @@ std::span<const CodeInfo> chance_codes();
 std::span<const CodeInfo> program_codes();
 std::span<const CodeInfo> scenario_codes();
 std::span<const CodeInfo> lint_codes();
+std::span<const CodeInfo> lint_plant_codes();
+std::span<const CodeInfo> lint_sensing_codes();
 std::span<const CodeInfo> document_codes();
 std::span<const CodeInfo> property_codes();
 std::span<const CodeInfo> netlist_codes();

@@ -1,0 +1,179 @@
+// What lint finds in plants, against enumeration of all modes and commands: nothing refuted, and nothing missed.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "compiler/lint/plant_alike.hpp"
+#include "compiler/lint/plant_findings.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/reference/lint.hpp"
+
+namespace rmpl::property {
+namespace {
+
+using automata::ComponentId;
+using automata::ModeId;
+using automata::Plant;
+using automata::Transition;
+using compiler::PlantAnalysis;
+using reference::PlantLint;
+using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
+
+/// Small plants of all kinds: with open readings, with guards on other components, with modes that exclude each other.
+Model any_plant() {
+  Shape shape;
+  shape.open = *rc::gen::arbitrary<bool>();
+  shape.tangled = *rc::gen::arbitrary<bool>();
+  shape.max_components = 2 + *rc::gen::inRange<std::size_t>(0, 2);
+  return *models(shape);
+}
+
+Pairs of_modes(const std::vector<compiler::PlantMode>& found) {
+  Pairs result;
+  for (const compiler::PlantMode& mode : found) result.emplace(mode.component.index(), mode.mode.index());
+  return result;
+}
+
+template <class Has>
+Pairs modes_where(const Plant& plant, const Has& has) {
+  Pairs result;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
+      if (has(std::pair(c, m))) result.emplace(c, m);
+    }
+  }
+  return result;
+}
+
+RC_GTEST_PROP(PlantLint, ModesAreThoseOfTheEnumeration, ()) {
+  const Model model = any_plant();
+  const PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  RC_ASSERT(of_modes(find_impossible_modes(analysis)) ==
+            modes_where(model.plant, [&](const auto& mode) { return !slow.possible().contains(mode); }));
+  RC_ASSERT(of_modes(find_unreachable_modes(analysis)) == modes_where(model.plant, [&](const auto& mode) {
+              return slow.possible().contains(mode) && !slow.reached().contains(mode);
+            }));
+  RC_ASSERT(of_modes(find_impossible_initial_modes(analysis)) == modes_where(model.plant, [&](const auto& mode) {
+              return model.plant.components[mode.first].initial[mode.second] > 0 && slow.possible().contains(mode) &&
+                     !slow.initial().contains(mode);
+            }));
+}
+
+RC_GTEST_PROP(PlantLint, GuardsThatNeverHoldAreThoseOfTheEnumeration, ()) {
+  const Model model = any_plant();
+  const PlantLint slow(model.plant);
+  Pairs found, expected;
+  for (const auto& t : find_impossible_guards(PlantAnalysis(model.plant))) {
+    found.emplace(t.component.index(), t.transition.index());
+  }
+  for (std::size_t c = 0; c < model.plant.components.size(); ++c) {
+    const auto& transitions = model.plant.components[c].transitions;
+    for (std::size_t t = 0; t < transitions.size(); ++t) {
+      const bool weightless =
+          transitions[t].weight.kind != automata::Weight::Kind::none && transitions[t].weight.value <= 0;
+      if (weightless || !slow.reached().contains({c, transitions[t].from.index()})) continue;
+      if (!slow.enabled().contains({c, t})) expected.emplace(c, t);
+    }
+  }
+  RC_ASSERT(found == expected);
+}
+
+RC_GTEST_PROP(PlantLint, OverlapsAreThoseOfTheEnumeration, ()) {
+  const Model model = any_plant();
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  std::set<std::tuple<std::size_t, std::size_t, std::size_t>> found, expected;
+  for (const compiler::Overlap& overlap : find_overlapping_guards(analysis)) {
+    found.emplace(overlap.component.index(), overlap.first.index(), overlap.second.index());
+  }
+  for (std::size_t c = 0; c < model.plant.components.size(); ++c) {
+    const automata::Component& component = model.plant.components[c];
+    const auto counts = [&](const Transition& t) {
+      return !component.is_fault(t) && !t.timing && t.weight.kind == automata::Weight::Kind::none;
+    };
+    for (std::size_t a = 0; a < component.transitions.size(); ++a) {
+      for (std::size_t b = a + 1; b < component.transitions.size(); ++b) {
+        const Transition& first = component.transitions[a];
+        const Transition& second = component.transitions[b];
+        if (!counts(first) || !counts(second) || first.from != second.from || first.to == second.to) continue;
+        if (slow.together(c, a, b)) expected.emplace(c, a, b);
+      }
+    }
+  }
+  RC_ASSERT(found == expected);
+}
+
+RC_GTEST_PROP(PlantLint, WhatIsShadowedIsNeverTaken, ()) {
+  const Model model = any_plant();
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  for (const compiler::Shadow& shadow : find_shadowed_transitions(analysis)) {
+    std::vector<std::size_t> by;
+    for (const automata::TransitionId early : shadow.by) by.push_back(early.index());
+    RC_ASSERT(slow.always_with(shadow.component.index(), shadow.transition.index(), by));
+  }
+}
+
+RC_GTEST_PROP(PlantLint, CommandsHaveTheEffectThatIsSaid, ()) {
+  const Model model = any_plant();
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  std::set<automata::Assignment> impossible;
+  for (const automata::Assignment& command : find_impossible_commands(analysis)) impossible.insert(command);
+  for (std::size_t i = 0; i < model.plant.controls.size(); ++i) {
+    const automata::VariableId variable = model.plant.controls[i].variable;
+    for (std::size_t v = 0; v < model.plant.variables[variable].values.size(); ++v) {
+      const automata::Assignment command{variable, automata::ValueId(v)};
+      RC_ASSERT(impossible.contains(command) == !slow.allows(command));
+    }
+    for (const automata::Assignment& command : find_unread_commands(analysis)) {
+      if (command.variable == variable) RC_ASSERT(slow.is_idle(i, command.value));
+    }
+  }
+  for (const ComponentId component : find_uncommanded_components(analysis)) {
+    RC_ASSERT(slow.is_independent(component.index()));
+  }
+}
+
+RC_GTEST_PROP(PlantLint, ModesThatLookAlikeAreThoseOfTheEnumeration, ()) {
+  const Model model = any_plant();
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  for (std::size_t c = 0; c < model.plant.components.size(); ++c) {
+    compiler::AlikeQuestions questions(analysis, ComponentId(c));
+    const std::size_t modes = model.plant.components[c].modes.size();
+    for (std::size_t a = 0; a < modes; ++a) {
+      for (std::size_t b = a + 1; b < modes; ++b) {
+        if (!analysis.reach().reached[c][a] || !analysis.reach().reached[c][b]) continue;
+        const std::optional<bool> alike = questions.look_alike(ModeId(a), ModeId(b));
+        if (alike) RC_ASSERT(*alike == slow.look_alike(c, a, b));
+        if (questions.mean_alike(ModeId(a), ModeId(b))) RC_ASSERT(slow.mean_alike(c, a, b));
+      }
+    }
+  }
+}
+
+RC_GTEST_PROP(PlantLint, StuckStatesLeadNowhere, ()) {
+  const Model model = any_plant();
+  const PlantLint slow(model.plant);
+  const reference::Models store(model.plant);
+  for (const compiler::StuckState& stuck : compiler::find_stuck_states(model.plant)) {
+    std::vector<automata::Assignment> now, next;
+    for (std::size_t i = 0; i < stuck.components.size(); ++i) {
+      const automata::VariableId mode = model.plant[stuck.components[i]].mode;
+      now.push_back({mode, automata::ValueId(stuck.modes[i].index())});
+      next.push_back({mode, automata::ValueId(stuck.next[i].index())});
+      RC_ASSERT(slow.reached().contains({stuck.components[i].index(), stuck.modes[i].index()}));
+    }
+    RC_ASSERT(store.consistent(now));
+    RC_ASSERT(!store.consistent(next));
+  }
+}
+
+}  // namespace
+}  // namespace rmpl::property
