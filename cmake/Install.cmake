@@ -30,7 +30,8 @@ add_custom_target(completions ALL DEPENDS ${completions})
 install(DIRECTORY grammar/schema/ DESTINATION ${CMAKE_INSTALL_DATADIR}/rmpl/schema COMPONENT programs
         FILES_MATCHING PATTERN "*.schema.json" PATTERN "*.xsd")
 install(DIRECTORY grammar/ DESTINATION ${CMAKE_INSTALL_DATADIR}/rmpl/grammar COMPONENT programs
-        FILES_MATCHING PATTERN "*.ebnf" PATTERN ast EXCLUDE PATTERN parse EXCLUDE PATTERN schema EXCLUDE PATTERN source EXCLUDE)
+        FILES_MATCHING PATTERN "*.ebnf" PATTERN ast EXCLUDE PATTERN editor EXCLUDE PATTERN parse EXCLUDE PATTERN schema EXCLUDE
+        PATTERN source EXCLUDE)
 if(EXISTS ${CMAKE_SOURCE_DIR}/editors)
   install(DIRECTORY editors/ DESTINATION ${CMAKE_INSTALL_DATADIR}/rmpl/editors COMPONENT programs)
 endif()

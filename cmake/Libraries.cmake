@@ -27,9 +27,9 @@ function(rmpl_folder name)
   target_link_libraries(${name} PUBLIC ${ARGN} PRIVATE $<BUILD_INTERFACE:rmpl_warnings>)
 endfunction()
 
-# rmpl_program(<name> <links…>): one command-line program, of every .cpp in this folder.
+# rmpl_program(<name> <links…>): one command-line program, of every .cpp right in this folder.
 function(rmpl_program name)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_executable(${name} ${sources})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARGN} CLI11::CLI11 rmpl_warnings)

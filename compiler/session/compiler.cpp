@@ -40,9 +40,9 @@ const std::vector<automata::PlantProperty>& Compilation::properties() const {
   return result_->properties;
 }
 
-std::span<const File> Compilation::files() const { return result_->files; }
-
 const grammar::Findings& Compilation::findings() const { return result_->findings; }
+
+std::span<const File> Compilation::files() const { return result_->files; }
 
 NameIndex Compilation::names() const {
   std::vector<const File*> files;

@@ -24,7 +24,8 @@ class Provider;
 struct Options {
   std::string main;         ///< the entry definition of the control program; empty: the one that no other calls
   bool properties = false;  ///< whether `.props` files may be among the inputs; they speak of the plant of the inputs
-  bool types_suffice = false;  ///< a model without a plant becomes one without a name, of an instance of each type
+  bool types_suffice = false;   ///< a model without a plant becomes one without a name, of an instance of each type
+  bool entry_optional = false;  ///< that nothing says where execution starts is no error: a program is checked without
 };
 
 /// What came of compiling an input set: a document, or at least one error. Nothing is rendered or printed here.

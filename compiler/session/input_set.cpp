@@ -22,6 +22,7 @@ using grammar::Code;
 using grammar::Span;
 
 automata::Document InputSet::compile(std::span<const std::string> paths, const Options& options) {
+  entry_optional_ = options.entry_optional;
   std::map<Kind, Roots> roots;
   for (const File* file : opened(paths, options)) {
     Roots& same = roots[file->kind];
@@ -163,7 +164,9 @@ std::optional<automata::Program> InputSet::lower_program(const Roots& roots, con
   std::vector<bool> reached(definitions.all.size(), false);
   std::vector<std::size_t> entries;
   std::optional<automata::Program> program;
-  const auto start = find_entry(definitions, entry.name, entry.span, blame, diagnostics_);
+  grammar::Diagnostics unasked;
+  auto start = find_entry(definitions, entry.name, entry.span, blame, entry_optional_ ? unasked : diagnostics_);
+  if (entry_optional_ && start && !definitions.all[*start].definition->parameters.empty()) start.reset();
   if (start) {
     const grammar::Definition& definition = *definitions.all[*start].definition;
     if (!definition.parameters.empty()) {

@@ -71,7 +71,8 @@ class InputSet {
   grammar::Sources& sources_;
   grammar::Diagnostics& diagnostics_;
   Files files_;
-  bool types_suffice_ = false;  ///< a plant that is asked for may be made of types alone
+  bool types_suffice_ = false;   ///< a plant that is asked for may be made of types alone
+  bool entry_optional_ = false;  ///< as in the options
   automata::Document document_;
   std::vector<automata::PlantProperty> properties_;
   std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document

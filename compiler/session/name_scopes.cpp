@@ -108,37 +108,63 @@ const Members* NameScopes::members(std::string_view type) const {
   return found == members_.end() ? nullptr : &found->second;
 }
 
-const Declared* NameScopes::member(const std::string& type, std::string_view name) const {
+std::vector<NamePart> NameScopes::parts(std::string_view type, std::string_view name) const {
+  std::vector<NamePart> found;
   const Members* in = members(type);
   // An instance leads to its type with what stands behind a dot. Each turn takes from the name, so it ends.
-  while (in != nullptr) {
-    if (const Declared* found = find(*in, name)) return found;
+  for (std::size_t at = 0; in != nullptr && at < name.size();) {
+    const std::string_view rest = name.substr(at);
+    if (const Declared* whole = find(*in, rest)) {
+      found.push_back({at, rest.size(), whole});
+      break;
+    }
     const Declared* instance = nullptr;
-    std::size_t dot = name.find('.');
-    for (; dot != std::string_view::npos; dot = name.find('.', dot + 1)) {
-      instance = find(*in, name.substr(0, dot));
+    std::size_t dot = rest.find('.');
+    for (; dot != std::string_view::npos; dot = rest.find('.', dot + 1)) {
+      instance = find(*in, rest.substr(0, dot));
       if (instance != nullptr && instance->kind == NameKind::instance) break;
     }
-    if (dot == std::string_view::npos) return nullptr;
+    if (dot == std::string_view::npos) break;
+    found.push_back({at, dot, instance});
     in = members(instance->type);
-    name.remove_prefix(dot + 1);
+    at += dot + 1;
   }
-  return nullptr;
+  return found;
 }
 
-const Declared* NameScopes::visible(std::string_view name) const {
-  if (const Declared* variable = find(variables_, name)) return variable;
-  return member(plant_, name);
+std::vector<NamePart> NameScopes::visible_parts(std::string_view name) const {
+  if (const Declared* variable = find(variables_, name)) return {{0, name.size(), variable}};
+  return parts(plant_, name);
 }
+
+namespace {
+
+/// What the last part leads to, where the parts are all of the name.
+const Declared* led_to(const std::vector<NamePart>& parts, std::string_view name) {
+  return parts.empty() || parts.back().begin + parts.back().length != name.size() ? nullptr : parts.back().declared;
+}
+
+}  // namespace
+
+const Declared* NameScopes::member(std::string_view type, std::string_view name) const {
+  return led_to(parts(type, name), name);
+}
+
+const Declared* NameScopes::visible(std::string_view name) const { return led_to(visible_parts(name), name); }
 
 const Declared* NameScopes::value(const Declared& variable, std::string_view value) const {
+  const Members* all = values(variable);
+  return all == nullptr ? nullptr : find(*all, value);
+}
+
+const Members* NameScopes::values(const Declared& variable) const {
   if (variable.domain != nullptr && std::holds_alternative<grammar::Values>(*variable.domain)) {
     const auto values = values_in_place_.find(std::get<grammar::Values>(*variable.domain).span);
-    return values == values_in_place_.end() ? nullptr : find(values->second, value);
+    return values == values_in_place_.end() ? nullptr : &values->second;
   }
   const std::string& of = variable.domain != nullptr ? std::get<grammar::Name>(*variable.domain).text : variable.type;
   const auto values = values_.find(of);
-  return values == values_.end() ? nullptr : find(values->second, value);
+  return values == values_.end() ? nullptr : &values->second;
 }
 
 }  // namespace rmpl::compiler

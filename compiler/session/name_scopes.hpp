@@ -21,6 +21,13 @@ struct Declared {
 
 using Members = std::map<std::string, Declared, std::less<>>;
 
+/// A part of a name and what it leads to: `engine` and `temp` of `engine.temp`.
+struct NamePart {
+  std::size_t begin = 0;
+  std::size_t length = 0;
+  const Declared* declared = nullptr;
+};
+
 /// The declarations of all files together; of two of one name, the first.
 class NameScopes {
  public:
@@ -29,14 +36,26 @@ class NameScopes {
   [[nodiscard]] const Declared* domain(std::string_view name) const;
   [[nodiscard]] const Declared* type(std::string_view name) const;
   [[nodiscard]] const Declared* definition(std::string_view name) const;
-  /// A name within a type, `engine.thrust` through its instances. Null where there is none.
-  [[nodiscard]] const Declared* member(const std::string& type, std::string_view name) const;
-  /// A name that programs and scenarios may have: of a model program's variables, or of the plant.
+  /// A name within a type, part by part through its instances, up to the first part that is not there.
+  [[nodiscard]] std::vector<NamePart> parts(std::string_view type, std::string_view name) const;
+  /// The same for a name that programs and scenarios may have: of a model program's variables, or of the plant.
+  [[nodiscard]] std::vector<NamePart> visible_parts(std::string_view name) const;
+  /// What all of a name within a type leads to. Null where a part is not there.
+  [[nodiscard]] const Declared* member(std::string_view type, std::string_view name) const;
   [[nodiscard]] const Declared* visible(std::string_view name) const;
   /// Where a value of a variable is declared; null where it has no such value.
   [[nodiscard]] const Declared* value(const Declared& variable, std::string_view value) const;
+  /// The values of a variable; null where nothing is known of them.
+  [[nodiscard]] const Members* values(const Declared& variable) const;
   /// The members of a type as declared; null where there is no such type.
   [[nodiscard]] const Members* members(std::string_view type) const;
+  /// The name of the first plant; empty where there is none.
+  [[nodiscard]] const std::string& plant() const { return plant_; }
+  /// All of a kind, for those who list them.
+  [[nodiscard]] const Members& domains() const { return domains_; }
+  [[nodiscard]] const Members& types() const { return types_; }
+  [[nodiscard]] const Members& definitions() const { return definitions_; }
+  [[nodiscard]] const Members& variables() const { return variables_; }
 
  private:
   void add(const grammar::ComponentDefinition& component);

@@ -42,6 +42,16 @@ class Walk {
     if (to != nullptr && !name.text.empty()) mentions_.push_back({name.span, to->kind, to->span});
   }
 
+  /// A name of the scope that the walk is in, part by part.
+  void refer(const Name& name) {
+    if (const auto own = own_.find(name.text); own != own_.end()) return refer(name, &own->second);
+    for (const NamePart& part : type_.empty() ? scopes_.visible_parts(name.text) : scopes_.parts(type_, name.text)) {
+      const auto begin = name.span.begin + static_cast<std::uint32_t>(part.begin);
+      const grammar::Span span{name.span.file, begin, begin + static_cast<std::uint32_t>(part.length)};
+      mentions_.push_back({span, part.declared->kind, part.declared->span});
+    }
+  }
+
   void items(const auto& list) {
     for (const auto& item : list) std::visit([this](const auto& one) { this->add(one); }, item);
   }
@@ -61,12 +71,12 @@ class Walk {
     refer(name, scopes_.domain(name.text));
   }
   void add(const grammar::Observe& observe) {
-    for (const Name& name : observe.names) refer(name, find(name.text));
+    for (const Name& name : observe.names) refer(name);
   }
   void add(const grammar::Control& control) {
     for (const Name& name : control.names) {
       const Declared* variable = find(name.text);
-      refer(name, variable);
+      refer(name);
       if (variable != nullptr && control.idle) refer(*control.idle, scopes_.value(*variable, control.idle->text));
     }
   }
@@ -145,7 +155,7 @@ class Walk {
     refer(call.definition, scopes_.definition(call.definition.text));
     for (const grammar::Argument& argument : call.arguments) {
       if (const auto* constraint = std::get_if<grammar::Constraint>(&argument.node)) add(*constraint);
-      if (const auto* name = std::get_if<Name>(&argument.node)) refer(*name, find(name->text));
+      if (const auto* name = std::get_if<Name>(&argument.node)) refer(*name);
     }
   }
   void add(const grammar::Block& block) { add(block.body); }
@@ -218,12 +228,11 @@ class Walk {
 
   // Constraints.
   void add(const grammar::Constraint& constraint) {
-    std::visit(base::Overloaded{[](const grammar::Truth&) {},
-                                [this](const grammar::Reference& r) { refer(r.name, find(r.name.text)); },
+    std::visit(base::Overloaded{[](const grammar::Truth&) {}, [this](const grammar::Reference& r) { refer(r.name); },
                                 [this](const grammar::Comparison& c) { compared(c.left, c.right); },
                                 [this](const grammar::Membership& m) {
                                   const Declared* variable = find(m.variable.text);
-                                  refer(m.variable, variable);
+                                  refer(m.variable);
                                   for (const Name& name : m.values) value(variable, name);
                                 },
                                 [this](const grammar::ClockBound& b) { clock(b.clock); },
@@ -234,13 +243,14 @@ class Walk {
   }
   void compared(const Name& variable, const Name& right) {
     const Declared* found = find(variable.text);
-    refer(variable, found);
+    refer(variable);
     value(found, right);
   }
   /// A value of a variable, or what else the name stands for.
   void value(const Declared* variable, const Name& name) {
     const Declared* value = variable == nullptr ? nullptr : scopes_.value(*variable, name.text);
-    refer(name, value != nullptr ? value : find(name.text));
+    if (value != nullptr) return refer(name, value);
+    refer(name);
   }
   const Declared* find(std::string_view name) const {
     if (const auto own = own_.find(name); own != own_.end()) return &own->second;

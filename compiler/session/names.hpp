@@ -52,8 +52,8 @@ class NameIndex {
 };
 
 /// Indexes trees, also those of which errors left a part. What a name stands for is found by its text and its scope
-/// alone: a name that cannot be found has no mention. Names of programs and scenarios are looked for in the first plant
-/// among the files. Linear, times the depth of instances.
+/// alone: a name that cannot be found has no mention. `engine.temp` mentions an instance and an attribute. Names of
+/// programs and scenarios are looked for in the first plant among the files. Linear, times the depth of instances.
 NameIndex index_names(std::span<const File* const> files);
 
 }  // namespace rmpl::compiler

@@ -15,6 +15,7 @@ void add_import(Program& program);
 void add_explain(Program& program);
 void add_diagram(Program& program);
 void add_format(Program& program);
+void add_server(Program& program);
 
 /// `-o`: where a result goes.
 void add_output(CLI::App& command, std::string& output, const char* name, const char* description);

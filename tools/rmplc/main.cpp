@@ -49,5 +49,6 @@ int main(int count, char** arguments) {
   add_explain(program);
   add_diagram(program);
   add_format(program);
+  add_server(program);
   return program.run(count, arguments);
 }

@@ -1,0 +1,442 @@
+#!/usr/bin/env python3
+# The language server, driven over standard input and output by a client of our own: every capability, and abuse.
+# SPDX-License-Identifier: MIT
+"""Usage: server.py ROOT PROGRAMS."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+TIMEOUT = 60
+ENGINE = """domain Level = { low, high };
+
+// An engine.
+component Engine {
+  input  cmd  : { none, on, off };
+  output temp : Level;
+  initial off;
+  mode  off { temp = low };
+  // It is warm.
+  mode  on  { temp = high };
+  fault broken;
+  off -> on  when cmd = on after 5 s;
+  on  -> off when cmd = off;
+  any -> broken with 0.001;
+}
+"""
+PLANT = """import "engine.tcca";
+
+plant Ship {
+  engine, spare : Engine;
+  control engine.cmd, spare.cmd default none;
+  observe engine.temp, spare.temp;
+}
+"""
+PROGRAM = """// Starts the ship.
+Start() :: {
+  engine = on;
+  t1 = 0;
+  when t1 >= 5 s & engine.temp = high donext Stop(spare)
+}
+
+Stop(what) :: { engine = off }
+"""
+SCENARIO = """scenario "start" {
+  program "start.rmpl" main Start;
+  plant "ship.tcca";
+  cycle 1 s;
+  duration 60 s;
+  seed 1;
+  expect engine = on within 20 s;
+}
+"""
+FILES = {"engine.tcca": ENGINE, "ship.tcca": PLANT, "start.rmpl": PROGRAM, "start.scn": SCENARIO}
+
+
+class Client:
+    """Speaks with one server. What it is told without asking is kept."""
+
+    def __init__(self, program: pathlib.Path, folder: pathlib.Path):
+        self.folder = folder
+        self.process = subprocess.Popen([program, "server", "--stdio"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.id = 0
+        self.versions: dict[str, int] = {}
+        self.diagnostics: dict[str, dict] = {}
+        self.told: list[dict] = []
+
+    def write(self, text: bytes) -> None:
+        self.process.stdin.write(text)
+        self.process.stdin.flush()
+
+    def send(self, **message) -> None:
+        text = json.dumps({"jsonrpc": "2.0", **message}, ensure_ascii=False).encode()
+        self.write(b"Content-Length: %d\r\n\r\n" % len(text) + text)
+
+    def read(self) -> dict:
+        length = 0
+        while line := self.process.stdout.readline().strip():
+            name, _, value = line.partition(b":")
+            assert name == b"Content-Length", line
+            length = int(value)
+        assert length > 0, "the server has ended: " + self.process.stderr.read().decode()
+        message = json.loads(self.process.stdout.read(length))
+        assert message["jsonrpc"] == "2.0", message
+        if message.get("method") == "textDocument/publishDiagnostics":
+            self.diagnostics[message["params"]["uri"]] = message["params"]
+        elif "method" in message:
+            self.told.append(message)
+        return message
+
+    def answer(self, identity) -> dict:
+        while True:
+            message = self.read()
+            if "method" not in message and message["id"] == identity:
+                return message
+
+    def ask(self, method: str, **params):
+        self.id += 1
+        self.send(id=self.id, method=method, params=params)
+        return self.answer(self.id)
+
+    def get(self, method: str, **params):
+        answer = self.ask(method, **params)
+        assert "error" not in answer, answer
+        return answer["result"]
+
+    def refused(self, method: str, **params) -> str:
+        answer = self.ask(method, **params)
+        assert "error" in answer, answer
+        return answer["error"]["message"]
+
+    def notify(self, method: str, **params) -> None:
+        self.send(method=method, params=params)
+
+    def start(self) -> dict:
+        result = self.get("initialize", processId=None, rootUri=None, capabilities={})
+        self.notify("initialized")
+        return result
+
+    def end(self) -> None:
+        assert self.get("shutdown") is None
+        self.notify("exit")
+        assert self.process.wait(TIMEOUT) == 0
+        assert self.process.stdout.read() == b"" and self.process.stderr.read() == b""
+
+    # Documents.
+
+    def uri(self, name: str) -> str:
+        return (self.folder / name).as_uri()
+
+    def open(self, name: str, text: str | None = None) -> None:
+        text = (self.folder / name).read_text(encoding="utf-8") if text is None else text
+        self.versions[name] = 1
+        language = name.rpartition(".")[2]
+        self.notify("textDocument/didOpen", textDocument={"uri": self.uri(name), "languageId": language, "version": 1, "text": text})
+
+    def change(self, name: str, text: str, start=None, end=None) -> None:
+        self.versions[name] += 1
+        change = {"text": text}
+        if start is not None:
+            change["range"] = {"start": place(*start), "end": place(*end)}
+        self.notify("textDocument/didChange", textDocument={"uri": self.uri(name), "version": self.versions[name]}, contentChanges=[change])
+
+    def at(self, name: str, line: int, character: int) -> dict:
+        return {"textDocument": {"uri": self.uri(name)}, "position": place(line, character)}
+
+    def findings(self, name: str) -> list[str]:
+        """The diagnostics of the version that was sent last, as `code line:character message`."""
+        while (told := self.diagnostics.get(self.uri(name))) is None or told.get("version", -1) != self.versions.get(name, -1):
+            self.read()
+        return [f"{d['code']} {d['range']['start']['line']}:{d['range']['start']['character']} {d['message'].splitlines()[0]}" for d in told["diagnostics"]]
+
+
+def place(line: int, character: int) -> dict:
+    return {"line": line, "character": character}
+
+
+def same(found, expected) -> None:
+    assert found == expected, f"\n  found    {found}\n  expected {expected}"
+
+
+def spots(client: Client, locations: list[dict]) -> list[str]:
+    """`file line:character-character`."""
+    return [f"{pathlib.Path(at['uri']).name} {r['start']['line']}:{r['start']['character']}-{r['end']['character']}"
+            for at in locations for r in (at["range"],)]
+
+
+def lifecycle(program, folder):
+    client = Client(program, folder)
+    same(client.ask("textDocument/hover", **client.at("a.tcca", 0, 0))["error"]["code"], -32002)
+    result = client.start()
+    same(result["serverInfo"]["name"], "rmplc")
+    same(client.ask("initialize", capabilities={})["error"]["code"], -32600)
+    same(client.ask("no/such")["error"]["code"], -32601)
+    same(client.ask("$/nothing")["error"]["code"], -32601)
+    same(client.ask("textDocument/hover", **client.at("a.tcca", 0, 0))["error"]["code"], -32602)
+    same(client.ask("textDocument/hover")["error"]["code"], -32602)
+    client.notify("$/nothing")
+    client.send(id=77, method="textDocument/hover", params={})
+    client.send(method="$/cancelRequest", params={"id": 77})
+    assert client.answer(77)["error"]["code"] in (-32800, -32602)
+    same(client.get("shutdown"), None)
+    same(client.ask("textDocument/hover")["error"]["code"], -32600)
+    client.notify("exit")
+    same(client.process.wait(TIMEOUT), 0)
+    for unfinished in (lambda c: c.notify("exit"), lambda c: c.process.stdin.close()):
+        client = Client(program, folder)
+        client.start()
+        unfinished(client)
+        same(client.process.wait(TIMEOUT), 1)
+
+
+def abuse(program, folder):
+    client = Client(program, folder)
+    client.write(b"garbage\r\nmore of it\r\n\r\n\r\n")
+    same(client.read()["error"]["code"], -32700)
+    client.write(b"Content-Length: many\r\n\r\n{}")
+    client.write(b"\r\n\r\n")
+    client.write(b"x" * 10_000 + b"\n")
+    client.start()
+    for body, code in ((b"{", -32700), (b'{"jsonrpc":"2.0","id":1,"method":"\xff"}', -32700), (b"[]", -32600), (b"1", -32600), (b"{}", -32600),
+                       (b'{"jsonrpc":"2.0","id":{},"method":"a"}', -32600), (b'{"jsonrpc":"2.0","id":5,"method":"a","params":1}', -32600),
+                       (b'{"jsonrpc":"1.0","id":5,"method":"a"}', -32600), (b"[" * 100_000, -32700)):
+        client.write(b"content-length:%d\r\nContent-Type: application/vscode-jsonrpc; charset=utf-8\r\n\r\n" % len(body) + body)
+        message = client.read()
+        same((message["error"]["code"], body), (code, body))
+    huge = 64 * 2**20 + 1
+    client.write(b"Content-Length: %d\r\n\r\n" % huge + b" " * huge)
+    same(client.read()["error"]["code"], -32700)
+    client.notify("textDocument/didOpen", textDocument={"uri": 1})
+    client.notify("textDocument/didChange", textDocument={"uri": client.uri("none.tcca")}, contentChanges=[])
+    client.notify("textDocument/didOpen", textDocument={"uri": "file:///" + "a" * 5000 + ".tcca", "text": ""})
+    client.notify("textDocument/didOpen", textDocument={"uri": "untitled:Untitled-1", "languageId": "tcca", "version": 1, "text": "component {"})
+    while "untitled:Untitled-1" not in client.diagnostics:
+        client.read()
+    same(client.diagnostics["untitled:Untitled-1"]["diagnostics"][0]["code"], "RMPL0001")
+    same([m["method"] for m in client.told[:3]], ["window/logMessage"] * 3)
+    client.end()
+    client = Client(program, folder)
+    client.start()
+    client.write(b"Content-Length: 99999999999999999\r\n\r\n{")
+    client.process.stdin.close()
+    same(client.process.wait(TIMEOUT), 1)
+
+
+def hovers(client: Client, name: str, line: int, character: int) -> str:
+    result = client.get("textDocument/hover", **client.at(name, line, character))
+    return result["contents"]["value"] if result else ""
+
+
+def diagnostics(program, folder):
+    client = Client(program, folder)
+    client.start()
+    client.open("start.rmpl")
+    same(client.findings("start.rmpl"), [])
+    client.change("start.rmpl", "engin", (2, 2), (2, 8))  # engine = on
+    same(client.findings("start.rmpl"), ["RMPL0308 2:2 plant `Ship` has no variable `engin`"])
+    actions = client.get("textDocument/codeAction", textDocument={"uri": client.uri("start.rmpl")},
+                         range={"start": place(2, 3), "end": place(2, 3)}, context={"diagnostics": []})
+    same([a["title"] for a in actions], ["did you mean `engine`?"])
+    same(actions[0]["edit"]["changes"], {client.uri("start.rmpl"): [{"range": {"start": place(2, 2), "end": place(2, 7)}, "newText": "engine"}]})
+    assert "**RMPL0308**" in hovers(client, "start.rmpl", 2, 3)
+    client.change("start.rmpl", "engine", (2, 2), (2, 7))
+    same(client.findings("start.rmpl"), [])
+    # Two units of UTF-16 for one character; a change of several lines; a change of all.
+    client.change("start.rmpl", "/* \U0001F680 */ engine = offf", (2, 2), (2, 13))
+    same(client.findings("start.rmpl"), ["RMPL0102 2:20 `offf` is no value of `engine`, expected `off`, `on` or `broken`"])
+    client.change("start.rmpl", "  engine = on;\n  t1 = 0;", (2, 0), (3, 9))
+    same(client.findings("start.rmpl"), [])
+    # What is not saved in one file is seen from another.
+    client.open("engine.tcca")
+    client.change("engine.tcca", ENGINE.replace("on  {", "lit {").replace("-> on ", "-> lit ").replace("  on ", "  lit "))
+    found = client.findings("start.rmpl")
+    while not found:
+        client.read()
+        found = client.findings("start.rmpl")
+    same(found, ["RMPL0102 2:11 `on` is no value of `engine`, expected `off`, `lit` or `broken`"])
+    client.notify("textDocument/didClose", textDocument={"uri": client.uri("engine.tcca")})
+    client.get("textDocument/foldingRange", textDocument={"uri": client.uri("start.rmpl")})
+    while client.findings("start.rmpl"):
+        client.read()
+    # A file of properties, with the plant beside it; a file that nothing uses.
+    client.open("ship.props", 'property "p" { never engine = brokn; }')
+    same([f[:13] for f in client.findings("ship.props")], ["RMPL0102 0:30"])
+    client.open("part.rmpl", "A(x) :: { x }  B() :: { y = 0; when y > 1 s donext A(a = b) } C() :: { a = b }")
+    same(client.findings("part.rmpl"), [])
+    client.end()
+
+
+def formats(program, folder):
+    client = Client(program, folder)
+    client.start()
+    client.open("start.rmpl", "S()::{a=b;// why\n c=d}")
+    uri = {"uri": client.uri("start.rmpl")}
+    edits = client.get("textDocument/formatting", textDocument=uri, options={"tabSize": 2, "insertSpaces": True})
+    same([e["range"] for e in edits], [{"start": place(0, 0), "end": place(1, 5)}])
+    client.change("start.rmpl", edits[0]["newText"])
+    assert "a = b;" in edits[0]["newText"] and "// why" in edits[0]["newText"], edits
+    same(client.get("textDocument/formatting", textDocument=uri, options={}), [])
+    client.change("start.rmpl", "S( {")
+    assert "syntax" in client.refused("textDocument/formatting", textDocument=uri, options={})
+    client.end()
+
+
+def names(program, folder):
+    client = Client(program, folder)
+    client.start()
+    for name in ("start.rmpl", "ship.tcca", "engine.tcca"):
+        client.open(name)
+
+    def defined(name, line, character):
+        at = client.get("textDocument/definition", **client.at(name, line, character))
+        return spots(client, [at])[0] if at else None
+
+    same(defined("start.rmpl", 2, 4), "ship.tcca 3:2-8")
+    same(defined("start.rmpl", 2, 12), "engine.tcca 9:8-10")
+    same(defined("start.rmpl", 4, 28), "engine.tcca 5:9-13")
+    same(defined("start.rmpl", 4, 35), "engine.tcca 0:22-26")
+    same(defined("start.rmpl", 4, 8), "start.rmpl 3:2-4")
+    same(defined("start.rmpl", 4, 46), "start.rmpl 7:0-4")
+    same(defined("ship.tcca", 0, 12), "engine.tcca 0:0-0")
+    same(defined("start.rmpl", 5, 0), None)
+    uses = client.get("textDocument/references", **client.at("engine.tcca", 9, 9), context={"includeDeclaration": True})
+    same(spots(client, uses), ["engine.tcca 9:8-10", "engine.tcca 11:9-11", "engine.tcca 12:2-4", "start.rmpl 2:11-13", "start.scn 6:18-20"])
+    uses = client.get("textDocument/references", **client.at("ship.tcca", 3, 3), context={"includeDeclaration": False})
+    same(spots(client, uses), ["ship.tcca 4:10-16", "ship.tcca 5:10-16", "start.rmpl 2:2-8", "start.rmpl 4:19-25", "start.rmpl 7:16-22", "start.scn 6:9-15"])
+    marks = client.get("textDocument/documentHighlight", **client.at("ship.tcca", 4, 22))
+    same([m["range"]["start"] for m in marks], [place(3, 10), place(4, 22), place(5, 23)])
+
+    text = hovers(client, "start.rmpl", 2, 12)
+    for part in ("mode on { temp = high };", "out of it", "on -> off when cmd = off;", "any -> broken with 0.001;", "into it", "off -> on when cmd = on after 5 s;", "It is warm."):
+        assert part in text, text
+    assert text.count("any -> broken") == 1, text
+    text = hovers(client, "start.rmpl", 4, 28)
+    assert "output temp : Level;" in text and "domain Level = { low, high };" in text, text
+    assert "It starts in line 4." in hovers(client, "start.rmpl", 4, 8)
+    text = hovers(client, "start.scn", 0, 0) if "start.scn" in client.versions else hovers(client, "start.rmpl", 4, 46)
+    assert "Stop(what)" in text, text
+    text = hovers(client, "ship.tcca", 3, 3)
+    assert "engine, spare : Engine;" in text and "An engine." in text and "initial off;" in text, text
+    same(hovers(client, "start.rmpl", 5, 0), "")
+    client.end()
+
+
+def renaming(program, folder):
+    client = Client(program, folder)
+    client.start()
+    client.open("ship.tcca")
+    client.open("start.rmpl")
+    at = client.at("start.rmpl", 4, 20)
+    same(client.get("textDocument/prepareRename", **at), {"range": {"start": place(4, 19), "end": place(4, 25)}, "placeholder": "engine"})
+    changes = client.get("textDocument/rename", **at, newName="main-engine")["changes"]
+    same({pathlib.Path(uri).name: [e["range"]["start"]["character"] for e in edits] for uri, edits in changes.items()},
+         {"ship.tcca": [2, 10, 10], "start.rmpl": [2, 19, 16], "start.scn": [9]})
+    changes = client.get("textDocument/rename", **client.at("start.rmpl", 4, 28), newName="heat")["changes"]
+    same(sorted(pathlib.Path(uri).name for uri in changes), ["engine.tcca", "ship.tcca", "start.rmpl"])
+    for new, why in (("1x", "is no name"), ("a.b", "is no name"), ("watching", "word of the language"), ("spare", "already"), ("", "is no name")):
+        said = client.refused("textDocument/rename", **at, newName=new)
+        assert why in said, said
+    said = client.refused("textDocument/rename", **client.at("start.rmpl", 7, 6), newName="engine")
+    assert "meaning" in said or "would be wrong" in said, said
+    client.refused("textDocument/prepareRename", **client.at("start.rmpl", 5, 0))
+    client.open("broken.rmpl", "P() :: { Q() } Q( :: { x = y }")
+    said = client.refused("textDocument/rename", **client.at("broken.rmpl", 0, 0), newName="R")
+    assert "syntax errors" in said, said
+    client.end()
+
+
+def completing(program, folder):
+    client = Client(program, folder)
+    client.start()
+    client.open("ship.tcca")
+    client.open("engine.tcca")
+    client.open("start.rmpl")
+
+    def offered(name: str, text: str, more: str = "") -> list[str]:
+        """What is offered behind a text."""
+        client.change(name, text + more)
+        lines = text.split("\n")
+        items = client.get("textDocument/completion", **client.at(name, len(lines) - 1, len(lines[-1])))["items"]
+        return [i["label"] for i in sorted(items, key=lambda i: i["sortText"])]
+
+    same(offered("start.rmpl", "Start() :: { engine = "), ["broken", "off", "on", "false", "true"])
+    same(offered("start.rmpl", "Start() :: { engine = o", "; }"), ["broken", "off", "on", "false", "true"])
+    same(offered("start.rmpl", "Start() :: { when engine.temp = "), ["high", "low", "false", "true"])
+    same(offered("start.rmpl", "Start() :: { when engine in { on, "), ["broken", "off", "on", "false", "true"])
+    same(offered("start.rmpl", "Start() :: { when engine."), ["engine.cmd", "engine.temp"])
+    found = offered("start.rmpl", "Start() :: { engine = on; ", " } Stop() :: { engine = off }")
+    for label in ("engine", "spare", "Stop", "always", "if", "do", "whenever", "unless", "choose", "next", "when"):
+        assert label in found, (label, found)
+    assert "mode" not in found and "thennext" not in found, found
+    same(offered("start.rmpl", "Start() :: { when engine = on "), ["and", "donext", "or"])
+    assert "maintaining" in offered("start.rmpl", "Start() :: { engine = on ")
+    same(offered("start.rmpl", "Start() :: { do engine = on // engine = "), [])
+    same(offered("start.rmpl", 'import "'), [] )
+    found = offered("engine.tcca", ENGINE[: ENGINE.index("off -> on")], "}")
+    for label in ("off", "on", "broken", "input", "mode", "fault", "any"):
+        assert label in found, (label, found)
+    same(offered("engine.tcca", ENGINE[: ENGINE.index("on  when")], ";\n}\n"), ["broken", "off", "on", "after", "in", "when"])
+    same(offered("engine.tcca", ENGINE[: ENGINE.index("Level;")], ";\n}\n"), ["Level"])
+    client.change("engine.tcca", ENGINE)
+    same(offered("ship.tcca", PLANT[: PLANT.index("Engine;")], ";\n}\n"), ["Engine"])
+    same(offered("ship.tcca", PLANT[: PLANT.index("none;")], ";\n}\n"), ["none", "off", "on", "false", "true"])
+    same(offered("ship.tcca", PLANT[: PLANT.index("engine.temp")] + "engine.", ";\n}\n"), ["engine.cmd", "engine.temp"])
+    same(offered("ship.tcca", ""), ["component", "domain", "import", "module", "plant"])
+    same(offered("ship.tcca", 'import "'), ['"engine.tcca"'])
+    client.change("ship.tcca", PLANT)
+    client.open("start.scn")
+    same(offered("start.scn", SCENARIO[: SCENARIO.index("on within")], ";\n}\n"), ["broken", "off", "on", "false", "true"])
+    assert "min" in offered("start.scn", 'scenario "s" { cycle 1 ')
+    assert {"expect", "at", "when", "seed", "truth"} <= set(offered("start.scn", 'scenario "s" { cycle 1 s; '))
+    client.end()
+
+
+def outline(program, folder):
+    client = Client(program, folder)
+    legend = client.start()["capabilities"]["semanticTokensProvider"]["legend"]
+    client.open("engine.tcca")
+    client.open("start.rmpl")
+    uri = {"uri": client.uri("engine.tcca")}
+    symbols = client.get("textDocument/documentSymbol", textDocument=uri)
+    same([s["name"] for s in symbols], ["Level", "Engine"])
+    same([s["name"] for s in symbols[1]["children"]], ["cmd", "temp", "off", "on", "broken"])
+    folds = client.get("textDocument/foldingRange", textDocument=uri)
+    same([(f["startLine"], f["endLine"]) for f in folds], [(3, 13)])
+    data = client.get("textDocument/semanticTokens/full", textDocument={"uri": client.uri("start.rmpl")})["data"]
+    line = character = 0
+    seen = []
+    rows = PROGRAM.split("\n")
+    for down, right, length, kind, declared in zip(*[iter(data)] * 5):
+        line, character = line + down, right if down else character + right
+        seen.append((rows[line][character : character + length], legend["tokenTypes"][kind], declared))
+    same(seen[:7], [("// Starts the ship.", "comment", 0), ("Start", "function", 1), ("engine", "variable", 0), ("on", "enumMember", 0), ("t1", "event", 1), ("0", "number", 0), ("when", "keyword", 0)])
+    same(seen[10:14], [("engine", "variable", 0), ("temp", "property", 0), ("high", "enumMember", 0), ("donext", "keyword", 0)])
+    client.end()
+
+
+TESTS = [lifecycle, abuse, diagnostics, formats, names, renaming, completing, outline]
+
+
+def main(root: str, programs: str) -> int:
+    program = pathlib.Path(programs, "rmplc").resolve()
+    failed = 0
+    for test in TESTS:
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name).resolve()
+            for file, text in FILES.items():
+                (folder / file).write_text(text, encoding="utf-8")
+            try:
+                test(program, folder)
+            except AssertionError as error:
+                failed += 1
+                print(f"{test.__name__}: {error or 'failed'}")
+                import traceback
+                traceback.print_exc()
+    print(f"{len(TESTS)} tests, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,34 @@
+// What the server can do for a document, a file each.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "tools/rmplc/server/message.hpp"
+#include "tools/rmplc/server/workspace.hpp"
+
+namespace rmpl::tools {
+
+/// The diagnostics of all files that were read, by URI; an empty array for a file without any.
+std::map<std::string, Json> diagnostics_by_uri(Workspace& workspace);
+
+// Each takes the parameters of its request and gives its result. What cannot be is an RpcError.
+
+Json code_actions(Workspace& workspace, const Json& params);
+Json hover(Workspace& workspace, const Json& params);
+Json definition(Workspace& workspace, const Json& params);
+Json references(Workspace& workspace, const Json& params);
+Json highlights(Workspace& workspace, const Json& params);
+Json prepare_rename(Workspace& workspace, const Json& params);
+Json rename(Workspace& workspace, const Json& params);
+Json completion(Workspace& workspace, const Json& params);
+Json document_symbols(Workspace& workspace, const Json& params);
+Json formatting(Workspace& workspace, const Json& params);
+Json folding_ranges(Workspace& workspace, const Json& params);
+Json semantic_tokens(Workspace& workspace, const Json& params);
+
+/// The names of the types and modifiers that semantic tokens are numbered by.
+Json semantic_legend();
+
+}  // namespace rmpl::tools
