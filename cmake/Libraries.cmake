@@ -1,6 +1,7 @@
 # What the house stands on, all from Debian; and the one way a folder becomes a library.
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(Boost REQUIRED COMPONENTS program_options)
 find_package(Threads REQUIRED)
 find_package(pugixml REQUIRED)
 find_library(CADICAL_LIBRARY cadical REQUIRED)

@@ -30,6 +30,7 @@ ARROWS = {
 GUARDED = {
     re.compile(r"^boost/spirit/"): re.compile(r"^grammar/parse/"),
     re.compile(r"^CLI/"): re.compile(r"^tools/"),
+    re.compile(r"^boost/program_options/"): re.compile(r"^tools/shared/"),
     re.compile(r"^bliss/"): re.compile(r"^verifier/symmetry/"),
     re.compile(r"^cadical\.hpp"): re.compile(r"^automata/logic/"),
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "compiler/lint/allowances.hpp"
 
 namespace rmpl::compiler {
 
@@ -60,16 +61,37 @@ grammar::Diagnostic& add_finding(Diagnostics& found, grammar::Code code, grammar
   return found.note(code, span, std::move(message));
 }
 
-Diagnostics lint(const Compilation& compilation) {
+namespace {
+
+/// The findings at the levels that were asked for.
+Diagnostics at_levels(const Diagnostics& found, const LintSettings& settings) {
+  Diagnostics result;
+  for (grammar::Diagnostic finding : found.all()) {
+    if (const auto level = settings.levels.find(finding.code); level != settings.levels.end()) {
+      if (!level->second) continue;
+      // One that is less certain than others of its code stays milder.
+      const LintCode* known = find_lint_code(finding.code);
+      const bool mild = known != nullptr && finding.severity < known->level;
+      finding.severity = mild ? std::min(finding.severity, *level->second) : *level->second;
+    }
+    result.add(std::move(finding));
+  }
+  return result;
+}
+
+}  // namespace
+
+Diagnostics lint(const Compilation& compilation, const LintSettings& settings) {
   const grammar::Sources& sources = compilation.findings().sources;
   Diagnostics found = compilation.findings().diagnostics;
   const NameIndex names = compilation.names();
   const Places places(sources, compilation.files());
-  const LintInput input{sources, compilation.files(), compilation.document(), compilation.properties(), names, places};
+  const LintInput input{sources, compilation.files(),  compilation.document(), compilation.properties(), names,
+                        places,  compilation.places(), settings.cycle};
   for (const auto passes : {plant_passes(), program_passes()}) {
     for (const LintPass pass : passes) pass(input, found);
   }
-  return found;
+  return at_levels(without_allowed(found, sources, compilation.files()), settings);
 }
 
 }  // namespace rmpl::compiler

@@ -12,6 +12,7 @@
 #include "automata/property.hpp"
 #include "automata/scenario.hpp"
 #include "compiler/lint/places.hpp"
+#include "compiler/lower/program_places.hpp"
 #include "compiler/session/compiler.hpp"
 #include "compiler/session/files.hpp"
 #include "compiler/session/names.hpp"
@@ -29,6 +30,8 @@ struct LintInput {
   const std::vector<automata::PlantProperty>& properties;  ///< of the first plant
   const NameIndex& names;
   const Places& places;
+  std::span<const ProgramPlaces> programs;  ///< per program of the document; empty for one that came compiled
+  automata::Ticks cycle;                    ///< of the executive, where no scenario says it
 };
 
 /// A pass: looks for one kind of thing, by proof, and adds what it found with `add_finding`, in any order.
@@ -69,7 +72,14 @@ const LintCode* find_lint_code(grammar::Code code);
 grammar::Diagnostic& add_finding(grammar::Diagnostics& found, grammar::Code code, grammar::Span span,
                                  std::string message);
 
-/// All that there is to say of an input set that compiled: the warnings of the compiler and what the passes find.
-grammar::Diagnostics lint(const Compilation& compilation);
+/// What a user has to say of lint as a whole.
+struct LintSettings {
+  std::map<grammar::Code, std::optional<grammar::Severity>> levels;  ///< where not their own; nothing: not to be told
+  automata::Ticks cycle{automata::Ticks::per_second / 2};            ///< of the executive, where no scenario says it
+};
+
+/// All that there is to say of an input set that compiled: the warnings of the compiler and what the passes find, but
+/// for what comments allow (allowances.hpp).
+grammar::Diagnostics lint(const Compilation& compilation, const LintSettings& settings = {});
 
 }  // namespace rmpl::compiler

@@ -29,6 +29,7 @@ LocationId Draft::location(std::string label, grammar::Span span) {
   const LocationId id(program_.locations.size());
   program_.locations.push_back(std::move(made));
   arcs_.emplace_back();
+  spans_.push_back(span);
   grow(1, span);
   return id;
 }

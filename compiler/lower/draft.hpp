@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "automata/program.hpp"
@@ -71,6 +72,8 @@ class Draft {
   /// Reports why the rest is not looked at.
   void abandon(grammar::Code code, grammar::Span span, std::string reason);
   [[nodiscard]] bool complete() const { return complete_; }
+  /// Where each location stands, for good.
+  std::vector<grammar::Span> take_spans() { return std::move(spans_); }
 
   /// What was drawn becomes the arcs of the program, now that every expansion knows its starts.
   void connect();
@@ -89,6 +92,7 @@ class Draft {
   automata::Program& program_;
   grammar::Diagnostics& diagnostics_;
   std::vector<std::vector<DraftArc>> arcs_;    ///< per location
+  std::vector<grammar::Span> spans_;           ///< per location
   std::vector<automata::LocationId> parents_;  ///< the composites that are open, outermost first
   std::vector<std::vector<Target>> starts_;    ///< per expansion
   std::size_t size_ = 0;

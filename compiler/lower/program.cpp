@@ -67,16 +67,17 @@ class ProgramLowering {
     expand(entry_, "", whole, environment);
     if (purpose_ == Purpose::run) resolver_.check_values();
     if (draft_.complete()) draft_.connect();
-    return {std::move(program_), draft_.complete()};
+    return {std::move(program_), {draft_.take_spans(), std::move(conditions_)}, draft_.complete()};
   }
 
  private:
   // Conditions.
 
-  Condition condition(const grammar::Constraint& constraint, bool entailed) {
+  Condition condition(const grammar::Constraint& constraint, bool entailed, const char* construct) {
     Condition made{entailed, resolver_.resolve(constraint)};
     constexpr std::size_t atoms_a_unit = 4;
     draft_.grow(size_of(made.constraint) / atoms_a_unit, constraint.span);
+    if (purpose_ == Purpose::run) conditions_.push_back({constraint.span, construct, made.constraint});
     return made;
   }
 
@@ -157,14 +158,14 @@ class ProgramLowering {
   Fragment lower(const grammar::Block& block, grammar::Span, bool whole) { return body(block.body, whole); }
 
   Fragment lower(const grammar::Watching& watching, grammar::Span span, bool) {
-    Condition maintained = condition(watching.condition, false);
+    Condition maintained = condition(watching.condition, false, "watching");
     const std::string label = "do … watching " + text(maintained);
     const LocationId id = draft_.composite(label, span, std::move(maintained));
     return draft_.inside(id, [&] { return step(*watching.step, true); });
   }
 
   Fragment lower(const grammar::Maintaining& maintaining, grammar::Span span, bool) {
-    Condition maintained = condition(maintaining.condition, true);
+    Condition maintained = condition(maintaining.condition, true, "maintaining");
     const std::string label = "do … maintaining " + text(maintained);
     const LocationId id = draft_.composite(label, span, std::move(maintained));
     return draft_.inside(id, [&] { return step(*maintaining.step, true); });
@@ -180,7 +181,7 @@ class ProgramLowering {
   }
 
   Fragment lower(const grammar::If& conditional, grammar::Span span, bool) {
-    Condition guard = condition(conditional.condition, true);
+    Condition guard = condition(conditional.condition, true, "if");
     if (!conditional.otherwise) return branch("if ", std::move(guard), *conditional.step, span);
     const LocationId id = draft_.location("if " + text(guard), span);
     Fragment then = step(*conditional.step, false);
@@ -192,11 +193,11 @@ class ProgramLowering {
   }
 
   Fragment lower(const grammar::Unless& unless, grammar::Span span, bool) {
-    return branch("unless ", condition(unless.condition, false), *unless.step, span);
+    return branch("unless ", condition(unless.condition, false, "unless"), *unless.step, span);
   }
 
   Fragment lower(const grammar::When& when, grammar::Span span, bool) {
-    const Condition guard = condition(when.condition, true);
+    const Condition guard = condition(when.condition, true, "when");
     const LocationId id = draft_.location("when " + text(guard), span);
     draft_.arc(id, opposite(guard), target(id));
     Fragment inner = step(*when.step, false);
@@ -205,7 +206,7 @@ class ProgramLowering {
   }
 
   Fragment lower(const grammar::Whenever& whenever, grammar::Span span, bool) {
-    const Condition guard = condition(whenever.condition, true);
+    const Condition guard = condition(whenever.condition, true, "whenever");
     const LocationId id = draft_.location("whenever " + text(guard), span);
     draft_.arc(id, {}, target(id));
     draft_.arcs(id, guard, step(*whenever.step, false).starts);
@@ -355,6 +356,7 @@ class ProgramLowering {
   automata::Program program_;
   ProgramResolver resolver_;
   Draft draft_;
+  std::vector<PlacedCondition> conditions_;
   std::vector<Expansion> expansions_;     ///< as the draft numbers them
   std::vector<std::size_t> open_;         ///< expansions, outermost first
   std::deque<Environment> environments_;  ///< of the open expansions; a deque, for they are referred to

@@ -9,6 +9,7 @@
 #include "compiler/check/definitions.hpp"
 #include "compiler/check/recursion.hpp"
 #include "compiler/lower/part.hpp"
+#include "compiler/lower/program_places.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
@@ -17,6 +18,7 @@ namespace rmpl::compiler {
 /// A program that was lowered. Only where no error was reported does it mean what the text says.
 struct LoweredProgram {
   automata::Program program;
+  ProgramPlaces places;
   bool complete = true;  ///< false: it is too large or nests too deep, and the rest was not looked at
 };
 

@@ -20,6 +20,7 @@ struct Compilation::Result {
   grammar::Findings findings;
   automata::Document document;
   std::vector<automata::PlantProperty> properties;
+  std::vector<ProgramPlaces> places;
   std::vector<File> files;
 };
 
@@ -38,6 +39,11 @@ const automata::Document& Compilation::document() const {
 const std::vector<automata::PlantProperty>& Compilation::properties() const {
   CHECK(ok() && "a compilation with errors has no properties");
   return result_->properties;
+}
+
+std::span<const ProgramPlaces> Compilation::places() const {
+  CHECK(ok() && "a compilation with errors has no programs");
+  return result_->places;
 }
 
 const grammar::Findings& Compilation::findings() const { return result_->findings; }
@@ -60,6 +66,7 @@ Compilation compile(std::span<const std::string> paths, const Options& options, 
   InputSet inputs(provider, result->findings.sources, result->findings.diagnostics);
   result->document = inputs.compile(paths, options);
   result->properties = inputs.take_properties();
+  result->places = inputs.take_places();
   result->files = inputs.take_files();
   return Compilation(std::move(result));
 }

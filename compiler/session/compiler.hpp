@@ -19,6 +19,7 @@ namespace rmpl::compiler {
 
 class NameIndex;
 struct File;
+struct ProgramPlaces;
 class Provider;
 
 struct Options {
@@ -40,6 +41,8 @@ class Compilation {
   [[nodiscard]] const automata::Document& document() const;
   /// What the `.props` files among the inputs state, in order of the files. Only where `ok()`.
   [[nodiscard]] const std::vector<automata::PlantProperty>& properties() const;
+  /// Where the programs of the document stand, one by one (`compiler/lower/program_places.hpp`). Only where `ok()`.
+  [[nodiscard]] std::span<const ProgramPlaces> places() const;
   /// All that was read, with or without errors, by index.
   [[nodiscard]] std::span<const File> files() const;
   /// Every diagnostic, warnings too, and the texts that they speak of.

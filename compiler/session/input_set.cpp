@@ -76,6 +76,7 @@ void InputSet::adopt(const File& file) {
   document_.plants.insert(document_.plants.end(), more.plants.begin(), more.plants.end());
   for (const automata::Program& program : more.programs) {
     document_.programs.push_back(program);
+    places_.emplace_back();
     adopted_.push_back({file.index, 0, 0});
   }
   for (const automata::Scenario& scenario : more.scenarios) {
@@ -139,20 +140,21 @@ std::optional<std::size_t> InputSet::program(const Roots& roots, const Entry& en
   std::optional<std::size_t> position;
   if (auto program = lower_program(roots, entry, plant, blame)) {
     position = document_.programs.size();
-    document_.programs.push_back(std::move(*program));
+    document_.programs.push_back(std::move(program->program));
+    places_.push_back(std::move(program->places));
   }
   programs_.emplace(key, position);
   return position;
 }
 
-std::optional<automata::Program> InputSet::lower_program(const Roots& roots, const Entry& entry, const Part* plant,
-                                                         Span blame) {
+std::optional<LoweredProgram> InputSet::lower_program(const Roots& roots, const Entry& entry, const Part* plant,
+                                                      Span blame) {
   const FileSet set = files_.with_imports(roots);
   if (!set.complete) return std::nullopt;
   const std::size_t errors = diagnostics_.error_count();
   if (roots.front()->kind == Kind::document) {
     const auto& programs = roots.front()->document->programs;
-    if (programs.size() == 1) return bound(programs.front(), plant, blame);
+    if (programs.size() == 1) return LoweredProgram{bound(programs.front(), plant, blame), {}, true};
     diagnostics_.error(programs.empty() ? Code::no_program : Code::several_programs, blame,
                        "the compiled document holds " + std::to_string(programs.size()) + " programs, expected one");
     return std::nullopt;
@@ -163,7 +165,7 @@ std::optional<automata::Program> InputSet::lower_program(const Roots& roots, con
   const Recursion recursion = check_recursion(definitions, diagnostics_);
   std::vector<bool> reached(definitions.all.size(), false);
   std::vector<std::size_t> entries;
-  std::optional<automata::Program> program;
+  std::optional<LoweredProgram> program;
   grammar::Diagnostics unasked;
   auto start = find_entry(definitions, entry.name, entry.span, blame, entry_optional_ ? unasked : diagnostics_);
   if (entry_optional_ && start && !definitions.all[*start].definition->parameters.empty()) start.reset();
@@ -178,7 +180,7 @@ std::optional<automata::Program> InputSet::lower_program(const Roots& roots, con
         compiler::lower_program(sources_, definitions, recursion, *start, Purpose::run, plant, reached, diagnostics_);
     if (!lowered.complete) return std::nullopt;
     entries.push_back(*start);
-    program = std::move(lowered.program);
+    program = std::move(lowered);
   }
   // What the program does not use is checked too, but for the names of a plant: it may be meant for another.
   for (const bool called : {false, true}) {

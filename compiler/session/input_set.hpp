@@ -15,6 +15,7 @@
 #include "automata/property.hpp"
 #include "automata/scenario.hpp"
 #include "compiler/lower/part.hpp"
+#include "compiler/lower/program.hpp"
 #include "compiler/session/compiler.hpp"
 #include "compiler/session/files.hpp"
 #include "grammar/source/diagnostic.hpp"
@@ -32,6 +33,8 @@ class InputSet {
   automata::Document compile(std::span<const std::string> paths, const Options& options);
   /// What the `.props` files stated, once all is compiled.
   std::vector<automata::PlantProperty> take_properties() { return std::move(properties_); }
+  /// Where the programs of the document stand, once all is compiled.
+  std::vector<ProgramPlaces> take_places() { return std::move(places_); }
   /// What was read, once all is compiled.
   std::vector<File> take_files() { return files_.take(); }
 
@@ -61,8 +64,9 @@ class InputSet {
   std::optional<Part> lower_plant(const Roots& roots, grammar::Span blame);
   /// The position of the program, or nothing where it has errors.
   std::optional<std::size_t> program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
-  std::optional<automata::Program> lower_program(const Roots& roots, const Entry& entry, const Part* plant,
-                                                 grammar::Span blame);
+  /// The program with its places, or nothing where it has errors.
+  std::optional<LoweredProgram> lower_program(const Roots& roots, const Entry& entry, const Part* plant,
+                                              grammar::Span blame);
   void scenarios(const File& file);
   void properties(const File& file, const Plant& plant);
   /// A file that a scenario names; null where it is missing or of another kind, and then it has been reported.
@@ -74,6 +78,7 @@ class InputSet {
   bool types_suffice_ = false;   ///< a plant that is asked for may be made of types alone
   bool entry_optional_ = false;  ///< as in the options
   automata::Document document_;
+  std::vector<ProgramPlaces> places_;  ///< per program of the document
   std::vector<automata::PlantProperty> properties_;
   std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document
   std::deque<Part> parts_;              ///< of plants without errors; a deque, for they are referred to

@@ -89,11 +89,11 @@ plant Sink {
   tap : Tap;
   control tap.cmd default none;
 })"},
-    CodeInfo{
-        Code::contradicting_goals, "goals contradict each other",
-        "Two threads can ask for different modes of one component in the same cycle. Such a cycle commands nothing. "
-        "The notes show where the two goals stand, and when they meet.",
-        "P() :: {\n  engine = on,\n  engine = off\n}", "P() :: {\n  engine = on;\n  engine = off\n}"},
+    CodeInfo{Code::contradicting_goals, "goals contradict each other",
+             "Two threads ask for different modes of one component in the same cycle. Such a cycle commands nothing. "
+             "The notes show where the two goals stand, and when they meet. Where the second goal can also come first, "
+             "so that it takes a plant that does this and not that, the finding is a note.",
+             "P() :: {\n  engine = on,\n  engine = off\n}", "P() :: {\n  engine = on;\n  engine = off\n}"},
     CodeInfo{Code::step_never_reached, "step is never reached",
              "What comes before the step never ends: `always`, `whenever`, or a wait for what cannot be.",
              "P() :: {\n  always engine = on;\n  valve = open\n}",
@@ -181,10 +181,11 @@ plant Probe {
         "each call.",
         "P() :: {\n  t = 0;\n  when t >= 5 s donext valve = open;\n  t = 0;\n  when t >= 5 s donext valve = closed\n}",
         "P() :: {\n  t = 0;\n  when t >= 5 s donext valve = open;\n  u = 0;\n  when u >= 5 s donext valve = closed\n}"},
-    CodeInfo{Code::unused_definition, "definition that nothing calls",
-             "The definition is neither where the program starts nor called from there.",
-             "$ rmplc lint main.rmpl --main P\nP() :: { valve = open }\nQ() :: { valve = closed }",
-             "$ rmplc lint main.rmpl --main P\nP() :: { valve = open; Q() }\nQ() :: { valve = closed }"},
+    CodeInfo{
+        Code::unused_definition, "definition that nothing calls",
+        "Nothing calls the definition. One that takes nothing may be where another program starts, and is no finding.",
+        "$ rmplc lint main.rmpl --main P\nP() :: { valve = open }\nQ(x) :: { x = closed }",
+        "$ rmplc lint main.rmpl --main P\nP() :: { valve = open; Q(valve) }\nQ(x) :: { x = closed }"},
     CodeInfo{Code::unused_parameter, "parameter that is never used",
              "The definition does the same whatever is passed for the parameter.",
              "P() :: { Open(left) }\nOpen(valve) :: { right = open }",
@@ -290,11 +291,11 @@ plant Sink {
     CodeInfo{
         Code::vacuous_property, "property that says nothing",
         "The property holds or fails whatever the plant does: no state satisfies its formula, every state does, or "
-        "what it waits for never comes.",
+        "what it waits for never comes. Of `never`, what no state satisfies is a note: it checks the constraints.",
         R"($ rmplc lint plant.tcca plant.props
 // plant.props
 property "p" {
-  never tap = closed & tap.flow = high;
+  reach tap.flow = low | tap.flow = high;
 }
 // plant.tcca
 component Tap {
@@ -310,7 +311,7 @@ plant Sink {
         R"($ rmplc lint plant.tcca plant.props
 // plant.props
 property "p" {
-  never tap.flow = high;
+  reach tap.flow = high;
 }
 // plant.tcca
 component Tap {

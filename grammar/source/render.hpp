@@ -22,6 +22,20 @@ std::string render_text(std::span<const Diagnostic> diagnostics, const Sources& 
 /// grammar/schema/diagnostics.schema.json.
 std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& sources);
 
+/// What a log says of the program that made it.
+struct Tool {
+  std::string name;
+  std::string version;
+};
+
+/// SARIF 2.1.0: one run; the rules that occur, with help; regions by line and column in code points; notes as related
+/// locations; fixes. A file name becomes a URI, relative where it was.
+std::string render_sarif(std::span<const Diagnostic> diagnostics, const Sources& sources, const Tool& tool);
+
+/// Workflow commands of GitHub Actions, a line each: `::warning file=…,line=…::…`. Notes and the suggestion stand in
+/// the message.
+std::string render_github(std::span<const Diagnostic> diagnostics, const Sources& sources);
+
 /// All findings as text, sorted; empty where there are none.
 std::string render_text(const Findings& findings, bool color);
 

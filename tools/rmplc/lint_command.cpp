@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
+#include <optional>
 
+#include "base/rewrite_file.hpp"
+#include "compiler/lint/fixes.hpp"
 #include "compiler/lint/lint.hpp"
 #include "grammar/source/render.hpp"
 #include "tools/rmplc/commands.hpp"
@@ -13,21 +16,30 @@ namespace {
 
 using grammar::Diagnostic;
 using grammar::Severity;
+using grammar::Sources;
+
+enum class Form { text, json, sarif, github };
 
 struct Options {
   std::vector<std::string> files;
   std::string main;
-  Severity level = Severity::warning;
+  std::optional<Severity> level;
+  Form form = Form::text;
+  bool fix = false;
 };
 
 constexpr const char* lint_notes =
     R"(Compiles the files as one input set, and looks for what can never hold or happen, is
-there for nothing, or is most likely meant otherwise. Findings go to standard output.
+there for nothing, or is most likely meant otherwise. Findings go to standard output;
+sarif is for code scanning, github annotates a pull request from a workflow.
+`// lint: allow RMPL0514 because …` on the line before, or at the end of the line,
+allows one. The file rmpl.ini sets levels: see rmpl.ini(5).
 
 Exit status: 0 nothing at or above the level, 1 findings, 2 the input is wrong.
 
-Example:
-  rmplc lint mars_entry.scn)";
+Examples:
+  rmplc lint mars_entry.scn
+  rmplc lint --format sarif power.tcca power.rmpl power.props)";
 
 constexpr const char* check_notes =
     R"(Compiles the files as one input set and writes nothing. Diagnostics, and what
@@ -38,67 +50,111 @@ Exit status: 0 nothing at or above the level, 1 findings, 2 the input is wrong.
 Example:
   rmplc check mars_entry.rmpl mars_lander.tcca)";
 
-/// Compiles, or tells why not and throws Rejected.
-compiler::Compilation compiled(const Options& options, const Common& common) {
-  check_standard_input(options.files);
-  compiler::Compilation compilation = compiler::compile(options.files, {options.main, true});
-  if (compilation.ok()) return compilation;
-  tell_findings(compilation.findings(), common);
-  throw Rejected{};
+std::string rendered(Form form, std::span<const Diagnostic> found, const Sources& sources, bool color) {
+  switch (form) {
+    case Form::json:
+      return grammar::render_json(found, sources);
+    case Form::sarif:
+      return grammar::render_sarif(found, sources, {"rmplc", RMPL_VERSION});
+    case Form::github:
+      return grammar::render_github(found, sources);
+    case Form::text:
+      break;
+  }
+  return grammar::render_text(found, sources, color);
 }
 
-/// What was found at or above the level, sorted.
-std::vector<Diagnostic> found_in(const compiler::Compilation& compilation, Severity level) {
-  std::vector<Diagnostic> found = compiler::lint(compilation).sorted();
+compiler::Compilation compiled(const Options& options) {
+  check_standard_input(options.files);
+  return compiler::compile(options.files, {options.main, true});
+}
+
+/// What is to be told of it, sorted: where it did not compile, everything.
+std::vector<Diagnostic> found_in(const compiler::Compilation& compilation, const Options& options,
+                                 const Settings& settings) {
+  if (!compilation.ok()) return compilation.findings().diagnostics.sorted();
+  std::vector<Diagnostic> found = compiler::lint(compilation, settings.lint).sorted();
+  const Severity level = options.level.value_or(settings.level.value_or(Severity::warning));
   std::erase_if(found, [&](const Diagnostic& finding) { return finding.severity < level; });
   return found;
 }
 
-ExitStatus run_lint(const Options& options, const Common& common) {
-  const compiler::Compilation compilation = compiled(options, common);
-  const grammar::Sources& sources = compilation.findings().sources;
-  const auto found = found_in(compilation, options.level);
-  print(common.format == Format::json ? grammar::render_json(found, sources)
-                                      : grammar::render_text(found, sources, output_painter(common.color).color));
-  return found.empty() ? ExitStatus::done : ExitStatus::violated;
-}
-
-ExitStatus run_check(const Options& options, const Common& common) {
-  const compiler::Compilation compilation = compiled(options, common);
-  const grammar::Sources& sources = compilation.findings().sources;
-  const auto found = found_in(compilation, options.level);
-  if (!found.empty()) {
-    print_error(common.format == Format::json
-                    ? grammar::render_json(found, sources)
-                    : grammar::render_text(found, sources, error_painter(common.color).color));
+/// Rewrites the files that sure fixes change, and leaves what is then still to be told. Standard input is left as it
+/// is.
+std::vector<Diagnostic> fix(const std::vector<Diagnostic>& found, const Sources& sources, const Common& common) {
+  std::vector<Diagnostic> left;
+  std::vector<Diagnostic> on_disk;
+  for (const Diagnostic& finding : found) {
+    (sources[finding.span.file].name() == "<stdin>" ? left : on_disk).push_back(finding);
   }
+  const compiler::Fixed fixed = compiler::apply_fixes(on_disk, sources);
+  for (const auto& [file, text] : fixed.texts) base::rewrite_file(sources[file].name(), text);
+  if (!common.quiet && fixed.count > 0) {
+    print_error(std::to_string(fixed.count) + (fixed.count == 1 ? " finding" : " findings") + " fixed in " +
+                std::to_string(fixed.texts.size()) + (fixed.texts.size() == 1 ? " file\n" : " files\n"));
+  }
+  left.insert(left.end(), fixed.left.begin(), fixed.left.end());
+  return left;
+}
+
+ExitStatus run_lint(const Options& options, const Common& common, const Settings& settings) {
+  const compiler::Compilation compilation = compiled(options);
+  const Sources& sources = compilation.findings().sources;
+  std::vector<Diagnostic> found = found_in(compilation, options, settings);
+  if (!compilation.ok()) {
+    // For programs the errors are the result; people find them where all errors are.
+    const bool to_people = options.form == Form::text;
+    const bool color = to_people && error_painter(common.color).color;
+    (to_people ? print_error : print)(rendered(options.form, found, sources, color));
+    throw Rejected{};
+  }
+  if (options.fix) found = fix(found, sources, common);
+  print(rendered(options.form, found, sources, output_painter(common.color).color));
   return found.empty() ? ExitStatus::done : ExitStatus::violated;
 }
 
-using Run = ExitStatus (*)(const Options&, const Common&);
+ExitStatus run_check(const Options& options, const Common& common, const Settings& settings) {
+  const compiler::Compilation compilation = compiled(options);
+  const auto found = found_in(compilation, options, settings);
+  if (!found.empty()) {
+    const Form form = common.format == Format::json ? Form::json : Form::text;
+    print_error(rendered(form, found, compilation.findings().sources, error_painter(common.color).color));
+  }
+  if (!compilation.ok()) throw Rejected{};
+  return found.empty() ? ExitStatus::done : ExitStatus::violated;
+}
 
-void add(Program& program, const char* name, const char* description, const char* notes, Run run) {
-  CLI::App* command = program.app().add_subcommand(name, description);
-  const auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->files, "sources, scenarios and properties")->required();
-  command->add_option("--main", options->main, "start the control program at this definition")->option_text("NAME");
-  Common& common = program.common();
-  add_diagnostics_format(*command, common);
-  add_choice<Severity>(*command, "--level", options->level,
-                       {{"error", Severity::error}, {"warning", Severity::warning}, {"note", Severity::note}},
-                       "the least severe findings that count (default: warning)");
-  command->footer(notes);
-  program.add({command, [options, &common, run] { return run(*options, common); }});
+/// What both take.
+void add_inputs(CLI::App& command, Options& options) {
+  command.add_option("FILE", options.files, "sources, scenarios and properties")->required();
+  command.add_option("--main", options.main, "start the control program at this definition")->option_text("NAME");
+  add_choice<std::optional<Severity>>(
+      command, "--level", options.level,
+      {{"error", Severity::error}, {"warning", Severity::warning}, {"note", Severity::note}},
+      "the least severe findings that count (default: warning)");
 }
 
 }  // namespace
 
 void add_lint(Program& program) {
-  add(program, "lint", "find what is most likely meant otherwise, by proof", lint_notes, run_lint);
+  CLI::App* command = program.app().add_subcommand("lint", "find what is most likely meant otherwise, by proof");
+  const auto options = std::make_shared<Options>();
+  add_inputs(*command, *options);
+  add_choice<Form>(*command, "--format", options->form,
+                   {{"text", Form::text}, {"json", Form::json}, {"sarif", Form::sarif}, {"github", Form::github}},
+                   "the form of findings (default: text)");
+  command->add_flag("--fix", options->fix, "rewrite the files where a finding has a sure fix, and tell the rest");
+  command->footer(lint_notes);
+  program.add({command, [options, &program] { return run_lint(*options, program.common(), program.settings()); }});
 }
 
 void add_check(Program& program) {
-  add(program, "check", "compile and lint, and write nothing", check_notes, run_check);
+  CLI::App* command = program.app().add_subcommand("check", "compile and lint, and write nothing");
+  const auto options = std::make_shared<Options>();
+  add_inputs(*command, *options);
+  add_diagnostics_format(*command, program.common());
+  command->footer(check_notes);
+  program.add({command, [options, &program] { return run_check(*options, program.common(), program.settings()); }});
 }
 
 }  // namespace rmpl::tools

@@ -59,6 +59,14 @@ void finish_options(CLI::App& app) {
   for (CLI::App* inner : app.get_subcommands(nullptr)) finish_options(*inner);
 }
 
+/// The first of the files that a command line names; empty where it names none.
+std::string first_file(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional() && option->count() > 0) return option->results().front();
+  }
+  return "";
+}
+
 }  // namespace
 
 Program::Program(const char* name, const char* version, const char* description, const char* notes) {
@@ -86,9 +94,11 @@ ExitStatus Program::parse_and_run(int count, const char* const* arguments) {
   }
   try {
     app_.parse(count, arguments);
-    base::limit_inputs(common_.max_input);
     for (const Subcommand& command : commands_) {
-      if (command.app->parsed()) return command.run();
+      if (!command.app->parsed()) continue;
+      take_settings(*command.app);
+      base::limit_inputs(common_.max_input);
+      return command.run();
     }
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
@@ -100,6 +110,28 @@ ExitStatus Program::parse_and_run(int count, const char* const* arguments) {
     print(text.str());
   }
   return ExitStatus::done;
+}
+
+/// What the command line does not say is as the settings have it.
+void Program::take_settings(const CLI::App& command) {
+  settings_ = find_settings(first_file(command));
+  for (const auto& [name, value] : settings_.options) {
+    CLI::Option* option = app_.get_option("--" + name);
+    if (option->count() > 0) continue;
+    if (option->get_expected_max() == 0) {
+      if (value != "true" && value != "false") {
+        throw base::InputError(settings_.path + ": '" + name + "' is true or false, not '" + value + "'");
+      }
+      (name == "quiet" ? common_.quiet : common_.verbose) = value == "true";
+      continue;
+    }
+    try {
+      option->add_result(value);
+      option->run_callback();
+    } catch (const CLI::Error& error) {
+      throw base::InputError(settings_.path + ": " + error.what());
+    }
+  }
 }
 
 int Program::run(int count, const char* const* arguments) noexcept {

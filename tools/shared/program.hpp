@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/shared/options.hpp"
+#include "tools/shared/settings.hpp"
 
 namespace rmpl::tools {
 
@@ -17,6 +18,8 @@ class Program {
 
   [[nodiscard]] CLI::App& app() { return app_; }
   [[nodiscard]] Common& common() { return common_; }
+  /// What `rmpl.ini` says; read by the time that a subcommand runs.
+  [[nodiscard]] const Settings& settings() const { return settings_; }
   void add(Subcommand command) { commands_.push_back(std::move(command)); }
 
   /// Parses the command line and runs what it calls. Everything that is thrown ends here, in an exit code.
@@ -25,8 +28,11 @@ class Program {
  private:
   ExitStatus parse_and_run(int count, const char* const* arguments);
 
+  void take_settings(const CLI::App& command);
+
   CLI::App app_;
   Common common_;
+  Settings settings_;
   std::vector<Subcommand> commands_;
 };
 

@@ -1,0 +1,32 @@
+// Comments that allow a finding: `// lint: allow RMPL0514 because …`.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/session/files.hpp"
+#include "grammar/source/diagnostic.hpp"
+#include "grammar/source/source_file.hpp"
+
+namespace rmpl::compiler {
+
+/// A code that a comment allows on a line.
+struct Allowance {
+  grammar::Code code;
+  grammar::Span span;     ///< of the code
+  grammar::Span comment;  ///< all of it, up to the end of its line
+  std::uint32_t line;     ///< of the finding: that of the comment, or where nothing else stands on it, the next
+};
+
+/// The allowances in a text. What begins as one and is none is reported as a finding.
+std::vector<Allowance> allowances_in(const grammar::Sources& sources, std::uint32_t file, grammar::Diagnostics& found);
+
+/// What is left of findings once those that comments in the files allow are taken out; with what is wrong with the
+/// comments themselves. Errors cannot be allowed.
+grammar::Diagnostics without_allowed(const grammar::Diagnostics& found, const grammar::Sources& sources,
+                                     std::span<const File> files);
+
+}  // namespace rmpl::compiler

@@ -1,0 +1,32 @@
+// The modes that components can get into: more than that is out of reach, whatever is commanded and whatever fails.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "automata/logic/formula.hpp"
+#include "automata/plant.hpp"
+
+namespace rmpl::compiler {
+
+/// Per component and mode, whether it may be reached: from the modes that have a probability at the start and those
+/// in `also`, by transitions whose guards can hold while every component is in one of its reached modes. What is not
+/// reached by this is never reached; what is reached may still not be, as commands and times are taken to be free.
+class ReachableModes {
+ public:
+  /// Refers to the plant.
+  ReachableModes(const automata::Plant& plant, const std::vector<automata::Assignment>& also);
+
+  [[nodiscard]] bool reached(automata::Assignment mode) const;
+  /// All components in one of their reached modes.
+  [[nodiscard]] automata::Formula formula() const;
+
+ private:
+  void start(const std::vector<automata::Assignment>& also);
+  bool grow();
+
+  const automata::Plant& plant_;
+  std::vector<std::vector<bool>> reached_;
+};
+
+}  // namespace rmpl::compiler

@@ -1,0 +1,27 @@
+// All markings that a program can come to while the plant does whatever its constraints allow, one after the other: the
+// twin of compiler/lint/marking_search.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "automata/plant.hpp"
+#include "automata/program.hpp"
+
+namespace rmpl::reference {
+
+struct MarkingsFound {
+  std::set<automata::LocationId> marked;     ///< in some marking
+  std::optional<std::size_t> contradiction;  ///< the first cycle, from 1, whose goals contradict each other
+};
+
+/// In each cycle modes and all attributes have any values that the plant permits, all of them known; a running clock
+/// reads any of the readings that is not less than what it read before. Nothing where there are more than `limit`
+/// different starts of cycles.
+std::optional<MarkingsFound> all_markings(const automata::Program& program, const automata::Plant& plant,
+                                          const std::vector<automata::Ticks>& readings, std::size_t limit);
+
+}  // namespace rmpl::reference

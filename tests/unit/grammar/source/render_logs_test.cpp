@@ -1,0 +1,67 @@
+// SARIF and workflow commands, as the services that read them want them.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "grammar/source/render.hpp"
+
+namespace rmpl::grammar {
+namespace {
+
+Sources sources() {
+  Sources sources;
+  sources.add("a b/ü:,.rmpl", "one\nzwei ü\nthree\n");
+  sources.add("/root/b.rmpl", "four\n");
+  return sources;
+}
+
+Diagnostic finding() {
+  return {Code::mixed_separators,
+          Severity::note,
+          {0, 4, 11},
+          "100% :, sure\nor not",
+          {{{1, 0, 4}, "here"}},
+          "mend it",
+          {{{1, 0, 0}, "x"}, {{0, 0, 3}, ""}, {{1, 4, 4}, "y"}}};
+}
+
+TEST(Github, EscapesAsItsToolkitDoes) {
+  const std::vector found{finding()};
+  EXPECT_EQ(render_github(found, sources()),
+            "::notice file=a b/ü%3A%2C.rmpl,line=2,endLine=2,col=1,endColumn=6,title=RMPL0514%3A `%2C` and `;` in the "
+            "same braces::100%25 :, sure%0Aor not%0A/root/b.rmpl:1: here%0Ahelp: mend it\n");
+}
+
+TEST(Github, GivesColumnsWithinOneLineOnly) {
+  Diagnostic several = finding();
+  several.span = {0, 4, 15};
+  several.notes.clear();
+  several.suggestion.reset();
+  several.severity = Severity::error;
+  const std::vector found{several};
+  EXPECT_EQ(render_github(found, sources()).substr(0, 50), "::error file=a b/ü%3A%2C.rmpl,line=2,endLine=3,titl");
+}
+
+TEST(Sarif, HasRulesRegionsNotesAndFixesByFile) {
+  const std::vector found{finding(), finding()};
+  const auto log = nlohmann::json::parse(render_sarif(found, sources(), {"rmplc", "1.2.3"}));
+  const auto& run = log.at("runs").at(0);
+  EXPECT_EQ(run["tool"]["driver"]["version"], "1.2.3");
+  EXPECT_EQ(run["tool"]["driver"]["rules"].size(), 1);
+  EXPECT_EQ(run["tool"]["driver"]["rules"][0]["id"], "RMPL0514");
+  ASSERT_EQ(run["results"].size(), 2);
+  const auto& result = run["results"][1];
+  EXPECT_EQ(result["level"], "note");
+  EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "a%20b/%C3%BC%3A%2C.rmpl");
+  EXPECT_EQ(result["locations"][0]["physicalLocation"]["region"],
+            nlohmann::json({{"startLine", 2}, {"startColumn", 1}, {"endLine", 2}, {"endColumn", 7}}));
+  EXPECT_EQ(result["relatedLocations"][0]["physicalLocation"]["artifactLocation"]["uri"], "file:///root/b.rmpl");
+  const auto& changes = result["fixes"][0]["artifactChanges"];
+  ASSERT_EQ(changes.size(), 2);
+  EXPECT_EQ(changes[0]["replacements"].size(), 2);
+  EXPECT_EQ(changes[1]["replacements"][0]["insertedContent"]["text"], "");
+}
+
+}  // namespace
+}  // namespace rmpl::grammar
