@@ -40,7 +40,7 @@ TEST(Github, GivesColumnsWithinOneLineOnly) {
   several.suggestion.reset();
   several.severity = Severity::error;
   const std::vector found{several};
-  EXPECT_EQ(render_github(found, sources()).substr(0, 50), "::error file=a b/ü%3A%2C.rmpl,line=2,endLine=3,titl");
+  EXPECT_EQ(render_github(found, sources()).substr(0, 55), "::error file=a b/ü%3A%2C.rmpl,line=2,endLine=3,title=R");
 }
 
 TEST(Sarif, HasRulesRegionsNotesAndFixesByFile) {
