@@ -65,9 +65,10 @@ TEST_F(Session, NamesKnowTheirDeclarations) {
   memory_.put("p.tcca", plant_text);
   memory_.put("p.rmpl", "P(x) :: { x = 0; when x > 1 s & engine.temp = high donext Q() } Q() :: { engine = on }");
   const Compilation result = compile(Strings{"p.tcca", "p.rmpl"}, {"P"}, memory_);
-  EXPECT_THAT(mentions(result, "p.rmpl"), ElementsAre("P p.rmpl:1:1", "x p.rmpl:1:3", "x p.rmpl:1:3", "x p.rmpl:1:3",
-                                                      "engine p.tcca:9:16", "temp p.tcca:4:10", "high p.tcca:1:23",
-                                                      "Q p.rmpl:1:65", "Q p.rmpl:1:65", "engine p.tcca:9:16", "on p.tcca:6:18"));
+  EXPECT_THAT(mentions(result, "p.rmpl"),
+              ElementsAre("P p.rmpl:1:1", "x p.rmpl:1:3", "x p.rmpl:1:3", "x p.rmpl:1:3", "engine p.tcca:9:16",
+                          "temp p.tcca:4:10", "high p.tcca:1:23", "Q p.rmpl:1:65", "Q p.rmpl:1:65",
+                          "engine p.tcca:9:16", "on p.tcca:6:18"));
   const NameIndex names = result.names();
   const auto temp = names.at(1, 41);
   ASSERT_TRUE(temp);
