@@ -15,7 +15,7 @@
 namespace rmpl::compiler {
 
 /// The columns of a line, counted in code points. What cannot be broken (a name, a comment, a string) may reach beyond.
-inline constexpr std::size_t line_width = 100;
+inline constexpr std::size_t line_width = 120;
 
 /// The text of `sources[file]` in the one style; nothing where it has syntax errors, and then they are reported. The
 /// kind is one of the four languages.

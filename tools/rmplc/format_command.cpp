@@ -28,7 +28,7 @@ struct Formatted {
 
 constexpr const char* notes =
     R"(Lays out .rmpl, .tcca, .scn and .props files in one style, in place: lines of at most
-100 columns, tables aligned. Tokens and comments stay as they are; of blank lines at
+120 columns, tables aligned. Tokens and comments stay as they are; of blank lines at
 most one stays. A file that is well laid out is not touched. `-` is standard input,
 told by its content, and goes to standard output.
 
