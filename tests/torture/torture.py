@@ -155,7 +155,20 @@ class Torturer:
         return None
 
 
-def moments(draw: random.Random, count: int) -> list[tuple]:
+def least_memory(programs: pathlib.Path) -> int:
+    """The KiB of address space with which the loader can start each of the programs; less is no matter of theirs."""
+
+    def starts(kib: int) -> bool:
+        lines = [f"ulimit -v {kib}; exec {programs / name} --version" for name in {command.split()[0] for command in COMMANDS}]
+        return all(subprocess.run(line, shell=True, capture_output=True, check=False).returncode == 0 for line in lines)
+
+    kib = 1024
+    while not starts(kib):
+        kib += 256
+    return kib
+
+
+def moments(draw: random.Random, count: int, least: int) -> list[tuple]:
     """Limits, descriptors and signals, drawn by turns for each command."""
     result = []
     for i in range(count):
@@ -164,7 +177,7 @@ def moments(draw: random.Random, count: int) -> list[tuple]:
         if kind == "signal":
             result.append((command, kind, draw.choice(list(SIGNALS)), round(10 ** draw.uniform(-3, -0.3), 4)))
         elif kind == "memory":
-            result.append((command, "limit", "-v", int(2 ** draw.uniform(12.6, 18))))  # with less no program starts
+            result.append((command, "limit", "-v", int(least * 2 ** draw.uniform(0, 5))))
         elif kind == "size":
             result.append((command, "limit", "-f", int(2 ** draw.uniform(0, 8)) - 1))
         elif kind == "descriptors":
@@ -202,7 +215,7 @@ def main() -> int:
                 kinds = [kind for kind in KINDS[1:] if calls[command][kind] > 0]
                 kind = "alloc" if draw.random() < 0.5 or not kinds else draw.choice(kinds)
                 wishes.append((command, kind, draw.randint(1, calls[command][kind]), draw.choice((1, 1, 0))))
-        wishes += moments(draw, options.moments)
+        wishes += moments(draw, options.moments, least_memory(options.programs.resolve()) if options.moments else 0)
         wrong = 0
         tried: collections.Counter[str] = collections.Counter()
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
