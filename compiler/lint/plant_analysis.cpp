@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/lint/plant_analysis.hpp"
 
+#include <algorithm>
+
 #include "automata/step/transition_rules.hpp"
 
 namespace rmpl::compiler {
@@ -22,7 +24,9 @@ PlantAnalysis::PlantAnalysis(const automata::Plant& plant)
     instances_[plant.components[c].type].emplace_back(c);
   }
   const auto& islands = locality().islands();
+  constexpr std::size_t work = 8192, least = 8, most = 64;
   for (std::size_t i = 0; i < islands.size(); ++i) {
+    patience_.push_back(std::clamp(work / (1 + islands[i].attributes.size()), least, most));
     for (const ComponentId c : islands[i].support.components) islands_[c.index()].push_back(i);
   }
   if (is_possible_) collect_readers();

@@ -55,6 +55,10 @@ class PlantAnalysis {
     return instances_.at(type);
   }
 
+  /// How many observations of an island are gone through for a pair of modes at most; one that was not done with them
+  /// is tangled, and the next pairs get less. What is decided of a plant does not depend on the machine.
+  std::size_t& patience(std::size_t island) { return patience_[island]; }
+
   /// Why something cannot be, with components kept to the modes that they reach.
   Blame& blame();
   /// The same with all modes.
@@ -71,6 +75,7 @@ class PlantAnalysis {
   PlantQuestions questions_;
   bool is_possible_;
   Reach reach_;
+  std::vector<std::size_t> patience_;  ///< by island
   std::map<std::string, std::vector<automata::ComponentId>> instances_;
   std::unique_ptr<Blame> blame_, blame_at_large_;
 };

@@ -21,14 +21,6 @@ using automata::ModeId;
 using automata::ValueId;
 using automata::Variables;
 
-namespace {
-
-/// How many observations are gone through, times the attributes that they cost, before it is left open whether two
-/// modes look alike.
-constexpr std::size_t work_limit = 8192;
-
-}  // namespace
-
 PlantCopies::PlantCopies(PlantAnalysis& analysis, ComponentId component, std::vector<std::size_t> islands,
                          std::vector<const Formula*> guards)
     : analysis_(analysis),
@@ -39,7 +31,6 @@ PlantCopies::PlantCopies(PlantAnalysis& analysis, ComponentId component, std::ve
   collect();
   theory_.emplace(declare(), automata::Theory::Upkeep::maintained);
   tell();
-  patience_ = std::clamp<std::size_t>(work_limit / (1 + copied_.size()), 8, 256);
 }
 
 void PlantCopies::collect() {
@@ -157,8 +148,10 @@ std::optional<bool> PlantCopies::look_alike(ModeId a, ModeId b) {
 
 /// Whether each observation that is possible in the first mode is possible in the second.
 std::optional<bool> PlantCopies::explains_all(ModeId a, ModeId b) {
+  constexpr std::size_t tangled = 2;
+  std::size_t& patience = analysis_.patience(islands_.front());
   std::vector<Formula> parts{differ()};
-  for (std::size_t tried = 0; tried < patience_; ++tried) {
+  for (std::size_t tried = 0; tried < patience; ++tried) {
     if (!allows(in(a, b), conjunction(parts))) return true;
     const std::vector<Assignment> shared = context();
     std::vector<Assignment> seen, explained = in(a, b);
@@ -178,6 +171,7 @@ std::optional<bool> PlantCopies::explains_all(ModeId a, ModeId b) {
     seen.insert(seen.end(), shared.begin(), shared.end());
     parts.push_back(negation(conjunction_of(seen)));
   }
+  patience = std::min(patience, tangled);
   return std::nullopt;
 }
 

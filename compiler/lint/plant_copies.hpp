@@ -60,7 +60,6 @@ class PlantCopies {
   std::map<VariableId, Copies> copies_;
   std::vector<const Formula*> guards_;
   bool read_by_interconnections_ = false;  ///< the component's mode is
-  std::size_t patience_ = 0;
   std::optional<automata::Theory> theory_;
 };
 
