@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "compiler/lint/plant_exclusions.hpp"
+
 namespace rmpl::compiler {
 
 using automata::Assignment;
@@ -22,11 +24,7 @@ automata::Variables with_switches(const automata::Plant& plant) {
   for (std::size_t q = 0; q < plant.interconnections.size(); ++q) {
     result.add({"interconnection " + std::to_string(q) + " is told", {"no", "yes"}});
   }
-  for (const automata::Component& component : plant.components) {
-    for (const automata::Mode& mode : component.modes) {
-      result.add({component.name + " is not in " + mode.name, {"no", "yes"}});
-    }
-  }
+  add_exclusions(result, plant);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "automata/store/model.hpp"
+#include "compiler/lint/plant_exclusions.hpp"
 
 namespace rmpl::compiler {
 
@@ -23,11 +24,7 @@ constexpr ValueId yes(1);
 /// The plant's variables, and for each mode one that excludes it where it is assumed.
 automata::Variables with_exclusions(const automata::Plant& plant) {
   automata::Variables result = plant.variables;
-  for (const automata::Component& component : plant.components) {
-    for (const automata::Mode& mode : component.modes) {
-      result.add({component.name + " is not in " + mode.name, {"no", "yes"}});
-    }
-  }
+  add_exclusions(result, plant);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "base/percent.hpp"
 #include "grammar/source/render.hpp"
 
 namespace rmpl::grammar {
@@ -14,18 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// A file name as a URI reference (RFC 3986): a relative one stays relative to where the program ran.
 std::string uri_of(std::string_view name) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string uri = name.starts_with('/') ? "file://" : "";
-  for (const char c : name) {
-    if (plain.find(c) != std::string_view::npos) {
-      uri += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      uri += {'%', digits[byte >> 4U], digits[byte & 15U]};
-    }
-  }
-  return uri;
+  return (name.starts_with('/') ? "file://" : "") + base::percent_encoded(name);
 }
 
 Json artifact_of(Span span, const Sources& sources) { return {{"uri", uri_of(sources[span.file].name())}}; }

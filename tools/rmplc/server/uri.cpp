@@ -2,22 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "tools/rmplc/server/uri.hpp"
 
+#include "base/percent.hpp"
+
 namespace rmpl::tools {
 namespace {
 
 constexpr std::string_view scheme = "file://";
-constexpr std::string_view digits = "0123456789ABCDEF";
 
 int value_of(char digit) {
   if (digit >= '0' && digit <= '9') return digit - '0';
   if (digit >= 'A' && digit <= 'F') return digit - 'A' + 10;
   if (digit >= 'a' && digit <= 'f') return digit - 'a' + 10;
   return -1;
-}
-
-bool stays(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         std::string_view("-._~/").find(c) != std::string_view::npos;
 }
 
 }  // namespace
@@ -37,17 +33,6 @@ std::optional<std::string> path_of_uri(std::string_view uri) {
   return path;
 }
 
-std::string uri_of_path(std::string_view path) {
-  std::string uri(scheme);
-  for (const char c : path) {
-    if (stays(c)) {
-      uri += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      uri += {'%', digits[byte >> 4], digits[byte & 15]};
-    }
-  }
-  return uri;
-}
+std::string uri_of_path(std::string_view path) { return std::string(scheme) + base::percent_encoded(path); }
 
 }  // namespace rmpl::tools

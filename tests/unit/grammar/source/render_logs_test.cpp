@@ -12,7 +12,7 @@ namespace {
 Sources sources() {
   Sources sources;
   sources.add("a b/ü:,.rmpl", "one\nzwei ü\nthree\n");
-  sources.add("/root/b.rmpl", "four\n");
+  sources.add("/models/b.rmpl", "four\n");
   return sources;
 }
 
@@ -30,7 +30,7 @@ TEST(Github, EscapesAsItsToolkitDoes) {
   const std::vector found{finding()};
   EXPECT_EQ(render_github(found, sources()),
             "::notice file=a b/ü%3A%2C.rmpl,line=2,endLine=2,col=1,endColumn=6,title=RMPL0514%3A `%2C` and `;` in the "
-            "same braces::100%25 :, sure%0Aor not%0A/root/b.rmpl:1: here%0Ahelp: mend it\n");
+            "same braces::100%25 :, sure%0Aor not%0A/models/b.rmpl:1: here%0Ahelp: mend it\n");
 }
 
 TEST(Github, GivesColumnsWithinOneLineOnly) {
@@ -56,7 +56,7 @@ TEST(Sarif, HasRulesRegionsNotesAndFixesByFile) {
   EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "a%20b/%C3%BC%3A%2C.rmpl");
   EXPECT_EQ(result["locations"][0]["physicalLocation"]["region"],
             nlohmann::json({{"startLine", 2}, {"startColumn", 1}, {"endLine", 2}, {"endColumn", 7}}));
-  EXPECT_EQ(result["relatedLocations"][0]["physicalLocation"]["artifactLocation"]["uri"], "file:///root/b.rmpl");
+  EXPECT_EQ(result["relatedLocations"][0]["physicalLocation"]["artifactLocation"]["uri"], "file:///models/b.rmpl");
   const auto& changes = result["fixes"][0]["artifactChanges"];
   ASSERT_EQ(changes.size(), 2);
   EXPECT_EQ(changes[0]["replacements"].size(), 2);
