@@ -23,9 +23,14 @@ struct GuardedArc {
 };
 
 /// One transition function of a primitive location: a child of the probabilistic root of the two-level tree. All of its
-/// arcs whose guards hold are taken.
+/// arcs whose guards hold are taken. Of a `choose`, the branch drawn counts as started in the instant of the draw: its
+/// start locations take their arcs as if they were marked, and what holds them may end, but they tell nothing and are
+/// in no marking.
 struct TransitionFunction {
   double probability = 1;
+  /// Primitive locations other than a `choose`, ascending: composites stand as what they start, nested choices are
+  /// multiplied in. What holds them is not told.
+  std::vector<LocationId> started;
   std::vector<GuardedArc> arcs;
   bool operator==(const TransitionFunction&) const = default;
 };
