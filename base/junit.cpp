@@ -9,22 +9,21 @@
 
 namespace rmpl::base {
 
-std::string to_junit(const std::string& suite, const std::vector<TestCase>& cases) {
+namespace {
+
+void append(pugi::xml_node& suites, const TestSuite& suite) {
   using Outcome = TestCase::Outcome;
   const auto count = [&](Outcome outcome) {
-    return std::count_if(cases.begin(), cases.end(), [&](const TestCase& c) { return c.outcome == outcome; });
+    return std::count_if(suite.cases.begin(), suite.cases.end(),
+                         [&](const TestCase& c) { return c.outcome == outcome; });
   };
-  pugi::xml_document document;
-  pugi::xml_node header = document.append_child(pugi::node_declaration);
-  header.append_attribute("version") = "1.0";
-  header.append_attribute("encoding") = "UTF-8";
-  pugi::xml_node node = document.append_child("testsuites").append_child("testsuite");
-  node.append_attribute("name") = suite.c_str();
-  node.append_attribute("tests") = cases.size();
+  pugi::xml_node node = suites.append_child("testsuite");
+  node.append_attribute("name") = suite.name.c_str();
+  node.append_attribute("tests") = suite.cases.size();
   node.append_attribute("failures") = count(Outcome::failure);
   node.append_attribute("errors") = count(Outcome::error);
   node.append_attribute("skipped") = 0;
-  for (const TestCase& one : cases) {
+  for (const TestCase& one : suite.cases) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.3f", one.seconds);
     pugi::xml_node test = node.append_child("testcase");
@@ -40,9 +39,24 @@ std::string to_junit(const std::string& suite, const std::vector<TestCase>& case
     child.append_attribute("message") = one.message.c_str();
     child.text().set(one.text.c_str());
   }
+}
+
+}  // namespace
+
+std::string to_junit(const std::vector<TestSuite>& suites) {
+  pugi::xml_document document;
+  pugi::xml_node header = document.append_child(pugi::node_declaration);
+  header.append_attribute("version") = "1.0";
+  header.append_attribute("encoding") = "UTF-8";
+  pugi::xml_node node = document.append_child("testsuites");
+  for (const TestSuite& suite : suites) append(node, suite);
   std::ostringstream out;
   document.save(out, "  ");
   return std::move(out).str();
+}
+
+std::string to_junit(const std::string& suite, const std::vector<TestCase>& cases) {
+  return to_junit(std::vector<TestSuite>{{suite, cases}});
 }
 
 }  // namespace rmpl::base

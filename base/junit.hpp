@@ -17,7 +17,14 @@ struct TestCase {
   std::string text;     ///< what there is to show of it, lines ended
 };
 
-/// One suite, with how many of its cases have which outcome.
+struct TestSuite {
+  std::string name;
+  std::vector<TestCase> cases;
+};
+
+/// Suites, each with how many of its cases have which outcome.
+std::string to_junit(const std::vector<TestSuite>& suites);
+/// One suite.
 std::string to_junit(const std::string& suite, const std::vector<TestCase>& cases);
 
 }  // namespace rmpl::base

@@ -1,214 +1,80 @@
 // rmpl-run scenario: flies scenarios, tells their stories and judges them.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
-#include <sstream>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "runtime/executive/scenario/report.hpp"
-#include "runtime/executive/scenario/run.hpp"
-#include "runtime/executive/scenario/story.hpp"
-#include "runtime/executive/trace/trace_writer.hpp"
 #include "tools/rmpl-run/commands.hpp"
-#include "tools/rmpl-run/latency.hpp"
+#include "tools/rmpl-run/flights.hpp"
 #include "tools/rmpl-run/scenario_junit.hpp"
+#include "tools/rmpl-run/scenario_table.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/models.hpp"
-#include "tools/shared/progress.hpp"
 #include "tools/shared/suggestion.hpp"
 
 namespace rmpl::tools {
 namespace {
 
-using runtime::CycleObserver;
-using runtime::CycleRecord;
 using runtime::JsonLine;
 using runtime::Judgement;
-using runtime::NominalGraph;
-using runtime::ScenarioOptions;
-using runtime::ScenarioResult;
 using runtime::TraceDetail;
-using Engine = ScenarioOptions::Engine;
-using Recovery = ScenarioOptions::Recovery;
-
-struct Options {
-  std::string file;
-  std::string only;
-  std::string trace;
-  TraceDetail detail = TraceDetail::changes;
-  std::vector<std::string> components;
-  automata::Ticks from;
-  automata::Ticks to = automata::Ticks::infinite();
-  std::optional<std::uint64_t> seed;
-  Engine engine = Engine::k_best;
-  Recovery recovery = Recovery::planner;
-  std::size_t k = 16;
-  bool real_time = false;
-  bool stats = false;
-};
+using Engine = runtime::ScenarioOptions::Engine;
+using Recovery = runtime::ScenarioOptions::Recovery;
 
 constexpr const char* footer = R"(A scenario names a control program, a plant, what happens and what is expected.
-By default it is told as a story while it flies, one line for each thing that changes.
+Those of one file are told as stories while they fly, a line for each thing that changes; those of
+several files as a table, with what was not met and why (-v tells their stories, too).
 
 exit code: 0 all expectations are met; 1 one failed; 2 an input is wrong; 3 interrupted
 
 examples:
   rmpl-run scenario nominal.scn                    the story, and the verdicts
+  rmpl-run scenario nominal.scn --follow           the flight on the terminal as it goes on
+  rmpl-run scenario *.scn --junit out.xml          a table of verdicts, and a file for the CI
   rmpl-run scenario nominal.scn --trace out.jsonl  what changes, as JSON Lines
   rmpl-run scenario faults.scn --only 'pde reset'  one scenario of several
   rmpl-run scenario dice.scn --seed 42             another draw of the same plant
   rmpl-run scenario landing.scn --only-component engine --from 4.5h --to 5h)";
 
-/// Adds up what the cycles of a flight cost.
-class Account : public CycleObserver {
- public:
-  void observe(const CycleRecord& record) override {
-    if (record.cycle == 0) return;
-    estimation_.add(record.checked, record.estimation_seconds);
-    reconfiguration_.add(record.considered, record.reconfiguration_seconds);
-    both_.add(record.estimation_seconds + record.reconfiguration_seconds);
-  }
-  void report(const std::string& scenario, double seconds) const {
-    std::ostringstream text;
-    text << scenario << ": " << both_.count() << " cycles in " << seconds << " s\n";
-    if (both_.count() > 0) {
-      text << "  estimation: " << estimation_.text() << "\n  reconfiguration: " << reconfiguration_.text()
-           << "\n  both: " << both_.text() << '\n';
-    }
-    print_error(text.str());
-  }
-
- private:
-  struct Engine {
-    std::size_t checked = 0, most = 0;  ///< candidates: over all cycles, in one
-    Latency latency;
-
-    void add(std::size_t candidates, double seconds) {
-      checked += candidates;
-      most = std::max(most, candidates);
-      latency.add(seconds);
-    }
-    [[nodiscard]] std::string text() const {
-      return std::to_string(checked) + " candidates checked, " + std::to_string(most) + " at most in a cycle; " +
-             latency.text();
-    }
-  };
-  Engine estimation_, reconfiguration_;
-  Latency both_;
-};
-
-/// The line of progress of a flight.
-class Progress final : public CycleObserver {
- public:
-  Progress(std::string name, automata::Ticks duration, bool wanted)
-      : name_(std::move(name)), duration_(duration), shown_(wanted) {}
-
-  void observe(const CycleRecord& record) override {
-    constexpr std::uint64_t cycles_between_looks = 64;  // asking the clock each time would cost more than a cycle
-    constexpr auto pace = std::chrono::milliseconds(100);
-    if (!shown_ || record.cycle % cycles_between_looks != 0) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + pace;
-    show_progress(name_ + ": " + automata::format_seconds(record.time) + " s of at most " +
-                  automata::format_seconds(duration_) + " s");
-  }
-
- private:
-  static constexpr auto patience = std::chrono::milliseconds(500);  // most flights are over by then
-  std::string name_;
-  automata::Ticks duration_;
-  bool shown_;
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + patience;
-};
-
-std::vector<const automata::Scenario*> selected(const automata::Document& document, const Options& options) {
-  if (document.scenarios.empty())
-    throw base::InputError(options.file + ": expected a scenario, and there is none in it");
-  std::vector<const automata::Scenario*> result;
+/// The scenarios that were asked for, in the order of the files.
+std::vector<Task> tasks_of(const std::vector<compiler::Compilation>& compilations, const FlightOptions& options) {
+  std::vector<Task> result;
   std::vector<std::string_view> names;
-  for (const automata::Scenario& scenario : document.scenarios) {
-    names.emplace_back(scenario.name);
-    if (options.only.empty() || scenario.name == options.only) result.push_back(&scenario);
+  for (std::size_t f = 0; f < compilations.size(); ++f) {
+    const automata::Document& document = compilations[f].document();
+    if (document.scenarios.empty())
+      throw base::InputError(options.files[f] + ": expected a scenario, and there is none in it");
+    // What reconfiguration computes beforehand, once for each plant.
+    std::map<std::size_t, std::shared_ptr<const runtime::NominalGraph>> graphs;
+    for (const automata::Scenario& scenario : document.scenarios) {
+      names.emplace_back(scenario.name);
+      if (!options.only.empty() &&
+          std::find(options.only.begin(), options.only.end(), scenario.name) == options.only.end())
+        continue;
+      auto& graph = graphs[scenario.plant];
+      if (!graph) graph = runtime::reconfiguration_graph(document.plants[scenario.plant]);
+      result.push_back({options.files[f], &document, &scenario, graph});
+    }
   }
-  if (result.empty()) {
-    throw base::InputError(options.file + ": no scenario is called '" + options.only + "'" +
-                           suggestion_or_list(options.only, names));
+  const std::string files =
+      options.files.size() == 1 ? options.files.front() : std::to_string(options.files.size()) + " files";
+  for (const std::string& name : options.only) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw base::InputError(files + ": no scenario is called '" + name + "'" + suggestion_or_list(name, names));
   }
   if (result.size() > 1 && !options.trace.empty()) {
-    throw base::InputError("--trace holds one scenario, and " + options.file + " has " + std::to_string(result.size()) +
+    throw base::InputError("--trace holds one scenario, and " + files +
+                           (options.files.size() == 1 ? " has " : " have ") + std::to_string(result.size()) +
                            "; choose one with --only");
   }
   return result;
-}
-
-/// What reconfiguration computes beforehand, once for each plant.
-using Graphs = std::map<std::size_t, std::shared_ptr<const NominalGraph>>;
-
-runtime::StoryFocus focus_of(const Options& options, const automata::Plant& plant) {
-  runtime::StoryFocus focus{{}, options.from, options.to};
-  std::vector<std::string_view> names;
-  for (const automata::Component& component : plant.components) names.emplace_back(component.name);
-  for (const std::string& name : options.components) {
-    const auto component = plant.find_component(name);
-    if (!component) {
-      throw base::InputError("--only-component: plant '" + plant.name + "' has no component '" + name + "'" +
-                             suggestion_or_list(name, names));
-    }
-    focus.components.push_back(*component);
-  }
-  return focus;
-}
-
-/// Flies one scenario, and tells its story to standard output as it happens.
-Flown fly(const automata::Document& document, const automata::Scenario& scenario, const Options& options,
-          const Common& common, Graphs& graphs) {
-  const automata::Plant& plant = document.plants[scenario.plant];
-  const automata::Program& program = document.programs[scenario.program];
-  const base::Painter painter = output_painter(common.color);
-  const auto tell_line = [](const std::string& line) { print(line + "\n"); };
-  std::vector<CycleObserver*> observers;
-  const runtime::MomentColumn column(scenario.duration, options.real_time ? automata::Ticks{1} : scenario.cycle);
-  runtime::Story story(plant, program, column, painter, focus_of(options, plant), tell_line);
-  std::optional<runtime::TraceWriter> trace;
-  if (!options.trace.empty()) trace.emplace(plant, program, options.trace, options.detail);
-  const bool told = common.format == Format::text && !common.quiet;
-  if (told) {
-    tell_line(runtime::heading(document, scenario, options.seed.value_or(scenario.seed), painter));
-    observers.push_back(&story);
-  }
-  if (trace) observers.push_back(&*trace);
-  // A story on the terminal is its own progress.
-  Progress progress(scenario.name, scenario.duration, progress_is_seen(common.quiet) && !(told && output_is_seen()));
-  observers.push_back(&progress);
-  Account account;
-  observers.push_back(&account);
-
-  ScenarioOptions run;
-  run.seed = options.seed;
-  run.engine = options.engine;
-  run.recovery = options.recovery;
-  auto& graph = graphs[scenario.plant];
-  if (!graph) graph = runtime::reconfiguration_graph(plant);
-  run.graph = graph;
-  run.k = options.k;
-  run.real_time = options.real_time;
-  run.interrupted = interrupted;
-  const auto begin = std::chrono::steady_clock::now();
-  ScenarioResult result = runtime::run_scenario(document, scenario, run, observers);
-  const double seconds = seconds_since(begin);
-  if (options.stats || common.verbose) account.report(scenario.name, seconds);
-  if (trace) trace->keep();
-  if (common.format == Format::text) {
-    print((common.quiet ? scenario.name + ": " : "\n") + runtime::summary(scenario, result, painter));
-  }
-  return {&scenario, std::move(result), seconds};
 }
 
 ExitStatus status_of(Judgement::Verdict verdict) {
@@ -237,29 +103,35 @@ std::string to_json(const std::vector<Flown>& flights) {
   return json.text() + "\n";
 }
 
-ExitStatus run(const Options& options, const Common& common) {
-  const compiler::Compilation compilation = load({options.file}, common);
-  const automata::Document& document = compilation.document();
+ExitStatus run(const FlightOptions& options, const Common& common) {
+  check_standard_input(options.files);
+  std::vector<compiler::Compilation> compilations;
+  for (const std::string& file : options.files) compilations.push_back(load({file}, common));
+  const std::vector<Task> tasks = tasks_of(compilations, options);
+  std::optional<base::OutputFile> junit;
+  if (!options.junit.empty()) junit.emplace(options.junit);  // a name that cannot be written is told at once
   watch_for_interruption();
-  ExitStatus status = ExitStatus::done;
-  Graphs graphs;
-  std::vector<Flown> flights;
-  for (const automata::Scenario* scenario : selected(document, options)) {
-    if (!flights.empty() && !common.quiet && common.format == Format::text) print("\n");
-    flights.push_back(fly(document, *scenario, options, common, graphs));
-    status = worse(status, status_of(flights.back().result.verdict()));
-    if (flights.back().result.interrupted) break;
-  }
+  const std::vector<Flown> flights = fly_all(tasks, options, common);
   switch (common.format) {
     case Format::text:
+      if (tasks.size() > 1 && !common.quiet) {
+        const bool stories = options.tells_stories(common);
+        print((stories ? "\n" : "") + to_table(tasks, flights, !stories, output_painter(common.color)));
+      }
       break;
     case Format::json:
       print(to_json(flights));
       break;
     case Format::junit:
-      print(to_junit(options.file, flights));
+      print(to_junit(tasks, flights));
       break;
   }
+  if (junit) {
+    junit->write(to_junit(tasks, flights));
+    junit->keep();
+  }
+  ExitStatus status = flights.size() < tasks.size() ? ExitStatus::undecided : ExitStatus::done;
+  for (const Flown& flown : flights) status = worse(status, status_of(flown.result.verdict()));
   return status;
 }
 
@@ -267,10 +139,20 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_scenario(Program& program) {
   CLI::App* command = program.app().add_subcommand("scenario", "fly a scenario: the executive on a simulated plant");
-  const auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->file, "a .scn file, or a compiled .json")->required();
-  command->add_option("--only", options->only, "run this scenario of the file only")->option_text("NAME");
+  const auto options = std::make_shared<FlightOptions>();
+  command->add_option("FILE", options->files, "files of scenarios: .scn, or compiled .json")->required();
+  command->add_option("--only", options->only, "run this scenario only; may be given several times")
+      ->option_text("NAME")
+      ->expected(1)
+      ->take_all();
+  constexpr std::uint64_t most_jobs = 256;
+  options->jobs = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(most_jobs));
+  add_whole_number(*command, "--jobs,-j", options->jobs, 1, most_jobs,
+                   "how many scenarios fly at once, with the same output for any number\n(default: one a core)");
+  command->add_flag("--follow", options->follow, "show the flight on the terminal while it goes on, not its story");
   command->add_option("--trace", options->trace, "write what happens, as JSON Lines")->option_text("OUT.jsonl");
+  command->add_option("--junit", options->junit, "write a test case for each expectation, for continuous integration")
+      ->option_text("OUT.xml");
   add_choice<TraceDetail>(
       *command, "--trace-detail", options->detail,
       {{"changes", TraceDetail::changes}, {"cycles", TraceDetail::cycles}, {"beliefs", TraceDetail::beliefs}},

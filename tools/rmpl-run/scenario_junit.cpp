@@ -34,28 +34,33 @@ std::string details(const automata::Expectation& expectation, const Judgement& j
   return text;
 }
 
+void append(std::vector<TestCase>& cases, const Flown& flown) {
+  const automata::Scenario& scenario = *flown.scenario;
+  double seconds = flown.seconds;
+  for (std::size_t i = 0; i < scenario.expectations.size(); ++i) {
+    const Judgement& judgement = flown.result.judgements[i];
+    cases.push_back({scenario.expectations[i].text, scenario.name, seconds, outcome_of(judgement.verdict),
+                     judgement.reason, details(scenario.expectations[i], judgement)});
+    seconds = 0;
+  }
+  if (!scenario.expectations.empty()) return;
+  cases.push_back({"flown to its end",
+                   scenario.name,
+                   seconds,
+                   outcome_of(flown.result.verdict()),
+                   flown.result.interrupted ? "interrupted" : "",
+                   {}});
+}
+
 }  // namespace
 
-std::string to_junit(const std::string& suite, const std::vector<Flown>& flights) {
-  std::vector<TestCase> cases;
-  for (const Flown& flown : flights) {
-    const automata::Scenario& scenario = *flown.scenario;
-    double seconds = flown.seconds;
-    for (std::size_t i = 0; i < scenario.expectations.size(); ++i) {
-      const Judgement& judgement = flown.result.judgements[i];
-      cases.push_back({scenario.expectations[i].text, scenario.name, seconds, outcome_of(judgement.verdict),
-                       judgement.reason, details(scenario.expectations[i], judgement)});
-      seconds = 0;
-    }
-    if (!scenario.expectations.empty()) continue;
-    cases.push_back({"flown to its end",
-                     scenario.name,
-                     seconds,
-                     outcome_of(flown.result.verdict()),
-                     flown.result.interrupted ? "interrupted" : "",
-                     {}});
+std::string to_junit(const std::vector<Task>& tasks, const std::vector<Flown>& flights) {
+  std::vector<base::TestSuite> suites;
+  for (std::size_t f = 0; f < flights.size(); ++f) {
+    if (f == 0 || tasks[f].file != tasks[f - 1].file) suites.push_back({tasks[f].file, {}});
+    append(suites.back().cases, flights[f]);
   }
-  return base::to_junit(suite, cases);
+  return base::to_junit(suites);
 }
 
 }  // namespace rmpl::tools

@@ -5,7 +5,6 @@
 #include "runtime/executive/scenario/moment.hpp"
 
 namespace rmpl::runtime {
-namespace {
 
 using automata::format_seconds;
 
@@ -21,7 +20,15 @@ std::string verdict_word(Judgement::Verdict verdict, base::Painter painter) {
   return {};
 }
 
-}  // namespace
+std::string summary_line(const automata::Expectation& expectation, const Judgement& judgement, base::Painter painter) {
+  std::string text = "  " + verdict_word(judgement.verdict, painter) + "  " + expectation.text;
+  const bool awaited = !lasts_to_the_end(expectation);
+  const std::string at = judgement.time ? " at " + moment(*judgement.time) : "";
+  if (awaited && judgement.verdict == Judgement::Verdict::met) text += painter.quiet(" " + at);
+  if (!judgement.reason.empty()) text += ": " + judgement.reason + (awaited ? "" : at);
+  if (!judgement.evidence.empty()) text += ": " + judgement.evidence;
+  return text + "\n";
+}
 
 std::string heading(const automata::Document& document, const automata::Scenario& scenario, std::uint64_t seed,
                     base::Painter painter) {
@@ -41,15 +48,7 @@ std::string summary(const automata::Scenario& scenario, const ScenarioResult& re
   }
   text += "; " + std::to_string(result.cycles) + (result.cycles == 1 ? " cycle\n" : " cycles\n");
   for (std::size_t i = 0; i < result.judgements.size(); ++i) {
-    const automata::Expectation& expectation = scenario.expectations[i];
-    const Judgement& judgement = result.judgements[i];
-    text += "  " + verdict_word(judgement.verdict, painter) + "  " + expectation.text;
-    const bool awaited = !lasts_to_the_end(expectation);
-    const std::string at = judgement.time ? " at " + moment(*judgement.time) : "";
-    if (awaited && judgement.verdict == Judgement::Verdict::met) text += painter.quiet(" " + at);
-    if (!judgement.reason.empty()) text += ": " + judgement.reason + (awaited ? "" : at);
-    if (!judgement.evidence.empty()) text += ": " + judgement.evidence;
-    text += "\n";
+    text += summary_line(scenario.expectations[i], result.judgements[i], painter);
   }
   return text;
 }

@@ -15,6 +15,12 @@ namespace rmpl::runtime {
 std::string heading(const automata::Document& document, const automata::Scenario& scenario, std::uint64_t seed,
                     base::Painter painter);
 
+/// `met`, `FAILED` or `undecided`, of one width.
+std::string verdict_word(Judgement::Verdict verdict, base::Painter painter);
+
+/// What came of an expectation, when and why, with the evidence of that cycle; ends with a line feed.
+std::string summary_line(const automata::Expectation& expectation, const Judgement& judgement, base::Painter painter);
+
 /// How it ended, then a line for each expectation; ends with a line feed.
 std::string summary(const automata::Scenario& scenario, const ScenarioResult& result, base::Painter painter);
 

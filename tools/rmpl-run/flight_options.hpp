@@ -1,0 +1,41 @@
+// What `rmpl-run scenario` was asked for.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automata/time/time.hpp"
+#include "runtime/executive/scenario/run.hpp"
+#include "runtime/executive/trace/trace_writer.hpp"
+#include "tools/shared/options.hpp"
+
+namespace rmpl::tools {
+
+struct FlightOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> only;  ///< names of scenarios; empty: all
+  std::string trace;              ///< paths of what is written; empty: not
+  std::string junit;
+  runtime::TraceDetail detail = runtime::TraceDetail::changes;
+  std::vector<std::string> components;
+  automata::Ticks from;
+  automata::Ticks to = automata::Ticks::infinite();
+  std::optional<std::uint64_t> seed;
+  runtime::ScenarioOptions::Engine engine = runtime::ScenarioOptions::Engine::k_best;
+  runtime::ScenarioOptions::Recovery recovery = runtime::ScenarioOptions::Recovery::planner;
+  std::size_t k = 16;
+  unsigned jobs = 1;
+  bool follow = false;
+  bool real_time = false;
+  bool stats = false;
+
+  /// Several files are told as a table; the flights of one as stories, unless nobody wants to hear them.
+  [[nodiscard]] bool tells_stories(const Common& common) const {
+    return common.format == Format::text && !common.quiet && (files.size() == 1 || common.verbose);
+  }
+};
+
+}  // namespace rmpl::tools
