@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "automata/phca.hpp"
 #include "automata/plant.hpp"
 #include "automata/program.hpp"
 
@@ -83,6 +84,7 @@ struct Scenario {
 struct Document {
   std::vector<Plant> plants;
   std::vector<Program> programs;
+  std::vector<ModelProgram> models;
   std::vector<Scenario> scenarios;
   bool operator==(const Document&) const = default;
 };

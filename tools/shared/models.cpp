@@ -46,6 +46,10 @@ const automata::Program& only_program(const automata::Document& document, const 
   return only(document.programs, paths, "control program", ".rmpl");
 }
 
+const automata::ModelProgram& only_model_program(const automata::Document& document, const std::string& paths) {
+  return only(document.models, paths, "model program", ".rmpl");
+}
+
 automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
                                  const Common& common) {
   auto compiled = compiler::compile_formula(text, plant, where);
