@@ -237,7 +237,7 @@ class PlantDraw {
 }  // namespace
 
 void showValue(const Model& model, std::ostream& out) {
-  out << automata::to_json(automata::Document{{model.plant}, {}, {}}).dump();
+  out << automata::to_json(automata::Document{{model.plant}, {}, {}, {}}).dump();
 }
 
 rc::Gen<Model> models(Shape shape) {
