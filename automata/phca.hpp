@@ -29,7 +29,7 @@ struct GuardedArc {
 struct TransitionFunction {
   double probability = 1;
   /// Primitive locations other than a `choose`, ascending: composites stand as what they start, nested choices are
-  /// multiplied in. What holds them is not told.
+  /// multiplied in.
   std::vector<LocationId> started;
   std::vector<GuardedArc> arcs;
   bool operator==(const TransitionFunction&) const = default;
