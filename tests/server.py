@@ -268,6 +268,43 @@ def diagnostics(program, folder):
     client.end()
 
 
+def lints(program, folder):
+    """Lint comes after a pause, in the background, and goes with the edit that mends what it found."""
+
+    def wait_for(expected: list[str]) -> None:
+        while [" ".join(finding.split()[:2]) for finding in client.findings("start.rmpl")] != expected:
+            client.read()
+
+    client = Client(program, folder)
+    client.start()
+    client.open("start.rmpl")
+    same(client.findings("start.rmpl"), [])
+    wait_for(["RMPL0510 7:5"])
+    assert "**RMPL0510**" in hovers(client, "start.rmpl", 7, 6)
+    client.change("start.rmpl", "what", (7, 16), (7, 22))  # what = off
+    wait_for([])
+    client.change("start.rmpl", "engin", (2, 2), (2, 8))  # what does not compile is not linted
+    wait_for(["RMPL0308 2:2"])
+    for _ in range(20):  # an edit overtakes the lint of the one before it
+        client.change("start.rmpl", PROGRAM)
+    wait_for(["RMPL0510 7:5"])
+    client.change("start.rmpl", PROGRAM.replace("{ engine = off }", "{ what = off; what = on, spare = off }"))
+    while not any(finding.startswith("RMPL0514") for finding in client.findings("start.rmpl")):
+        client.read()
+    actions = client.get("textDocument/codeAction", textDocument={"uri": client.uri("start.rmpl")},
+                         range={"start": place(7, 0), "end": place(7, 60)}, context={"diagnostics": []})
+    same([edit["newText"] for edit in actions[0]["edit"]["changes"][client.uri("start.rmpl")]], ["{ ", " }"])
+    (folder / "rmpl.ini").write_text("[lint]\nunused = of\n", encoding="utf-8")
+    client.change("start.rmpl", PROGRAM)
+    while not any("not linted" in told["params"].get("message", "") for told in client.told):
+        client.read()
+    (folder / "rmpl.ini").write_text("[lint]\nunused = off\n", encoding="utf-8")
+    client.change("start.rmpl", PROGRAM + "\n")
+    client.change("start.rmpl", PROGRAM)
+    same(client.findings("start.rmpl"), [])
+    client.end()
+
+
 def formats(program, folder):
     client = Client(program, folder)
     client.start()
@@ -416,7 +453,7 @@ def outline(program, folder):
     client.end()
 
 
-TESTS = [lifecycle, abuse, diagnostics, formats, names, renaming, completing, outline]
+TESTS = [lifecycle, abuse, diagnostics, lints, formats, names, renaming, completing, outline]
 
 
 def main(root: str, programs: str) -> int:

@@ -16,7 +16,7 @@ namespace {
 class Session {
  public:
   Session()
-      : server_(texts_, {"fuzz", {}}, [](const std::string& sent) {
+      : server_(texts_, {"fuzz", {}, false}, [](const std::string& sent) {
           if (!tools::Json::accept(sent)) std::abort();
         }) {}
 

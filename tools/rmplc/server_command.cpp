@@ -33,6 +33,17 @@ bool is_ready(int descriptor) {
   return poll(&wanted, 1, 0) > 0;
 }
 
+/// Waits for bytes, or their end, while the server uses the time.
+void wait_for_input(Server& server) {
+  for (;;) {
+    const Pause pause = server.pause();
+    std::array<pollfd, 2> wanted{{{STDIN_FILENO, POLLIN, 0}, {pause.descriptor, POLLIN, 0}}};
+    const int ready = poll(wanted.data(), wanted.size(), pause.milliseconds);
+    if (wanted[0].revents != 0 || (ready < 0 && errno != EINTR)) return;
+    if (ready >= 0) server.rest();
+  }
+}
+
 /// Reads what there is, waiting for the first byte. False at the end.
 bool read_some(Frames& frames) {
   std::array<char, 1 << 16> bytes;
@@ -67,6 +78,7 @@ ExitStatus run() {
       server.work();
     } else if (more) {
       server.idle();
+      wait_for_input(server);
       more = read_some(frames);
     } else {
       break;

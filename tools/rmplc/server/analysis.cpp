@@ -38,6 +38,20 @@ std::optional<std::uint32_t> Analysis::find(const std::string& identity) const {
 
 bool Analysis::depends_on(const std::string& identity) const { return find(identity).has_value(); }
 
+bool Analysis::awaits_lint() const {
+  if (linted_ || !compilation_.ok()) return false;
+  return !compilation_.document().plants.empty() || !compilation_.document().programs.empty();
+}
+
+std::vector<grammar::Diagnostic> Analysis::lint(const compiler::LintSettings& settings) const {
+  return compiler::lint(compilation_, settings).sorted();
+}
+
+void Analysis::take_lint(std::optional<Json> findings) {
+  linted_ = true;
+  lint_findings_ = std::move(findings);
+}
+
 const compiler::NameIndex& Analysis::names() const {
   if (!names_) names_ = compilation_.names();
   return *names_;

@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "compiler/lint/lint.hpp"
 #include "compiler/session/compiler.hpp"
 #include "compiler/session/files.hpp"
 #include "compiler/session/name_scopes.hpp"
 #include "compiler/session/names.hpp"
+#include "tools/rmplc/server/message.hpp"
 #include "tools/rmplc/server/units.hpp"
 
 namespace rmpl::tools {
@@ -32,6 +34,14 @@ class Analysis {
   /// Whether a change of this source may change what is known.
   [[nodiscard]] bool depends_on(const std::string& identity) const;
 
+  /// Whether it can be linted, and was not. Of what a lone file is there for, nothing can be said.
+  [[nodiscard]] bool awaits_lint() const;
+  /// Lints it: seconds, for a large plant.
+  [[nodiscard]] std::vector<grammar::Diagnostic> lint(const compiler::LintSettings& settings) const;
+  /// What came of linting it, ready for the client (`findings_of`); nothing where it failed.
+  void take_lint(std::optional<Json> findings);
+  [[nodiscard]] const std::optional<Json>& lint_findings() const { return lint_findings_; }
+
   [[nodiscard]] const compiler::NameIndex& names() const;
   [[nodiscard]] const compiler::NameScopes& scopes() const;
 
@@ -40,6 +50,8 @@ class Analysis {
   compiler::Compilation compilation_;
   std::vector<grammar::Diagnostic> diagnostics_;
   std::vector<std::string> identities_;  ///< per source
+  bool linted_ = false;
+  std::optional<Json> lint_findings_;
   mutable std::optional<compiler::NameIndex> names_;
   mutable std::optional<compiler::NameScopes> scopes_;
 };

@@ -1,7 +1,10 @@
 // Diagnostics as the protocol has them, and the edits that put them right.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "tools/rmplc/server/features.hpp"
@@ -73,7 +76,33 @@ bool wants_quick_fixes(const Json& params) {
   return std::any_of(only->begin(), only->end(), [](const Json& kind) { return kind == "quickfix" || kind == ""; });
 }
 
+std::pair<std::uint32_t, std::uint32_t> place_of(const Json& position) {
+  return {number_member(position, "line"), number_member(position, "character")};
+}
+
 }  // namespace
+
+Json findings_of(std::span<const grammar::Diagnostic> diagnostics, const Analysis& analysis,
+                 const Workspace& workspace) {
+  Json findings = Json::array();
+  for (const grammar::Diagnostic& diagnostic : diagnostics) {
+    Json one = {{"uri", uri_of(workspace, analysis, diagnostic.span)},
+                {"diagnostic", to_protocol(diagnostic, analysis, workspace)}};
+    if (!diagnostic.fix.empty()) one["action"] = action_of(diagnostic, analysis, workspace);
+    findings.push_back(std::move(one));
+  }
+  return findings;
+}
+
+Json findings_of(const Analysis& analysis, const Workspace& workspace) {
+  if (analysis.lint_findings()) return *analysis.lint_findings();
+  return findings_of(analysis.diagnostics(), analysis, workspace);
+}
+
+bool touch(const Json& range, const Json& other) {
+  return place_of(member(range, "start")) <= place_of(member(other, "end")) &&
+         place_of(member(range, "end")) >= place_of(member(other, "start"));
+}
 
 std::map<std::string, Json> diagnostics_by_uri(Workspace& workspace) {
   std::map<std::string, Json> found;
@@ -81,14 +110,11 @@ std::map<std::string, Json> diagnostics_by_uri(Workspace& workspace) {
   for (const auto& [uri, document] : workspace.documents().all()) found[uri] = Json::array();
   for (const auto& analysis : workspace.analyses()) {
     if (!analysis) continue;
-    std::vector<std::string> uris;
-    for (const compiler::File& file : analysis->files()) {
-      uris.push_back(workspace.documents().uri_of(analysis->sources()[file.index].name()));
-      found.try_emplace(uris.back(), Json::array());
-    }
-    for (const grammar::Diagnostic& diagnostic : analysis->diagnostics()) {
-      Json one = to_protocol(diagnostic, *analysis, workspace);
-      const std::string& uri = uris[diagnostic.span.file];
+    for (const compiler::File& file : analysis->files())
+      found.try_emplace(workspace.documents().uri_of(analysis->sources()[file.index].name()), Json::array());
+    for (Json& finding : findings_of(*analysis, workspace)) {
+      const std::string uri = finding["uri"];
+      Json& one = finding["diagnostic"];
       if (told[uri].insert(one.dump(-1, ' ', false, Json::error_handler_t::replace)).second)
         found[uri].push_back(std::move(one));
     }
@@ -100,18 +126,15 @@ Json code_actions(Workspace& workspace, const Json& params) {
   Json actions = Json::array();
   const OpenDocument& document = workspace.documents().of(params);
   const Json& range = member(params, "range");
-  const std::uint32_t begin = offset_of(*document.source, member(range, "start"));
-  const std::uint32_t end = offset_of(*document.source, member(range, "end"));
+  offset_of(*document.source, member(range, "start"));  // must be places
+  offset_of(*document.source, member(range, "end"));
   if (!wants_quick_fixes(params)) return actions;
-  const std::string identity = workspace.texts().identity(document.path);
   for (const auto& analysis : workspace.analyses()) {
-    const auto file = analysis ? analysis->find(identity) : std::nullopt;
-    if (!file) continue;
-    for (const grammar::Diagnostic& diagnostic : analysis->diagnostics()) {
-      const bool touched =
-          diagnostic.span.file == *file && diagnostic.span.begin <= end && diagnostic.span.end >= begin;
-      if (!touched || diagnostic.fix.empty()) continue;
-      Json action = action_of(diagnostic, *analysis, workspace);
+    if (!analysis) continue;
+    for (Json& finding : findings_of(*analysis, workspace)) {
+      const bool here = finding["uri"] == document.uri && finding.contains("action");
+      if (!here || !touch(finding["diagnostic"]["range"], range)) continue;
+      Json& action = finding["action"];
       if (std::find(actions.begin(), actions.end(), action) == actions.end()) actions.push_back(std::move(action));
     }
   }

@@ -3,12 +3,23 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 
 #include "tools/rmplc/server/message.hpp"
 #include "tools/rmplc/server/workspace.hpp"
 
 namespace rmpl::tools {
+
+/// Diagnostics of a unit, ready for the client: each {"uri", "diagnostic"}, and an "action" where there is a fix.
+Json findings_of(std::span<const grammar::Diagnostic> diagnostics, const Analysis& analysis,
+                 const Workspace& workspace);
+
+/// All that there is to tell of a unit, in that form. Once it was linted, lint has the warnings of the compiler too, at
+/// their levels.
+Json findings_of(const Analysis& analysis, const Workspace& workspace);
+/// Whether two ranges of a document have a place in common.
+bool touch(const Json& range, const Json& other);
 
 /// The diagnostics of all files that were read, by URI; an empty array for a file without any.
 std::map<std::string, Json> diagnostics_by_uri(Workspace& workspace);

@@ -191,15 +191,16 @@ class Card {
 };
 
 /// What the codes of the diagnostics at a place mean.
-std::string explained(const Spot& spot) {
+std::string explained(const Workspace& workspace, const Spot& spot, const Json& params) {
+  const std::string uri = workspace.documents().of(params).uri;
+  const Json& position = member(params, "position");
   std::string text;
-  for (const grammar::Diagnostic& diagnostic : spot.analysis->diagnostics()) {
-    const bool here =
-        diagnostic.span.file == spot.file && diagnostic.span.begin <= spot.offset && spot.offset <= diagnostic.span.end;
-    if (!here) continue;
-    const grammar::CodeInfo& info = grammar::info(diagnostic.code);
-    text += "**" + grammar::to_string(diagnostic.code) + "**: " + std::string(info.title) + "\n\n" +
-            std::string(info.explanation) + "\n\n";
+  for (const Json& finding : findings_of(*spot.analysis, workspace)) {
+    const Json& diagnostic = finding["diagnostic"];
+    if (finding["uri"] != uri || !touch(diagnostic["range"], {{"start", position}, {"end", position}})) continue;
+    const std::string code = diagnostic["code"];
+    const grammar::CodeInfo& info = grammar::info(*grammar::find_code(code));
+    text += "**" + code + "**: " + std::string(info.title) + "\n\n" + std::string(info.explanation) + "\n\n";
   }
   return text;
 }
@@ -209,7 +210,7 @@ std::string explained(const Spot& spot) {
 Json hover(Workspace& workspace, const Json& params) {
   const Spot spot = workspace.spot(params);
   const auto mention = mention_at(spot);
-  std::string text = explained(spot);
+  std::string text = explained(workspace, spot, params);
   if (mention) {
     const Declaration declared = find_declaration(spot.analysis->file(mention->declaration.file), mention->declaration);
     if (declared.statement.end > 0) text += Card(*spot.analysis, declared, *mention).text();

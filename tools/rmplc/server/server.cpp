@@ -50,7 +50,10 @@ Json capabilities() {
 }  // namespace
 
 Server::Server(compiler::Provider& texts, Surroundings around, std::function<void(const std::string&)> send)
-    : workspace_(texts, std::move(around.pages)), version_(std::move(around.version)), send_(std::move(send)) {}
+    : workspace_(texts, std::move(around.pages)),
+      version_(std::move(around.version)),
+      send_(std::move(send)),
+      lints_(around.lints) {}
 
 void Server::receive(const Frame& frame) {
   Json id;
@@ -80,6 +83,19 @@ void Server::work() {
 void Server::idle() {
   if (!std::exchange(changed_, false) || stage_ != Stage::running) return;
   try {
+    publish();
+  } catch (const std::exception& error) {
+    tell(error.what());
+  }
+}
+
+Pause Server::pause() { return lints_ && stage_ == Stage::running ? linting_.pause(workspace_) : Pause{}; }
+
+void Server::rest() {
+  if (!lints_ || stage_ != Stage::running) return;
+  try {
+    if (!linting_.rest(workspace_)) return;
+    if (!linting_.complaint().empty()) tell("not linted: " + linting_.complaint());
     publish();
   } catch (const std::exception& error) {
     tell(error.what());

@@ -10,6 +10,7 @@
 
 #include "compiler/session/provider.hpp"
 #include "tools/rmplc/server/framing.hpp"
+#include "tools/rmplc/server/linting.hpp"
 #include "tools/rmplc/server/message.hpp"
 #include "tools/rmplc/server/workspace.hpp"
 
@@ -22,6 +23,7 @@ class Server {
   struct Surroundings {
     std::string version;
     std::string pages;  ///< the folder with a page for each code of a diagnostic; empty where there is none
+    bool lints = true;  ///< whether what compiles is linted, by child processes
   };
   /// `texts` gives what is not open, and must live as long. `send` takes each message that goes out.
   Server(compiler::Provider& texts, Surroundings around, std::function<void(const std::string&)> send);
@@ -34,6 +36,10 @@ class Server {
   void work();
   /// Nothing waits: tells the diagnostics of what has changed.
   void idle();
+  /// After `idle`: what to wait for besides the client, before `rest`.
+  Pause pause();
+  /// The pause is over, and nothing has come: lints, and tells what lint found.
+  void rest();
 
   /// Whether the client has said `exit`.
   [[nodiscard]] bool ended() const { return stage_ == Stage::ended; }
@@ -56,8 +62,10 @@ class Server {
   std::function<void(const std::string&)> send_;
   Stage stage_ = Stage::fresh;
   bool shut_down_ = false;
+  bool lints_;
   bool changed_ = false;  ///< since diagnostics were told
   std::deque<Incoming> waiting_;
+  Linting linting_;
   std::set<std::string> cancelled_;               ///< ids of waiting requests, as JSON
   std::map<std::string, std::string> published_;  ///< by URI, what was told last
 };

@@ -39,7 +39,7 @@ void Workspace::disk_changed() {
 void Workspace::bring_up_to_date() {
   if (std::exchange(units_are_old_, false)) {
     std::vector<Unit> units = units_of(documents_, references_, texts_);
-    std::vector<std::unique_ptr<Analysis>> analyses(units.size());
+    std::vector<std::shared_ptr<Analysis>> analyses(units.size());
     for (std::size_t u = 0; u < units.size(); ++u) {
       const auto same = std::find(units_.begin(), units_.end(), units[u]);
       if (same != units_.end()) analyses[u] = std::move(analyses_[static_cast<std::size_t>(same - units_.begin())]);
@@ -51,14 +51,14 @@ void Workspace::bring_up_to_date() {
   for (std::size_t u = 0; u < units_.size(); ++u) {
     if (analyses_[u]) continue;
     try {
-      analyses_[u] = std::make_unique<Analysis>(units_[u], texts_);
+      analyses_[u] = std::make_shared<Analysis>(units_[u], texts_);
     } catch (const base::InputError&) {
       continue;  // a file beside an open one that cannot be read: it is looked at again when the disk changes
     }
   }
 }
 
-const std::vector<std::unique_ptr<Analysis>>& Workspace::analyses() {
+const std::vector<std::shared_ptr<Analysis>>& Workspace::analyses() {
   bring_up_to_date();
   return analyses_;
 }

@@ -39,7 +39,7 @@ class Workspace {
   [[nodiscard]] compiler::Overlay& texts() { return texts_; }
   [[nodiscard]] const std::string& pages() const { return pages_; }
   /// What is known of every unit, up to date.
-  const std::vector<std::unique_ptr<Analysis>>& analyses();
+  const std::vector<std::shared_ptr<Analysis>>& analyses();
   /// The first unit with the document `params.textDocument`; null where it is in no unit.
   const Analysis* analysis_of(const OpenDocument& document);
   /// The place that `params.textDocument` and `params.position` name. Throws RpcError where the document is in no unit.
@@ -53,7 +53,7 @@ class Workspace {
   References references_;
   std::string pages_;
   std::vector<Unit> units_;
-  std::vector<std::unique_ptr<Analysis>> analyses_;
+  std::vector<std::shared_ptr<Analysis>> analyses_;
   bool units_are_old_ = false;
   bool analyses_are_old_ = false;
 };
