@@ -12,7 +12,7 @@
 namespace rmpl::automata {
 namespace {
 
-constexpr std::size_t most_listed = std::size_t{1} << 12;    // ways out of one marking
+constexpr std::size_t most_starts = std::size_t{1} << 20;
 constexpr std::size_t most_markings = std::size_t{1} << 16;  // that are kept
 constexpr std::size_t most_inputs = std::size_t{1} << 8;     // commands, and readings, that are kept
 
@@ -24,7 +24,8 @@ std::size_t MarkingStep::Hash::operator()(const Marking& marking) const noexcept
   return hash;
 }
 
-MarkingStep::MarkingStep(const ModelProgram& program) : rules_(program), store_(program, rules_.conditions()) {
+MarkingStep::MarkingStep(const ModelProgram& program, std::size_t most_ways)
+    : most_ways_(most_ways), rules_(program), store_(program, rules_.conditions()) {
   command(Command(program.controls.size()));
   observe({});
 }
@@ -44,6 +45,8 @@ bool MarkingStep::forget_but(const std::vector<Number>& kept) {
   const Command now = *command_;
   const Observation seen = *observation_;
   markings_.clear();
+  wholes_.clear();
+  values_.clear();
   numbers_.clear();
   possible_.clear();
   by_command_.clear();
@@ -72,6 +75,18 @@ auto& MarkingStep::slot(Answers& answers, Number marking) {
   return answers[marking];
 }
 
+const Marking& MarkingStep::whole(Number number) {
+  Marking& known = slot(wholes_, number);
+  if (known.empty()) known = rules_.whole(markings_[number]);
+  return known;
+}
+
+const std::vector<Assignment>& MarkingStep::values(Number number) {
+  auto& known = slot(values_, number);
+  if (!known) known = store_.values(markings_[number]);
+  return *known;
+}
+
 bool MarkingStep::possible(Number marking) {
   Known& known = slot(possible_, marking);
   if (known == Known::open) known = store_.possible(markings_[marking]) ? Known::yes : Known::no;
@@ -96,19 +111,19 @@ const MarkingMoves& MarkingStep::moves(Number marking) {
 
 const MarkingStep::Ways& MarkingStep::ways(Number marking) {
   if (auto& known = slot(commanded_->ways, marking)) return *known;
-  Ways found = permits(marking) ? listed(moves(marking)) : Ways(std::in_place);
+  Ways found = permits(marking) ? listed(moves(marking), most_ways_) : Ways(std::in_place);
   auto& known = slot(commanded_->ways, marking);
   known = std::make_unique<const Ways>(std::move(found));
   return *known;
 }
 
-MarkingStep::Ways MarkingStep::initial() { return listed(rules_.initial()); }
+MarkingStep::Ways MarkingStep::initial() { return listed(rules_.initial(), most_starts); }
 
-MarkingStep::Ways MarkingStep::listed(const MarkingMoves& moves) {
+MarkingStep::Ways MarkingStep::listed(const MarkingMoves& moves, std::size_t most) {
   std::size_t size = 1;
   for (const auto& part : moves.parts) {
     size *= part.size();
-    if (size > most_listed) return std::nullopt;
+    if (size > most) return std::nullopt;
   }
   std::vector<std::pair<Marking, double>> all{{moves.certain, 1.0}};
   for (const auto& part : moves.parts) {
@@ -131,6 +146,10 @@ MarkingStep::Ways MarkingStep::listed(const MarkingMoves& moves) {
     if (probability > 0 && possible(target)) result->push_back({target, probability});
   }
   return result;
+}
+
+Marking MarkingStep::conflict(Number marking, bool seen) {
+  return store_.conflict(markings_[marking], seen ? *observation_ : Observation{});
 }
 
 double MarkingStep::factor(Number marking) {

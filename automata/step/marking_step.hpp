@@ -28,7 +28,8 @@ class MarkingStep {
   /// In order of marking; nothing where they were too many to be listed.
   using Ways = std::optional<std::vector<Way>>;
 
-  explicit MarkingStep(const ModelProgram& program);
+  /// `most_ways`: out of one marking, that are listed.
+  explicit MarkingStep(const ModelProgram& program, std::size_t most_ways = std::size_t{1} << 12);
 
   [[nodiscard]] const ModelProgram& program() const { return rules_.program(); }
   [[nodiscard]] const MarkingRules& rules() const { return rules_; }
@@ -37,6 +38,8 @@ class MarkingStep {
   /// The number of a marking, given by its primitive locations, and the marking of a number.
   Number number(const Marking& primitive);
   [[nodiscard]] const Marking& operator[](Number number) const { return markings_[number]; }
+  /// The same with the composites that hold them. Lasts until the next call.
+  const Marking& whole(Number number);
   /// Forgets what is not among these markings, and gives them new numbers, 0, 1, …, where too much is kept; whether it
   /// did.
   bool forget_but(const std::vector<Number>& kept);
@@ -45,6 +48,8 @@ class MarkingStep {
   void command(const Command& command);
   void observe(const Observation& observation);
 
+  /// What the store of a possible marking entails, by variable. Lasts until the next call.
+  const std::vector<Assignment>& values(Number marking);
   /// The start markings that are consistent; not normalised.
   Ways initial();
   /// Whether the store of the marking can hold, and whether it can together with the command.
@@ -55,6 +60,8 @@ class MarkingStep {
   const MarkingMoves& moves(Number marking);
   /// The same listed; without an entry where the command does not permit the marking. Lasts as long.
   const Ways& ways(Number marking);
+  /// Of a marking that cannot be, or with `seen` does not explain what is seen: the locations to blame.
+  Marking conflict(Number marking, bool seen);
   /// The observation factor.
   double factor(Number marking);
 
@@ -66,13 +73,16 @@ class MarkingStep {
     std::vector<std::unique_ptr<const MarkingMoves>> moves;
     std::vector<std::unique_ptr<const Ways>> ways;
   };
-  Ways listed(const MarkingMoves& moves);
+  Ways listed(const MarkingMoves& moves, std::size_t most);
   template <class Answers>
   auto& slot(Answers& answers, Number marking);
 
+  std::size_t most_ways_;
   MarkingRules rules_;
   MarkingStore store_;
   std::vector<Marking> markings_;
+  std::vector<Marking> wholes_;  ///< empty where it was not asked for
+  std::vector<std::optional<std::vector<Assignment>>> values_;
   struct Hash {
     std::size_t operator()(const Marking& marking) const noexcept;
   };

@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "automata/step/marking_step.hpp"
+#include "runtime/reasoning/estimate/marking_estimator.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate_model_program.hpp"
 #include "tests/reference/model_program.hpp"
@@ -70,6 +76,162 @@ RC_GTEST_PROP(ModelPrograms, TheStepIsTheEnumeration, ()) {
       }
     }
     reached = next;
+  }
+}
+
+using runtime::MarkingOptions;
+
+MarkingBelief belief_of(runtime::MarkingEstimator& estimator) {
+  MarkingBelief result;
+  double before = 1;
+  for (const runtime::MarkingEntry& entry : estimator.belief()) {
+    RC_ASSERT(entry.probability <= before * (1 + 1e-11));
+    before = entry.probability;
+    result[set_of(entry.marking)] = entry.probability;
+  }
+  return result;
+}
+
+/// The k most probable, and whether no tie makes that unclear.
+std::pair<MarkingBelief, bool> best_of(const MarkingBelief& belief, std::size_t k) {
+  std::vector<std::pair<double, MarkedSet>> all;
+  for (const auto& [marking, probability] : belief) all.emplace_back(probability, marking);
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const bool clear = all.size() <= k || all[k - 1].first > all[k].first * (1 + 1e-9);
+  if (all.size() > k) all.resize(k);
+  MarkingBelief result;
+  double sum = 0;
+  for (const auto& [probability, marking] : all) sum += probability;
+  for (const auto& [probability, marking] : all) result[marking] = probability / sum;
+  return {result, clear};
+}
+
+/// Several programs side by side, which share nothing.
+ModelProgram beside(const ModelProgram& a, const ModelProgram& b) {
+  ModelProgram both;
+  both.name = "Both";
+  both.locations.emplace_back().composite = true;
+  for (const ModelProgram* part : {&a, &b}) {
+    const std::size_t variables = both.variables.size();
+    const std::size_t locations = both.locations.size();
+    const auto variable = [&](automata::VariableId v) { return automata::VariableId(v.index() + variables); };
+    const auto formula = [&](automata::Formula& f) {
+      f = renamed(f, variable, [](automata::VariableId, automata::ValueId value) { return value; });
+    };
+    const auto location = [&](automata::LocationId& l) { l = automata::LocationId(l.index() + locations); };
+    const auto arcs = [&](std::vector<automata::GuardedArc>& some) {
+      for (automata::GuardedArc& arc : some) {
+        location(arc.target);
+        for (automata::Condition& guard : arc.guard) formula(guard.constraint);
+      }
+    };
+    for (automata::Variable v : part->variables) {
+      v.name += part == &a ? "a" : "b";
+      both.variables.add(v);
+    }
+    for (const auto& c : part->controls) both.controls.push_back({variable(c.variable), c.idle});
+    for (const auto v : part->observables) both.observables.push_back(variable(v));
+    for (automata::Interconnection told : part->constraints) {
+      formula(told.constraint);
+      both.constraints.push_back(told);
+    }
+    for (automata::ModelLocation l : part->locations) {
+      if (l.parent) location(*l.parent);
+      if (!l.parent) {
+        l.parent = automata::LocationId(0);
+        l.start = true;
+      }
+      formula(l.told);
+      formula(l.maintenance.constraint);
+      arcs(l.arcs);
+      for (automata::TransitionFunction& function : l.functions) {
+        for (automata::LocationId& s : function.started) location(s);
+        arcs(function.arcs);
+      }
+      both.locations.push_back(std::move(l));
+    }
+    for (automata::InitialDraw draw : part->initial) {
+      location(draw.choice);
+      for (auto& branch : draw.branches) {
+        for (automata::LocationId& s : branch.started) location(s);
+      }
+      both.initial.push_back(std::move(draw));
+    }
+  }
+  return both;
+}
+
+ModelProgram one_or_two() {
+  const ModelProgram one = (*model_programs(5)).program;
+  if (chance(60)) return one;
+  return beside((*model_programs(2)).program, (*model_programs(3)).program);
+}
+
+/// An estimator that keeps all, beside the twin.
+void is_exact(const MarkingOptions& options) {
+  const ModelProgram program = one_or_two();
+  const std::vector<ModelInput> inputs = *model_inputs(program, 5);
+  const reference::ModelProgramStep slow(program);
+  const auto fast = runtime::make_marking_estimator(program, options);
+  reference::MarkingUpdate expected = reference::start(slow, {});
+  RC_ASSERT(fast->estimate().possible == expected.possible);
+  if (!expected.possible) return;
+  if (chance(50)) {
+    expected = reference::start(slow, inputs.front().observation);
+    RC_ASSERT(fast->start(inputs.front().observation).explained == expected.explained);
+  }
+  same(belief_of(*fast), expected.belief);
+  for (const ModelInput& input : inputs) {
+    expected = reference::update(slow, expected.belief, commands_of(program, input), input.observation);
+    const runtime::MarkingEstimate estimate = fast->update(input.command, input.observation);
+    RC_ASSERT(estimate.explained == expected.explained);
+    RC_ASSERT(estimate.possible == expected.possible);
+    same(belief_of(*fast), expected.belief);
+  }
+}
+
+RC_GTEST_PROP(ModelPrograms, ExactIsTheSum, ()) { is_exact({.kind = MarkingOptions::Kind::exact}); }
+
+RC_GTEST_PROP(ModelPrograms, KBestThatKeepsAllIsExact, ()) {
+  is_exact({.kind = MarkingOptions::Kind::k_best, .k = 100'000, .most_summed = chance(50) ? 1u : 256u});
+}
+
+/// From belief to belief: the k most probable of the posterior that follows from those that were kept.
+RC_GTEST_PROP(ModelPrograms, KBestKeepsTheBest, ()) {
+  const ModelProgram program = (*model_programs()).program;
+  const std::vector<ModelInput> inputs = *model_inputs(program, 5);
+  const std::size_t k = up_to(1, 4);
+  const reference::ModelProgramStep slow(program);
+  const auto fast = runtime::make_marking_estimator(
+      program, {.kind = MarkingOptions::Kind::k_best, .k = k, .most_summed = chance(70) ? 1u : 256u});
+  if (!fast->estimate().possible || fast->groups() > 1) return;
+  for (const ModelInput& input : inputs) {
+    const MarkingBelief before = belief_of(*fast);
+    RC_ASSERT(before.size() <= k);
+    const auto all = reference::update(slow, before, commands_of(program, input), input.observation);
+    const runtime::MarkingEstimate estimate = fast->update(input.command, input.observation);
+    RC_ASSERT(estimate.explained == all.explained);
+    RC_ASSERT(estimate.possible == all.possible);
+    const auto [expected, clear] = best_of(all.belief, k);
+    if (clear) same(belief_of(*fast), expected);
+  }
+}
+
+RC_GTEST_PROP(ModelPrograms, TheBeamIsThePapers, ()) {
+  const ModelProgram program = one_or_two();
+  const std::vector<ModelInput> inputs = *model_inputs(program, 5);
+  const std::size_t k = up_to(1, 4);
+  const reference::ModelProgramStep slow(program);
+  const auto fast = runtime::make_marking_estimator(program, {.kind = MarkingOptions::Kind::beam, .k = k});
+  if (!fast->estimate().possible) return;
+  for (const ModelInput& input : inputs) {
+    bool clear = true;
+    const auto expected =
+        reference::beam(slow, belief_of(*fast), commands_of(program, input), input.observation, k, clear);
+    const runtime::MarkingEstimate estimate = fast->update(input.command, input.observation);
+    RC_ASSERT(estimate.explained == expected.explained);
+    RC_ASSERT(estimate.possible == expected.possible);
+    if (clear) same(belief_of(*fast), expected.belief);
   }
 }
 

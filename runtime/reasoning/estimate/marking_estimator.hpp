@@ -1,0 +1,71 @@
+// Mode estimation of model programs (semantics 8; ijcai01): beliefs over markings.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "automata/phca.hpp"
+#include "automata/state.hpp"
+#include "automata/step/marking_store.hpp"
+#include "automata/step/program_rules.hpp"
+
+namespace rmpl::runtime {
+
+/// A marking, composites included, with its probability.
+struct MarkingEntry {
+  automata::Marking marking;
+  double probability = 0;
+  std::vector<automata::Assignment> values;  ///< what its store entails, by variable
+};
+
+/// Most probable first; ties to the smaller location numbers.
+using MarkingBelief = std::vector<MarkingEntry>;
+
+/// How an update went.
+struct MarkingEstimate {
+  bool explained = true;  ///< false: nothing explains the readings; the belief is the last one predicted forward
+  bool possible = true;   ///< false: no step is possible at all; the belief is the last one
+  bool cut = false;       ///< the limit of candidates ended the search early
+  std::size_t checked = 0;
+};
+
+struct MarkingOptions {
+  enum class Kind {
+    exact,   ///< the whole belief
+    k_best,  ///< of each group of threads the k markings of greatest posterior
+    beam     ///< the paper's: the k markings of greatest predicted probability among those that the readings allow
+  };
+  Kind kind = Kind::k_best;
+  std::size_t k = 16;
+  std::size_t listed = std::numeric_limits<std::size_t>::max();  ///< how many markings `belief` lists
+  std::size_t candidates = 100'000;  ///< k-best: how many an update may check before it is cut
+  std::size_t most_summed = 256;     ///< k-best: ways out of one marking that are still summed; beyond, it searches
+};
+
+/// Starts at time 0 with the initial distribution.
+class MarkingEstimator {
+ public:
+  virtual ~MarkingEstimator() = default;
+  /// Conditions the initial belief on what is seen at time 0, in place of what an earlier call was told. Before the
+  /// first update.
+  virtual const MarkingEstimate& start(const automata::Observation& observation) = 0;
+  /// The belief after a step under the command, and what is seen then. Throws TooManyStates, as the next does.
+  virtual const MarkingEstimate& update(const automata::Command& command, const automata::Observation& observation) = 0;
+  [[nodiscard]] virtual MarkingBelief belief() = 0;
+  /// Of the last update, or of the start: `possible` tells whether there is an initial marking at all.
+  [[nodiscard]] virtual const MarkingEstimate& estimate() const = 0;
+  /// How many independent groups there are.
+  [[nodiscard]] virtual std::size_t groups() const = 0;
+  /// How often the constraint stores were asked since the start, and how often that took a solver.
+  [[nodiscard]] virtual std::size_t questions() = 0;
+  [[nodiscard]] virtual std::size_t solver_calls() = 0;
+};
+
+/// Keeps a reference to the program.
+std::unique_ptr<MarkingEstimator> make_marking_estimator(const automata::ModelProgram& program,
+                                                         const MarkingOptions& options);
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,37 @@
+// Markings of a whole model program, and what they entail, from those of its groups.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "automata/step/program_rules.hpp"
+#include "runtime/reasoning/estimate/marking_groups.hpp"
+
+namespace rmpl::runtime {
+
+/// `parts`: by group, composites included.
+inline automata::Marking joined(const MarkingGroups& groups, const std::vector<const automata::Marking*>& parts) {
+  automata::Marking result;
+  for (std::size_t g = 0; g < parts.size(); ++g) {
+    for (const automata::LocationId l : *parts[g]) result.push_back(groups[g].locations[l.index()]);
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// What the groups' markings entail of the whole program's variables.
+inline std::vector<automata::Assignment> joined(const MarkingGroups& groups,
+                                                const std::vector<const std::vector<automata::Assignment>*>& parts) {
+  std::vector<automata::Assignment> result = groups.always();
+  for (std::size_t g = 0; g < parts.size(); ++g) {
+    for (const automata::Assignment& a : *parts[g])
+      result.push_back({groups[g].variables[a.variable.index()], a.value});
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace rmpl::runtime
