@@ -142,6 +142,21 @@ const std::vector<Output> outputs = {
      "rmpl-run scenario {examples}/propulsion/burn.scn --only 'fire and stop' --trace trace.jsonl > story.txt; cat "
      "trace.jsonl",
      "trace", true},
+    {"TraceOfALivePlant",
+     "rmpl-run execute {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca -q --clock "
+     "lock-step --cycle 10s --duration 3h --exec 'python3 {examples}/../tests/torture/mad_plant.py 1' --trace "
+     "live.jsonl --trace-detail cycles > summary.txt; cat live.jsonl",
+     "trace", true},
+    {"CommandsToALivePlant",
+     "rmpl-run execute {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca -q --clock "
+     "lock-step --duration 60 --exec 'tee commands.jsonl | python3 -u {examples}/live/lander.py' > summary.txt; cat "
+     "commands.jsonl",
+     "live_command", true},
+    {"AnswersOfALivePlant",
+     "rmpl-run execute {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca -q --clock "
+     "lock-step --duration 60 --exec 'python3 -u {examples}/live/lander.py | tee answers.jsonl' > summary.txt; cat "
+     "answers.jsonl",
+     "live_answer", true},
     {"TraceOfBeliefs",
      "rmpl-run scenario {examples}/propulsion/burn.scn --only 'fire and stop' --trace trace.jsonl --trace-detail "
      "beliefs > story.txt; cat trace.jsonl",

@@ -19,6 +19,7 @@ int main(int count, char** arguments) {
                   "Runs timed model-based programs: the executive on a simulated plant, and its parts one by one.",
                   notes);
   add_scenario(program);
+  add_execute(program);
   add_estimate(program);
   add_sequence(program);
   add_plan(program);

@@ -9,7 +9,7 @@
 #include "runtime/executive/cycle/executive.hpp"
 #include "runtime/executive/plant/scripted_plant.hpp"
 #include "runtime/executive/plant/simulated_plant.hpp"
-#include "runtime/reasoning/reconfigure/one_step.hpp"
+#include "runtime/executive/scenario/engines.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -18,29 +18,6 @@ std::unique_ptr<PlantInterface> make_plant(const automata::Plant& model, const a
                                            std::uint64_t seed) {
   if (scenario.rules_only) return std::make_unique<ScriptedPlant>(model, scenario);
   return std::make_unique<SimulatedPlant>(model, scenario, seed);
-}
-
-std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const ScenarioOptions& options) {
-  EstimatorOptions estimator;
-  estimator.k = options.k;
-  estimator.live_clocks_only = true;
-  switch (options.engine) {
-    case ScenarioOptions::Engine::exact:
-      return make_exact_estimator(step, estimator);
-    case ScenarioOptions::Engine::k_best:
-      return make_k_best_estimator(step, estimator);
-  }
-  return nullptr;
-}
-
-std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const ScenarioOptions& options) {
-  switch (options.recovery) {
-    case ScenarioOptions::Recovery::planner:
-      return make_reconfigurer(step, options.graph);
-    case ScenarioOptions::Recovery::one_step:
-      return make_one_step_reconfigurer(step, options.graph);
-  }
-  return nullptr;
 }
 
 std::unique_ptr<Clock> make_clock(const ScenarioOptions& options) {

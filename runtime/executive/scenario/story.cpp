@@ -156,6 +156,16 @@ void Story::tell_events(const CycleRecord& record) {
       case Event::Kind::cut:
         line(record.time, "surprise", painter_.bad(event.message), event.component);
         break;
+      case Event::Kind::connected:
+        line(record.time, "plant", event.message, event.component);
+        break;
+      case Event::Kind::gone:
+      case Event::Kind::refused:
+      case Event::Kind::late:
+      case Event::Kind::flood:
+      case Event::Kind::unacknowledged:
+        line(record.time, "plant", painter_.bad(event.message), event.component);
+        break;
       case Event::Kind::irreversible:
         break;  // the command itself is told; that it is final is for the trace
     }

@@ -20,6 +20,18 @@ std::string_view name_of(Event::Kind kind) {
       return "cut";
     case Event::Kind::forced:
       return "forced";
+    case Event::Kind::connected:
+      return "connected";
+    case Event::Kind::gone:
+      return "gone";
+    case Event::Kind::refused:
+      return "refused";
+    case Event::Kind::late:
+      return "late";
+    case Event::Kind::flood:
+      return "flood";
+    case Event::Kind::unacknowledged:
+      return "unacknowledged";
   }
   CHECK(false && "every kind of event has a name");
   return {};

@@ -19,7 +19,14 @@ struct Event {
     irreversible,   ///< the command leads where no nominal sequence leads back from
     inconsistent,   ///< no extension explains the observations (semantics 4); the sequencer does not see them
     cut,            ///< estimation ended early, by a deadline or its limit of candidates
-    forced          ///< the scenario forced a mode in the simulated plant
+    forced,         ///< the scenario forced a mode in the simulated plant
+    // Of a plant outside the process (docs/execute.md):
+    connected,      ///< it is there, or there again
+    gone,           ///< it ended, broke the connection or was replaced
+    refused,        ///< something that it sent is no answer
+    late,           ///< it answered an earlier cycle
+    flood,          ///< it sent far more than one answer in a cycle
+    unacknowledged  ///< it did not answer the command of this cycle while the cycle lasted
   };
   Kind kind = Kind::inconsistent;
   std::string message;                                                             ///< for people; may be empty
@@ -28,7 +35,8 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
-/// The name in traces: `goal-conflict`, `no-plan`, `irreversible`, `inconsistent`, `cut`, `forced`.
+/// The name in traces: `goal-conflict`, `no-plan`, `irreversible`, `inconsistent`, `cut`, `forced`,
+/// `connected`, `gone`, `refused`, `late`, `flood`, `unacknowledged`.
 std::string_view name_of(Event::Kind kind);
 
 }  // namespace rmpl::runtime

@@ -1,0 +1,170 @@
+// rmpl-run execute: the executive on a plant outside the process.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "runtime/executive/live/run.hpp"
+#include "runtime/executive/scenario/story.hpp"
+#include "runtime/executive/trace/trace_writer.hpp"
+#include "tools/rmpl-run/child_plant.hpp"
+#include "tools/rmpl-run/commands.hpp"
+#include "tools/rmpl-run/listening_plant.hpp"
+#include "tools/shared/interruption.hpp"
+#include "tools/shared/models.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+using runtime::LiveResult;
+using runtime::ScenarioOptions;
+using runtime::TraceDetail;
+using Time = runtime::LiveOptions::Time;
+
+struct Options {
+  std::string program;
+  std::string plant;
+  std::string main;
+  std::string command;
+  std::string address;
+  std::string token;
+  bool remote = false;
+  std::string trace;
+  TraceDetail detail = TraceDetail::changes;
+  runtime::LiveRun run;
+};
+
+constexpr const char* footer =
+    R"(Each cycle the plant gets one line, {"cycle":7,"time":3,"until":3.5,"command":{…}}, and answers with
+one, {"cycle":7,"observations":{…}}, before the cycle is over. What it does not say is not observed.
+docs/execute.md has the whole protocol, and what becomes of a plant that is late, dead or mad.
+
+exit code: 0 the program ended, or the duration was over; 2 an input is wrong; 3 interrupted, or no
+plant was there for too long
+
+examples:
+  rmpl-run execute entry.rmpl lander.tcca --exec './simulator.py --seed 1'
+  rmpl-run execute entry.rmpl lander.tcca --listen unix:/run/lander.sock --trace flight.jsonl
+  rmpl-run execute entry.rmpl lander.tcca --exec ./simulator.py --clock lock-step)";
+
+/// The first line of the file; without it nobody is let in.
+std::string read_token(const std::string& path) {
+  std::string token = base::read_file(path);
+  token.resize(std::min(token.find_first_of("\r\n"), token.size()));
+  constexpr std::size_t least = 16, most = 4096;
+  if (token.size() < least || token.size() > most) {
+    throw base::InputError("--token: " + path + ": expected a first line of 16 to 4096 bytes");
+  }
+  return token;
+}
+
+std::unique_ptr<runtime::Channel> make_channel(const Options& options) {
+  if (!options.command.empty()) return std::make_unique<ChildPlant>(options.command, interrupted);
+  if (options.remote && options.token.empty()) {
+    throw base::InputError("--allow-remote: goes only with --token, for everybody could connect");
+  }
+  const std::string token = options.token.empty() ? "" : read_token(options.token);
+  auto channel = std::make_unique<ListeningPlant>(options.address, options.remote, token, interrupted);
+  tell("waiting for a plant at " + channel->address());
+  channel->await_first();
+  return channel;
+}
+
+ExitStatus status_of(LiveResult::End end) {
+  switch (end) {
+    case LiveResult::End::program:
+    case LiveResult::End::duration:
+      return ExitStatus::done;
+    case LiveResult::End::interrupted:
+    case LiveResult::End::abandoned:
+      return ExitStatus::undecided;
+  }
+  return ExitStatus::undecided;
+}
+
+ExitStatus run(const Options& options, const Common& common) {
+  const compiler::Compilation compilation = load({options.program, options.plant}, common, {options.main});
+  const automata::Document& document = compilation.document();
+  const automata::Program& program = only_program(document, options.program);
+  const automata::Plant& plant = only_plant(document, options.plant);
+  std::vector<runtime::CycleObserver*> observers;
+  std::optional<runtime::TraceWriter> trace;
+  if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, program, options.trace, options.detail));
+  const bool exact = options.run.plant.time == Time::lock_step;
+  constexpr automata::Ticks day = automata::Ticks::of_seconds(24L * 3600);
+  const runtime::MomentColumn column(std::min(options.run.duration, day),
+                                     exact ? options.run.cycle : automata::Ticks{1});
+  runtime::Story story(plant, program, column, output_painter(common.color), {},
+                       [](const std::string& line) { print(line + "\n"); });
+  if (!common.quiet) observers.push_back(&story);
+
+  watch_for_interruption();
+  runtime::LiveRun live = options.run;
+  live.plant.interrupted = interrupted;
+  const auto channel = make_channel(options);
+  const LiveResult result = runtime::run_live(program, plant, *channel, live, observers);
+  if (trace) trace->keep();
+  print(runtime::summary(result, live.give_up));
+  return status_of(result.end);
+}
+
+void add_engines(CLI::App& command, ScenarioOptions& engines) {
+  add_choice<ScenarioOptions::Engine>(
+      command, "--estimator", engines.engine,
+      {{"exact", ScenarioOptions::Engine::exact}, {"k-best", ScenarioOptions::Engine::k_best}},
+      "how the executive estimates (default: k-best)");
+  add_k(command, engines.k);
+  add_choice<ScenarioOptions::Recovery>(
+      command, "--reconfigurer", engines.recovery,
+      {{"planner", ScenarioOptions::Recovery::planner}, {"one-step", ScenarioOptions::Recovery::one_step}},
+      "how the executive finds commands (default: planner)");
+}
+
+}  // namespace
+
+void add_execute(Program& program) {
+  CLI::App* command = program.app().add_subcommand("execute", "run a control program on a plant outside the process");
+  const auto options = std::make_shared<Options>();
+  command->add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json")->required();
+  command->add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json")->required();
+  CLI::Option* exec =
+      command->add_option("--exec", options->command, "the plant is this command of the shell")->option_text("COMMAND");
+  CLI::Option* listen =
+      command->add_option("--listen", options->address, "the plant connects to unix:PATH or tcp:HOST:PORT")
+          ->option_text("ADDRESS");
+  require_one(*command, exec, listen);
+  command->add_option("--token", options->token, "let in only who sends the first line of this file first")
+      ->option_text("FILE")
+      ->needs(listen);
+  command->add_flag("--allow-remote", options->remote, "listen for other machines too; takes --token")->needs(listen);
+  add_read(*command, "--cycle", options->run.cycle, positive_duration, "how long a cycle is (default: 0.5 s)")
+      ->option_text("TIME");
+  add_choice<Time>(*command, "--clock", options->run.plant.time, {{"wall", Time::wall}, {"lock-step", Time::lock_step}},
+                   "a cycle takes as long as it says, or until the plant answers\n"
+                   "and time is simulated (default: wall)");
+  add_read(*command, "--patience", options->run.plant.patience, positive_duration,
+           "in lock-step: how long to wait for an answer (default: 10 s)")
+      ->option_text("TIME");
+  add_read(*command, "--duration", options->run.duration, positive_duration, "end after so long")->option_text("TIME");
+  add_read(*command, "--give-up", options->run.give_up, positive_duration,
+           "end where no plant was there for so long (default: 60 s)")
+      ->option_text("TIME");
+  command->add_option("--trace", options->trace, "write what happens, as JSON Lines")->option_text("OUT.jsonl");
+  add_choice<TraceDetail>(
+      *command, "--trace-detail", options->detail,
+      {{"changes", TraceDetail::changes}, {"cycles", TraceDetail::cycles}, {"beliefs", TraceDetail::beliefs}},
+      "what the trace tells: cycles in which something changes, every cycle,\n"
+      "or every cycle with all states that are tracked (default: changes)");
+  add_engines(*command, options->run.engines);
+  command->add_option("--main", options->main, "the definition to run, where several are called by no other")
+      ->option_text("NAME");
+  command->footer(footer);
+  program.add({command,
+               [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});
+}
+
+}  // namespace rmpl::tools

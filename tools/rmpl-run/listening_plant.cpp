@@ -1,0 +1,194 @@
+// Listening, and who is let in.
+// SPDX-License-Identifier: MIT
+#include "tools/rmpl-run/listening_plant.hpp"
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "base/error.hpp"
+#include "tools/shared/terminal.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+constexpr automata::Ticks patience_with_token = automata::Ticks::of_seconds(5);
+constexpr std::size_t longest_token = 4096;
+
+[[noreturn]] void fail(const std::string& address, const std::string& what) {
+  throw base::InputError("--listen: " + address + ": " + what);
+}
+
+/// Takes as long for a wrong token as for the right one of its length.
+bool same(std::string_view given, std::string_view token) {
+  unsigned char difference = given.size() == token.size() ? 0 : 1;
+  for (std::size_t i = 0; i < token.size(); ++i) {
+    const char other = i < given.size() ? given[i] : '\0';
+    difference = static_cast<unsigned char>(difference |
+                                            (static_cast<unsigned char>(other) ^ static_cast<unsigned char>(token[i])));
+  }
+  return difference == 0;
+}
+
+bool is_loopback(const addrinfo& info) {
+  if (info.ai_family == AF_INET6) {
+    return IN6_IS_ADDR_LOOPBACK(&reinterpret_cast<const sockaddr_in6*>(info.ai_addr)->sin6_addr) != 0;
+  }
+  if (info.ai_family != AF_INET) return false;
+  return ntohl(reinterpret_cast<const sockaddr_in*>(info.ai_addr)->sin_addr.s_addr) >> 24U == 127;
+}
+
+std::string port_of(int listener) {
+  sockaddr_storage bound{};
+  socklen_t size = sizeof bound;
+  getsockname(listener, reinterpret_cast<sockaddr*>(&bound), &size);
+  const bool six = bound.ss_family == AF_INET6;
+  return std::to_string(ntohs(six ? reinterpret_cast<const sockaddr_in6&>(bound).sin6_port
+                                  : reinterpret_cast<const sockaddr_in&>(bound).sin_port));
+}
+
+/// A socket that nobody listens on is left from a run that was killed.
+void remove_if_dead(const sockaddr_un& name) {
+  struct stat about {};
+  if (lstat(name.sun_path, &about) != 0 || !S_ISSOCK(about.st_mode)) return;
+  const Descriptor probe(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const int answer = ::connect(probe.number(), reinterpret_cast<const sockaddr*>(&name), sizeof name);
+  if (answer != 0 && errno == ECONNREFUSED) unlink(name.sun_path);
+}
+
+}  // namespace
+
+ListeningPlant::ListeningPlant(const std::string& address, bool remote, std::string token,
+                               std::function<bool()> interrupted)
+    : LiveSocket(std::move(interrupted)), address_(address), token_(std::move(token)) {
+  const std::size_t port = address.rfind(':');
+  if (address.starts_with("unix:") && address.size() > 5) {
+    listen_on_path(address.substr(5));
+  } else if (address.starts_with("tcp:") && port > 4 && port + 1 < address.size()) {
+    std::string host = address.substr(4, port - 4);
+    if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+    listen_on_network(host, address.substr(port + 1), remote);
+  } else {
+    fail(address, "expected unix:PATH or tcp:HOST:PORT");
+  }
+}
+
+ListeningPlant::~ListeningPlant() {
+  if (!path_.empty()) unlink(path_.c_str());
+}
+
+/// The file is for its owner alone, from the first moment on.
+void ListeningPlant::listen_on_path(const std::string& path) {
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  if (path.size() >= sizeof name.sun_path) fail(address_, "the path is too long for a socket");
+  path.copy(name.sun_path, path.size());
+  remove_if_dead(name);
+  listener_ = Descriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const mode_t before = umask(S_IRWXG | S_IRWXO);
+  const int bound = bind(listener_.number(), reinterpret_cast<const sockaddr*>(&name), sizeof name);
+  umask(before);
+  if (bound != 0) fail(address_, std::strerror(errno));
+  path_ = path;
+  if (listen(listener_.number(), SOMAXCONN) != 0) fail(address_, std::strerror(errno));
+}
+
+void ListeningPlant::listen_on_network(const std::string& host, const std::string& port, bool remote) {
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  const int error = getaddrinfo(host.c_str(), port.c_str(), &wanted, &found);
+  if (error != 0) fail(address_, gai_strerror(error));
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
+  if (!is_loopback(*found) && !remote) {
+    fail(address_, "other machines could connect; expected a loopback address, or --allow-remote and --token");
+  }
+  listener_ = Descriptor(::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const int again = 1;
+  setsockopt(listener_.number(), SOL_SOCKET, SO_REUSEADDR, &again, sizeof again);
+  if (bind(listener_.number(), found->ai_addr, found->ai_addrlen) != 0 || listen(listener_.number(), SOMAXCONN) != 0) {
+    fail(address_, std::strerror(errno));
+  }
+  address_.resize(address_.rfind(':') + 1);
+  address_ += port_of(listener_.number());
+}
+
+void ListeningPlant::await_first() {
+  std::string nothing;
+  while (!connected() && !interrupted()) wait(now() + automata::Ticks::of_seconds(1), false, nothing);
+  restart_clock();
+}
+
+void ListeningPlant::revive(std::uint64_t /*cycles*/, automata::Ticks until) {
+  std::string nothing;
+  wait(until, false, nothing);
+}
+
+int ListeningPlant::awaited() {
+  if (candidate_.open() && now() >= candidate_until_) turn_away("showed no token in time");
+  return candidate_.open() ? candidate_.number() : listener_.number();
+}
+
+bool ListeningPlant::look_for_another() {
+  if (candidate_.open()) return admit();
+  Descriptor socket(accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+  if (!socket.open()) return false;
+  if (token_.empty()) return take(std::move(socket));
+  candidate_ = std::move(socket);
+  candidate_until_ = now() + patience_with_token;
+  return false;
+}
+
+/// Looks at what the candidate sent, and takes no more of it than the first line.
+bool ListeningPlant::admit() {
+  std::array<char, longest_token + 2> buffer;
+  const ssize_t seen = recv(candidate_.number(), buffer.data(), buffer.size(), MSG_PEEK | MSG_DONTWAIT);
+  if (seen < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+  if (seen <= 0) {
+    turn_away("showed no token");
+    return false;
+  }
+  std::string_view text(buffer.data(), static_cast<std::size_t>(seen));
+  const std::size_t end = text.find('\n');
+  if (end == std::string_view::npos && text.size() < buffer.size()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the rest is under way
+    return false;
+  }
+  text = text.substr(0, end);
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  if (!same(text, token_)) {
+    turn_away("showed a wrong token");
+    return false;
+  }
+  if (recv(candidate_.number(), buffer.data(), end + 1, MSG_DONTWAIT) < 0) return false;
+  return take(std::move(candidate_));
+}
+
+/// Told at the first, second, fourth, … time: who knocks on and on does not fill the log.
+void ListeningPlant::turn_away(const char* why) {
+  candidate_.close();
+  ++turned_away_;
+  if ((turned_away_ & (turned_away_ - 1)) != 0) return;
+  tell("a connection " + std::string(why) + " and was closed; " + std::to_string(turned_away_) + " so far");
+}
+
+bool ListeningPlant::take(Descriptor socket) {
+  if (connected()) reason_ = "another plant has connected";
+  connect(std::move(socket));
+  return true;
+}
+
+}  // namespace rmpl::tools

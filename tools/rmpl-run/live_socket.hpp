@@ -1,0 +1,66 @@
+// Bytes to and from a plant over a stream socket: what a child and a listener have in common.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "runtime/executive/live/channel.hpp"
+
+namespace rmpl::tools {
+
+/// A file descriptor that is closed in the end; -1 is none.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool open() const { return number_ >= 0; }
+  void close();
+
+ private:
+  int number_;
+};
+
+/// Waits until a descriptor can be read or, for `writable`, written, or until the end of `patience`. A signal ends the
+/// wait early. What poll(2) says of it; 0 where it says nothing.
+short wait_for(int descriptor, bool writable, automata::Ticks patience);
+
+/// A channel over a connected, non-blocking socket. Waits look for an interruption twenty times a second.
+class LiveSocket : public runtime::Channel {
+ public:
+  explicit LiveSocket(std::function<bool()> interrupted) : interrupted_(std::move(interrupted)) { restart_clock(); }
+
+  [[nodiscard]] automata::Ticks now() const override;
+  [[nodiscard]] bool connected() const override { return socket_.open(); }
+  std::size_t send(std::string_view bytes) override;
+  News wait(automata::Ticks until, bool to_send, std::string& bytes) override;
+
+ protected:
+  /// The run starts now.
+  void restart_clock() { start_ = std::chrono::steady_clock::now(); }
+  void connect(Descriptor socket) { socket_ = std::move(socket); }
+  /// The plant has ended the connection: `socket_` is closed after this.
+  virtual void on_gone() = 0;
+  /// Another plant may have come: looks without waiting, and says whether it is connected now.
+  virtual bool look_for_another() { return false; }
+  /// What to wait for besides the plant; -1 where there is nothing.
+  [[nodiscard]] virtual int awaited() { return -1; }
+  [[nodiscard]] bool interrupted() const { return interrupted_(); }
+  [[nodiscard]] int socket() const { return socket_.number(); }
+
+ private:
+  News receive(std::string& bytes);
+
+  std::function<bool()> interrupted_;
+  std::chrono::steady_clock::time_point start_;
+  Descriptor socket_;
+};
+
+}  // namespace rmpl::tools
