@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "automata/json/document.hpp"
 
+#include "automata/json/model_json.hpp"
+
 namespace rmpl::automata {
 namespace {
 constexpr const char* format_name = "rmpl-automata";
@@ -15,23 +17,31 @@ Json to_json(const Document& document) {
   for (const Program& program : document.programs) programs.push_back(to_json(program));
   Json scenarios = Json::array();
   for (const Scenario& scenario : document.scenarios) scenarios.push_back(to_json(scenario, document));
-  return {{"format", format_name},
-          {"version", format_version},
-          {"plants", std::move(plants)},
-          {"programs", std::move(programs)},
-          {"scenarios", std::move(scenarios)}};
+  Json json{{"format", format_name},
+            {"version", format_version},
+            {"plants", std::move(plants)},
+            {"programs", std::move(programs)}};
+  if (!document.models.empty()) {
+    json["models"] = Json::array();
+    for (const ModelProgram& model : document.models) json["models"].push_back(to_json(model));
+  }
+  json["scenarios"] = std::move(scenarios);
+  return json;
 }
 
 std::string to_text(const Document& document) { return to_json(document).dump(2) + "\n"; }
 
 Document document_from_json(const Json& json) {
   const Node root(json, "");
-  root.only({"format", "version", "plants", "programs", "scenarios"});
+  root.only({"format", "version", "plants", "programs", "models", "scenarios"});
   if (root.at("format").text() != format_name) root.at("format").fail(std::string("\"") + format_name + "\"");
   if (root.at("version").natural() != format_version) root.at("version").fail(std::to_string(format_version));
   Document document;
   for (const Node& item : root.at("plants").items()) document.plants.push_back(plant_from_json(item));
   for (const Node& item : root.at("programs").items()) document.programs.push_back(program_from_json(item));
+  if (root.has("models")) {
+    for (const Node& item : root.at("models").items()) document.models.push_back(model_program_from_json(item));
+  }
   for (const Node& item : root.at("scenarios").items()) {
     document.scenarios.push_back(scenario_from_json(item, document));
   }

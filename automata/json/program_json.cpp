@@ -4,22 +4,11 @@
 #include <set>
 #include <unordered_set>
 
+#include "automata/json/condition_json.hpp"
 #include "automata/json/document.hpp"
 
 namespace rmpl::automata {
 namespace {
-
-Json condition_to_json(const Condition& condition, const Program& program) {
-  return {{condition.entailed ? "entailed" : "not_entailed",
-           to_json(condition.constraint, program.variables, program.clocks)}};
-}
-
-Condition condition_from_json(const Node& node, const Program& program) {
-  const bool entailed = node.has("entailed");
-  node.only({entailed ? "entailed" : "not_entailed"});
-  return {entailed,
-          formula_from_json(node.at(entailed ? "entailed" : "not_entailed"), program.variables, program.clocks)};
-}
 
 Json location_to_json(const Location& location, std::size_t number, const Program& program) {
   Json json{{"number", number}, {"kind", location.composite ? "composite" : "primitive"}};
@@ -34,11 +23,12 @@ Json location_to_json(const Location& location, std::size_t number, const Progra
     json["own_clocks"] = Json::array();
     for (const ClockId clock : location.own_clocks) json["own_clocks"].push_back(program.clocks[clock.index()]);
   }
-  if (!location.maintenance.is_trivial()) json["maintain"] = condition_to_json(location.maintenance, program);
+  if (!location.maintenance.is_trivial())
+    json["maintain"] = condition_to_json(location.maintenance, program.variables, program.clocks);
   json["arcs"] = Json::array();
   for (const Arc& arc : location.arcs) {
     Json item;
-    if (!arc.guard.is_trivial()) item["guard"] = condition_to_json(arc.guard, program);
+    if (!arc.guard.is_trivial()) item["guard"] = condition_to_json(arc.guard, program.variables, program.clocks);
     item["target"] = arc.target.value + 1;
     json["arcs"].push_back(std::move(item));
   }
@@ -86,11 +76,12 @@ Location location_from_json(const Node& node, std::size_t position, std::size_t 
       location.own_clocks.push_back(clock);
     }
   }
-  if (node.has("maintain")) location.maintenance = condition_from_json(node.at("maintain"), program);
+  if (node.has("maintain"))
+    location.maintenance = condition_from_json(node.at("maintain"), program.variables, program.clocks);
   for (const Node& item : node.at("arcs").items()) {
     item.only({"guard", "target"});
     Arc arc;
-    if (item.has("guard")) arc.guard = condition_from_json(item.at("guard"), program);
+    if (item.has("guard")) arc.guard = condition_from_json(item.at("guard"), program.variables, program.clocks);
     const std::size_t target = item.at("target").index(count + 1);
     if (target == 0) item.at("target").fail("the number of a location, from 1");
     arc.target = LocationId(target - 1);

@@ -22,6 +22,7 @@ class CallCollector {
 
   void run(std::size_t caller) {
     caller_ = caller;
+    model_ = definitions_.all[caller].definition->model;
     body(definitions_.all[caller].definition->body, {});
   }
 
@@ -30,10 +31,13 @@ class CallCollector {
   struct Position {
     std::string not_last;
     bool immediate = true;
+    bool whole = true;
   };
 
   void body(const grammar::Body& body, Position position) {
-    if (body.threads.size() > 1) position.not_last = "it is one of several parallel threads";
+    // In a model program a call that leads back is an arc, beside which other threads go on.
+    if (body.threads.size() > 1 && !model_) position.not_last = "it is one of several parallel threads";
+    position.whole = position.whole && body.threads.size() == 1;
     for (const grammar::Sequence& thread : body.threads) sequence(thread, position);
   }
 
@@ -41,6 +45,7 @@ class CallCollector {
     for (std::size_t s = 0; s < sequence.steps.size(); ++s) {
       Position inner = position;
       inner.immediate = position.immediate && s == 0;
+      inner.whole = position.whole && sequence.steps.size() == 1;
       if (s + 1 < sequence.steps.size()) inner.not_last = "other steps follow it";
       step(sequence.steps[s], inner);
     }
@@ -48,6 +53,7 @@ class CallCollector {
 
   void inside(const grammar::Step& body, Position position, const char* not_last) {
     position.immediate = false;
+    position.whole = false;
     if (*not_last != '\0') position.not_last = not_last;
     step(body, position);
   }
@@ -69,12 +75,18 @@ class CallCollector {
                    [&](const grammar::Whenever& w) { inside(*w.step, position, "a `whenever` repeats it for ever"); },
                    [&](const grammar::Always& a) { inside(*a.step, position, "an `always` repeats it for ever"); },
                    [&](const grammar::Next& n) { inside(*n.step, position, last); },
-                   [&](const grammar::Choose& c) {
-                     diagnostics_.error(Code::model_program, step.span,
-                                        "`choose` stands in model programs only, and this is a control program");
-                     for (const grammar::Choice& choice : c.choices) inside(choice.step, position, "");
-                   }},
+                   [&](const grammar::Choose& c) { choose(c, step.span, position); }},
                step.node);
+  }
+
+  /// The branch that is drawn starts in the same instant.
+  void choose(const grammar::Choose& choose, grammar::Span span, Position position) {
+    if (!model_) {
+      diagnostics_.error(Code::model_program, span,
+                         "`choose` stands in model programs only, and this is a control program");
+    }
+    position.whole = false;
+    for (const grammar::Choice& choice : choose.choices) step(choice.step, position);
   }
 
   void call(const grammar::Call& call, const Position& position) {
@@ -100,25 +112,83 @@ class CallCollector {
       error.notes.push_back({callee.name.span, backquoted(callee.name.text) + " is defined here"});
       return;
     }
-    definitions_.all[caller_].calls.push_back({&call, known->second, position.not_last, position.immediate});
+    if (callee.model != model_) return report_mixed_call(call, callee);
+    definitions_.all[caller_].calls.push_back(
+        {&call, known->second, position.not_last, position.immediate, position.whole});
+    if (position.immediate) definitions_.immediate.insert(&call);
     definitions_.callees.emplace(&call, known->second);
+  }
+
+  void report_mixed_call(const grammar::Call& call, const grammar::Definition& callee) {
+    const auto kind = [](bool model) { return model ? "model" : "control"; };
+    auto& error = diagnostics_.error(Code::mixed_program, call.definition.span,
+                                     std::string("a ") + kind(model_) + " definition calls " +
+                                         backquoted(callee.name.text) + ", which is a " + kind(callee.model) +
+                                         " definition: a program either tells what holds or asserts what should");
+    error.notes.push_back({callee.name.span, backquoted(callee.name.text) + " is defined here"});
+    definitions_.mixed = true;
   }
 
   Definitions& definitions_;
   grammar::Diagnostics& diagnostics_;
   std::size_t caller_ = 0;
+  bool model_ = false;  ///< the caller is a model definition
 };
 
 void report_model_item(grammar::Span span, const std::string& what, grammar::Diagnostics& diagnostics) {
-  diagnostics.error(Code::model_program, span,
-                    what +
-                        " belongs in a model program, and a control program is expected here: what a plant does is "
-                        "said in a `.tcca` file");
+  auto& error =
+      diagnostics.error(Code::model_program, span, what + " belongs in a model program, and this is a control program");
+  error.suggestion = "write `model` before its definitions, or say what a plant does in a `.tcca` file";
+}
+
+/// What a control program does not have.
+void check_control_items(const std::vector<ProgramSource>& files, grammar::Diagnostics& diagnostics) {
+  for (const ProgramSource& source : files) {
+    for (const grammar::ProgramItem& item : source.file->items) {
+      std::visit(
+          base::Overloaded{
+              [](const grammar::Import&) {}, [](const grammar::Definition&) {},
+              [&](const grammar::VariableDeclaration& v) { report_model_item(v.span, "`variable`", diagnostics); },
+              [&](const grammar::StandingConstraint& c) { report_model_item(c.span, "`constraint`", diagnostics); },
+              [&](const grammar::Observe& o) { report_model_item(o.span, "`observe`", diagnostics); },
+              [&](const grammar::Control& c) { report_model_item(c.span, "`control`", diagnostics); },
+              [&](const grammar::Domain& d) { report_model_item(d.span, "`domain`", diagnostics); }},
+          item);
+    }
+  }
+}
+
+/// Whether the files declare what only a model program has.
+bool declares_variables(const std::vector<ProgramSource>& files) {
+  return std::any_of(files.begin(), files.end(), [](const ProgramSource& source) {
+    return std::any_of(source.file->items.begin(), source.file->items.end(), [](const grammar::ProgramItem& item) {
+      return std::holds_alternative<grammar::VariableDeclaration>(item);
+    });
+  });
+}
+
+/// Reports the first definition that is of the other kind than the first of all.
+void check_kinds(Definitions& definitions, grammar::Diagnostics& diagnostics) {
+  const auto& all = definitions.all;
+  const auto other = std::find_if(all.begin(), all.end(), [&](const Definitions::Entry& entry) {
+    return entry.definition->model != all.front().definition->model;
+  });
+  if (other == all.end() || definitions.mixed) return;
+  definitions.mixed = true;
+  const grammar::Definition& first = *all.front().definition;
+  const auto kind = [](const grammar::Definition& d) {
+    return d.model ? " is a model definition" : " is a control definition";
+  };
+  auto& error = diagnostics.error(Code::mixed_program, other->definition->name.span,
+                                  backquoted(other->definition->name.text) + kind(*other->definition) + ", and " +
+                                      backquoted(first.name.text) + kind(first) +
+                                      ": a program either tells what holds or asserts what should");
+  error.notes.push_back({first.name.span, backquoted(first.name.text) + " is defined here"});
+  error.suggestion = "write `model` before every definition, or keep the two kinds in files of their own";
 }
 
 void declare(const grammar::Definition& definition, bool root, Uniqueness& names, Definitions& definitions,
              grammar::Diagnostics& diagnostics) {
-  if (definition.model) report_model_item(definition.name.span, "`model`", diagnostics);
   Uniqueness parameters("parameter", diagnostics);
   for (const grammar::Name& parameter : definition.parameters) parameters.add(parameter);
   if (!names.add(definition.name)) return;
@@ -142,19 +212,17 @@ Definitions collect_definitions(const std::vector<ProgramSource>& files, grammar
   Uniqueness names("definition", diagnostics);
   for (const ProgramSource& source : files) {
     for (const grammar::ProgramItem& item : source.file->items) {
-      std::visit(
-          base::Overloaded{
-              [](const grammar::Import&) {},
-              [&](const grammar::Definition& d) { declare(d, source.root, names, definitions, diagnostics); },
-              [&](const grammar::VariableDeclaration& v) { report_model_item(v.span, "`variable`", diagnostics); },
-              [&](const grammar::Observe& o) { report_model_item(o.span, "`observe`", diagnostics); },
-              [&](const grammar::Control& c) { report_model_item(c.span, "`control`", diagnostics); },
-              [&](const grammar::Domain& d) { report_model_item(d.span, "`domain`", diagnostics); }},
-          item);
+      const auto* definition = std::get_if<grammar::Definition>(&item);
+      if (definition != nullptr) declare(*definition, source.root, names, definitions, diagnostics);
     }
   }
+  definitions.model = std::any_of(definitions.all.begin(), definitions.all.end(),
+                                  [](const Definitions::Entry& entry) { return entry.definition->model; });
+  if (definitions.all.empty()) definitions.model = declares_variables(files);
+  if (!definitions.model) check_control_items(files, diagnostics);
   CallCollector collector(definitions, diagnostics);
   for (std::size_t d = 0; d < definitions.all.size(); ++d) collector.run(d);
+  check_kinds(definitions, diagnostics);
   return definitions;
 }
 
@@ -173,7 +241,7 @@ std::optional<std::size_t> find_entry(const Definitions& definitions, const std:
   }
   if (definitions.all.empty()) {
     auto& error = diagnostics.error(Code::no_program, blame, "the program has no definition");
-    error.suggestion = "add `Name() :: { … }`";
+    error.suggestion = definitions.model ? "add `model Name() :: { … }`" : "add `Name() :: { … }`";
     return std::nullopt;
   }
   for (const bool root : {true, false}) {

@@ -1,4 +1,4 @@
-// The definitions of a control program, who calls whom and in what position, and where execution enters.
+// The definitions of a program, who calls whom and in what position, and where execution enters.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "grammar/ast/program.hpp"
@@ -28,6 +29,7 @@ struct CallSite {
   std::string not_last;
   /// Nothing happens before the call: no location is passed between entering the definition and entering the callee.
   bool immediate;
+  bool whole;  ///< the definition consists of the call
 };
 
 /// The definitions in order of the text, with their calls.
@@ -41,11 +43,14 @@ struct Definitions {
   std::vector<Entry> all;
   std::unordered_map<std::string, std::size_t> by_name;
   std::unordered_map<const grammar::Call*, std::size_t> callees;  ///< of every call that is collected
+  std::unordered_set<const grammar::Call*> immediate;             ///< the calls that are, as their site says
   std::set<std::string> unknown;                                  ///< called and not there; each is reported once
+  bool model = false;                                             ///< a model program: it tells what holds
+  bool mixed = false;                                             ///< model and control definitions: reported
 };
 
-/// Collects the definitions. Reports double names and parameters, unknown callees, wrong numbers of arguments, and what
-/// belongs in model programs only.
+/// Collects the definitions. Reports double names and parameters, unknown callees, wrong numbers of arguments, what
+/// belongs in model programs only, and model and control definitions side by side.
 Definitions collect_definitions(const std::vector<ProgramSource>& files, grammar::Diagnostics& diagnostics);
 
 /// The entry point: the definition of that name, or where `main` is empty the one that no other calls. Definitions that

@@ -125,34 +125,45 @@ class Reporter {
     add_cycle(error, caller, search(site.callee, caller));
   }
 
-  /// Calls with nothing before them lead from each definition to at most one other: follows them, each once, and
-  /// reports where they come back to the way that was walked.
+  /// Looks, depth first, for calls with nothing before them that lead back to a definition on the way; each call is
+  /// followed once.
   void report_unguarded() {
-    std::vector<std::size_t> walk(definitions_.all.size(), unvisited);  // per definition, the walk that met it
+    enum class Seen : char { no, open, done };
+    std::vector<Seen> seen(definitions_.all.size(), Seen::no);
     for (std::size_t first = 0; first < definitions_.all.size(); ++first) {
-      Path path;
-      std::size_t d = first;
-      while (walk[d] == unvisited) {
-        walk[d] = first;
-        const CallSite* site = immediate_call(d);
-        if (site == nullptr) break;
-        path.emplace_back(d, site);
-        d = site->callee;
-        if (walk[d] != first) continue;
-        const auto start = std::find_if(path.begin(), path.end(), [&](const auto& step) { return step.first == d; });
+      if (seen[first] != Seen::no) continue;
+      std::vector<std::pair<std::size_t, std::size_t>> walk{{first, 0}};  // definitions, and their calls followed
+      Path path;                                                          // the calls between them
+      seen[first] = Seen::open;
+      while (!walk.empty()) {
+        auto& [d, next] = walk.back();
+        if (next == definitions_.all[d].calls.size()) {
+          seen[d] = Seen::done;
+          walk.pop_back();
+          if (!path.empty()) path.pop_back();
+          continue;
+        }
+        const CallSite& site = definitions_.all[d].calls[next++];
+        if (!is_unguarded(d, site) || seen[site.callee] == Seen::done) continue;
+        path.emplace_back(d, &site);
+        if (seen[site.callee] == Seen::no) {
+          seen[site.callee] = Seen::open;
+          walk.emplace_back(site.callee, 0);
+          continue;
+        }
+        const auto start =
+            std::find_if(path.begin(), path.end(), [&](const auto& step) { return step.first == site.callee; });
         report_unguarded(Path(start, path.end()));
+        path.pop_back();
       }
     }
   }
 
-  /// The call that a definition consists of, if it is recursive.
-  const CallSite* immediate_call(std::size_t d) {
-    if (!recursion_.recursive[recursion_.group[d]]) return nullptr;
-    const auto& calls = definitions_.all[d].calls;
-    const auto site = std::find_if(calls.begin(), calls.end(), [&](const CallSite& s) {
-      return s.immediate && s.not_last.empty() && recursion_.group[s.callee] == recursion_.group[d];
-    });
-    return site == calls.end() ? nullptr : &*site;
+  /// Whether nothing happens before a recursive call.
+  [[nodiscard]] bool is_unguarded(std::size_t caller, const CallSite& site) const {
+    const std::size_t group = recursion_.group[caller];
+    return recursion_.recursive[group] && recursion_.group[site.callee] == group && site.immediate &&
+           site.not_last.empty();
   }
 
   void report_unguarded(const Path& cycle) {

@@ -147,6 +147,14 @@ void write(Document& document, const grammar::VariableDeclaration& variable) {
   document.close_statement();
 }
 
+void write(Document& document, const grammar::StandingConstraint& standing) {
+  document.open_statement();
+  document.take();
+  write(document, standing.constraint);
+  document.take_to(standing.span.end);
+  document.close_statement();
+}
+
 void write(Document& document, const grammar::Definition& definition) {
   document.open_statement();
   document.take_to(definition.name.span.end);

@@ -1,17 +1,17 @@
-// Attributes become variables.
+// Declared names become variables.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/attributes.hpp"
 
 namespace rmpl::compiler {
 
-void declare(Part& part, const grammar::AttributeDeclaration& declaration, Uniqueness& names, Domains& domains,
-             grammar::Diagnostics& diagnostics) {
-  const auto domain = domains.values(declaration.domain);
-  for (const grammar::Name& name : declaration.names) {
-    if (!domain) part.broken.insert(name.text);
-    if (!names.add(name) || !domain || !make_room(part, domain->values.size(), name.span, diagnostics)) continue;
-    part.plant.variables.add({name.text, domain->values});
-    part.declared.push_back(domain->span);
+void declare(Part& part, const std::vector<grammar::Name>& names, const grammar::DomainRef& domain, Uniqueness& known,
+             Domains& domains, grammar::Diagnostics& diagnostics) {
+  const auto values = domains.values(domain);
+  for (const grammar::Name& name : names) {
+    if (!values) part.broken.insert(name.text);
+    if (!known.add(name) || !values || !make_room(part, values->values.size(), name.span, diagnostics)) continue;
+    part.plant.variables.add({name.text, values->values});
+    part.declared.push_back(values->span);
   }
 }
 

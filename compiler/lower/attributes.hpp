@@ -1,16 +1,18 @@
-// The attributes that a component type or a module declares become variables.
+// The variables that a component type, a module or a model program declares.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "compiler/check/domains.hpp"
 #include "compiler/lower/part.hpp"
-#include "grammar/ast/plant.hpp"
+#include "grammar/ast/declaration.hpp"
 
 namespace rmpl::compiler {
 
-/// Adds the variables of one declaration. A name that `names` has already is reported and left out, as are all names
-/// where the domain is unknown.
-void declare(Part& part, const grammar::AttributeDeclaration& declaration, Uniqueness& names, Domains& domains,
-             grammar::Diagnostics& diagnostics);
+/// Adds variables of one domain. A name that `known` has already is reported and left out, as are all names where the
+/// domain is unknown.
+void declare(Part& part, const std::vector<grammar::Name>& names, const grammar::DomainRef& domain, Uniqueness& known,
+             Domains& domains, grammar::Diagnostics& diagnostics);
 
 }  // namespace rmpl::compiler

@@ -98,7 +98,7 @@ void ComponentLowering::declare_attributes(const grammar::ComponentDefinition& d
   Uniqueness names("attribute", diagnostics_);
   for (const grammar::ComponentItem& item : definition.items) {
     if (const auto* declaration = std::get_if<grammar::AttributeDeclaration>(&item)) {
-      declare(part_, *declaration, names, domains_, diagnostics_);
+      declare(part_, declaration->names, declaration->domain, names, domains_, diagnostics_);
     }
   }
 }

@@ -75,6 +75,22 @@ void Draft::abandon(Code code, grammar::Span span, std::string reason) {
   complete_ = false;
 }
 
+void Draft::add_locations(const Target& target, std::vector<LocationId>& found) const {
+  if (!target.expansion) {
+    const LocationId location(target.index);
+    if (std::find(found.begin(), found.end(), location) == found.end()) found.push_back(location);
+    return;
+  }
+  // Where a call starts with its caller, no way of such calls leads back: that is reported, and cut.
+  for (const Target& start : starts_[target.index]) add_locations(start, found);
+}
+
+std::vector<LocationId> Draft::locations(const std::vector<Target>& targets) const {
+  std::vector<LocationId> found;
+  for (const Target& target : targets) add_locations(target, found);
+  return found;
+}
+
 void Draft::connect() {
   for (std::size_t l = 0; l < arcs_.size() && complete_; ++l) {
     auto& arcs = program_.locations[l].arcs;
@@ -83,9 +99,8 @@ void Draft::connect() {
         arcs.push_back({std::move(draft.guard), LocationId(draft.target.index)});
         continue;
       }
-      for (const Target& start : starts_[draft.target.index]) {
-        if (start.expansion) continue;  // only where recursion was reported
-        arcs.push_back({draft.guard, LocationId(start.index)});
+      for (const LocationId start : locations({draft.target})) {
+        arcs.push_back({draft.guard, start});
         grow(1, {});
       }
     }

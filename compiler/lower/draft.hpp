@@ -1,4 +1,4 @@
-// A THCA under construction: locations and arcs, of which some lead to a tail call's target before that is known.
+// An automaton under construction: locations and arcs, of which some lead to a tail call's target before that is known.
 //
 // A construct becomes a fragment: the locations where it starts, and its ends, each a location with the guard under
 // which the construct ends there. Locations are numbered as they are made, so each is made before what is inside it or
@@ -6,7 +6,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,14 +52,18 @@ class Draft {
   automata::LocationId composite(std::string label, grammar::Span span, automata::Condition maintenance);
   automata::Location& operator[](automata::LocationId id) { return program_.locations[id.index()]; }
 
-  /// Makes what `make` makes the inside of a composite. What is inside ends with the composite.
+  /// Makes what `make` makes the inside of a composite. What is inside ends with the composite. What starts with it and
+  /// is an expansion around it, as a call that leads back may be beside other threads, starts with the composite.
   template <class Make>
   Fragment inside(automata::LocationId composite, const Make& make) {
     parents_.push_back(composite);
     const Fragment inner = make();
     parents_.pop_back();
     mark_starts(inner);
-    return {{target(composite)}, {{composite, {}}}};
+    Fragment made{{target(composite)}, {{composite, {}}}};
+    std::copy_if(inner.starts.begin(), inner.starts.end(), std::back_inserter(made.starts),
+                 [](const Target& start) { return start.expansion; });
+    return made;
   }
 
   void arc(automata::LocationId from, automata::Condition guard, Target to);
@@ -77,6 +83,8 @@ class Draft {
 
   /// What was drawn becomes the arcs of the program, now that every expansion knows its starts.
   void connect();
+  /// The locations that targets stand for, once all expansions are closed; each once, in their order.
+  [[nodiscard]] std::vector<automata::LocationId> locations(const std::vector<Target>& targets) const;
 
  private:
   /// An arc whose target may still be an expansion.
@@ -86,6 +94,7 @@ class Draft {
   };
 
   void mark_starts(const Fragment& inner);
+  void add_locations(const Target& target, std::vector<automata::LocationId>& found) const;
 
   const grammar::Sources& sources_;
   const grammar::Name& entry_;

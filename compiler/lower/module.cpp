@@ -111,7 +111,7 @@ void ModelLowering::lower_module(const grammar::ModuleDefinition& definition, Pa
   Uniqueness names("name", diagnostics_);
   for (const grammar::ModuleItem& item : definition.items) {
     if (const auto* port = std::get_if<grammar::AttributeDeclaration>(&item))
-      declare(part, *port, names, domains_, diagnostics_);
+      declare(part, port->names, port->domain, names, domains_, diagnostics_);
   }
   for (const grammar::ModuleItem& item : definition.items) {
     if (const auto* instance = std::get_if<grammar::InstanceDeclaration>(&item)) add_instances(*instance, names, part);

@@ -7,6 +7,7 @@
 #include <deque>
 #include <utility>
 
+#include "compiler/check/probabilities.hpp"
 #include "compiler/lower/draft.hpp"
 #include "compiler/lower/program_resolver.hpp"
 
@@ -21,6 +22,9 @@ namespace {
 
 /// Steps within steps, through calls: recursion stays this far from the end of the stack.
 constexpr std::size_t depth_limit = 500;
+
+/// A condition or constraint costs as much as a location for so many atoms and connectives.
+constexpr std::size_t atoms_a_unit = 4;
 
 /// An argument that calls double on and on is caught while it is still small.
 constexpr std::size_t argument_limit = 1 << 16;
@@ -41,6 +45,13 @@ struct Expansion {
   std::string arguments;  ///< their text: equal texts are equal arguments
 };
 
+/// A `choose` under construction; what it starts may still be an expansion.
+struct Choice {
+  LocationId location;
+  std::vector<std::vector<Target>> starts;  ///< per branch
+  std::vector<double> probabilities;        ///< per branch
+};
+
 class ProgramLowering {
  public:
   ProgramLowering(const grammar::Sources& sources, const Definitions& definitions, const Recursion& recursion,
@@ -53,7 +64,8 @@ class ProgramLowering {
         reached_(reached),
         diagnostics_(diagnostics),
         errors_before_(diagnostics.error_count()),
-        resolver_(program_, plant, diagnostics),
+        model_(definitions.model),
+        resolver_(program_, model_, plant, diagnostics),
         draft_(sources, definitions.all[entry].definition->name, program_, diagnostics) {}
 
   LoweredProgram run() {
@@ -66,16 +78,24 @@ class ProgramLowering {
     const LocationId whole = draft_.composite(definition.name.text + "()", definition.name.span, {});
     expand(entry_, "", whole, environment);
     if (purpose_ == Purpose::run) resolver_.check_values();
-    if (draft_.complete()) draft_.connect();
-    return {std::move(program_), {draft_.take_spans(), std::move(conditions_)}, draft_.complete()};
+    if (draft_.complete()) connect();
+    return {std::move(program_), {draft_.take_spans(), std::move(conditions_)}, std::move(parts_), draft_.complete()};
   }
 
  private:
+  void connect() {
+    draft_.connect();
+    for (const Choice& choice : choices_) {
+      std::vector<Branch>& branches = parts_.choices[choice.location];
+      for (std::size_t b = 0; b < choice.starts.size(); ++b)
+        branches.push_back({choice.probabilities[b], draft_.locations(choice.starts[b])});
+    }
+  }
+
   // Conditions.
 
   Condition condition(const grammar::Constraint& constraint, bool entailed, const char* construct) {
     Condition made{entailed, resolver_.resolve(constraint)};
-    constexpr std::size_t atoms_a_unit = 4;
     draft_.grow(size_of(made.constraint) / atoms_a_unit, constraint.span);
     if (purpose_ == Purpose::run) conditions_.push_back({constraint.span, construct, made.constraint});
     return made;
@@ -139,6 +159,7 @@ class ProgramLowering {
   Fragment lower(const grammar::Goal& goal, grammar::Span span, bool) {
     constexpr std::size_t bytes_a_unit = 32;
     draft_.grow((span.end - span.begin) / bytes_a_unit, span);
+    if (model_) return told(resolver_.resolve(goal.constraint), span);
     const auto assignments = resolver_.goal(goal.constraint);
     const Formula formula = automata::conjunction_of(assignments);
     const LocationId id = draft_.location(automata::to_text(formula, program_.variables), span);
@@ -146,7 +167,18 @@ class ProgramLowering {
     return primitive(id);
   }
 
+  Fragment told(Formula constraint, grammar::Span span) {
+    draft_.grow(size_of(constraint) / atoms_a_unit, span);
+    const LocationId id = draft_.location(automata::to_text(constraint, program_.variables), span);
+    parts_.told.emplace(id, std::move(constraint));
+    return primitive(id);
+  }
+
   Fragment lower(const grammar::ClockStart& start, grammar::Span span, bool) {
+    if (model_) {
+      resolver_.report_clock(start.clock);
+      return primitive(draft_.location(start.clock.text + " = 0", span));
+    }
     const auto clock = resolver_.start(start.clock);
     const LocationId id = draft_.location((clock ? program_.clocks[clock->index()] : start.clock.text) + " = 0", span);
     draft_[id].clock_start = clock;
@@ -229,10 +261,31 @@ class ProgramLowering {
     return {{target(id)}, std::move(inner.ends)};
   }
 
-  /// Reported as belonging in model programs; its steps are looked at for their own errors.
-  Fragment lower(const grammar::Choose& choose, grammar::Span, bool) {
-    for (const grammar::Choice& choice : choose.choices) step(choice.step, false);
-    return {};
+  /// In a model program one location, which comes before what its branches hold; they start as it is drawn. In a
+  /// control program it is reported, and its steps are looked at for their own errors.
+  Fragment lower(const grammar::Choose& choose, grammar::Span span, bool) {
+    Fragment all;
+    Choice made{LocationId(0), {}, probabilities(choose, span)};
+    if (model_) made.location = draft_.location("choose", span);
+    for (const grammar::Choice& choice : choose.choices) {
+      Fragment one = step(choice.step, false);
+      draft_.grow(one.starts.size(), span);
+      made.starts.push_back(std::move(one.starts));
+      std::move(one.ends.begin(), one.ends.end(), std::back_inserter(all.ends));
+    }
+    if (!model_) return {};
+    all.starts = {target(made.location)};
+    choices_.push_back(std::move(made));
+    return all;
+  }
+
+  /// Per branch; all 0 where they are wrong.
+  std::vector<double> probabilities(const grammar::Choose& choose, grammar::Span span) {
+    std::vector<const grammar::Number*> numbers;
+    for (const grammar::Choice& choice : choose.choices) numbers.push_back(&choice.probability);
+    const auto result =
+        model_ ? probabilities_of(numbers, span, Code::choice_distribution, "branch", diagnostics_) : std::nullopt;
+    return result.value_or(std::vector<double>(numbers.size(), 0));
   }
 
   // Calls.
@@ -250,9 +303,9 @@ class ProgramLowering {
       return abandon(Code::too_large, span,
                      "the arguments of this call grow beyond " + std::to_string(argument_limit) + " characters");
     }
-    if (const auto open = open_expansion(callee, arguments)) {
+    if (const auto back = expansion_to_lead_to(call, callee, arguments)) {
       environments_.pop_back();
-      return {{{true, *open}}, {}};
+      return {{{true, *back}}, {}};
     }
     resolver_.enter(&environment);
     Fragment made;
@@ -286,6 +339,23 @@ class ProgramLowering {
                        [&](std::size_t e) { return expansions_[e].definition == definition; });
   }
 
+  /// In a model program a call among definitions that call each other leads to what they were expanded to before, open
+  /// or not, so that each is there once; but for one that starts with its caller, which only an arc around it could be.
+  [[nodiscard]] std::optional<std::size_t> expansion_to_lead_to(const grammar::Call& call, std::size_t callee,
+                                                                const std::string& arguments) const {
+    const std::size_t group = recursion_.group[callee];
+    if (!model_ || !recursion_.recursive[group] || definitions_.immediate.count(&call) != 0)
+      return open_expansion(callee, arguments);
+    const auto outermost = std::find_if(open_.begin(), open_.end(), [&](std::size_t e) {
+      return recursion_.group[expansions_[e].definition] == group;
+    });
+    if (outermost == open_.end()) return std::nullopt;
+    for (std::size_t e = *outermost; e < expansions_.size(); ++e) {
+      if (expansions_[e].definition == callee && expansions_[e].arguments == arguments) return e;
+    }
+    return std::nullopt;
+  }
+
   /// The expansion of the same definition with the same arguments that this call is inside of: a tail call leads back
   /// to its starts.
   [[nodiscard]] std::optional<std::size_t> open_expansion(std::size_t definition, const std::string& arguments) const {
@@ -301,7 +371,7 @@ class ProgramLowering {
   std::optional<std::size_t> forwarded(std::size_t definition) {
     if (!recursion_.recursive[recursion_.group[definition]]) return std::nullopt;
     const auto& calls = definitions_.all[definition].calls;
-    if (calls.size() != 1 || !calls.front().immediate || !calls.front().not_last.empty()) return std::nullopt;
+    if (calls.size() != 1 || !calls.front().whole) return std::nullopt;
     const CallSite& onward = calls.front();
     if (recursion_.cut.count(onward.call) != 0) return std::nullopt;
     const Environment* own = resolver_.environment();
@@ -318,7 +388,8 @@ class ProgramLowering {
   }
 
   /// The environment is that of the expansion. A tail call of a definition with clocks of its own enters the composite
-  /// anew, for it finds them inactive; any other leads to its starts, which marks the same.
+  /// anew, for it finds them inactive; any other leads to its starts, which marks the same. In a model program every
+  /// call enters the composite.
   Fragment expand(std::size_t definition, std::string arguments, LocationId composite, Environment& environment) {
     const std::size_t expansion = draft_.open_expansion();
     expansions_.push_back({definition, std::move(arguments)});
@@ -326,11 +397,14 @@ class ProgramLowering {
     reached_[definition] = true;
     const grammar::Definition& text = *definitions_.all[definition].definition;
     add_own_clocks(text, composite, environment);
+    std::vector<Target> starts;
     Fragment made = draft_.inside(composite, [&] {
       Fragment inner = body(text.body, true);
-      draft_.close_expansion(expansion, text.clocks.empty() ? inner.starts : std::vector{target(composite)});
+      starts = inner.starts;
       return inner;
     });
+    if (model_ || !text.clocks.empty()) starts = made.starts;
+    draft_.close_expansion(expansion, std::move(starts));
     open_.pop_back();
     return made;
   }
@@ -338,6 +412,10 @@ class ProgramLowering {
   /// Each expansion has clocks of its own, called after its composite: `t@2` is the `t` of location 2.
   void add_own_clocks(const grammar::Definition& definition, LocationId composite, Environment& environment) {
     for (const grammar::Name& declared : definition.clocks) {
+      if (model_) {
+        resolver_.report_clock(declared);
+        continue;
+      }
       const std::string unique = declared.text + "@" + std::to_string(composite.index() + 1);
       if (const auto clock = resolver_.own(declared, unique)) {
         environment.clocks.emplace(declared.text, grammar::Name{declared.span, unique});
@@ -353,10 +431,13 @@ class ProgramLowering {
   std::vector<bool>& reached_;
   grammar::Diagnostics& diagnostics_;
   const std::size_t errors_before_;
+  const bool model_;
   automata::Program program_;
   ProgramResolver resolver_;
   Draft draft_;
   std::vector<PlacedCondition> conditions_;
+  std::vector<Choice> choices_;
+  ModelParts parts_;
   std::vector<Expansion> expansions_;     ///< as the draft numbers them
   std::vector<std::size_t> open_;         ///< expansions, outermost first
   std::deque<Environment> environments_;  ///< of the open expansions; a deque, for they are referred to

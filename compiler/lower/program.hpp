@@ -1,4 +1,4 @@
-// From a control program as written to a timed hierarchical constraint automaton (thesis 5.2.2, semantics 1).
+// From a program as written to a timed hierarchical constraint automaton (thesis 5.2.2, semantics 1).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,6 +8,7 @@
 #include "automata/program.hpp"
 #include "compiler/check/definitions.hpp"
 #include "compiler/check/recursion.hpp"
+#include "compiler/lower/model_parts.hpp"
 #include "compiler/lower/part.hpp"
 #include "compiler/lower/program_places.hpp"
 #include "grammar/source/diagnostic.hpp"
@@ -19,6 +20,7 @@ namespace rmpl::compiler {
 struct LoweredProgram {
   automata::Program program;
   ProgramPlaces places;
+  ModelParts model;      ///< of a model program
   bool complete = true;  ///< false: it is too large or nests too deep, and the rest was not looked at
 };
 
@@ -27,8 +29,8 @@ struct LoweredProgram {
 enum class Purpose { run, check };
 
 /// Lowers the program that starts at `entry`. With a plant, names are checked against it and the program is bound to
-/// it; without, names are taken as they come. The parameters of `entry`, if it has any, stand for anything. Marks in
-/// `reached` the definitions that take part.
+/// it; without, names are taken as they come. A model program is given what it declares as a plant. The parameters of
+/// `entry`, if it has any, stand for anything. Marks in `reached` the definitions that take part.
 LoweredProgram lower_program(const grammar::Sources& sources, const Definitions& definitions,
                              const Recursion& recursion, std::size_t entry, Purpose purpose, const Part* plant,
                              std::vector<bool>& reached, grammar::Diagnostics& diagnostics);

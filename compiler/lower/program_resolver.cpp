@@ -1,4 +1,4 @@
-// Constraints of control programs become conditions and goals.
+// Constraints of programs become conditions and goals.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/program_resolver.hpp"
 
@@ -22,7 +22,8 @@ namespace {
 /// Without a plant a program's variables take the values it mentions, up to this many.
 constexpr std::size_t open_domain_limit = 4096;
 
-Vocabulary vocabulary_of(const automata::Program& program, const Part* plant) {
+Vocabulary vocabulary_of(const automata::Program& program, bool model, const Part* plant) {
+  if (model) return {program.variables, &plant->declared, "the model program", Code::unknown_name};
   if (plant == nullptr) return {program.variables, nullptr, "the program", Code::unknown_name};
   return {program.variables, &plant->declared, "plant " + backquoted(plant->plant.name), Code::not_in_plant};
 }
@@ -43,8 +44,9 @@ automata::Comparison comparison_of(grammar::ClockRelation relation) {
 
 }  // namespace
 
-ProgramResolver::ProgramResolver(automata::Program& program, const Part* plant, grammar::Diagnostics& diagnostics)
-    : Resolver(vocabulary_of(program, plant), diagnostics), program_(program), plant_(plant) {
+ProgramResolver::ProgramResolver(automata::Program& program, bool model, const Part* plant,
+                                 grammar::Diagnostics& diagnostics)
+    : Resolver(vocabulary_of(program, model, plant), diagnostics), program_(program), model_(model), plant_(plant) {
   if (plant == nullptr) return;
   program.variables = plant->plant.variables;
   for (const automata::Component& component : plant->plant.components) modes_.insert(component.mode);
@@ -106,7 +108,22 @@ ClockId ProgramResolver::clock_named(const std::string& name) {
   return known->second;
 }
 
+void ProgramResolver::report_clock(const Name& clock) {
+  auto& error = diagnostics().error(Code::clock_in_model, clock.span,
+                                    "clock " + backquoted(clock.text) + " in a model program, which counts steps");
+  error.suggestion = "wait step by step: `next next …`";
+  annotate(error);
+}
+
+void ProgramResolver::report_unknown(const Name& name) {
+  if (!model_ || !is_broken(*plant_, name.text)) Resolver::report_unknown(name);
+}
+
 Formula ProgramResolver::clock(const grammar::ClockBound& bound) {
+  if (model_) {
+    report_clock(bound.clock);
+    return automata::constant(true);
+  }
   const auto name = meaning(bound.clock);
   const auto ticks = ticks_of(bound.bound, diagnostics());
   if (!name || !ticks) return automata::constant(true);

@@ -1,4 +1,4 @@
-// Constraints of control programs: parameters, clocks, goals; checked against a plant, or names as they come.
+// Constraints of programs: parameters, clocks, goals; checked against a plant, or names as they come.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -19,10 +19,11 @@ namespace rmpl::compiler {
 
 /// Fills in the variables and clocks of a program. With a plant, the table is the plant's and every name is checked;
 /// without, the table collects what is mentioned, and `x = y` takes y for a value: where y turns out to be a variable
-/// of the program, `check_values` says that it cannot be told.
+/// of the program, `check_values` says that it cannot be told. A model program has the variables that it declares for a
+/// plant, and no clocks.
 class ProgramResolver final : public Resolver {
  public:
-  ProgramResolver(automata::Program& program, const Part* plant, grammar::Diagnostics& diagnostics);
+  ProgramResolver(automata::Program& program, bool model, const Part* plant, grammar::Diagnostics& diagnostics);
 
   /// What names stand for from now on. The environment must live as long as it is in use.
   void enter(const Environment* environment) { environment_ = environment; }
@@ -36,6 +37,8 @@ class ProgramResolver final : public Resolver {
   std::optional<automata::ClockId> start(const grammar::Name& name);
   /// Without a plant, once all is resolved: reports each `x = y` of a condition whose y is a variable or a clock, too.
   void check_values();
+  /// Reports a clock of a model program.
+  void report_clock(const grammar::Name& clock);
   /// What a call passes on from here.
   Passed pass(const grammar::Argument& argument);
 
@@ -49,6 +52,7 @@ class ProgramResolver final : public Resolver {
   [[nodiscard]] bool closed() const override { return plant_ != nullptr; }
   void taken_for_value(const grammar::Name& name) override;
   void annotate(grammar::Diagnostic& diagnostic) override;
+  void report_unknown(const grammar::Name& name) override;
 
  private:
   struct Goals {
@@ -65,6 +69,7 @@ class ProgramResolver final : public Resolver {
   automata::ClockId clock_named(const std::string& name);
 
   automata::Program& program_;
+  const bool model_;
   const Part* plant_;
   const Environment* environment_ = nullptr;
   std::unordered_set<automata::VariableId> modes_;  ///< of the plant

@@ -11,6 +11,8 @@
 #include "compiler/check/definitions.hpp"
 #include "compiler/check/recursion.hpp"
 #include "compiler/check/vocabulary.hpp"
+#include "compiler/lower/model.hpp"
+#include "compiler/lower/model_declarations.hpp"
 #include "compiler/lower/module.hpp"
 #include "compiler/lower/program.hpp"
 #include "compiler/lower/property.hpp"
@@ -79,6 +81,7 @@ void InputSet::adopt(const File& file) {
     places_.emplace_back();
     adopted_.push_back({file.index, 0, 0});
   }
+  document_.models.insert(document_.models.end(), more.models.begin(), more.models.end());
   for (const automata::Scenario& scenario : more.scenarios) {
     automata::Scenario& copy = document_.scenarios.emplace_back(scenario);
     copy.plant += plants;
@@ -134,67 +137,90 @@ std::optional<Part> InputSet::lower_plant(const Roots& roots, Span blame) {
   return diagnostics_.error_count() == errors ? std::move(part) : std::nullopt;
 }
 
-std::optional<std::size_t> InputSet::program(const Roots& roots, const Entry& entry, const Part* plant, Span blame) {
+InputSet::Program InputSet::program(const Roots& roots, const Entry& entry, const Part* plant, Span blame) {
   const auto key = std::tuple(roots, entry.name, plant);
   if (const auto known = programs_.find(key); known != programs_.end()) return known->second;
-  std::optional<std::size_t> position;
-  if (auto program = lower_program(roots, entry, plant, blame)) {
-    position = document_.programs.size();
-    document_.programs.push_back(std::move(program->program));
-    places_.push_back(std::move(program->places));
+  Program result;
+  Lowered lowered = lower_program(roots, entry, plant, blame);
+  if (lowered.program) {
+    result.position = document_.programs.size();
+    document_.programs.push_back(std::move(lowered.program->program));
+    places_.push_back(std::move(lowered.program->places));
+  } else if (lowered.model) {
+    result.model = true;
+    document_.models.push_back(std::move(*lowered.model));
   }
-  programs_.emplace(key, position);
-  return position;
+  programs_.emplace(key, result);
+  return result;
 }
 
-std::optional<LoweredProgram> InputSet::lower_program(const Roots& roots, const Entry& entry, const Part* plant,
-                                                      Span blame) {
+InputSet::Lowered InputSet::lower_program(const Roots& roots, const Entry& entry, const Part* plant, Span blame) {
   const FileSet set = files_.with_imports(roots);
-  if (!set.complete) return std::nullopt;
+  if (!set.complete) return {};
   const std::size_t errors = diagnostics_.error_count();
   if (roots.front()->kind == Kind::document) {
     const auto& programs = roots.front()->document->programs;
-    if (programs.size() == 1) return LoweredProgram{bound(programs.front(), plant, blame), {}, true};
+    if (programs.size() == 1) return {LoweredProgram{bound(programs.front(), plant, blame), {}, {}, true}, {}};
     diagnostics_.error(programs.empty() ? Code::no_program : Code::several_programs, blame,
                        "the compiled document holds " + std::to_string(programs.size()) + " programs, expected one");
-    return std::nullopt;
+    return {};
   }
   std::vector<ProgramSource> files;
   for (std::size_t f = 0; f < set.files.size(); ++f) files.push_back({&*set.files[f]->program, f < set.roots});
-  const Definitions definitions = collect_definitions(files, diagnostics_);
-  const Recursion recursion = check_recursion(definitions, diagnostics_);
-  std::vector<bool> reached(definitions.all.size(), false);
-  std::vector<std::size_t> entries;
-  std::optional<LoweredProgram> program;
+  Lowered lowered = lower_definitions(files, entry, plant, blame);
+  return diagnostics_.error_count() == errors ? std::move(lowered) : Lowered{};
+}
+
+std::optional<std::size_t> InputSet::start(const Definitions& definitions, const Entry& entry, Span blame) {
   grammar::Diagnostics unasked;
   auto start = find_entry(definitions, entry.name, entry.span, blame, entry_optional_ ? unasked : diagnostics_);
-  if (entry_optional_ && start && !definitions.all[*start].definition->parameters.empty()) start.reset();
-  if (start) {
-    const grammar::Definition& definition = *definitions.all[*start].definition;
-    if (!definition.parameters.empty()) {
-      diagnostics_.error(
-          Code::wrong_argument_count, definition.name.span,
-          "execution starts at " + backquoted(definition.name.text) + ", which takes arguments: nothing gives them");
-    }
-    LoweredProgram lowered =
-        compiler::lower_program(sources_, definitions, recursion, *start, Purpose::run, plant, reached, diagnostics_);
-    if (!lowered.complete) return std::nullopt;
+  if (!start) return std::nullopt;
+  const grammar::Definition& definition = *definitions.all[*start].definition;
+  if (definition.parameters.empty()) return start;
+  if (entry_optional_) return std::nullopt;
+  diagnostics_.error(
+      Code::wrong_argument_count, definition.name.span,
+      "execution starts at " + backquoted(definition.name.text) + ", which takes arguments: nothing gives them");
+  return start;
+}
+
+InputSet::Lowered InputSet::lower_definitions(const std::vector<ProgramSource>& files, const Entry& entry,
+                                              const Part* plant, Span blame) {
+  const Definitions definitions = collect_definitions(files, diagnostics_);
+  if (definitions.mixed) return {};
+  const Recursion recursion = check_recursion(definitions, diagnostics_);
+  std::optional<ModelDeclarations> declared;
+  if (definitions.model) declared = declare_model(sources_, files, diagnostics_);
+  std::vector<bool> reached(definitions.all.size(), false);
+  const auto lower = [&](std::size_t from, Purpose purpose, const Part* names) {
+    return compiler::lower_program(sources_, definitions, recursion, from, purpose, declared ? &declared->part : names,
+                                   reached, diagnostics_);
+  };
+  Lowered result;
+  std::vector<std::size_t> entries;
+  if (const auto start = this->start(definitions, entry, blame)) {
+    LoweredProgram lowered = lower(*start, Purpose::run, plant);
+    if (!lowered.complete) return {};
     entries.push_back(*start);
-    program = std::move(lowered);
+    if (declared) {
+      result.model = model_program(lowered, *declared, diagnostics_);
+    } else {
+      result.program = std::move(lowered);
+    }
   }
   // What the program does not use is checked too, but for the names of a plant: it may be meant for another.
   for (const bool called : {false, true}) {
     for (std::size_t d = 0; d < definitions.all.size(); ++d) {
       if (reached[d] || definitions.all[d].called != called) continue;
-      const auto unused =
-          compiler::lower_program(sources_, definitions, recursion, d, Purpose::check, nullptr, reached, diagnostics_);
-      if (!unused.complete) return std::nullopt;
+      const LoweredProgram unused = lower(d, Purpose::check, nullptr);
+      if (!unused.complete) return {};
+      if (declared) model_program(unused, *declared, diagnostics_);
       entries.push_back(d);
     }
   }
   // What a definition that is not there would start is not known.
-  if (definitions.unknown.empty()) check_clocks(definitions, recursion, entries, diagnostics_);
-  return diagnostics_.error_count() == errors ? std::move(program) : std::nullopt;
+  if (definitions.unknown.empty() && !declared) check_clocks(definitions, recursion, entries, diagnostics_);
+  return result;
 }
 
 void InputSet::scenarios(const File& file) {
@@ -217,15 +243,20 @@ void InputSet::scenarios(const File& file) {
       plant = this->plant({from}, parts.plant->path.span);
     }
     automata::Scenario scenario = lower_scenario(sources_, definition, plant.part, diagnostics_);
-    std::optional<std::size_t> position;
+    Program program;
     if (const File* from = parts.program == nullptr ? nullptr : referred(file, parts.program->path, Kind::program)) {
       Entry entry;
       if (parts.program->main) entry = {parts.program->main->text, parts.program->main->span};
-      position = program({from}, entry, plant.part, parts.program->path.span);
+      program = this->program({from}, entry, plant.part, parts.program->path.span);
+      if (program.model) {
+        diagnostics_.error(
+            Code::no_program, parts.program->path.span,
+            backquoted(parts.program->path.text) + " is a model program: a scenario flies one that controls");
+      }
     }
-    if (plant.part == nullptr || !position) continue;
+    if (plant.part == nullptr || !program.position) continue;
     scenario.plant = plant.position;
-    scenario.program = *position;
+    scenario.program = *program.position;
     document_.scenarios.push_back(std::move(scenario));
   }
 }

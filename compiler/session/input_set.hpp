@@ -62,11 +62,23 @@ class InputSet {
   Roots opened(std::span<const std::string> paths, const Options& options);
   Plant plant(const Roots& roots, grammar::Span blame);
   std::optional<Part> lower_plant(const Roots& roots, grammar::Span blame);
-  /// The position of the program, or nothing where it has errors.
-  std::optional<std::size_t> program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
-  /// The program with its places, or nothing where it has errors.
-  std::optional<LoweredProgram> lower_program(const Roots& roots, const Entry& entry, const Part* plant,
-                                              grammar::Span blame);
+  /// A program of the document. A model program has no position among those that control a plant.
+  struct Program {
+    std::optional<std::size_t> position;  ///< nothing: it has errors, or is a model program
+    bool model = false;
+  };
+  Program program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
+  /// The program with its places, or the model program; neither where there are errors.
+  struct Lowered {
+    std::optional<LoweredProgram> program;
+    std::optional<automata::ModelProgram> model;
+  };
+  Lowered lower_program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
+  /// The same from sources that are read; `plant` as above.
+  Lowered lower_definitions(const std::vector<ProgramSource>& files, const Entry& entry, const Part* plant,
+                            grammar::Span blame);
+  /// Where execution starts; nothing where that is not known, which has been reported where it has to be.
+  std::optional<std::size_t> start(const Definitions& definitions, const Entry& entry, grammar::Span blame);
   void scenarios(const File& file);
   void properties(const File& file, const Plant& plant);
   /// A file that a scenario names; null where it is missing or of another kind, and then it has been reported.
@@ -83,7 +95,7 @@ class InputSet {
   std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document
   std::deque<Part> parts_;              ///< of plants without errors; a deque, for they are referred to
   std::map<Roots, Plant> plants_;
-  std::map<std::tuple<Roots, std::string, const Part*>, std::optional<std::size_t>> programs_;
+  std::map<std::tuple<Roots, std::string, const Part*>, Program> programs_;
 };
 
 }  // namespace rmpl::compiler

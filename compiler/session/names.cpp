@@ -128,6 +128,7 @@ class Walk {
     for (const Name& name : variable.names) declare(name.span, NameKind::variable);
     add(variable.domain);
   }
+  void add(const grammar::StandingConstraint& standing) { add(standing.constraint); }
   void add(const grammar::Definition& definition) {
     declare(definition.name.span, NameKind::definition);
     for (const Name& parameter : definition.parameters) {

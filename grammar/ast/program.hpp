@@ -140,7 +140,13 @@ struct VariableDeclaration {
   DomainRef domain;
 };
 
-using ProgramItem = std::variant<Import, Definition, VariableDeclaration, Observe, Control, Domain>;
+/// `constraint c;` of a model program: it holds at every time.
+struct StandingConstraint {
+  Span span;
+  Constraint constraint;
+};
+
+using ProgramItem = std::variant<Import, Definition, VariableDeclaration, StandingConstraint, Observe, Control, Domain>;
 
 /// A whole `.rmpl` file, in order of the text.
 struct ProgramFile {

@@ -7,6 +7,7 @@ namespace {
 
 const Rule<struct DefinitionId, Definition> definition{"a definition"};
 const Rule<struct VariableId, VariableDeclaration> variable{"a variable"};
+const Rule<struct StandingId, StandingConstraint> standing{"a constraint"};
 
 /// `clock t, u;` A goal may ask for a mode of what is called `clock`: then no name follows.
 const auto clocks = (Keyword("clock") >> &name) > comma_list(append<&Definition::clocks>[name]) >
@@ -20,13 +21,18 @@ const auto definition_def =
 const auto variable_def = record[Keyword("variable") >> comma_list(append<&VariableDeclaration::names>[name]) > colon >
                                  domain_reference<&VariableDeclaration::domain>() > semicolon];
 
-constexpr auto items = &ProgramFile::items;
-const auto program_file_def =
-    record[statements_of_file("a definition `Name() :: { … }` or `import`",
-                              append<items>[import] | append<items>[variable] | append<items>[observe] |
-                                  append<items>[control] | append<items>[domain] | append<items>[definition])];
+/// A definition may be called `constraint`: then `::` follows its parameters.
+const auto standing_def =
+    record[(Keyword("constraint") >> !(open_paren >> -comma_list(name) >> close_paren >> defined_as)) >
+           field<&StandingConstraint::constraint>[constraint] > semicolon];
 
-BOOST_SPIRIT_DEFINE(definition, variable)
+constexpr auto items = &ProgramFile::items;
+const auto program_file_def = record[statements_of_file(
+    "a definition `Name() :: { … }` or `import`",
+    append<items>[import] | append<items>[variable] | append<items>[standing] | append<items>[observe] |
+        append<items>[control] | append<items>[domain] | append<items>[definition])];
+
+BOOST_SPIRIT_DEFINE(definition, variable, standing)
 
 }  // namespace
 

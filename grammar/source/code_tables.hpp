@@ -13,6 +13,7 @@ std::span<const CodeInfo> name_codes();
 std::span<const CodeInfo> plant_codes();
 std::span<const CodeInfo> chance_codes();
 std::span<const CodeInfo> program_codes();
+std::span<const CodeInfo> model_codes();
 std::span<const CodeInfo> scenario_codes();
 std::span<const CodeInfo> lint_codes();
 std::span<const CodeInfo> lint_plant_codes();

@@ -67,6 +67,11 @@ enum class Code : std::uint16_t {
   contradictory_goal = 311,
   no_program = 312,
   several_programs = 313,
+  // Model programs.
+  mixed_program = 314,
+  told_at_once = 315,
+  choice_distribution = 316,
+  clock_in_model = 317,
   // Scenarios.
   scenario_missing_part = 400,
   scenario_repeated_part = 401,

@@ -140,6 +140,17 @@ TEST(ProgramParse, ItemsOfAFile) {
   EXPECT_EQ(std::get<Definition>(result.tree->items[8]).name.text, "variable");
 }
 
+TEST(ProgramParse, StandingConstraints) {
+  const Parsed<ProgramFile> result(parse_program,
+                                   "constraint v = x | w = x; constraint (v = x); constraint (p);"
+                                   "constraint() :: { a = x } constraint(p, q) :: { p = q }");
+  ASSERT_TRUE(result.tree) << result.errors();
+  ASSERT_EQ(result.tree->items.size(), 5u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(std::holds_alternative<StandingConstraint>(result.tree->items[i]));
+  EXPECT_EQ(std::get<Definition>(result.tree->items[3]).name.text, "constraint");
+  EXPECT_EQ(std::get<Definition>(result.tree->items[4]).parameters.size(), 2u);
+}
+
 TEST(ProgramParse, AClockStartsAtZeroOnly) {
   EXPECT_EQ(body_of(" t = 5"), "1:14 expected a value, or `0` where a clock starts, found `5`\n");
   const Parsed<ProgramFile> result(parse_program, "M() :: { (t = 0) }");

@@ -1,0 +1,64 @@
+// Codes of the registry: model programs.
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "grammar/source/code_tables.hpp"
+
+namespace rmpl::grammar {
+namespace {
+
+constexpr std::array table = {
+    CodeInfo{
+        Code::mixed_program, "model and control definitions mixed",
+        "A program either tells what a system does, and all its definitions begin with `model`, or asserts what it "
+        "should do, and none does. Neither can call the other: keep them in files of their own.",
+        R"(variable power : { off, on };
+model Camera() :: { power = on }
+Main() :: { Camera() })",
+        R"(variable power : { off, on };
+model Camera() :: { power = on }
+model Main() :: { Camera() })"},
+    CodeInfo{
+        Code::told_at_once, "branch that tells at once",
+        "A `choose` is drawn as its instant ends. What holds in that instant cannot depend on the draw, so no branch "
+        "tells anything before its first `next`, `thennext`, `donext` or `;`. One that starts with the program, and "
+        "never again, is drawn before the start, and may.",
+        R"(variable lamp : { dark, lit };
+model Main() :: {
+  always choose { lamp = lit with 0.9, lamp = dark with 0.1 }
+})",
+        R"(variable lamp : { dark, lit };
+model Main() :: {
+  always choose { next lamp = lit with 0.9, next lamp = dark with 0.1 }
+})"},
+    CodeInfo{
+        Code::choice_distribution, "branches of a `choose`",
+        "The probabilities of the branches of a `choose` sum to 1. Where a whole number above 1 is among them, all "
+        "are shares of their sum.",
+        R"(variable lamp : { dark, lit };
+model Main() :: {
+  choose { lamp = lit with 0.9, lamp = dark with 0.05 }
+})",
+        R"(variable lamp : { dark, lit };
+model Main() :: {
+  choose { lamp = lit with 0.9, lamp = dark with 0.1 }
+})"},
+    CodeInfo{Code::clock_in_model, "clock in a model program",
+             "A model program counts steps, and has no clocks. A wait is as many `next` as steps, or a `choose` that "
+             "goes on with a probability.",
+             R"(variable lamp : { dark, lit };
+model Main() :: {
+  t = 0;
+  when t >= 2 s donext lamp = lit
+})",
+             R"(variable lamp : { dark, lit };
+model Main() :: {
+  next next lamp = lit
+})"},
+};
+
+}  // namespace
+
+std::span<const CodeInfo> model_codes() { return table; }
+
+}  // namespace rmpl::grammar
