@@ -9,6 +9,7 @@
 #include "tools/shared/models.hpp"
 #include "tools/tcca-check/commands.hpp"
 #include "tools/tcca-check/program_options.hpp"
+#include "tools/tcca-check/rehearsal.hpp"
 #include "verifier/closed_loop/check.hpp"
 #include "verifier/export/witness_scenario.hpp"
 #include "verifier/verdict/report.hpp"
@@ -123,8 +124,9 @@ ScenarioFrame frame_of(const ProgramOptions& options, const Subject& subject) {
   return frame;
 }
 
-/// Writes the first violation that a flight can show as a scenario. One of dense time is looked for again in cycles.
-void write_scenario(base::OutputFile& file, const ScenarioFrame& frame, const Subject& subject,
+/// Writes the first violation that a flight shows as a scenario, to `path`. One of dense time is looked for again in
+/// cycles.
+void write_scenario(const std::string& path, base::OutputFile& file, const ScenarioFrame& frame, const Subject& subject,
                     automata::PlantStep& step, const std::vector<Property>& properties,
                     const std::vector<Answer>& answers, const CheckOptions& free, const Common& common,
                     const verifier::Limits& limits) {
@@ -142,11 +144,15 @@ void write_scenario(base::OutputFile& file, const ScenarioFrame& frame, const Su
     const std::string not_found = "in cycles of " + automata::format_seconds(frame.cycle) +
                                   " s the violation was not found" +
                                   (answer.limit ? " before the search was ended" : "; --cycle takes another length");
-    const auto refused = witness ? verifier::no_scenario(step, property, *witness) : std::optional(not_found);
+    auto refused = witness ? verifier::no_scenario(step, property, *witness) : std::optional(not_found);
     if (!refused) {
-      file.write(verifier::scenario_text(step, property, *witness, frame));
-      file.keep();
-      return;
+      const std::string text = verifier::scenario_text(step, property, *witness, frame);
+      refused = rehearse(path, text, subject.plant, *witness, limits.interrupted);
+      if (!refused) {
+        file.write(text);
+        file.keep();
+        return;
+      }
     }
     if (!why) why = refused;
   }
@@ -182,7 +188,7 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
       common, [&] { return text_of(subject, properties, free, answers, options, common); },
       [&] { return verifier::to_json(subject, question, answers); },
       [&] { return verifier::to_junit(subject, properties, answers); });
-  if (frame) write_scenario(*file, *frame, subject, step, properties, answers, free, common, bounds);
+  if (frame) write_scenario(options.scenario, *file, *frame, subject, step, properties, answers, free, common, bounds);
   return status_of(verifier::overall(properties, answers));
 }
 

@@ -1,0 +1,81 @@
+// Where the estimate parts from the modes of the witness, readings leave both possible.
+// SPDX-License-Identifier: MIT
+#include "tools/tcca-check/rehearsal.hpp"
+
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/error.hpp"
+#include "compiler/session/compiler.hpp"
+#include "compiler/session/provider.hpp"
+#include "runtime/executive/scenario/run.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+/// Looks for the first cycle in which the executive takes something else for the truth than the witness.
+class Comparison final : public runtime::CycleObserver {
+ public:
+  Comparison(const automata::Plant& plant, const verifier::Witness& witness) : plant_(plant), witness_(witness) {}
+
+  void observe(const runtime::CycleRecord& record) override {
+    if (record.cycle == 0 || !difference_.empty()) return;
+    const automata::Modes* modes = modes_at(record.time);
+    if (modes == nullptr) return;
+    for (std::size_t c = 0; c < modes->size(); ++c) {
+      if ((*modes)[c] == record.estimate[c]) continue;
+      const automata::Component& component = plant_.components[c];
+      difference_ = "at " + automata::format_seconds(record.time) + " s the executive takes '" + component.name +
+                    "' to be '" + component.modes[record.estimate[c].index()].name + "', where the trace has '" +
+                    component.modes[(*modes)[c].index()].name + "'";
+      return;
+    }
+  }
+  /// Empty where there is none.
+  [[nodiscard]] const std::string& difference() const { return difference_; }
+
+ private:
+  /// Of the trace; null once it is over. What its last event leads to is not known.
+  [[nodiscard]] const automata::Modes* modes_at(automata::Ticks time) const {
+    const auto& events = witness_.events;
+    if (events.back().time < time) return nullptr;
+    const automata::Modes* modes = &events.front().modes;
+    for (std::size_t e = 1; e + 1 < events.size() && events[e].time <= time; ++e) modes = &events[e].modes;
+    return modes;
+  }
+
+  const automata::Plant& plant_;
+  const verifier::Witness& witness_;
+  std::string difference_;
+};
+
+}  // namespace
+
+std::optional<std::string> rehearse(const std::string& path, const std::string& text, const automata::Plant& plant,
+                                    const verifier::Witness& witness, const std::atomic<bool>* interrupted) {
+  compiler::Disk disk;
+  compiler::Overlay sources(disk);
+  sources.put(path, text);
+  const std::vector<std::string> paths{path};
+  const compiler::Compilation compilation = compiler::compile(paths, {}, sources);
+  CHECK(compilation.ok() && compilation.document().scenarios.size() == 1);
+  Comparison comparison(plant, witness);
+  runtime::ScenarioOptions options;
+  options.interrupted = [interrupted] { return interrupted != nullptr && interrupted->load(); };
+  const automata::Document& document = compilation.document();
+  runtime::ScenarioResult result;
+  try {
+    result = runtime::run_scenario(document, document.scenarios.front(), options, {&comparison});
+  } catch (const base::InputError& error) {
+    return std::string("flown, it comes to no end: ") + error.what();
+  }
+  if (result.interrupted) return "its flight, by which it is tried, was interrupted";
+  // What is owed after something that never comes is failed too, but not as in the trace.
+  const bool waits = document.scenarios.front().expectations.front().after.has_value();
+  const bool failed = result.verdict() == runtime::Judgement::Verdict::failed;
+  if (failed && (!waits || comparison.difference().empty())) return std::nullopt;
+  if (comparison.difference().empty()) return "flown, it meets what it expects";
+  return "flown, it does not fail as the trace does: " + comparison.difference() + "; the readings allow both";
+}
+
+}  // namespace rmpl::tools
