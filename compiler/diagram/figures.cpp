@@ -6,6 +6,7 @@
 #include <set>
 
 #include "compiler/diagram/component_diagram.hpp"
+#include "compiler/diagram/model_diagram.hpp"
 #include "compiler/diagram/plant_diagram.hpp"
 #include "compiler/diagram/program_diagram.hpp"
 
@@ -16,7 +17,7 @@ void add_types(const automata::Plant& plant, std::vector<Figure>& figures) {
   std::set<std::string_view> seen;
   for (const automata::Component& component : plant.components) {
     if (!seen.insert(component.type).second) continue;
-    figures.push_back({Figure::Kind::type, component.type, nullptr, &plant, &component});
+    figures.push_back({Figure::Kind::type, component.type, nullptr, &plant, &component, nullptr});
   }
 }
 
@@ -26,7 +27,7 @@ void add_modules(const automata::Plant& plant, std::vector<Figure>& figures) {
     for (std::size_t dot = component.name.find('.'); dot != std::string::npos;
          dot = component.name.find('.', dot + 1)) {
       const std::string path = component.name.substr(0, dot);
-      if (seen.insert(path).second) figures.push_back({Figure::Kind::module, path, nullptr, &plant, nullptr});
+      if (seen.insert(path).second) figures.push_back({Figure::Kind::module, path, nullptr, &plant, nullptr, nullptr});
     }
   }
 }
@@ -36,14 +37,17 @@ void add_modules(const automata::Plant& plant, std::vector<Figure>& figures) {
 std::vector<Figure> figures_of(const automata::Document& document) {
   std::vector<Figure> figures;
   for (const automata::Program& program : document.programs) {
-    figures.push_back({Figure::Kind::program, program.name, &program, nullptr, nullptr});
+    figures.push_back({Figure::Kind::program, program.name, &program, nullptr, nullptr, nullptr});
+  }
+  for (const automata::ModelProgram& model : document.models) {
+    figures.push_back({Figure::Kind::program, model.name, nullptr, nullptr, nullptr, &model});
   }
   for (const automata::Plant& plant : document.plants) {
-    if (!plant.name.empty()) figures.push_back({Figure::Kind::plant, plant.name, nullptr, &plant, nullptr});
+    if (!plant.name.empty()) figures.push_back({Figure::Kind::plant, plant.name, nullptr, &plant, nullptr, nullptr});
     add_types(plant, figures);
     add_modules(plant, figures);
     for (const automata::Component& component : plant.components) {
-      figures.push_back({Figure::Kind::instance, component.name, nullptr, &plant, &component});
+      figures.push_back({Figure::Kind::instance, component.name, nullptr, &plant, &component, nullptr});
     }
   }
   return figures;
@@ -88,7 +92,7 @@ std::string_view to_string(Figure::Kind kind) {
 std::string to_dot(const Figure& figure, std::optional<std::size_t> depth) {
   switch (figure.kind) {
     case Figure::Kind::program:
-      return program_diagram(*figure.program, depth);
+      return figure.model != nullptr ? model_diagram(*figure.model, depth) : program_diagram(*figure.program, depth);
     case Figure::Kind::plant:
       return plant_diagram(*figure.plant, {}, depth);
     case Figure::Kind::module:

@@ -18,9 +18,10 @@ struct Figure {
   enum class Kind { program, plant, type, module, instance };
   Kind kind = Kind::program;
   std::string name;  ///< of the program, plant or component type; the path of a module or of a component
-  const automata::Program* program = nullptr;      ///< of programs
+  const automata::Program* program = nullptr;      ///< of control programs
   const automata::Plant* plant = nullptr;          ///< of all others
   const automata::Component* component = nullptr;  ///< of instances; of a type, the first instance
+  const automata::ModelProgram* model = nullptr;   ///< of model programs, whose kind is program
 };
 
 /// All of a document: programs; then each plant, its component types in the order in which they are first used, its

@@ -25,7 +25,7 @@ constexpr std::size_t goal_width = 14;   // and in a circle
 
 class ProgramDiagram {
  public:
-  ProgramDiagram(const Program& program, std::optional<std::size_t> depth);
+  ProgramDiagram(const Program& program, std::optional<std::size_t> depth, const Look& look);
   std::string run();
 
  private:
@@ -50,9 +50,20 @@ class ProgramDiagram {
   void draw_composite(LocationId id);
   void draw_start(LocationId id);
   void draw_arc(LocationId from, std::size_t position);
+  void draw_choice(LocationId id, const std::vector<DrawnFunction>& functions);
+  void draw_functions(LocationId id, const std::vector<DrawnFunction>& functions);
+  void draw_from_dot(const std::string& dot, LocationId choice, LocationId to, std::string guard, bool counts);
+  /// Whether a box points to it: a choice that is drawn before time 0 is one, too.
+  [[nodiscard]] bool is_start(LocationId id) const {
+    const auto choice = look_.choices.find(id);
+    return at(id).start || (choice != look_.choices.end() && choice->second.front().before_start);
+  }
+  [[nodiscard]] bool is_hidden(LocationId id) const { return !look_.hidden.empty() && look_.hidden[id.index()]; }
+  [[nodiscard]] std::string guard(const std::vector<Condition>& conditions) const;
   [[nodiscard]] std::string box_top(LocationId id) const;
 
   const Program& program_;
+  const Look& look_;
   std::vector<LocationId> shown_;
   std::vector<bool> open_;  ///< a box that is drawn with what is inside
   std::vector<Children> children_;
@@ -61,15 +72,16 @@ class ProgramDiagram {
   DotText dot_;
 };
 
-ProgramDiagram::ProgramDiagram(const Program& program, std::optional<std::size_t> depth)
+ProgramDiagram::ProgramDiagram(const Program& program, std::optional<std::size_t> depth, const Look& look)
     : program_(program),
+      look_(look),
       children_(program.locations.size()),
       height_(program.locations.size(), 1),
       dot_(style::begin(program.name, "TB")) {
   find_shown(depth);
   for (std::size_t l = 0; l < program.locations.size(); ++l) {
     const auto parent = program.locations[l].parent;
-    if (parent && is_shown(LocationId(l))) children_[parent->index()].emplace_back(l);
+    if (parent && is_shown(LocationId(l)) && !is_hidden(LocationId(l))) children_[parent->index()].emplace_back(l);
   }
   find_lowest();
 }
@@ -113,6 +125,10 @@ std::string ProgramDiagram::run() {
     if (!program_.locations[l].parent) draw(LocationId(l));
   }
   for (std::size_t l = 0; l < program_.locations.size(); ++l) {
+    if (const auto choice = look_.choices.find(LocationId(l)); choice != look_.choices.end()) {
+      draw_functions(LocationId(l), choice->second);
+      continue;
+    }
     for (std::size_t a = 0; a < program_.locations[l].arcs.size(); ++a) draw_arc(LocationId(l), a);
   }
   return dot_.finish();
@@ -140,6 +156,7 @@ std::string ProgramDiagram::place(const Location& location) const {
 void ProgramDiagram::draw(LocationId id) {
   if (is_open(id)) return draw_composite(id);
   if (at(id).composite) return draw_folded(id);
+  if (const auto choice = look_.choices.find(id); choice != look_.choices.end()) return draw_choice(id, choice->second);
   draw_primitive(id);
 }
 
@@ -151,14 +168,16 @@ void ProgramDiagram::draw_primitive(LocationId id) {
     const auto value = style::broken_name(program_.variables.value(goal), goal_width);
     label += "<BR/>" + style::lines(name, Align::center) + "<BR/>" + style::lines(value, Align::center);
   }
+  const bool tells = !look_.told.empty() && !look_.told[id.index()].empty();
+  if (tells) label += "<BR/>" + style::lines(style::wrapped(look_.told[id.index()], guard_width), Align::center);
   if (location.clock_start) label += "<BR/>" + escaped(program_.clocks[location.clock_start->index()]) + " = 0";
   if (!location.maintenance.is_trivial()) {
     label += "<BR/>MAINTAIN<BR/>" + condition(location.maintenance, guard_width, Align::center);
   }
-  const std::string_view fill = !location.goal.empty() ? style::goal
-                                : location.clock_start ? style::clock
-                                                       : style::paper;
-  dot_.node("l" + number(id), {{"shape", dot_value("circle")},
+  const std::string_view fill = !location.goal.empty() || tells ? style::goal
+                                : location.clock_start          ? style::clock
+                                                                : style::paper;
+  dot_.node("l" + number(id), {{"shape", dot_value(tells ? "ellipse" : "circle")},
                                {"style", dot_value("filled")},
                                {"fillcolor", dot_value(fill)},
                                {"margin", dot_value("0.01")},
@@ -210,12 +229,12 @@ void ProgramDiagram::draw_composite(LocationId id) {
 /// The dot of a box, and its arrows; where nothing in the box starts it is not seen, and arrows to the box aim at it.
 void ProgramDiagram::draw_start(LocationId id) {
   const Children& inside = children_[id.index()];
-  const bool starts = std::any_of(inside.begin(), inside.end(), [&](LocationId child) { return at(child).start; });
+  const bool starts = std::any_of(inside.begin(), inside.end(), [&](LocationId child) { return is_start(child); });
   DotAttributes attributes{{"shape", dot_value("point")}, {"width", dot_value("0.08")}};
   if (!starts) attributes.push_back({"style", dot_value("invis")});
   dot_.node("s" + number(id), attributes);
   for (const LocationId child : inside) {
-    if (!at(child).start) continue;
+    if (!is_start(child)) continue;
     DotAttributes edge{{"id", dot_value("start_" + number(child))}};
     if (is_open(child)) edge.push_back({"lhead", dot_value("cluster_l" + number(child))});
     dot_.edge("s" + number(id), head(child), edge);
@@ -242,10 +261,58 @@ void ProgramDiagram::draw_arc(LocationId from, std::size_t position) {
   dot_.edge(tail(shown_from), head(to), attributes);
 }
 
+/// A diamond, and a dot for each function: in the box of the choice.
+void ProgramDiagram::draw_choice(LocationId id, const std::vector<DrawnFunction>& functions) {
+  dot_.node("l" + number(id), {{"shape", dot_value("diamond")},
+                               {"style", dot_value("filled")},
+                               {"fillcolor", dot_value(style::clock)},
+                               {"margin", dot_value("0.01")},
+                               {"label", dot_label("<B>" + number(id) + "</B>")},
+                               {"tooltip", dot_tooltip(place(at(id)))}});
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    dot_.node("f" + number(id) + "_" + std::to_string(f + 1),
+              {{"shape", dot_value("point")}, {"width", dot_value("0.06")}});
+  }
+}
+
+std::string ProgramDiagram::guard(const std::vector<Condition>& conditions) const {
+  std::string text;
+  for (const Condition& one : conditions)
+    text += (text.empty() ? "" : "<BR/>") + condition(one, guard_width, Align::left);
+  return text;
+}
+
+void ProgramDiagram::draw_functions(LocationId id, const std::vector<DrawnFunction>& functions) {
+  if (!is_shown(id)) return;
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    const std::string dot = "f" + number(id) + "_" + std::to_string(f + 1);
+    dot_.edge("l" + number(id), dot,
+              {{"id", dot_value("function_" + number(id) + "_" + std::to_string(f + 1))},
+               {"arrowhead", dot_value("none")},
+               {"label", dot_label(style::beside_arrow(escaped(functions[f].probability)))}});
+    for (const automata::GuardedArc& arc : functions[f].arcs)
+      draw_from_dot(dot, id, arc.target, guard(arc.guard), false);
+    for (const LocationId begun : functions[f].beginning) draw_from_dot(dot, id, begun, "", !functions[f].before_start);
+  }
+}
+
+/// `counts`: the target is not entered, but counts as started while the choice is drawn.
+void ProgramDiagram::draw_from_dot(const std::string& dot, LocationId choice, LocationId to, std::string guard,
+                                   bool counts) {
+  const LocationId shown = shown_[to.index()];
+  DotAttributes attributes;
+  if (!guard.empty()) attributes.push_back({"label", dot_label(style::beside_arrow(guard))});
+  if (counts) attributes.push_back({"style", dot_value("dashed")});
+  if (is_open(shown) && !is_within(choice, shown))
+    attributes.push_back({"lhead", dot_value("cluster_l" + number(shown))});
+  if (shown < choice) attributes.push_back({"constraint", dot_value("false")});
+  dot_.edge(dot, head(shown), attributes);
+}
+
 }  // namespace
 
-std::string program_diagram(const Program& program, std::optional<std::size_t> depth) {
-  return ProgramDiagram(program, depth).run();
+std::string program_diagram(const Program& program, std::optional<std::size_t> depth, const Look& look) {
+  return ProgramDiagram(program, depth, look).run();
 }
 
 }  // namespace rmpl::compiler

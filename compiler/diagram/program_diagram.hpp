@@ -7,6 +7,7 @@
 #include <string>
 
 #include "automata/program.hpp"
+#include "compiler/diagram/look.hpp"
 
 namespace rmpl::compiler {
 
@@ -15,6 +16,7 @@ namespace rmpl::compiler {
 /// "not entailed". Each location and each arc stands in it once: node, cluster or edge `l4`, `arc_4_1` by their numbers
 /// from 1. Boxes that lie deeper in others than `depth` are folded: single nodes, with nothing that is
 /// inside of them. Linear in the program, times its depth.
-std::string program_diagram(const automata::Program& program, std::optional<std::size_t> depth);
+/// `look` is of a model program: choices have their dots instead of arcs of their own.
+std::string program_diagram(const automata::Program& program, std::optional<std::size_t> depth, const Look& look = {});
 
 }  // namespace rmpl::compiler

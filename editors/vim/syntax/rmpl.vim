@@ -10,7 +10,7 @@ syntax iskeyword @,48-57,_,-,.
 
 syntax keyword rmplConstant false true
 syntax keyword rmplControl always choose do donext elsenext if maintaining next thennext unless watching when whenever with
-syntax keyword rmplDeclaration clock control domain import observe variable
+syntax keyword rmplDeclaration clock constraint control domain import observe variable
 syntax keyword rmplModifier any default model
 syntax keyword rmplOperator and in not or
 syntax match rmplNumber "\<\d\+\(\.\d\+\)\?\([eE][+-]\?\d\+\)\?\(\s*\(d\|h\|min\|mins\|ms\|s\|us\)\>\)\?"
