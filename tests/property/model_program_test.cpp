@@ -5,14 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "automata/step/marking_step.hpp"
+#include "automata/step/plant_step.hpp"
+#include "automata/step/transition_rules.hpp"
+#include "runtime/reasoning/estimate/estimator.hpp"
 #include "runtime/reasoning/estimate/marking_estimator.hpp"
 #include "tests/property/draw.hpp"
+#include "tests/property/generate.hpp"
 #include "tests/property/generate_model_program.hpp"
 #include "tests/reference/model_program.hpp"
 
@@ -232,6 +237,160 @@ RC_GTEST_PROP(ModelPrograms, TheBeamIsThePapers, ()) {
     RC_ASSERT(estimate.explained == expected.explained);
     RC_ASSERT(estimate.possible == expected.possible);
     if (clear) same(belief_of(*fast), expected.belief);
+  }
+}
+
+/// All trajectories from the belief that many updates ago, every time anew.
+RC_GTEST_PROP(ModelPrograms, TheWindowIsTheBestOfAllTrajectories, ()) {
+  const ModelProgram program =
+      chance(60) ? (*model_programs(4)).program : beside((*model_programs(2)).program, (*model_programs(2)).program);
+  const std::vector<ModelInput> inputs = *model_inputs(program, 4);
+  const std::size_t updates = up_to(1, 4);
+  const std::size_t k = up_to(1, 6);
+  const bool exact = chance(50);
+  const reference::ModelProgramStep slow(program);
+  const auto fast = runtime::make_marking_estimator(
+      program, {.kind = exact ? MarkingOptions::Kind::exact : MarkingOptions::Kind::k_best,
+                .k = exact ? k : std::max<std::size_t>(k, 40),
+                .window = updates});
+  if (!fast->estimate().possible) return;
+  std::vector<MarkingBelief> beliefs{belief_of(*fast)};
+  std::vector<reference::Told> told;
+  for (const ModelInput& input : inputs) {
+    fast->update(input.command, input.observation);
+    beliefs.push_back(belief_of(*fast));
+    told.emplace_back(commands_of(program, input), input.observation);
+    const std::size_t length = std::min(updates, told.size());
+    const MarkingBelief& from = beliefs[told.size() - length];
+    if (!exact && fast->groups() > 1 && from.size() >= 40) return;  // not all of the product is listed
+    const auto all =
+        reference::trajectories(slow, from, {told.end() - static_cast<std::ptrdiff_t>(length), told.end()});
+    std::vector<double> probabilities;
+    for (const auto& [trajectory, probability] : all) probabilities.push_back(probability);
+    std::sort(probabilities.begin(), probabilities.end(), std::greater<>());
+    const auto found = fast->history();
+    RC_ASSERT(found.size() == std::min(exact ? k : std::max<std::size_t>(k, 40), all.size()));
+    std::set<reference::MarkingTrajectory> distinct;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      reference::MarkingTrajectory trajectory;
+      for (const Marking& marking : found[i].markings) trajectory.push_back(set_of(marking));
+      RC_ASSERT(all.contains(trajectory));
+      RC_ASSERT(std::abs(all.at(trajectory) - found[i].probability) < 1e-12);
+      RC_ASSERT(std::abs(probabilities[i] - found[i].probability) < 1e-12);
+      RC_ASSERT(distinct.insert(trajectory).second);
+    }
+  }
+}
+
+/// The functions of a mode's location: the moves depend on which guards hold, the draw does not. So [0, 1] is cut where
+/// the moves under any guards are cut, and each piece has an arc for all that the guards may say.
+std::vector<automata::TransitionFunction> functions_of(const automata::Component& component, automata::ModeId mode,
+                                                       automata::LocationId first, automata::Ticks step) {
+  std::vector<automata::TransitionId> leaving;
+  for (std::size_t t = 0; t < component.transitions.size(); ++t) {
+    const automata::Transition& transition = component.transitions[t];
+    if (transition.from == mode && automata::can_ever_be_taken(transition)) leaving.emplace_back(t);
+  }
+  std::vector<std::vector<automata::Move>> moves;  // by which guards hold
+  std::set<double> cuts;
+  for (std::size_t held = 0; held < (std::size_t{1} << leaving.size()); ++held) {
+    const auto enabled = automata::enabled_in(component, mode, [&](automata::TransitionId t) {
+      const auto place = std::find(leaving.begin(), leaving.end(), t) - leaving.begin();
+      return (held >> place & 1) != 0;
+    });
+    double sum = 0;
+    for (const automata::Move& move : moves.emplace_back(automata::moves_of(component, mode, enabled, {}, step))) {
+      cuts.insert(sum += move.probability);
+    }
+  }
+  std::vector<automata::TransitionFunction> functions;
+  double before = 0;
+  for (const double cut : cuts) {
+    automata::TransitionFunction& function = functions.emplace_back();
+    function.probability = cut - before;
+    for (std::size_t held = 0; held < moves.size(); ++held) {
+      automata::GuardedArc& arc = function.arcs.emplace_back();
+      for (std::size_t i = 0; i < leaving.size(); ++i) {
+        arc.guard.push_back({(held >> i & 1) != 0, component.transitions[leaving[i].index()].guard});
+      }
+      double sum = 0;
+      automata::ModeId to = moves[held].back().mode;
+      for (const automata::Move& move : moves[held]) {
+        sum += move.probability;
+        if (sum < (before + cut) / 2) continue;
+        to = move.mode;
+        break;
+      }
+      arc.target = automata::LocationId(first.index() + to.index());
+    }
+    before = cut;
+  }
+  return functions;
+}
+
+/// An untimed plant as a model program, for steps of one length: a location a mode.
+ModelProgram as_model_program(const automata::Plant& plant, automata::Ticks step) {
+  ModelProgram program;
+  program.name = plant.name;
+  program.variables = plant.variables;
+  program.observables = plant.observables;
+  program.constraints = plant.interconnections;
+  for (const automata::Control& control : plant.controls) program.controls.push_back({control.variable, control.idle});
+  program.locations.emplace_back().composite = true;
+  for (const automata::Component& component : plant.components) {
+    automata::InitialDraw& draw = program.initial.emplace_back();
+    draw.choice = automata::LocationId(program.locations.size());
+    program.locations.emplace_back().parent = automata::LocationId(0);
+    program.locations.back().functions.emplace_back();
+    const automata::LocationId first(program.locations.size());
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      automata::ModelLocation& location = program.locations.emplace_back();
+      location.parent = automata::LocationId(0);
+      location.told =
+          automata::conjunction({automata::is(component.mode, automata::ValueId(m)), component.modes[m].constraint});
+      location.functions = functions_of(component, automata::ModeId(m), first, step);
+      draw.branches.push_back({component.initial[m], {automata::LocationId(first.index() + m)}});
+    }
+  }
+  return program;
+}
+
+RC_GTEST_PROP(ModelPrograms, AnUntimedPlantHasTheSameBelief, ()) {
+  const automata::Ticks second{automata::Ticks::per_second};
+  const Model model = *models({.timed = false, .open = chance(40)});
+  const ModelProgram program = as_model_program(model.plant, second);
+  automata::PlantStep step(model.plant);
+  const auto plant = runtime::make_exact_estimator(step, {});
+  const auto markings = runtime::make_marking_estimator(program, {.kind = MarkingOptions::Kind::exact});
+  automata::Ticks now;
+  for (std::size_t i = up_to(1, 5); i > 0; --i) {
+    const automata::ControlAction action = *actions_of(model.plant);
+    automata::Observation seen = (*logs(model.plant, 1)).lines.front().observation;
+    for (const auto& entry : plant->belief()) {
+      if (!step.consistent(entry.state.modes, action)) return;  // enables every guard of a plant
+    }
+    plant->update(action, seen, now += second);
+    markings->update(automata::Command(action.begin(), action.end()), seen);
+    RC_ASSERT(plant->estimate().consistent == markings->estimate().explained);
+    std::map<automata::Modes, double> expected, found;
+    for (const auto& entry : plant->belief()) expected[entry.state.modes] += entry.probability;
+    for (const auto& entry : markings->belief()) {
+      automata::Modes modes;
+      for (std::size_t c = 0; c < program.initial.size(); ++c) {
+        const std::size_t first = program.initial[c].choice.index() + 1;
+        for (const automata::LocationId l : entry.marking) {
+          if (l.index() >= first && l.index() < first + model.plant.components[c].modes.size()) {
+            modes.emplace_back(l.index() - first);
+          }
+        }
+      }
+      found[modes] += entry.probability;
+    }
+    RC_ASSERT(found.size() == expected.size());
+    for (const auto& [modes, probability] : expected) {
+      RC_ASSERT(found.contains(modes));
+      RC_ASSERT(std::abs(found[modes] - probability) < 1e-12);
+    }
   }
 }
 

@@ -20,6 +20,7 @@
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "tools/rmpl-run/commands.hpp"
+#include "tools/rmpl-run/estimate_model.hpp"
 #include "tools/rmpl-run/latency.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/models.hpp"
@@ -47,6 +48,9 @@ struct Options {
   bool ranks = false;
   bool live_clocks = false;
   bool stats = false;
+  bool beam = false;
+  std::optional<std::size_t> window;
+  bool text = false;
 };
 
 /// What an update cost, and what it may have missed.
@@ -64,6 +68,10 @@ seconds since they started. The first step is from time 0 and the initial distri
 at time 0 and without a "command", tell what is seen at the start. Several lines may have one time. A
 trace of rmpl-run scenario is such a log. What comes from standard input is answered line by line.
 Where a search ended early, the line says "cut": true, and its belief may lack states.
+Of a model program a line has, in place of modes, the "marking" of the most likely entry and what it
+entails as "estimate"; an entry of the belief has its "marking" and "values". Each line is a step. With
+--window there is the "history", trajectories best first, and "revised": where the best now differs from
+what it was after the line before.
 With --stats a line also has "checked", the candidates that were checked; "dropped", at most what this
 update left out of all that follows from the belief before; and "missing_mass", an upper bound of the
 probability of all states that it does not list. With --ranks states have a "rank" in place of a
@@ -76,6 +84,7 @@ examples:
   rmpl-run estimate lander.tcca --log flight.jsonl --estimator exact
   rmpl-run estimate lander.tcca --log flight.jsonl -k 64 --deadline 5ms --stats
   rmpl-run estimate lander.tcca --log flight.jsonl -k 5 --ranks --live-clocks
+  rmpl-run estimate camera.rmpl --log flight.jsonl --window 20 --text
   telemetry | rmpl-run estimate lander.tcca --log - --live-clocks
   echo '{"time": 0.5, "command": {"engine.cmd": "standby"}}' | rmpl-run estimate lander.tcca --log -)";
 
@@ -238,10 +247,35 @@ class Flight {
   LogLine before_;
 };
 
+/// A model program is estimated by markings.
+ExitStatus run_model(const automata::ModelProgram& program, const Options& options, const Common& common) {
+  if (options.thesis || options.ranks || options.live_clocks || options.deadline) {
+    throw base::InputError(options.plant +
+                           ": --thesis, --ranks, --live-clocks and --deadline are about plants, and this is a model "
+                           "program");
+  }
+  ModelEstimateOptions own;
+  own.model = options.plant;
+  own.log = options.log;
+  using Kind = runtime::MarkingOptions::Kind;
+  own.estimator.kind = options.beam ? Kind::beam : options.engine == Engine::exact ? Kind::exact : Kind::k_best;
+  if (options.k) own.estimator.k = own.estimator.listed = *options.k;
+  own.estimator.window = options.window.value_or(0);
+  own.text = options.text;
+  own.stats = options.stats || common.verbose;
+  return estimate_model(program, own);
+}
+
 ExitStatus run(const Options& options, const Common& common) {
   const auto begin = std::chrono::steady_clock::now();
   check_standard_input({options.plant, options.log});
   const compiler::Compilation compilation = load({options.plant}, common);
+  if (compilation.document().plants.empty() && !compilation.document().models.empty()) {
+    return run_model(only_model_program(compilation.document(), options.plant), options, common);
+  }
+  if (options.beam || options.window || options.text) {
+    throw base::InputError(options.plant + ": --beam, --window and --text are about model programs, and this is none");
+  }
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
   std::optional<std::size_t> lines;
@@ -279,7 +313,8 @@ ExitStatus run(const Options& options, const Common& common) {
 void add_estimate(Program& program) {
   CLI::App* command = program.app().add_subcommand("estimate", "tell what state a plant is in, from a log");
   const auto options = std::make_shared<Options>();
-  command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
+  command->add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
+      ->required();
   command->add_option("--log", options->log, "commands and observations; - is standard input")
       ->required()
       ->option_text("IN.jsonl");
@@ -297,18 +332,28 @@ void add_estimate(Program& program) {
                     "observation factor, and all states that are as good as the k-th");
   command->add_flag("--live-clocks", options->live_clocks,
                     "forget the clock of a component while nothing depends on it, as the executive does");
+  command->add_flag("--beam", options->beam,
+                    "model programs: keep the k markings that were most likely before the readings' factors, as the\n"
+                    "paper on model programs does");
+  add_whole_number(
+      *command, "--window", options->window, 1, 1'000,
+      "model programs: tell the k most likely histories of the last N updates, revised by what came since");
+  command->add_flag("--text", options->text, "model programs: answer for people, with the source of what is marked");
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
   command->footer(footer);
-  program.add({command, [options, &common = program.common()] {
-                 if (options->engine == Engine::exact && (options->thesis || options->ranks || options->deadline)) {
-                   throw base::InputError(
-                       "--thesis, --ranks and --deadline are about k-best; expected --estimator k-best");
-                 }
-                 if (options->thesis && options->ranks) {
-                   throw base::InputError("--thesis and --ranks are two ways to count; expected one of them");
-                 }
-                 return within_limits([&] { return run(*options, common); });
-               }});
+  program.add(
+      {command, [options, &common = program.common()] {
+         if (options->engine == Engine::exact && (options->thesis || options->ranks || options->deadline)) {
+           throw base::InputError("--thesis, --ranks and --deadline are about k-best; expected --estimator k-best");
+         }
+         if (options->beam && (options->engine == Engine::exact || options->window)) {
+           throw base::InputError("--beam keeps a beam of its own: expected neither --estimator exact nor --window");
+         }
+         if (options->thesis && options->ranks) {
+           throw base::InputError("--thesis and --ranks are two ways to count; expected one of them");
+         }
+         return within_limits([&] { return run(*options, common); });
+       }});
 }
 
 }  // namespace rmpl::tools

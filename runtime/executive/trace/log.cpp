@@ -82,6 +82,11 @@ LogReader::LogReader(std::istream& in, std::string name, const automata::Plant& 
         return resolve(plant, role, variable, value);
       }) {}
 
+LogReader::LogReader(std::istream& in, std::string name, const automata::ModelProgram& program)
+    : in_(in), name_(std::move(name)), resolve_([&program](Role role, const std::string& variable, const auto& value) {
+        return resolve(program, role, variable, value);
+      }) {}
+
 LogReader::LogReader(std::istream& in, std::string name, automata::Variables& variables)
     : in_(in), name_(std::move(name)), resolve_([&variables](Role, const std::string& variable, const auto& value) {
         const auto known = variables.find(variable);
@@ -127,10 +132,10 @@ void LogReader::place(LogLine& line, bool first) const {
 }
 
 void LogReader::interpret(const std::string& text, LogLine& line) const {
-  static const std::vector<std::string_view> keys{"cycle",       "time",    "unchanged",    "marking",      "goal",
-                                                  "asserted_by", "command", "reason",       "observations", "estimate",
-                                                  "evidence",    "belief",  "truth",        "events",       "clocks",
-                                                  "cut",         "checked", "missing_mass", "dropped"};
+  static const std::vector<std::string_view> keys{
+      "cycle",  "time",         "unchanged", "marking",      "goal",    "asserted_by", "command",
+      "reason", "observations", "estimate",  "evidence",     "belief",  "truth",       "events",
+      "clocks", "cut",          "checked",   "missing_mass", "dropped", "history",     "revised"};
   const Json json = parse_object(text);
   for (const auto& [key, value] : json.items()) {
     if (key == "cycle") {
@@ -148,7 +153,8 @@ void LogReader::interpret(const std::string& text, LogLine& line) const {
       line.estimate = assignments(Role::estimate, key, value);
     } else if (key == "goal" || key == "asserted_by" || key == "reason" || key == "truth" || key == "clocks") {
       expect(value.is_object(), key, "an object", value);
-    } else if (key == "marking" || key == "evidence" || key == "belief" || key == "events") {
+    } else if (key == "marking" || key == "evidence" || key == "belief" || key == "events" || key == "history" ||
+               key == "revised") {
       expect(value.is_array(), key, "an array", value);
     } else if (key == "cut") {
       expect(value.is_boolean(), key, "true or false", value);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "automata/json/parse.hpp"
+#include "automata/phca.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
 #include "automata/time/time.hpp"
@@ -40,6 +41,8 @@ class LogReader {
 
   /// Over a plant's names. `name` is the file's, for messages. Keeps a reference to `in` and `plant`.
   LogReader(std::istream& in, std::string name, const automata::Plant& plant);
+  /// Over a model program's: commands of its controls, readings of any of its variables.
+  LogReader(std::istream& in, std::string name, const automata::ModelProgram& program);
   /// Names are taken as they come: variables and values that `variables` lacks are added to it.
   LogReader(std::istream& in, std::string name, automata::Variables& variables);
 

@@ -61,6 +61,15 @@ bool plays(const automata::Plant& plant, Role role, automata::VariableId variabl
   return false;
 }
 
+automata::ValueId value_of(const automata::Variable& variable, const std::string& value) {
+  const auto known = variable.find(value);
+  if (!known) {
+    throw base::InputError(" '" + value + "' is no value of '" + variable.name + "'" +
+                           base::suggestion(value, variable.values));
+  }
+  return *known;
+}
+
 }  // namespace
 
 Assignment resolve(const automata::Plant& plant, LogReader::Role role, const std::string& name,
@@ -73,12 +82,24 @@ Assignment resolve(const automata::Plant& plant, LogReader::Role role, const std
     throw base::InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant.name + "'" +
                            base::suggestion(name, candidates(plant, role)));
   }
-  const automata::Variable& declared = plant.variables[*variable];
-  const auto known = declared.find(value);
-  if (!known) {
-    throw base::InputError(" '" + value + "' is no value of '" + name + "'" + base::suggestion(value, declared.values));
+  return {*variable, value_of(plant.variables[*variable], value)};
+}
+
+Assignment resolve(const automata::ModelProgram& program, LogReader::Role role, const std::string& name,
+                   const std::string& value) {
+  std::vector<std::string_view> names;
+  if (role == Role::command) {
+    for (const auto& control : program.controls) names.emplace_back(program.variables.name(control.variable));
+  } else {
+    for (const automata::Variable& variable : program.variables) names.emplace_back(variable.name);
   }
-  return {*variable, *known};
+  const auto variable = program.variables.find(name);
+  if (!variable || std::find(names.begin(), names.end(), name) == names.end()) {
+    const std::string noun = role == Role::command ? "control variable" : "variable";
+    throw base::InputError(" '" + name + "' is no " + noun + " of model program '" + program.name + "'" +
+                           base::suggestion(name, names));
+  }
+  return {*variable, value_of(program.variables[*variable], value)};
 }
 
 }  // namespace rmpl::runtime

@@ -14,4 +14,8 @@ namespace rmpl::runtime {
 automata::Assignment resolve(const automata::Plant& plant, LogReader::Role role, const std::string& name,
                              const std::string& value);
 
+/// The same over a model program.
+automata::Assignment resolve(const automata::ModelProgram& program, LogReader::Role role, const std::string& name,
+                             const std::string& value);
+
 }  // namespace rmpl::runtime

@@ -141,6 +141,7 @@ class MarkingBeam final : public MarkingEstimator {
     if (result.size() > listed_) result.resize(listed_);
     return result;
   }
+  [[nodiscard]] std::vector<MarkingTrajectory> history() override { return {}; }
   [[nodiscard]] const MarkingEstimate& estimate() const override { return estimate_; }
   [[nodiscard]] std::size_t groups() const override { return steps_.size(); }
   [[nodiscard]] std::size_t questions() override {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/best_tuples.hpp"
@@ -11,6 +12,7 @@
 #include "runtime/reasoning/estimate/marking_filter.hpp"
 #include "runtime/reasoning/estimate/marking_groups.hpp"
 #include "runtime/reasoning/estimate/marking_parts.hpp"
+#include "runtime/reasoning/estimate/marking_window.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
 
 namespace rmpl::runtime {
@@ -25,6 +27,7 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
   FactoredMarkingEstimator(const automata::ModelProgram& program, const MarkingOptions& options)
       : options_(options), groups_(program) {
     for (std::size_t g = 0; g < groups_.size(); ++g) filters_.emplace_back(groups_[g].program, options);
+    if (options.window > 0) window_.emplace(groups_, options.window, options.k);
     FactoredMarkingEstimator::start({});
   }
 
@@ -40,6 +43,7 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
       if (!estimate_.explained) filter.start({});
       estimate_.possible = estimate_.possible && !filter.belief().empty();
     }
+    if (window_) window_->start(by_group());
     return estimate_;
   }
 
@@ -59,7 +63,12 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
       estimate_.cut = estimate_.cut || filter.cut();
       estimate_.checked += filter.checked();
     }
+    if (window_) window_->update(commands, seen, by_group());
     return estimate_;
+  }
+
+  [[nodiscard]] std::vector<MarkingTrajectory> history() override {
+    return window_ ? window_->trajectories() : std::vector<MarkingTrajectory>{};
   }
 
   [[nodiscard]] MarkingBelief belief() override {
@@ -99,9 +108,21 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
   }
 
  private:
+  std::vector<GroupBelief> by_group() {
+    std::vector<GroupBelief> result;
+    for (MarkingFilter& filter : filters_) {
+      GroupBelief& belief = result.emplace_back();
+      for (const NumberedEntry& entry : filter.belief()) {
+        belief.emplace_back(filter.step()[entry.marking], entry.probability);
+      }
+    }
+    return result;
+  }
+
   MarkingOptions options_;
   MarkingGroups groups_;
   std::deque<MarkingFilter> filters_;  ///< a filter stays where it is
+  std::optional<MarkingWindow> window_;
   MarkingEstimate estimate_;
   bool updated_ = false;
 };

@@ -21,6 +21,12 @@ struct MarkingEntry {
   std::vector<automata::Assignment> values;  ///< what its store entails, by variable
 };
 
+/// Markings, composites included: where it set out from, and one an update.
+struct MarkingTrajectory {
+  double probability = 0;
+  std::vector<automata::Marking> markings;
+};
+
 /// Most probable first; ties to the smaller location numbers.
 using MarkingBelief = std::vector<MarkingEntry>;
 
@@ -42,6 +48,7 @@ struct MarkingOptions {
   std::size_t k = 16;
   std::size_t listed = std::numeric_limits<std::size_t>::max();  ///< how many markings `belief` lists
   std::size_t candidates = 100'000;  ///< k-best: how many an update may check before it is cut
+  std::size_t window = 0;            ///< exact and k-best: how many updates `history` goes back
   std::size_t most_summed = 256;     ///< k-best: ways out of one marking that are still summed; beyond, it searches
 };
 
@@ -55,6 +62,9 @@ class MarkingEstimator {
   /// The belief after a step under the command, and what is seen then. Throws TooManyStates, as the next does.
   virtual const MarkingEstimate& update(const automata::Command& command, const automata::Observation& observation) = 0;
   [[nodiscard]] virtual MarkingBelief belief() = 0;
+  /// With `MarkingOptions::window`: the `k` most likely trajectories of that many updates, best first, normalised over
+  /// all there are (marking_window.hpp). None without a window. Throws TooManyStates.
+  [[nodiscard]] virtual std::vector<MarkingTrajectory> history() = 0;
   /// Of the last update, or of the start: `possible` tells whether there is an initial marking at all.
   [[nodiscard]] virtual const MarkingEstimate& estimate() const = 0;
   /// How many independent groups there are.
