@@ -29,9 +29,14 @@ namespace {
 
 /// The only one of some things in an input.
 template <class Things>
-const auto& only(const Things& things, const std::string& paths, const char* what, const char* ending) {
+const auto& only(const Things& things, const automata::Document& document, const std::string& paths, const char* what,
+                 const char* ending) {
   if (things.size() == 1) return things.front();
   const std::string expected = std::string("expected one ") + what + ", as in a " + ending + " file";
+  if (things.empty() && !document.models.empty()) {
+    throw base::InputError(paths + ": " + expected + ", and '" + document.models.front().name +
+                           "' is a model program; what it does is told by rmpl-run estimate");
+  }
   if (things.empty()) throw base::InputError(paths + ": " + expected + ", and there is none in it");
   throw base::InputError(paths + ": " + expected + ", and there are " + std::to_string(things.size()));
 }
@@ -39,15 +44,15 @@ const auto& only(const Things& things, const std::string& paths, const char* wha
 }  // namespace
 
 const automata::Plant& only_plant(const automata::Document& document, const std::string& paths) {
-  return only(document.plants, paths, "plant", ".tcca");
+  return only(document.plants, document, paths, "plant", ".tcca");
 }
 
 const automata::Program& only_program(const automata::Document& document, const std::string& paths) {
-  return only(document.programs, paths, "control program", ".rmpl");
+  return only(document.programs, document, paths, "control program", ".rmpl");
 }
 
 const automata::ModelProgram& only_model_program(const automata::Document& document, const std::string& paths) {
-  return only(document.models, paths, "model program", ".rmpl");
+  return only(document.models, document, paths, "model program", ".rmpl");
 }
 
 automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,

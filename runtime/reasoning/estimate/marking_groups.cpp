@@ -64,6 +64,10 @@ class Links {
     }
   }
 
+  [[nodiscard]] bool reads_told(const Formula& formula) const {
+    const auto variables = variables_of(formula);
+    return std::any_of(variables.begin(), variables.end(), [&](VariableId v) { return told(v); });
+  }
   void link_read(std::size_t location, const Formula& formula) {
     for (const VariableId v : variables_of(formula)) {
       if (told(v)) partition_.join(location, node(v));
@@ -90,7 +94,7 @@ class Links {
   void link(std::size_t l) {
     const ModelLocation& location = program_.locations[l];
     if (location.composite) {
-      if (!location.maintenance.is_trivial() || !location.arcs.empty()) link_inside(l, l);
+      if (reads_told(location.maintenance.constraint) || !location.arcs.empty()) link_inside(l, l);
       link_read(l, location.maintenance.constraint);
       link_arcs(l, location.arcs);
       return;
@@ -216,8 +220,8 @@ MarkingGroups::MarkingGroups(const ModelProgram& program) : homes_(program.varia
   for (std::size_t l = 0; l < program.locations.size(); ++l) {
     const auto own = members.find(links.root(LocationId(l)));
     if (own == members.end()) continue;
-    add_guarded(program, LocationId(l), own->second.variables);
     for (std::optional<LocationId> at(l); at; at = program.locations[at->index()].parent) {
+      add_guarded(program, *at, own->second.variables);
       own->second.locations.insert(*at);
     }
   }

@@ -22,9 +22,10 @@ struct MarkingGroup {
 
 /// The finest partition such that, given the command, what one group does depends on itself alone. Linked are: a
 /// location, what it tells, what its guards read, what its arcs lead to and what it counts as started; a composite that
-/// has arcs or is watched, and all that it holds; what is drawn together before time 0; the variables of one conjunct
-/// of a constraint for the whole program. A commanded variable that only guards read links nothing. A composite that
-/// merely holds threads, as the program itself most often does, links nothing either, and is in every group of theirs.
+/// has arcs or is watched for more than commands, and all that it holds; what is drawn together before time 0; the
+/// variables of one conjunct of a constraint for the whole program. A commanded variable that only guards read links
+/// nothing. A composite that merely holds threads, as the program itself most often does, links nothing either, and is
+/// in every group of theirs.
 class MarkingGroups {
  public:
   explicit MarkingGroups(const automata::ModelProgram& program);
