@@ -67,6 +67,12 @@ Kind kind_by_content(std::string_view text) {
     if (!text.empty() && text.front() == ';') text = trimmed(text.substr(1));
     word = take_word(text);
   }
+  // Domains stand before plants and before model programs.
+  while (word == "domain" && !text.empty() && text.front() != '(') {
+    text = trimmed(text.substr(std::min(text.find(';'), text.size() - 1) + 1));
+    if (text.empty()) return Kind::plant;
+    word = take_word(text);
+  }
   // `plant() :: { … }` is a definition: the words are reserved only where the grammar expects them.
   if (!text.empty() && text.front() == '(') return Kind::program;
   if (word == "property" && !text.empty() && text.front() == '"') return Kind::properties;

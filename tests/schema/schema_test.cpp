@@ -81,6 +81,7 @@ const std::vector<Output> outputs = {
      "rmplc compile {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca", "document"},
     {"DocumentOfScenarios", "rmplc compile {examples}/propulsion/burn.scn", "document"},
     {"DocumentOfALongProgram", "rmplc compile {examples}/mars-edl/mars_edl.rmpl", "document"},
+    {"DocumentOfAModelProgram", "rmplc compile {examples}/rover-camera/rover_camera.rmpl", "document"},
     {"Diagnostics", "echo 'plant P { }' > wrong.tcca; rmplc compile --format json wrong.tcca 2>&1", "diagnostics"},
     {"Sarif",
      "echo 'P() :: { x = a; { y = b; z = c, u = d }; always v = e; w = f }' > p.rmpl; rmplc lint --format sarif p.rmpl",

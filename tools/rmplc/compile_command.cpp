@@ -22,7 +22,7 @@ the plant, the control program (checked against the plant and bound to it, where
 both are given) and the scenarios with what they refer to. The same input gives the
 same bytes. A failed compile writes nothing.
 
-Files are told by their names: .rmpl control programs, .tcca plant models, .scn
+Files are told by their names: .rmpl control or model programs, .tcca plants, .scn
 scenarios, .json compiled documents. `-` is standard input, told by its content.
 Imports are relative to the importing file.
 
@@ -32,12 +32,17 @@ Example:
 void print_sizes(const automata::Document& document) {
   std::string text = "plants: " + std::to_string(document.plants.size()) +
                      ", programs: " + std::to_string(document.programs.size()) +
+                     (document.models.empty() ? "" : ", model programs: " + std::to_string(document.models.size())) +
                      ", scenarios: " + std::to_string(document.scenarios.size()) + "\n";
   for (const automata::Plant& plant : document.plants) {
     const automata::PlantSize size = automata::size_of(plant);
     text += "plant " + plant.name + ": " + std::to_string(size.components) + " components, " +
             std::to_string(size.modes) + " modes, " + std::to_string(size.propositions) + " propositions, " +
             std::to_string(size.clauses) + " clauses\n";
+  }
+  for (const automata::ModelProgram& model : document.models) {
+    text += "model program " + model.name + ": " + std::to_string(model.locations.size()) + " locations, " +
+            std::to_string(model.variables.size()) + " variables\n";
   }
   print_error(text);
 }

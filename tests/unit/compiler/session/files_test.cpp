@@ -78,6 +78,11 @@ TEST_F(InputFiles, KindsAreToldByContent) {
                             "component C { }"),
             Kind::plant);
   EXPECT_EQ(kind_by_content("plant P { }"), Kind::plant);
+  EXPECT_EQ(kind_by_content("domain D = { a };"), Kind::plant);
+  EXPECT_EQ(kind_by_content("domain D = { a }; /* b */ domain E = { a }; component C { }"), Kind::plant);
+  EXPECT_EQ(kind_by_content("domain D = { a };\nvariable v : D; model M() :: { v = a }"), Kind::program);
+  EXPECT_EQ(kind_by_content("domain D = { a"), Kind::plant);
+  EXPECT_EQ(kind_by_content("domain() :: { x = on }"), Kind::program);
   EXPECT_EQ(kind_by_content("plant() :: { x = on }"), Kind::program);
   EXPECT_EQ(kind_by_content("import \"a.tcca\"; "), Kind::plant);
   EXPECT_EQ(kind_by_content("P() :: { x = on }"), Kind::program);
