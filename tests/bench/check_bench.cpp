@@ -19,8 +19,8 @@ void check(benchmark::State& state, const char* file, const char* target, std::o
   options.faults = static_cast<unsigned>(state.range(0));
   std::size_t states = 0;
   for (auto _ : state) {
-    automata::PlantStep step(plant);
-    const verifier::Answer answer = verifier::check(step, property, options, {});
+    verifier::Slices slices(plant);
+    const verifier::Answer answer = verifier::check(slices, property, options, {});
     CHECK(answer.verdict == verifier::Verdict::holds && answer.witness);
     states = answer.progress.states;
   }

@@ -52,20 +52,20 @@ verifier::Limits small_limits() {
 }
 
 void check_plant(const automata::Plant& plant) {
-  automata::PlantStep step(plant);
+  verifier::Slices slices(plant);
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const automata::Component& component = plant.components[c];
     const auto last = automata::ValueId(component.modes.size() - 1);
     verifier::CheckOptions options;
     options.faults = 1;
     const verifier::Property property = verifier::Reachability{automata::is(component.mode, last), {}, false};
-    const verifier::Answer with = verifier::check(step, property, options, small_limits());
+    const verifier::Answer with = verifier::check(slices, property, options, small_limits());
     options.symmetry = false;
-    const verifier::Answer without = verifier::check(step, property, options, small_limits());
+    const verifier::Answer without = verifier::check(slices, property, options, small_limits());
     if (with.limit || without.limit) continue;
     CHECK(with.verdict == without.verdict && "no verdict depends on symmetry");
   }
-  (void)verifier::check(step, verifier::Stuck{}, {}, small_limits());
+  (void)verifier::check(slices, verifier::Stuck{}, {}, small_limits());
 }
 
 void check_program(const automata::Program& program, const automata::Plant& plant) {

@@ -85,13 +85,14 @@ RC_GTEST_PROP(Export, ReachesWhatThePlantReaches, ()) {
                                           chance(50) ? verifier::Commands::one : verifier::Commands::any,
                                           {}};
   automata::PlantStep step(plant);
+  verifier::Slices slices(plant);
   const TimedAutomaton automaton = verifier::unfold(step, question, {});
   verifier::CheckOptions options;
   options.faults = question.faults;
   options.commands = question.commands;
   options.entailed = question.entailed;
   const verifier::Answer result =
-      verifier::check(step, verifier::Reachability{question.target, {}, false}, options, {});
+      verifier::check(slices, verifier::Reachability{question.target, {}, false}, options, {});
   RC_ASSERT(Explorer(automaton).reaches_target() == (result.verdict == verifier::Verdict::holds));
 }
 

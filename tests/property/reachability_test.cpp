@@ -60,24 +60,24 @@ verifier::Verdict without_witness(const verifier::Answer& answer, verifier::Verd
 }
 
 void compare(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& fewest) {
-  automata::PlantStep step(model.plant);
+  verifier::Slices slices(model.plant);
   const verifier::Answer reached =
-      verifier::check(step, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
+      verifier::check(slices, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
   RC_ASSERT(reached.witness.has_value() == fewest.has_value());
   RC_ASSERT(reached.verdict ==
             (fewest ? verifier::Verdict::holds : without_witness(reached, verifier::Verdict::violated)));
   if (fewest) RC_ASSERT(changes(*reached.witness) == *fewest);
 
   const verifier::Answer safe =
-      verifier::check(step, verifier::Safety{.never = drawn.question.target, .window = {}}, drawn.options, {});
+      verifier::check(slices, verifier::Safety{.never = drawn.question.target, .window = {}}, drawn.options, {});
   RC_ASSERT(safe.verdict == (fewest ? verifier::Verdict::violated : without_witness(safe, verifier::Verdict::holds)));
 }
 
 void compare_response(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& missed) {
-  automata::PlantStep step(model.plant);
+  verifier::Slices slices(model.plant);
   const reference::Response& asked = *drawn.question.response;
   const verifier::Answer result =
-      verifier::check(step, verifier::Response{asked.after, asked.then, asked.within}, drawn.options, {});
+      verifier::check(slices, verifier::Response{asked.after, asked.then, asked.within}, drawn.options, {});
   // Where time stands still while an answer is owed, none comes, but no deadline either.
   if (!missed && result.witness && result.witness->stop && result.witness->stop->still) return;
   RC_ASSERT(result.witness.has_value() == missed.has_value());
@@ -86,8 +86,8 @@ void compare_response(const Model& model, const Drawn& drawn, const std::optiona
 }
 
 void compare_stuck(const Model& model, const Drawn& drawn) {
-  automata::PlantStep step(model.plant);
-  const verifier::Answer result = verifier::check(step, verifier::Stuck{}, drawn.options, {});
+  verifier::Slices slices(model.plant);
+  const verifier::Answer result = verifier::check(slices, verifier::Stuck{}, drawn.options, {});
   const reference::Step slow(model.plant);
   const bool stops =
       reference::comes_to_a_stop(slow, drawn.question, drawn.options.period, Ticks{Ticks::per_second / 2});
@@ -226,9 +226,9 @@ RC_GTEST_PROP(Reachability, CutSetsAreTheMinimalOnes, ()) {
   Drawn drawn = draw_question(plant);
   drawn.options.faults = 2;
   drawn.options.cut_sets = true;
-  automata::PlantStep step(plant);
+  verifier::Slices slices(plant);
   const auto result =
-      verifier::check(step, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
+      verifier::check(slices, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
   std::vector<Faults> found;
   for (const auto& cut : result.cut_sets) found.push_back(cut.faults);
   RC_ASSERT(found == minimal_sets(plant, drawn.question));
@@ -242,9 +242,9 @@ RC_GTEST_PROP(Reachability, FewestFaultsAreThoseOfTheLeastBudget, ()) {
   drawn.options.faults.reset();
   drawn.options.fewest_faults = true;
   if (sampled) drawn.options.period = Ticks::of_seconds(1);
-  automata::PlantStep step(model.plant);
+  verifier::Slices slices(model.plant);
   const auto result =
-      verifier::check(step, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
+      verifier::check(slices, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, {});
   const reference::Step slow(model.plant);
   for (drawn.question.faults = 0; drawn.question.faults < 4; ++drawn.question.faults) {
     const auto steps = sampled ? reference::fewest_steps_sampled(slow, drawn.question, Ticks::of_seconds(1))

@@ -59,15 +59,45 @@ RC_GTEST_PROP(SeveralProperties, AreEachByItself, ()) {
   for (std::size_t q = 0; q < count; ++q) {
     questions.push_back({draw_property(model.plant), options[up_to(0, 1)]});
   }
-  automata::PlantStep step(model.plant);
-  const std::vector<verifier::Answer> together = verifier::check_all(step, questions, {});
+  verifier::Slices slices(model.plant);
+  const std::vector<verifier::Answer> together = verifier::check_all(slices, questions, {});
   RC_ASSERT(together.size() == questions.size());
   for (std::size_t q = 0; q < count; ++q) {
-    const verifier::Answer single = verifier::check(step, questions[q].property, questions[q].options, {});
+    const verifier::Answer single = verifier::check(slices, questions[q].property, questions[q].options, {});
     RC_ASSERT(together[q].verdict == single.verdict);
     RC_ASSERT(together[q].witness.has_value() == single.witness.has_value());
     if (!fastest(questions[q].property)) RC_ASSERT(changes(together[q].witness) == changes(single.witness));
   }
+}
+
+/// Two halves have nothing to do with each other, now and then.
+RC_GTEST_PROP(SeveralProperties, CanBeSliced, ()) {
+  Shape half;
+  half.max_components = 2;
+  half.max_attributes = 3;
+  half.tangled = chance(50);
+  const Model model = *mirrored(half);
+  verifier::CheckOptions options = draw_options();
+  options.cut_sets = chance(20);
+  const verifier::Property property = draw_property(model.plant);
+  verifier::Slices slices(model.plant);
+  const verifier::Answer sliced = verifier::check(slices, property, options, {});
+  options.slice = false;
+  const verifier::Answer whole = verifier::check(slices, property, options, {});
+  RC_ASSERT(sliced.startless == whole.startless);
+  RC_ASSERT(sliced.witness.has_value() == whole.witness.has_value());
+  if (!options.cut_sets && !fastest(property)) RC_ASSERT(changes(sliced.witness) == changes(whole.witness));
+  if (fastest(property) && whole.witness) {
+    RC_ASSERT(sliced.witness->events.back().time == whole.witness->events.back().time);
+  }
+  RC_ASSERT(sliced.cut_sets.size() == whole.cut_sets.size());
+  for (std::size_t i = 0; i < whole.cut_sets.size(); ++i) {
+    RC_ASSERT(sliced.cut_sets[i].faults == whole.cut_sets[i].faults);
+  }
+  // Where time stands still in what has been left alone, more is decided.
+  if (whole.cut_off.still || sliced.cut_off.still) return;
+  RC_ASSERT(sliced.verdict == whole.verdict);
+  if (std::holds_alternative<verifier::Safety>(property)) RC_ASSERT(sliced.vacuous == whole.vacuous);
 }
 
 }  // namespace

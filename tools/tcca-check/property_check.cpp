@@ -73,9 +73,9 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
     tell("checking " + verifier::name_of(asked) + " of " + plant.name + ": " + std::to_string(plant.components.size()) +
          " components, " + std::to_string(plant.controls.size()) + " controls");
   }
-  automata::PlantStep step(plant);
+  verifier::Slices slices(plant);
   const verifier::Question question{asked, check_options(plant, options, common), options.budget.bounds()};
-  const verifier::Answer answer = verifier::check(step, asked, question.options, limits(options.budget, common));
+  const verifier::Answer answer = verifier::check(slices, asked, question.options, limits(options.budget, common));
   if (answer.startless) warn_of_no_start("nothing is reachable");
   const verifier::Subject subject{plant};
   print_answer(

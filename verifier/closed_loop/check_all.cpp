@@ -31,7 +31,7 @@ std::vector<Element> at(const std::vector<Element>& all, const std::vector<std::
 
 }  // namespace
 
-std::vector<Answer> check_all(const Subject& subject, automata::PlantStep& step, const std::vector<Question>& questions,
+std::vector<Answer> check_all(const Subject& subject, Slices& slices, const std::vector<Question>& questions,
                               const Limits& limits) {
   std::vector<Answer> answers(questions.size());
   const auto settle = [&](const std::vector<std::size_t>& group, std::vector<Answer> found) {
@@ -41,7 +41,7 @@ std::vector<Answer> check_all(const Subject& subject, automata::PlantStep& step,
   for (std::size_t q = 0; q < questions.size(); ++q) {
     (std::holds_alternative<ProgramProperty>(questions[q].property) ? of_program : of_plant).push_back(q);
   }
-  settle(of_plant, check_all(step, at(questions, of_plant), limits));
+  settle(of_plant, check_all(slices, at(questions, of_plant), limits));
   Progress spent;
   for (const std::size_t q : of_plant) {
     spent.seconds += answers[q].progress.seconds;
@@ -56,7 +56,7 @@ std::vector<Answer> check_all(const Subject& subject, automata::PlantStep& step,
     std::vector<Property> asked;
     for (const std::size_t q : group) asked.push_back(questions[q].property);
     const Limits left = remaining(limits, spent);
-    std::vector<Answer> found = check(*subject.program, step, asked, first.options, left);
+    std::vector<Answer> found = check(*subject.program, slices.whole(), asked, first.options, left);
     spent.seconds += found.back().progress.seconds;
     spent.states += found.back().progress.states;
     // Each stands for itself: a trace that two have in common is told by both.

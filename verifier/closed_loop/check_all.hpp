@@ -5,15 +5,15 @@
 
 #include <vector>
 
-#include "automata/step/plant_step.hpp"
+#include "verifier/slice/slices.hpp"
 #include "verifier/verdict/answer.hpp"
 #include "verifier/verdict/subject.hpp"
 
 namespace rmpl::verifier {
 
 /// The answers, in the order of the questions, each as if it were the only one. Limits are for all together. A question
-/// about a program needs one in `subject`; `step` is of its plant. Throws base::InputError as `check` does.
-std::vector<Answer> check_all(const Subject& subject, automata::PlantStep& step, const std::vector<Question>& questions,
+/// about a program needs one in `subject`; `slices` are of its plant. Throws base::InputError as `check` does.
+std::vector<Answer> check_all(const Subject& subject, Slices& slices, const std::vector<Question>& questions,
                               const Limits& limits);
 
 }  // namespace rmpl::verifier

@@ -58,9 +58,7 @@ void Behaviours::read(const Modes& modes, const ControlAction& action, std::vect
   const automata::AllEnabled* all = step_.consistent(modes, action) ? nullptr : &step_.enabled(modes, action);
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const ComponentId id(c);
-    if (!moves(id)) {
-      result[c] = number(modes[c], {{modes[c], 0, {}}}, {{}});
-    } else if (all != nullptr) {
+    if (all != nullptr) {
       result[c] = number(id, modes[c], (*all)[c]);
     } else {
       result[c] = look_up(id, modes, action);

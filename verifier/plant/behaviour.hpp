@@ -37,13 +37,6 @@ class Behaviours {
  public:
   Behaviours(automata::PlantStep& step, const TimeModel& time);
 
-  /// From here on all components but these, by component, stay as they are, whatever time passes; none: all move.
-  void freeze_all_but(std::vector<bool> moving) { moving_ = std::move(moving); }
-  void freeze_as(const Behaviours& other) { moving_ = other.moving_; }
-  [[nodiscard]] bool moves(automata::ComponentId component) const {
-    return moving_.empty() || moving_[component.index()];
-  }
-
   [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return table_[id.index()]; }
   /// Per component, in possible modes under a control action.
   void read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
@@ -77,7 +70,6 @@ class Behaviours {
 
   automata::PlantStep& step_;
   TimeModel time_;
-  std::vector<bool> moving_;
   std::deque<Behaviour> table_;
   std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>>, BehaviourId> numbers_;
   std::vector<std::vector<Known>> known_;  ///< per component, per mode

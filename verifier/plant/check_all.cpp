@@ -8,12 +8,10 @@
 #include <tuple>
 
 #include "verifier/plant/check.hpp"
-#include "verifier/slice/cone.hpp"
 
 namespace rmpl::verifier {
 
 using automata::Formula;
-using automata::PlantStep;
 
 namespace {
 
@@ -48,24 +46,26 @@ bool alike(const Question& a, const Question& b) {
 
 class CheckAll {
  public:
-  CheckAll(PlantStep& step, const std::vector<Question>& questions, const Limits& limits)
-      : step_(step), questions_(questions), limits_(limits), answers_(questions.size()) {}
+  CheckAll(Slices& slices, const std::vector<Question>& questions, const Limits& limits)
+      : slices_(slices), questions_(questions), limits_(limits), answers_(questions.size()) {}
 
   std::vector<Answer> run() {
+    std::vector<std::optional<Cone>> cones;  // of those that may be looked for together
+    for (const Question& question : questions_) {
+      const auto target = target_of(question);
+      cones.push_back(target ? std::optional(slices_.cone(std::span(target->formula, 1))) : std::nullopt);
+    }
     std::vector<bool> taken(questions_.size(), false);
     for (std::size_t q = 0; q < questions_.size(); ++q) {
       if (taken[q]) continue;
-      const auto target = target_of(questions_[q]);
-      if (!target) {
-        answers_[q] = check(step_, questions_[q].property, questions_[q].options, remaining(limits_, spent_));
+      if (!cones[q]) {
+        answers_[q] = check(slices_, questions_[q].property, questions_[q].options, remaining(limits_, spent_));
         spend(answers_[q]);
         continue;
       }
-      const std::vector<bool> cone = cone_of(*target);
       std::vector<std::size_t> group;
       for (std::size_t other = q; other < questions_.size(); ++other) {
-        const auto also = target_of(questions_[other]);
-        if (!also || taken[other] || !alike(questions_[q], questions_[other]) || cone_of(*also) != cone) continue;
+        if (taken[other] || cones[other] != cones[q] || !alike(questions_[q], questions_[other])) continue;
         taken[other] = true;
         group.push_back(other);
       }
@@ -75,15 +75,13 @@ class CheckAll {
   }
 
  private:
-  std::vector<bool> cone_of(const Target& target) { return cone_of_influence(step_, std::span(target.formula, 1)); }
-
   void look_for(std::vector<std::size_t> group) {
     while (!group.empty()) {
       std::vector<Formula> targets;
       for (const std::size_t q : group) targets.push_back(*target_of(questions_[q])->formula);
       const Question& first = questions_[group.front()];
       const Reachability any{automata::disjunction(std::move(targets)), *target_of(first)->window, false};
-      const Answer found = check(step_, any, first.options, remaining(limits_, spent_));
+      const Answer found = check(slices_, any, first.options, remaining(limits_, spent_));
       spend(found);
       const auto decided = std::stable_partition(group.begin(), group.end(), [&](std::size_t q) {
         return found.witness && !holds_at_end(*target_of(questions_[q])->formula, *found.witness);
@@ -99,12 +97,11 @@ class CheckAll {
     const bool reached = found.witness.has_value();
     answers_[q].verdict = reached == target_of(questions_[q])->wanted ? Verdict::holds : Verdict::violated;
     const auto* safety = std::get_if<Safety>(&questions_[q].property);
-    answers_[q].vacuous = safety != nullptr && !step_.theory().allows({}, step_.theory().encode(safety->never));
+    answers_[q].vacuous = safety != nullptr && !slices_.can_hold(safety->never);
   }
 
   bool holds_at_end(const Formula& formula, const Witness& witness) {
-    const auto store = automata::assignments_of(step_.plant(), witness.events.back().modes);
-    return step_.theory().allows(store, step_.theory().encode(formula));
+    return slices_.allows(witness.events.back().modes, formula);
   }
 
   void spend(const Answer& result) {
@@ -112,7 +109,7 @@ class CheckAll {
     spent_.states += result.progress.states;
   }
 
-  PlantStep& step_;
+  Slices& slices_;
   const std::vector<Question>& questions_;
   const Limits& limits_;
   std::vector<Answer> answers_;
@@ -121,8 +118,8 @@ class CheckAll {
 
 }  // namespace
 
-std::vector<Answer> check_all(PlantStep& step, const std::vector<Question>& questions, const Limits& limits) {
-  return CheckAll(step, questions, limits).run();
+std::vector<Answer> check_all(Slices& slices, const std::vector<Question>& questions, const Limits& limits) {
+  return CheckAll(slices, questions, limits).run();
 }
 
 }  // namespace rmpl::verifier

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "automata/step/plant_step.hpp"
+#include "verifier/slice/slices.hpp"
 #include "verifier/verdict/answer.hpp"
 
 namespace rmpl::verifier {
@@ -18,6 +18,6 @@ namespace rmpl::verifier {
 /// target can be reached in fewer steps. What is left is looked for again. So all that cannot be reached costs one
 /// search, and each of the others costs one that ends at its witness. Responses, fastest witnesses and entailed
 /// formulas (a disjunction may be entailed where no part is) are checked singly.
-std::vector<Answer> check_all(automata::PlantStep& step, const std::vector<Question>& questions, const Limits& limits);
+std::vector<Answer> check_all(Slices& slices, const std::vector<Question>& questions, const Limits& limits);
 
 }  // namespace rmpl::verifier

@@ -55,7 +55,6 @@ Situations::Situations(automata::PlantStep& step, const TimeModel& time, Command
 
 Situations::Situations(const Situations& other, automata::PlantStep& step, Meter& meter)
     : Situations(step, other.time(), other.commands_, other.faults_, meter) {
-  behaviours_.freeze_as(other.behaviours_);
   joint_steps_.use_as(other.joint_steps_);
 }
 
@@ -75,11 +74,6 @@ void Situations::up_to(const Symmetry& symmetry) {
   moves_.clear();
 }
 
-void Situations::freeze_all_but(std::vector<bool> moving) {
-  behaviours_.freeze_all_but(std::move(moving));
-  moves_.clear();
-}
-
 Modes Situations::modes(SituationId id) const {
   Modes result;
   table_.read(id.value, result);
@@ -92,7 +86,7 @@ Situation Situations::describe(const Modes& modes) {
   for (std::size_t c = 0; c < modes.size(); ++c) {
     for (const Interval& clock : behaviours_[behaviours_here_[c]].faulty)
       result.faulty.push_back({ComponentId(c), clock});
-    if (!limits_[c][modes[c].index()] || !behaviours_.moves(ComponentId(c))) continue;
+    if (!limits_[c][modes[c].index()]) continue;
     result.live.emplace_back(c);
     result.stays_until.push_back(behaviours_[behaviours_here_[c]].stays_until);
   }
@@ -102,7 +96,7 @@ Situation Situations::describe(const Modes& modes) {
 void Situations::append_limits(const Modes& modes, std::vector<ClockLimits>& result) const {
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const auto& limits = limits_[c][modes[c].index()];
-    if (limits && behaviours_.moves(ComponentId(c))) result.push_back(*limits);
+    if (limits) result.push_back(*limits);
   }
 }
 

@@ -63,20 +63,6 @@ class Situations {
    private:
     Situations& situations_;
   };
-  /// While it lives, all components but these, by component, are frozen (Behaviours); else all move.
-  class [[nodiscard]] Frozen {
-   public:
-    Frozen(Situations& situations, std::vector<bool> moving) : situations_(situations) {
-      situations_.freeze_all_but(std::move(moving));
-    }
-    ~Frozen() { situations_.freeze_all_but({}); }
-    Frozen(const Frozen&) = delete;
-    Frozen& operator=(const Frozen&) = delete;
-
-   private:
-    Situations& situations_;
-  };
-
   /// From here on moves are told up to the symmetry (JointSteps::up_to). Keeps a reference.
   void up_to(const Symmetry& symmetry);
 
@@ -96,7 +82,6 @@ class Situations {
 
  private:
   void use(Steps steps, const std::vector<automata::ComponentId>& visible);
-  void freeze_all_but(std::vector<bool> moving);
   std::uint32_t position_of(const automata::ControlAction& action);
   [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
   [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes, const Late& late);

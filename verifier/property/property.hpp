@@ -101,6 +101,8 @@ struct CheckOptions {
   bool cut_sets = false;
   /// Of states that are alike but for the names of like components, one is explored. No verdict depends on it.
   bool symmetry = true;
+  /// What has nothing to do with the question is left alone, where that decides it. No verdict depends on it.
+  bool slice = true;
   /// How many threads explore, 1 or more. No result depends on it.
   unsigned threads = 1;
   /// Modes to start in, all clocks 0, in place of the initial distribution of their components.

@@ -15,8 +15,8 @@ using test::seconds;
 using test::within;
 
 Answer ask(const PlantBuilder& b, const Property& property, const CheckOptions& options = {}) {
-  automata::PlantStep step(b.plant);
-  return check(step, property, options, {});
+  Slices slices(b.plant);
+  return check(slices, property, options, {});
 }
 
 CheckOptions sampled(Ticks period) {
@@ -166,16 +166,16 @@ TEST(Attributes, AreAllowedOrEntailed) {
 
 TEST(Limits, AreSaid) {
   const auto b = test::engine();
-  automata::PlantStep step(b.plant);
+  Slices slices(b.plant);
   Limits limits;
   limits.states = 1;
-  const Answer result = check(step, Reachability{b.is("engine", "firing"), {}, false}, {}, limits);
+  const Answer result = check(slices, Reachability{b.is("engine", "firing"), {}, false}, {}, limits);
   EXPECT_EQ(result.verdict, Verdict::undecided);
   EXPECT_EQ(result.limit, Limit::states);
   const std::atomic<bool> interrupted = true;
   limits = {};
   limits.interrupted = &interrupted;
-  EXPECT_EQ(check(step, Reachability{b.is("engine", "firing"), {}, false}, {}, limits).limit, Limit::interrupt);
+  EXPECT_EQ(check(slices, Reachability{b.is("engine", "firing"), {}, false}, {}, limits).limit, Limit::interrupt);
 }
 
 TEST(From, HasToNameEachModeOnce) {

@@ -247,9 +247,9 @@ void compare(std::optional<Ticks> period, unsigned rounds, unsigned seed) {
       return [mode](const Modes& modes) { return modes.back().index() == mode; };
     };
     const auto never = [](const Modes&) { return false; };
-    PlantStep step(b.plant);
+    Slices slices(b.plant);
     // The exploration below knows nothing of time that stands still: tests/reference does, and the properties.
-    const Answer dead_end = check(step, Stuck{}, options, {});
+    const Answer dead_end = check(slices, Stuck{}, options, {});
     if (dead_end.witness && dead_end.witness->stop->still) continue;
 
     // Fewest steps.
@@ -260,7 +260,7 @@ void compare(std::optional<Ticks> period, unsigned rounds, unsigned seed) {
         if (in(mode)(state.modes)) fewest = std::min(fewest.value_or(steps), steps);
       }
       const auto target = automata::is(last.mode, automata::ValueId(mode));
-      const Answer result = check(step, Reachability{target, {}, false}, options, {});
+      const Answer result = check(slices, Reachability{target, {}, false}, options, {});
       ASSERT_EQ(result.verdict, fewest ? Verdict::holds : Verdict::violated) << mode;
       if (fewest) {
         EXPECT_EQ(changes(*result.witness), *fewest) << mode;
@@ -277,14 +277,14 @@ void compare(std::optional<Ticks> period, unsigned rounds, unsigned seed) {
       }
       const auto target = automata::is(last.mode, automata::ValueId(mode));
       if (!times.empty()) {
-        const Answer fastest = check(step, Reachability{target, {}, true}, options, {});
+        const Answer fastest = check(slices, Reachability{target, {}, true}, options, {});
         ASSERT_EQ(fastest.verdict, Verdict::holds);
         EXPECT_EQ(fastest.witness->events.back().time.count, *times.begin() * unit.count);
       }
       for (const auto& [from, to] : {std::pair<std::int64_t, std::int64_t>{0, 3}, {4, 6}, {9, 9}}) {
         const auto at = times.lower_bound(from);
         const Window window{Ticks{from * unit.count}, Ticks{to * unit.count}};
-        EXPECT_EQ(check(step, Reachability{target, window, false}, options, {}).verdict,
+        EXPECT_EQ(check(slices, Reachability{target, window, false}, options, {}).verdict,
                   at != times.end() && *at <= to ? Verdict::holds : Verdict::violated)
             << mode << " in " << from << ".." << to;
       }
@@ -298,7 +298,7 @@ void compare(std::optional<Ticks> period, unsigned rounds, unsigned seed) {
       });
       const Response response{automata::is(last.mode, automata::ValueId(1)),
                               automata::is(last.mode, automata::ValueId(2)), Ticks{within * unit.count}};
-      EXPECT_EQ(check(step, response, options, {}).verdict, miss ? Verdict::violated : Verdict::holds) << within;
+      EXPECT_EQ(check(slices, response, options, {}).verdict, miss ? Verdict::violated : Verdict::holds) << within;
       missed += miss ? 1 : 0;
     }
   }

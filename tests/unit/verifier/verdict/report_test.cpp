@@ -12,9 +12,9 @@ namespace {
 
 TEST(Report, TellsTheWitness) {
   const auto b = test::engine();
-  automata::PlantStep step(b.plant);
+  Slices slices(b.plant);
   const Property property = Reachability{b.is("engine", "standby"), {}, false};
-  const Answer result = check(step, property, {}, {});
+  const Answer result = check(slices, property, {}, {});
   const auto json = to_json(Subject{b.plant}, {property, {}}, result);
   EXPECT_EQ(json["property"], "reachability");
   EXPECT_EQ(json["verdict"], "holds");
@@ -33,11 +33,11 @@ TEST(Report, TellsTheWitness) {
 
 TEST(Report, TellsWhatCutItShort) {
   const auto b = test::engine();
-  automata::PlantStep step(b.plant);
+  Slices slices(b.plant);
   const Property property = Safety{b.is("engine", "failed"), {}, false};
   Limits limits;
   limits.states = 2;
-  const Answer result = check(step, property, {}, limits);
+  const Answer result = check(slices, property, {}, limits);
   const auto json = to_json(Subject{b.plant}, {property, {}}, result);
   EXPECT_EQ(json["verdict"], "undecided");
   EXPECT_TRUE(json["trace"].empty());

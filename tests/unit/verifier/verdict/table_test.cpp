@@ -12,11 +12,11 @@
 namespace rmpl::verifier {
 namespace {
 
-std::vector<Claim> claims(automata::PlantStep& step, const test::PlantBuilder& b, const Limits& limits) {
+std::vector<Claim> claims(Slices& slices, const test::PlantBuilder& b, const Limits& limits) {
   const Property standby = Reachability{b.is("engine", "standby"), {}, false};
   const Property never_standby = Safety{b.is("engine", "standby"), {}, false};
   const std::vector<Question> questions = {{standby, {}}, {never_standby, {}}, {never_standby, {}}};
-  const std::vector<Answer> answers = check_all(step, questions, limits);
+  const std::vector<Answer> answers = check_all(slices, questions, limits);
   return {{"can be <ready>", questions[0], false, answers[0]},
           {"never", questions[1], false, answers[1]},
           {"\"never\", expected not to", questions[2], true, answers[2]}};
@@ -24,8 +24,8 @@ std::vector<Claim> claims(automata::PlantStep& step, const test::PlantBuilder& b
 
 TEST(Table, CountsAgainstWhatIsExpected) {
   const auto b = test::engine();
-  automata::PlantStep step(b.plant);
-  const Count found = count(claims(step, b, {}));
+  Slices slices(b.plant);
+  const Count found = count(claims(slices, b, {}));
   EXPECT_EQ(found.expected, 2U);
   EXPECT_EQ(found.unexpected, 1U);
   EXPECT_EQ(found.undecided, 0U);
@@ -33,9 +33,9 @@ TEST(Table, CountsAgainstWhatIsExpected) {
 
 TEST(Table, JunitIsWellFormedAndCounts) {
   const auto b = test::engine();
-  automata::PlantStep step(b.plant);
+  Slices slices(b.plant);
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(to_junit({b.plant}, claims(step, b, {})).c_str()));
+  ASSERT_TRUE(document.load_string(to_junit({b.plant}, claims(slices, b, {})).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_EQ(suite.attribute("tests").as_int(), 3);
   EXPECT_EQ(suite.attribute("failures").as_int(), 1);
@@ -50,11 +50,11 @@ TEST(Table, JunitIsWellFormedAndCounts) {
 
 TEST(Table, WhatIsUndecidedIsAnErrorOfJunit) {
   const auto b = test::engine();
-  automata::PlantStep step(b.plant);
+  Slices slices(b.plant);
   Limits limits;
   limits.states = 1;
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(to_junit({b.plant}, claims(step, b, limits)).c_str()));
+  ASSERT_TRUE(document.load_string(to_junit({b.plant}, claims(slices, b, limits)).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
   EXPECT_EQ(suite.attribute("errors").as_int(), 3);
   EXPECT_TRUE(suite.first_child().child("error"));

@@ -1,0 +1,45 @@
+// Arenas.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/arena.hpp"
+
+#include <utility>
+
+namespace rmpl::verifier {
+
+using automata::Modes;
+using automata::PlantStep;
+
+Arena::Arena(PlantStep& whole, const Wanted& wanted, const Terms& terms) : Arena(nullptr, {}, &whole, wanted, terms) {}
+
+Arena::Arena(Part part, Modes rest, const Wanted& wanted, const Terms& terms)
+    : Arena(std::make_unique<const Part>(std::move(part)), std::move(rest), nullptr, wanted, terms) {}
+
+Arena::Arena(std::unique_ptr<const Part> part, Modes rest, PlantStep* whole, const Wanted& wanted, const Terms& terms)
+    : part_(std::move(part)),
+      rest_(std::move(rest)),
+      step_(whole != nullptr ? *whole : own_.emplace(part_->plant())),
+      wanted_(part_ ? into(*part_, wanted) : wanted),
+      from_(part_ ? part_->into(terms.options.from) : terms.options.from),
+      situations_(step_, terms.time, terms.options.commands, terms.faults, terms.meter),
+      start_(situations_.initial(from_)) {
+  if (!terms.options.symmetry || terms.options.cut_sets) return;
+  symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(wanted_), from_));
+  situations_.up_to(symmetry_);
+}
+
+Witness Arena::out(Witness witness) const {
+  if (!part_) return witness;
+  for (Event& event : witness.events) {
+    event.modes = part_->out(event.modes, rest_);
+    event.action = part_->out(event.action);
+  }
+  return witness;
+}
+
+std::vector<Fault> Arena::out(std::vector<Fault> faults) const {
+  if (!part_) return faults;
+  for (Fault& fault : faults) fault.component = part_->out(fault.component);
+  return faults;
+}
+
+}  // namespace rmpl::verifier
