@@ -118,6 +118,14 @@ std::string as_json(const Answer& answer, const ModelProgram& program, bool stat
 
 std::string seconds_text(Ticks time) { return automata::format_seconds(time) + " s"; }
 
+/// Where a location stands; the file only where there are several.
+std::string place(const automata::Origin& origin, const ModelProgram& program) {
+  const bool one_file = std::all_of(program.locations.begin(), program.locations.end(),
+                                    [&](const auto& location) { return location.origin.file == origin.file; });
+  if (!one_file) return automata::in_brackets(origin);
+  return origin.line == 0 ? "" : " (" + std::to_string(origin.line) + ":" + std::to_string(origin.column) + ")";
+}
+
 /// The marked locations with their source; composites, which hold others, are left out.
 std::string in_words(const Marking& marking, const ModelProgram& program) {
   if (marking.empty()) return "nothing is marked: the program has ended";
@@ -126,7 +134,7 @@ std::string in_words(const Marking& marking, const ModelProgram& program) {
     const automata::ModelLocation& location = program.locations[l.index()];
     if (location.composite) continue;
     text += (text.empty() ? "" : ", ") + std::to_string(l.value + 1) + " " + location.label +
-            automata::in_brackets(location.origin);
+            place(location.origin, program);
   }
   return text;
 }
@@ -177,12 +185,17 @@ class ModelFlight {
         estimator_->start(at_start_);
       } else {
         for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) {
+          const runtime::Stopwatch stopwatch;
           update(before_, line.time_of_unchanged(i));
+          latency_.add(stopwatch.seconds());
         }
+        const runtime::Stopwatch stopwatch;
         update(line, line.time);
+        if (options_.estimator.window > 0) answer.history = estimator_->history();
+        latency_.add(stopwatch.seconds());
       }
       answer.belief = estimator_->belief();
-      if (options_.estimator.window > 0) tell_history(answer);
+      if (options_.estimator.window > 0) tell_history(answer, start);
     } catch (const runtime::TooManyStates& error) {
       throw base::LimitError(name + ":" + std::to_string(line.number) + ": " + error.what() +
                              "; expected -k, to list the best of them, or --estimator k-best");
@@ -215,17 +228,15 @@ class ModelFlight {
                                       [&](const auto& a) { return a.variable == control.variable; });
       command.push_back(given == told.command.end() ? control.idle : std::optional(given->value));
     }
-    const runtime::Stopwatch stopwatch;
     estimator_->update(command, told.observations);
-    latency_.add(stopwatch.seconds());
     ++updates_;
     times_.push_back(time);
     if (times_.size() > options_.estimator.window + 1) times_.erase(times_.begin());
   }
 
-  void tell_history(Answer& answer) {
+  void tell_history(Answer& answer, bool start) {
     answer.times = times_;
-    answer.history = estimator_->history();
+    if (start) answer.history = estimator_->history();
     if (answer.history.empty()) return;
     const std::vector<Marking>& now = answer.history.front().markings;
     const std::size_t first = updates_ + 1 - now.size();  // the update after which the trajectory sets out, or 0
