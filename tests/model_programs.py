@@ -67,7 +67,11 @@ class Draw:
         if kind == "call":
             self.definitions.append(None)
             place = len(self.definitions) - 1
-            self.definitions[place] = below(silent)
+            inside = below(silent)
+            again = ("next", ("back", place))
+            if self.random.random() < 0.3:
+                again = ("unless", self.formula(), ("back", place))
+            self.definitions[place] = ("par", [inside, again]) if self.random.random() < 0.4 else inside
             return ("call", place)
         if kind == "seq":
             return ("seq", [below(silent), below()])
@@ -95,13 +99,13 @@ def text(step):
         return f"do {braced(step[1])} {kind} {formula_text(step[2])}"
     if kind == "choose":
         return "choose { " + ", ".join(f"{braced(branch)} with {p}" for branch, p in step[1]) + " }"
-    if kind == "call":
+    if kind in ("call", "back"):
         return f"D{step[1]}()"
     return (" ; " if kind == "seq" else " , ").join(braced(part) for part in step[1])
 
 
 def braced(step):
-    return text(step) if step[0] == "call" else "{ " + text(step) + " }"
+    return text(step) if step[0] in ("call", "back") else "{ " + text(step) + " }"
 
 
 def holds(formula, world):
@@ -127,6 +131,7 @@ class Automaton:
     def __init__(self, main, definitions):
         self.locations = []
         self.definitions = definitions
+        self.calls = {}  # the composite of each definition, which is called once
         root = self.new(None, "composite")
         root.starts = self.body(main, root)
         self.root = root
@@ -152,11 +157,15 @@ class Automaton:
         if kind in ("par", "watching", "maintaining", "call"):
             own = self.new(parent, "composite")
             inside = step if kind == "par" else self.definitions[step[1]] if kind == "call" else step[1]
+            if kind == "call":
+                self.calls[step[1]] = own
             own.starts = self.body(inside, own)
             if kind in ("watching", "maintaining"):
                 own.condition = (kind == "maintaining", step[2])
             own.arcs = [(None, after)]
             return [own]
+        if kind == "back":
+            return [self.calls[step[1]]]
         own = self.new(parent, kind)
         result = [own]
         if kind == "tell":
