@@ -7,6 +7,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "base/xml_text.hpp"
+
 namespace rmpl::base {
 
 namespace {
@@ -18,7 +20,7 @@ void append(pugi::xml_node& suites, const TestSuite& suite) {
                          [&](const TestCase& c) { return c.outcome == outcome; });
   };
   pugi::xml_node node = suites.append_child("testsuite");
-  node.append_attribute("name") = suite.name.c_str();
+  node.append_attribute("name") = xml_text(suite.name).c_str();
   node.append_attribute("tests") = suite.cases.size();
   node.append_attribute("failures") = count(Outcome::failure);
   node.append_attribute("errors") = count(Outcome::error);
@@ -27,17 +29,17 @@ void append(pugi::xml_node& suites, const TestSuite& suite) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.3f", one.seconds);
     pugi::xml_node test = node.append_child("testcase");
-    test.append_attribute("name") = one.name.c_str();
-    test.append_attribute("classname") = one.classname.c_str();
+    test.append_attribute("name") = xml_text(one.name).c_str();
+    test.append_attribute("classname") = xml_text(one.classname).c_str();
     test.append_attribute("time") = seconds;
     if (one.outcome == Outcome::success) continue;
     if (one.outcome == Outcome::warning) {
-      test.append_child("system-out").text().set((one.message + "\n" + one.text).c_str());
+      test.append_child("system-out").text().set(xml_text(one.message + "\n" + one.text).c_str());
       continue;
     }
     pugi::xml_node child = test.append_child(one.outcome == Outcome::failure ? "failure" : "error");
-    child.append_attribute("message") = one.message.c_str();
-    child.text().set(one.text.c_str());
+    child.append_attribute("message") = xml_text(one.message).c_str();
+    child.text().set(xml_text(one.text).c_str());
   }
 }
 
