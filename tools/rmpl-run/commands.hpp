@@ -10,6 +10,7 @@ namespace rmpl::tools {
 
 void add_scenario(Program& program);
 void add_execute(Program& program);
+void add_campaign(Program& program);
 void add_estimate(Program& program);
 void add_sequence(Program& program);
 void add_plan(Program& program);

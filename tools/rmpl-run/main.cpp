@@ -20,6 +20,7 @@ int main(int count, char** arguments) {
                   notes);
   add_scenario(program);
   add_execute(program);
+  add_campaign(program);
   add_estimate(program);
   add_sequence(program);
   add_plan(program);

@@ -1,0 +1,303 @@
+// rmpl-run campaign: many flights with injected faults, by all threads, processes and machines that are given.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "automata/json/document.hpp"
+#include "base/error.hpp"
+#include "base/output_file.hpp"
+#include "runtime/executive/campaign/flight.hpp"
+#include "tools/rmpl-run/campaign_store.hpp"
+#include "tools/rmpl-run/campaign_summary.hpp"
+#include "tools/rmpl-run/commands.hpp"
+#include "tools/shared/interruption.hpp"
+#include "tools/shared/models.hpp"
+#include "tools/shared/progress.hpp"
+#include "tools/shared/suggestion.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+using runtime::CampaignPlan;
+using runtime::CampaignRun;
+using runtime::ScenarioOptions;
+
+constexpr unsigned most_jobs = 256;
+
+struct Options {
+  std::string file;
+  std::string only;
+  std::uint64_t runs = 0;
+  std::uint64_t faults = 0;
+  bool enumerate = false;
+  std::vector<std::string> at;
+  std::uint64_t seed = 1;
+  unsigned jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
+  std::string database;
+  std::string csv;
+  std::string report;
+};
+
+constexpr const char* footer =
+    R"(Every run is the scenario with a seed of its own and --faults faults, each at a random time of the
+flight. What comes of a run depends on the scenario, --seed and its number alone. The same command goes
+on where one was ended, and shares the work with others that run at the same time: in two terminals, or
+under mpirun, over machines that share the folder. docs/campaigns.md explains the tables.
+
+exit code: 0 done, whatever the runs came to; 2 an input is wrong; 3 interrupted
+
+examples:
+  rmpl-run campaign landing.scn --runs 1000 --faults 1 --db landing.sqlite --report landing.html
+  rmpl-run campaign landing.scn --enumerate --at 10s --at 4.5h --db each.sqlite --csv each.csv
+  mpirun -n 8 rmpl-run campaign landing.scn --runs 10000 --faults 2 --jobs 1 --db landing.sqlite)";
+
+const automata::Scenario& selected(const automata::Document& document, const Options& options) {
+  std::vector<std::string_view> names;
+  for (const automata::Scenario& scenario : document.scenarios) names.emplace_back(scenario.name);
+  const auto found = std::find(names.begin(), names.end(), options.only);
+  const bool given = !options.only.empty();
+  if (!given && names.size() == 1) return document.scenarios.front();
+  if (!given) {
+    throw base::InputError(options.file + ": expected one scenario, and there are " + std::to_string(names.size()) +
+                           "; choose one with --only");
+  }
+  if (found == names.end()) {
+    throw base::InputError(options.file + ": no scenario is called '" + options.only + "'" +
+                           suggestion_or_list(options.only, names));
+  }
+  return document.scenarios[static_cast<std::size_t>(found - names.begin())];
+}
+
+/// What is the same in all runs.
+struct Campaign {
+  const automata::Document& document;
+  const automata::Scenario& scenario;
+  CampaignPlan plan;
+  std::uint64_t runs = 0;
+  ScenarioOptions flight;
+  std::map<std::string, std::string> identity;
+
+  [[nodiscard]] const automata::Plant& plant() const { return document.plants[scenario.plant]; }
+};
+
+/// Without the places where things stand: a file that is called by another path is the same file.
+void forget_places(automata::Json& json) {
+  if (json.is_object()) json.erase("origin");
+  for (automata::Json& inner : json) {
+    if (inner.is_structured()) forget_places(inner);
+  }
+}
+
+/// A hash (FNV-1a) of the models as they were compiled, so that results of one are never taken for those of another.
+std::string digest(const automata::Document& document, const automata::Scenario& scenario) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (automata::Json json :
+       {automata::to_json(document.plants[scenario.plant]), automata::to_json(document.programs[scenario.program]),
+        automata::to_json(scenario, document)}) {
+    forget_places(json);
+    for (const char c : json.dump()) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  }
+  return std::to_string(hash);
+}
+
+/// How long the flight is without injections, which also shows what is wrong with the scenario itself.
+std::uint64_t reference_cycles(const Campaign& campaign) {
+  const auto result = runtime::run_scenario(campaign.document, campaign.scenario, campaign.flight, {});
+  return std::max<std::uint64_t>(result.cycles, 1);
+}
+
+Campaign prepare(const automata::Document& document, const Options& options) {
+  const automata::Scenario& scenario = selected(document, options);
+  Campaign campaign{document, scenario, {}, options.runs, {}, {}};
+  const automata::Plant& plant = campaign.plant();
+  if (scenario.rules_only) {
+    throw base::InputError("scenario '" + scenario.name +
+                           "': its plant follows the rules only, and has no faults to inject");
+  }
+  const std::size_t fallible = runtime::fallible_components(plant);
+  if (options.faults > fallible || (options.enumerate && fallible == 0)) {
+    throw base::InputError("--faults: only " + std::to_string(fallible) + " components of plant '" + plant.name +
+                           "' have faults");
+  }
+  campaign.plan.seed = options.seed;
+  campaign.plan.faults = options.faults;
+  std::string times;
+  for (const std::string& text : options.at) {
+    campaign.plan.times.push_back(duration(text));
+    times += (times.empty() ? "" : ", ") + automata::format_seconds(campaign.plan.times.back());
+  }
+  const std::uint64_t each = runtime::faults_of(plant).size() * campaign.plan.times.size();
+  if (options.enumerate) campaign.runs = each * std::max<std::uint64_t>(options.runs, 1);
+  campaign.flight.graph = runtime::reconfiguration_graph(plant);
+  campaign.flight.interrupted = interrupted;
+  campaign.identity = {{"scenario", scenario.name},
+                       {"seed", std::to_string(options.seed)},
+                       {"faults", options.enumerate ? "each at " + times : std::to_string(options.faults)},
+                       {"models", digest(document, scenario)}};
+  return campaign;
+}
+
+/// The threads of this process, among however many processes.
+class Crew {
+ public:
+  Crew(const Campaign& campaign, const Options& options, bool tells)
+      : campaign_(campaign), options_(options), tells_(tells) {}
+
+  /// Returns once every run has its result, or at an interruption; false then. Throws what a thread threw.
+  bool work() {
+    std::vector<std::thread> others;
+    const std::uint64_t jobs = std::min<std::uint64_t>(options_.jobs, std::max<std::uint64_t>(campaign_.runs, 1));
+    try {
+      for (std::uint64_t j = 1; j < jobs; ++j) others.emplace_back([this] { one(); });
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those that there are do it.
+    }
+    one();
+    for (std::thread& other : others) other.join();
+    if (failure_) std::rethrow_exception(failure_);
+    return !interrupted();
+  }
+
+ private:
+  [[nodiscard]] bool ends() const { return stop_ || interrupted(); }
+
+  void one() {
+    try {
+      CampaignStore store(options_.database, campaign_.plant(), campaign_.identity);
+      CampaignClaims claims(options_.database);
+      std::vector<bool> done(campaign_.runs);
+      while (!ends() && store.count(campaign_.runs) < campaign_.runs) {
+        if (pass(store, claims, done)) continue;
+        // All that is left is claimed by others, who may still die.
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      stop_ = true;
+    }
+  }
+
+  /// Looks at every run that is not known to be done, and flies those that nobody else does. Whether there was one.
+  bool pass(CampaignStore& store, CampaignClaims& claims, std::vector<bool>& done) {
+    bool some = false;
+    for (std::uint64_t run = 0; run < campaign_.runs && !ends(); ++run) {
+      // Asked before it is claimed, for it may be done long since, and again after, for it may have been done in
+      // between.
+      if (!done[run]) done[run] = store.has(run);
+      if (done[run] || !claims.claim(run)) continue;
+      if (!store.has(run)) {
+        some = true;
+        const auto result =
+            runtime::fly_run(campaign_.document, campaign_.scenario, campaign_.plan, run, campaign_.flight);
+        if (result) store.add(*result);
+        tell_progress(store);
+      }
+      claims.release(run);
+    }
+    return some;
+  }
+
+  void tell_progress(CampaignStore& store) {
+    if (!tells_) return;
+    const std::lock_guard lock(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::milliseconds(500);
+    show_progress(std::to_string(store.count(campaign_.runs)) + " of " + std::to_string(campaign_.runs) + " runs");
+  }
+
+  const Campaign& campaign_;
+  const Options& options_;
+  bool tells_;
+  std::atomic<bool> stop_ = false;
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+  std::chrono::steady_clock::time_point next_;
+};
+
+/// Of the processes that mpirun started, the first tells and writes what came of it.
+bool is_first_rank() {
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  return rank == nullptr || std::string_view(rank) == "0";
+}
+
+void check(const Options& options) {
+  if (options.enumerate && options.at.empty()) throw base::InputError("--enumerate: expected times, with --at");
+  if (!options.enumerate && !options.at.empty()) throw base::InputError("--at: goes only with --enumerate");
+  if (options.enumerate && options.faults > 0) throw base::InputError("--faults: does not go with --enumerate");
+  if (!options.enumerate && options.runs == 0) throw base::InputError("expected --runs or --enumerate");
+}
+
+void publish(const Campaign& campaign, const Options& options, const Common& common) {
+  CampaignStore store(options.database, campaign.plant(), campaign.identity);
+  CampaignSummary summary(campaign.plant());
+  std::string csv = csv_head();
+  store.read(campaign.runs, [&](const CampaignRun& run) {
+    summary.add(run);
+    if (!options.csv.empty()) csv += csv_line(run, campaign.plant());
+  });
+  const std::string heading = campaign.scenario.name + ": " + std::to_string(campaign.runs) +
+                              " runs, faults: " + campaign.identity.at("faults") + ", seed " +
+                              campaign.identity.at("seed");
+  if (!options.csv.empty()) base::write_file(options.csv, csv);
+  if (!options.report.empty()) base::write_file(options.report, summary.page(heading));
+  print(summary.text(heading, output_painter(common.color)));
+}
+
+ExitStatus run(const Options& options, const Common& common) {
+  check(options);
+  const compiler::Compilation compilation = load({options.file}, common);
+  watch_for_interruption();
+  Campaign campaign = prepare(compilation.document(), options);
+  const bool first = is_first_rank();
+  campaign.plan.cycles = reference_cycles(campaign);
+  if (!Crew(campaign, options, first && progress_is_seen(common.quiet)).work()) {
+    if (first) tell("interrupted; the same command goes on");
+    return ExitStatus::undecided;
+  }
+  if (first) publish(campaign, options, common);
+  return ExitStatus::done;
+}
+
+}  // namespace
+
+void add_campaign(Program& program) {
+  CLI::App* command = program.app().add_subcommand("campaign", "fly a scenario many times, with faults injected");
+  const auto options = std::make_shared<Options>();
+  constexpr std::uint64_t most_runs = 1'000'000'000;
+  command->add_option("FILE", options->file, "a .scn file, or a compiled .json")->required();
+  command->add_option("--only", options->only, "the scenario of the file")->option_text("NAME");
+  add_whole_number(*command, "--runs", options->runs, 1, most_runs,
+                   "how many runs; of an enumeration, how often each fault at each time");
+  add_whole_number(*command, "--faults", options->faults, 0, 1000, "how many faults to draw in each run (default: 0)");
+  command->add_flag("--enumerate", options->enumerate, "inject every single fault at each of the times --at");
+  command->add_option("--at", options->at, "a time of an enumeration; may be given several times")
+      ->option_text("TIME")
+      ->expected(1)
+      ->take_all();
+  add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                   "seed of all runs (default: 1)");
+  add_whole_number(*command, "--jobs,-j", options->jobs, 1, most_jobs,
+                   "how many runs at a time in this process (default: one a processor)");
+  command->add_option("--db", options->database, "the database of results: made, or gone on with")
+      ->required()
+      ->option_text("OUT.sqlite");
+  command->add_option("--csv", options->csv, "write the results as a table, a line a run")->option_text("OUT.csv");
+  command->add_option("--report", options->report, "write the summary as a page")->option_text("OUT.html");
+  command->footer(footer);
+  program.add({command,
+               [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});
+}
+
+}  // namespace rmpl::tools

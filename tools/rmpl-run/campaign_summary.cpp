@@ -1,0 +1,237 @@
+// Counting, and the tables that come of it.
+// SPDX-License-Identifier: MIT
+#include "tools/rmpl-run/campaign_summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "runtime/executive/campaign/interval.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+using automata::Ticks;
+using runtime::CampaignRun;
+using runtime::Injected;
+using Row = std::vector<std::string>;
+
+constexpr Ticks soon = Ticks::of_seconds(10);
+
+std::string percent(double share) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f %%", 100 * share);
+  return text.data();
+}
+
+/// `95 of 100: 95.00 % (88.72 % to 98.36 %)`.
+std::string share(std::uint64_t count, std::uint64_t trials) {
+  const std::string text = std::to_string(count) + " of " + std::to_string(trials);
+  if (trials == 0) return text;
+  const runtime::Interval interval = runtime::clopper_pearson(count, trials);
+  return text + ": " + percent(static_cast<double>(count) / static_cast<double>(trials)) + " (" +
+         percent(interval.low) + " to " + percent(interval.high) + ")";
+}
+
+std::string median(std::vector<Ticks> times) {
+  if (times.empty()) return "";
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return (middle->count < 0 ? "-" : "") + automata::format_seconds({std::abs(middle->count)}) + " s";
+}
+
+Row row_of(const std::string& name, const CampaignTally& tally) {
+  return {name,
+          share(tally.met, tally.runs),
+          std::to_string(tally.injected),
+          std::to_string(tally.shown),
+          share(tally.named, tally.shown),
+          median(tally.latencies)};
+}
+
+const Row fault_head{
+    "", "expectations met, of runs", "injected", "with a symptom", "named within 10 s of it", "median latency"};
+
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      line += row[c] + std::string(widths[c] - row[c].size() + 2, ' ');
+    }
+    line.resize(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '<') {
+      result += "&lt;";
+    } else if (c == '&') {
+      result += "&amp;";
+    } else if (c == '"') {
+      result += "&quot;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string table(const std::string& caption, const std::vector<Row>& rows, bool head) {
+  std::string text = "<table><caption>" + escaped(caption) + "</caption>\n";
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    text += "<tr>";
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const bool column = head && r == 0;
+      const std::string tag = column || c == 0 ? "th" : "td";
+      text += "<" + tag +
+              (column   ? " scope=\"col\""
+               : c == 0 ? " scope=\"row\""
+                        : "") +
+              ">" + escaped(rows[r][c]) + "</" + tag + ">";
+    }
+    text += "</tr>\n";
+  }
+  return text + "</table>\n";
+}
+
+std::string seconds(const std::optional<Ticks>& time) { return time ? automata::format_seconds(*time) : ""; }
+
+template <class Text>
+std::string joined(const std::vector<Injected>& faults, const Text& text_of) {
+  std::string text;
+  for (std::size_t f = 0; f < faults.size(); ++f) text += (f > 0 ? ";" : "") + text_of(faults[f]);
+  return text;
+}
+
+}  // namespace
+
+void CampaignTally::add_run(const CampaignRun& run) {
+  ++runs;
+  met += run.verdict == CampaignRun::Verdict::met ? 1 : 0;
+  impossible += run.verdict == CampaignRun::Verdict::impossible ? 1 : 0;
+  finished += run.ended ? 1 : 0;
+  cycles += run.cycles;
+  right += run.right;
+  by_chance += run.by_chance;
+}
+
+void CampaignTally::add_fault(const Injected& fault) {
+  if (!fault.forced) return;
+  ++injected;
+  if (!fault.symptom) return;
+  ++shown;
+  if (!fault.named) return;
+  const Ticks latency = *fault.named - *fault.symptom;
+  latencies.push_back(latency);
+  named += latency <= soon ? 1 : 0;
+}
+
+void CampaignSummary::add(const CampaignRun& run) {
+  all_.add_run(run);
+  for (const Injected& injected : run.injected) {
+    const std::size_t component = injected.fault.component.index();
+    const std::pair fault{component, injected.fault.mode.index()};
+    all_.add_fault(injected);
+    for (CampaignTally* tally : {&components_[component], &faults_[fault]}) {
+      tally->add_run(run);
+      tally->add_fault(injected);
+    }
+  }
+}
+
+std::string CampaignSummary::name_of(std::pair<std::size_t, std::size_t> fault) const {
+  const automata::Component& component = plant_.components[fault.first];
+  return component.name + " = " + component.modes[fault.second].name;
+}
+
+std::vector<Row> CampaignSummary::totals() const {
+  std::vector<Row> rows{
+      {"expectations met", share(all_.met, all_.runs)},
+      {"program ended", share(all_.finished, all_.runs)},
+      {"estimate is the truth",
+       std::to_string(all_.right) + " of " + std::to_string(all_.cycles) + " cycles" +
+           (all_.cycles == 0 ? ""
+                             : ": " + percent(static_cast<double>(all_.right) / static_cast<double>(all_.cycles)))},
+      {"faults by chance", std::to_string(all_.by_chance)}};
+  if (all_.impossible > 0) rows.push_back({"impossible for the model", std::to_string(all_.impossible)});
+  if (faults_.empty()) return rows;
+  rows.push_back({"faults injected", std::to_string(all_.injected)});
+  rows.push_back({"with a symptom", std::to_string(all_.shown)});
+  rows.push_back({"named within 10 s of it", share(all_.named, all_.shown)});
+  return rows;
+}
+
+std::vector<Row> CampaignSummary::by_component() const {
+  std::vector<Row> rows{fault_head};
+  for (const auto& [component, tally] : components_) rows.push_back(row_of(plant_.components[component].name, tally));
+  return rows;
+}
+
+std::vector<Row> CampaignSummary::by_fault() const {
+  std::vector<Row> rows{fault_head};
+  for (const auto& [fault, tally] : faults_) rows.push_back(row_of(name_of(fault), tally));
+  return rows;
+}
+
+std::string CampaignSummary::text(const std::string& heading, base::Painter painter) const {
+  std::string text = painter.strong(heading) + "\n" + aligned(totals());
+  if (faults_.empty()) return text;
+  return text + "\n" + painter.strong("by component") + "\n" + aligned(by_component()) + "\n" +
+         painter.strong("by fault") + "\n" + aligned(by_fault());
+}
+
+std::string CampaignSummary::page(const std::string& heading) const {
+  std::string text = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark"><title>)" +
+                     escaped(heading) + R"(</title>
+<style>
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em }
+table { border-collapse: collapse; margin: 2em 0; font-variant-numeric: tabular-nums }
+caption { text-align: left; font-weight: 600; padding-bottom: .4em }
+th, td { text-align: left; font-weight: normal; padding: .25em 1.2em .25em 0; border-bottom: 1px solid #8884 }
+th[scope=col] { color: GrayText }
+</style></head><body>
+<h1>)" + escaped(heading) +
+                     "</h1>\n";
+  text += table("All runs", totals(), false);
+  if (!faults_.empty()) text += table("By component", by_component(), true) + table("By fault", by_fault(), true);
+  return text +
+         "<p>Intervals are of Clopper and Pearson, for 95 %. A symptom is the first reading that the flight without "
+         "the "
+         "fault could not have had; the latency is the time from it until the estimate has the fault.</p>\n"
+         "</body></html>\n";
+}
+
+std::string csv_head() {
+  return "run,seed,verdict,ended,time,cycles,right,chance_faults,faults,at,forced,symptom,named\n";
+}
+
+std::string csv_line(const CampaignRun& run, const automata::Plant& plant) {
+  std::string line = std::to_string(run.run) + "," + std::to_string(run.seed) + "," +
+                     std::string(runtime::name_of(run.verdict)) + "," + seconds(run.ended) + "," + seconds(run.time) +
+                     "," + std::to_string(run.cycles) + "," + std::to_string(run.right) + "," +
+                     std::to_string(run.by_chance);
+  line += "," + joined(run.injected, [&](const Injected& injected) {
+            const automata::Component& component = plant[injected.fault.component];
+            return component.name + "=" + component.modes[injected.fault.mode.index()].name;
+          });
+  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.fault.at); });
+  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.forced); });
+  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.symptom); });
+  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.named); });
+  return line + "\n";
+}
+
+}  // namespace rmpl::tools
