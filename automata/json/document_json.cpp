@@ -32,7 +32,7 @@ Json to_json(const Document& document) {
 std::string to_text(const Document& document) { return to_json(document).dump(2) + "\n"; }
 
 Document document_from_json(const Json& json) {
-  const Node root(json, "");
+  const Node root(json);
   root.only({"format", "version", "plants", "programs", "models", "scenarios"});
   if (root.at("format").text() != format_name) root.at("format").fail(std::string("\"") + format_name + "\"");
   if (root.at("version").natural() != format_version) root.at("version").fail(std::to_string(format_version));

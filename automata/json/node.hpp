@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,18 +16,19 @@
 
 namespace rmpl::automata {
 
-/// A JSON value and the path that leads to it. Cheap to copy; refers to the value.
+/// A value of a JSON document. Cheap to copy; refers to the document. The path that leads to it is found where it has
+/// to be told.
 class Node {
  public:
-  Node(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
+  explicit Node(const Json& root) : json_(&root), root_(&root) {}
 
-  [[noreturn]] void fail(const std::string& expected) const { throw JsonError(path_, "expected " + expected); }
+  [[noreturn]] void fail(const std::string& expected) const { throw JsonError(path(), "expected " + expected); }
   /// Fails where this is an object with a key that is none of these.
   void only(const std::vector<std::string_view>& keys) const {
     if (!json_->is_object()) fail("an object");
     for (const auto& [key, value] : json_->items()) {
       if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      throw JsonError(member_path(path_, key), "unknown key '" + key + "'" + base::suggestion(key, keys),
+      throw JsonError(member_path(path(), key), "unknown key '" + key + "'" + base::suggestion(key, keys),
                       JsonError::Blame::key);
     }
   }
@@ -36,17 +38,18 @@ class Node {
     if (!json_->is_object()) fail("an object");
     const auto found = json_->find(key);
     if (found == json_->end()) fail("the key '" + std::string(key) + "'");
-    return {*found, path_ + "/" + std::string(key)};
+    return {*found, *root_};
   }
   [[nodiscard]] std::vector<Node> items() const {
     if (!json_->is_array()) fail("an array");
     std::vector<Node> nodes;
-    for (std::size_t i = 0; i < json_->size(); ++i) nodes.emplace_back((*json_)[i], path_ + "/" + std::to_string(i));
+    nodes.reserve(json_->size());
+    for (const Json& item : *json_) nodes.push_back({item, *root_});
     return nodes;
   }
-  [[nodiscard]] std::string text() const {
+  [[nodiscard]] const std::string& text() const {
     if (!json_->is_string()) fail("a string");
-    std::string result = json_->get<std::string>();
+    const auto& result = json_->get_ref<const std::string&>();
     // A text of the source may have several lines.
     const auto refused = [](char c) { return base::is_control(c) && c != '\n' && c != '\t'; };
     if (std::any_of(result.begin(), result.end(), refused)) fail("a string without control characters");
@@ -86,8 +89,14 @@ class Node {
   }
 
  private:
+  Node(const Json& json, const Json& root) : json_(&json), root_(&root) {}
+
+  [[nodiscard]] std::string path() const { return path_in(*root_).value(); }
+  /// The path that leads to this value from `tree`, which is looked through; nothing where it is not there.
+  [[nodiscard]] std::optional<std::string> path_in(const Json& tree) const;
+
   const Json* json_;
-  std::string path_;
+  const Json* root_;
 };
 
 }  // namespace rmpl::automata

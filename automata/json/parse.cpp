@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace rmpl::automata {
@@ -13,19 +14,114 @@ namespace {
 /// A compiled document has objects of a dozen keys, a log one for each component or variable.
 constexpr std::size_t key_limit = 10'000;
 
-/// An object or array that is open while a text is parsed.
-struct Open {
-  bool object = false;
-  std::unordered_set<std::string> keys;  ///< so far, of an object
-  std::string key;                       ///< the last
-  std::size_t items = 0;                 ///< begun so far, of an array
-};
+/// Up to so many keys of an object are looked through one by one; more are looked up.
+constexpr std::size_t few_keys = 16;
 
-std::string path_of(const std::vector<Open>& open) {
-  std::string path;
-  for (const Open& level : open) path = member_path(path, level.object ? level.key : std::to_string(level.items - 1));
-  return path;
-}
+/// What nlohmann-json tells of a text, made into a value. Every value is made where it stays: a vector does not grow
+/// while what is at its back is open.
+class Reader : public nlohmann::json_sax<Json> {
+ public:
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(std::int64_t value) override { return add(value); }
+  bool number_unsigned(std::uint64_t value) override { return add(value); }
+  bool number_float(double value, const std::string&) override { return add(value); }
+  bool string(std::string& value) override { return add(std::move(value)); }
+  bool binary(Json::binary_t& value) override { return add(std::move(value)); }
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(std::string& name) override {
+    auto& members = open_.back().value->get_ref<Json::object_t&>();
+    const bool twice = known(members, name);
+    if (twice || members.size() >= key_limit) {
+      refuse(name, twice);
+      lost_ = Json();
+      slot_ = &lost_;
+      return true;
+    }
+    if (members.size() > few_keys) open_.back().keys.insert(name);
+    // Not `emplace`, which looks through all that are there.
+    members.push_back({std::move(name), Json()});
+    slot_ = &members.back().second;
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+    if (const auto* syntax = dynamic_cast<const Json::parse_error*>(&error)) throw Json::parse_error(*syntax);
+    throw Json::out_of_range(dynamic_cast<const Json::out_of_range&>(error));
+  }
+
+  /// Throws JsonError where an object was refused.
+  Json take() {
+    if (error_) throw JsonError(*error_);
+    return std::move(root_);
+  }
+
+ private:
+  struct Open {
+    Json* value;
+    std::unordered_set<std::string> keys;  ///< so far, of an object with more than a few
+  };
+
+  bool known(const Json::object_t& members, const std::string& name) {
+    auto& keys = open_.back().keys;
+    if (members.size() <= few_keys) {
+      return std::any_of(members.begin(), members.end(), [&](const auto& member) { return member.first == name; });
+    }
+    if (keys.empty()) {
+      for (const auto& member : members) keys.insert(member.first);
+    }
+    return keys.contains(name);
+  }
+
+  /// Where the next value goes.
+  Json& place() {
+    if (open_.empty()) return root_;
+    Json& parent = *open_.back().value;
+    if (parent.is_object()) return *slot_;
+    parent.get_ref<Json::array_t&>().emplace_back();
+    return parent.back();
+  }
+  template <class Value>
+  bool add(Value&& value) {
+    place() = Json(std::forward<Value>(value));
+    return true;
+  }
+  bool open(Json&& empty) {
+    Json& here = place();
+    here = std::move(empty);
+    open_.push_back({&here, {}});
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  /// A syntax error further on is told in its place.
+  void refuse(const std::string& name, bool twice) {
+    if (error_) return;
+    std::string path;
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+      const Json& level = *open_[i].value;
+      path = member_path(path, level.is_object() ? level.get_ref<const Json::object_t&>().back().first
+                                                 : std::to_string(level.size() - 1));
+    }
+    if (twice) {
+      error_.emplace(member_path(path, name), "the key '" + name + "' stands twice in one object",
+                     JsonError::Blame::key);
+    } else {
+      error_.emplace(path, "expected an object of at most " + std::to_string(key_limit) + " keys");
+    }
+  }
+
+  Json root_;
+  std::vector<Open> open_;
+  Json* slot_ = nullptr;  ///< of the last key
+  Json lost_;             ///< in place of what is refused
+  std::optional<JsonError> error_;
+};
 
 /// Walks a text that is known to be JSON.
 class Walk {
@@ -135,34 +231,9 @@ std::string member_path(const std::string& path, std::string_view key) {
 }
 
 Json parse_json(std::string_view text) {
-  using Event = Json::parse_event_t;
-  std::vector<Open> open;
-  std::optional<JsonError> error;
-  const auto callback = [&](int, Event event, Json& parsed) {
-    const bool begins = event == Event::object_start || event == Event::array_start;
-    if ((begins || event == Event::value) && !open.empty()) ++open.back().items;
-    if (begins) open.push_back({event == Event::object_start, {}, {}, 0});
-    if (event == Event::object_end || event == Event::array_end) open.pop_back();
-    if (event == Event::key) {
-      open.back().key = parsed.get<std::string>();
-      // What is not kept costs no look-up: an object is searched from its start for each key that it gets.
-      if (!open.back().keys.insert(open.back().key).second) {
-        const std::string reason = "the key '" + open.back().key + "' stands twice in one object";
-        if (!error) error = JsonError(path_of(open), reason, JsonError::Blame::key);
-        return false;
-      }
-      if (open.back().keys.size() > key_limit) {
-        open.back().keys.erase(open.back().key);
-        const std::string reason = "expected an object of at most " + std::to_string(key_limit) + " keys";
-        if (!error) error = JsonError(path_of({open.begin(), open.end() - 1}), reason);
-        return false;
-      }
-    }
-    return true;
-  };
-  Json json = Json::parse(text, callback);
-  if (error) throw JsonError(*error);
-  return json;
+  Reader reader;
+  Json::sax_parse(text, &reader);
+  return reader.take();
 }
 
 JsonPlace place_of(std::string_view text, std::string_view path, JsonError::Blame blame) {

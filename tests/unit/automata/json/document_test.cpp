@@ -55,7 +55,7 @@ Document sample() {
                                    Ticks::of_seconds(60),
                                    "expect truth …",
                                    {}});
-  return {{plant}, {program}, {scenario}};
+  return {{plant}, {program}, {}, {scenario}};
 }
 
 TEST(Document, RoundTripKeepsEverythingAndEveryByte) {
