@@ -79,9 +79,9 @@ class CallCollector {
                step.node);
   }
 
-  /// The branch that is drawn starts in the same instant.
+  /// The branch that is drawn starts in the same instant. Beside model definitions the mixture is reported.
   void choose(const grammar::Choose& choose, grammar::Span span, Position position) {
-    if (!model_) {
+    if (!model_ && !definitions_.model) {
       diagnostics_.error(Code::model_program, span,
                          "`choose` stands in model programs only, and this is a control program");
     }

@@ -28,8 +28,9 @@ struct Options {
 };
 
 constexpr const char* notes =
-    R"(A control program is drawn as its hierarchy of locations, a component type as its
-modes and transitions, a plant or a module in it as a block diagram. Of several
+    R"(A program is drawn as its hierarchy of locations, a component type as its modes and
+transitions, a plant or a module in it as a block diagram; in a model program, a
+choose is a diamond, with a dot for each of its transition functions. Of several
 figures --of names one: a program, a plant, a component type, the path of a module
 (mes.fuel) or of a component. A file with component types alone will do.
 

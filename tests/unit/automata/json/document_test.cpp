@@ -8,6 +8,35 @@
 namespace rmpl::automata {
 namespace {
 
+/// x is a until a choice between staying and b, and a drawn start; told to be either where nothing else is said.
+ModelProgram sample_model() {
+  ModelProgram model;
+  model.name = "Story";
+  const auto x = model.variables.add({"x", {"a", "b"}});
+  const auto cmd = model.variables.add({"cmd", {"none", "go"}});
+  model.controls = {{cmd, ValueId(0)}};
+  model.observables = {x};
+  model.constraints.emplace_back(implication(is(cmd, ValueId(1)), is(x, ValueId(1))), Origin{"m.rmpl", 2, 1});
+  ModelLocation whole;
+  whole.composite = true;
+  whole.maintenance = {false, is(x, ValueId(1))};
+  ModelLocation told;
+  told.parent = LocationId(0);
+  told.told = is(x, ValueId(0));
+  told.functions = {{1, {}, {{{{true, is(cmd, ValueId(1))}}, LocationId(2)}}}};
+  ModelLocation choice = told;
+  choice.start = true;
+  choice.told = constant(true);
+  choice.functions = {{0.25, {LocationId(1)}, {}}, {0.75, {}, {{{}, LocationId(2)}}}};
+  ModelLocation first = choice;
+  first.start = false;
+  first.functions = {{1, {}, {}}};
+  model.locations = {whole, told, choice, first};
+  model.initial = {{LocationId(3), {{0.5, {LocationId(1)}}, {0.5, {LocationId(1), LocationId(2)}}}}};
+  model.origin = {"m.rmpl", 1, 1};
+  return model;
+}
+
 Document sample() {
   Plant plant;
   plant.name = "Sample";
@@ -55,7 +84,7 @@ Document sample() {
                                    Ticks::of_seconds(60),
                                    "expect truth …",
                                    {}});
-  return {{plant}, {program}, {}, {scenario}};
+  return {{plant}, {program}, {sample_model()}, {scenario}};
 }
 
 TEST(Document, RoundTripKeepsEverythingAndEveryByte) {
@@ -97,6 +126,17 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
   refuses("/scenarios/0/rules/0/reading", {"pump.cmd", "start"}, "expected an observable and its value");
   refuses("/scenarios/0/rules/0/trigger", {{"variable", "pump.flow"}, {"in", {"yes"}}}, "expected values of controls");
   refuses("/scenarios/0/rules/0/stream", "estimate", "expected modes of components");
+  refuses("/models/0/controls/0/idle", "stop", "a value of 'cmd'");
+  refuses("/models/0/observables/0", "z", "not 'z'");
+  refuses("/models/0/locations/0/kind", "primitive", "the program itself");
+  refuses("/models/0/locations/2/functions/0/probability", 0.3,
+          "/models/0/locations/2/functions: expected probabilities that sum to 1");
+  refuses("/models/0/locations/2/functions/0/started/0", 1,
+          "/models/0/locations/2/functions/0/started/0: expected the number of a primitive location with one function");
+  refuses("/models/0/locations/2/functions/0/started/0", 5, "below 5");
+  refuses("/models/0/locations/2/functions/1/arcs/0/target", 0, "the number of a location, from 1");
+  refuses("/models/0/initial/0/choice", 3, "a primitive location that is no start");
+  refuses("/models/0/initial/0/branches/1/started", {3, 2}, "in order");
   refuses("/programs/0/clocks", {"t", "t"}, "/programs/0/clocks/1: expected a clock that is new");
 }
 
