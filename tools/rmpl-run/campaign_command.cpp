@@ -140,7 +140,8 @@ Campaign prepare(const automata::Document& document, const Options& options) {
   if (options.enumerate) campaign.runs = each * std::max<std::uint64_t>(options.runs, 1);
   campaign.flight.graph = runtime::reconfiguration_graph(plant);
   campaign.flight.interrupted = interrupted;
-  campaign.identity = {{"scenario", scenario.name},
+  campaign.identity = {{"version", RMPL_VERSION},
+                       {"scenario", scenario.name},
                        {"seed", std::to_string(options.seed)},
                        {"faults", options.enumerate ? "each at " + times : std::to_string(options.faults)},
                        {"models", digest(document, scenario)}};

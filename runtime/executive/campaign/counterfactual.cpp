@@ -31,7 +31,12 @@ bool Counterfactual::contradicted_by(const FlownStep& flown) {
     const bool together = state_.modes[c] == flown.before[c] && !injected;
     const bool can = std::any_of(moves[c].begin(), moves[c].end(),
                                  [&](const automata::Move& move) { return move.mode == flown.after[c]; });
-    if (!together || !(can || is_forced(flown, c))) next[c] = most_likely(moves[c]);
+    // A fault that befell the component by chance befalls the twin, if it can: it is no consequence of the one
+    // injected.
+    const bool mischance = !injected && can && flown.after[c] != flown.before[c] &&
+                           step_.plant().components[c].modes[flown.after[c].index()].fault;
+    const bool follows = mischance || (together && (can || is_forced(flown, c)));
+    if (!follows) next[c] = most_likely(moves[c]);
   }
   parted_ = true;
   if (!step_.possible(next)) return true;

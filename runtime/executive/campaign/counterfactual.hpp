@@ -21,8 +21,9 @@ struct FlownStep {
 };
 
 /// A twin of the flight that parts from it where a fault is injected. A component that is in the same mode in both does
-/// in the twin what it did in the flight, where it can; every other takes its most likely transition. So they differ in
-/// what the fault brought about, and a reading that the twin cannot have is a symptom of the fault.
+/// in the twin what it did in the flight, where it can; every other takes its most likely transition, unless a fault
+/// befell it by chance, as it may befall the twin. So they differ in what the fault brought about, and a reading that
+/// the twin cannot have is a symptom of the fault.
 class Counterfactual {
  public:
   /// In the step that follows `state` the `component` is forced; the twin's is not. Keeps a reference to `step`.

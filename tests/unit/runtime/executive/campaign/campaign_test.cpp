@@ -74,5 +74,23 @@ TEST(CampaignRun, TellsSymptomsFromFaults) {
   }
 }
 
+/// Off, the heater reads low, broken as well: a fault that comes by chance, to flight and twin alike, is no symptom of
+/// the one injected.
+TEST(Counterfactual, SuffersTheSameMischance) {
+  const Plant plant = heater::plant();
+  PlantStep step(plant);
+  const SystemState state{{heater::on}, {Ticks{}}};
+  const ControlAction idle{heater::none};
+  const std::vector<Event> none;
+  const Observation low{{heater::temp, heater::low}};
+  const Ticks second = Ticks::of_seconds(1), two = Ticks::of_seconds(2);
+  const Modes on{heater::on}, broken{heater::broken}, off{heater::off};
+  Counterfactual injected(step, state, heater::component);
+  EXPECT_TRUE(injected.contradicted_by({on, broken, idle, low, none, {}, second}));
+  Counterfactual later(step, state, heater::component);
+  EXPECT_FALSE(later.contradicted_by({on, off, idle, {{heater::temp, heater::high}}, none, {}, second}));
+  EXPECT_FALSE(later.contradicted_by({off, broken, idle, low, none, second, two}));
+}
+
 }  // namespace
 }  // namespace rmpl::runtime
