@@ -19,6 +19,7 @@
 #include "runtime/executive/trace/trace_writer.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/estimate/plant_window.hpp"
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/estimate_model.hpp"
 #include "tools/rmpl-run/latency.hpp"
@@ -70,8 +71,8 @@ trace of rmpl-run scenario is such a log. What comes from standard input is answ
 Where a search ended early, the line says "cut": true, and its belief may lack states.
 Of a model program a line has, in place of modes, the "marking" of the most likely entry and what it
 entails as "estimate"; an entry of the belief has its "marking" and "values". Each line is a step. With
---window there is the "history", trajectories best first, and "revised": where the best now differs from
-what it was after the line before.
+--window, also of a plant, there is the "history", trajectories best first, and "revised": where the best
+now differs from what it was after the line before.
 With --stats a line also has "checked", the candidates that were checked; "dropped", at most what this
 update left out of all that follows from the belief before; and "missing_mass", an upper bound of the
 probability of all states that it does not list. With --ranks states have a "rank" in place of a
@@ -88,7 +89,7 @@ examples:
   telemetry | rmpl-run estimate lander.tcca --log - --live-clocks
   echo '{"time": 0.5, "command": {"engine.cmd": "standby"}}' | rmpl-run estimate lander.tcca --log -)";
 
-std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Options& options) {
+runtime::EstimatorOptions estimator_options(const Options& options) {
   runtime::EstimatorOptions estimator;
   if (options.k) estimator.k = estimator.listed = *options.k;
   if (options.deadline) estimator.deadline = std::chrono::nanoseconds(options.deadline->count);
@@ -96,11 +97,15 @@ std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Optio
   estimator.merge_trajectories = estimator.observation_factor = estimator.normalise = !as_is;
   estimator.ranks = options.ranks;
   estimator.live_clocks_only = options.live_clocks;
+  return estimator;
+}
+
+std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Options& options) {
   switch (options.engine) {
     case Engine::exact:
-      return runtime::make_exact_estimator(step, estimator);
+      return runtime::make_exact_estimator(step, estimator_options(options));
     case Engine::k_best:
-      return runtime::make_k_best_estimator(step, estimator);
+      return runtime::make_k_best_estimator(step, estimator_options(options));
   }
   return nullptr;
 }
@@ -111,13 +116,50 @@ Belief listed(const Belief& belief, const Options& options) {
   return {belief.begin(), belief.begin() + static_cast<std::ptrdiff_t>(std::min(belief.size(), most))};
 }
 
+/// What most likely happened: trajectories, best first, the times of their states, and where the best of them differs
+/// from what it was after the line before.
+struct History {
+  std::vector<automata::Ticks> times;
+  std::vector<runtime::PlantTrajectory> trajectories;
+  std::size_t first = 0;  ///< the update after which they set out
+  struct Revision {
+    automata::Ticks time;
+    automata::Modes before, now;
+  };
+  std::vector<Revision> revised;
+};
+
+void write(JsonLine& json, const History& history, const automata::Plant& plant) {
+  json.key("history").open('[');
+  for (const runtime::PlantTrajectory& trajectory : history.trajectories) {
+    json.open('{').key("probability").number(trajectory.probability).key("trajectory").open('[');
+    for (std::size_t t = 0; t < trajectory.states.size(); ++t) {
+      const automata::SystemState& state = trajectory.states[t];
+      json.open('{').key("time").seconds(history.times[t]).key("modes").modes(state.modes, plant);
+      json.key("clocks").open('{');
+      for (std::size_t c = 0; c < plant.components.size(); ++c) {
+        json.key(plant.components[c].name).seconds(history.times[t] - state.clock_starts[c]);
+      }
+      json.close('}').close('}');
+    }
+    json.close(']').close('}');
+  }
+  json.close(']').key("revised").open('[');
+  for (const History::Revision& revision : history.revised) {
+    json.open('{').key("time").seconds(revision.time).key("before").modes(revision.before, plant);
+    json.key("modes").modes(revision.now, plant).close('}');
+  }
+  json.close(']');
+}
+
 void write(JsonLine& json, const LogLine& line, const Estimate& estimate, const Belief& belief, const Cost* cost,
-           bool ranks, const automata::Plant& plant) {
+           const History* history, bool ranks, const automata::Plant& plant) {
   json.clear();
   json.open('{');
   if (line.cycle) json.key("cycle").number(*line.cycle);
   json.key("time").seconds(line.time).key("estimate").modes(estimate.modes, plant);
   json.key("belief").belief(belief, plant, line.time, nullptr, ranks ? &estimate.rank : nullptr);
+  if (history != nullptr) write(json, *history, plant);
   if (estimate.cut) json.key("cut").boolean(true);
   if (cost != nullptr) {
     json.key("checked").number(cost->checked);
@@ -178,6 +220,9 @@ class Flight {
       throw base::InputError(options.plant +
                              ": no initial state is possible: the initial modes contradict the interconnections");
     }
+    if (options.window) {
+      window_.emplace(plant, estimator_options(options), options.engine == Engine::exact, *options.window);
+    }
   }
 
   /// The answer to the next line; `name` is the log's, for messages.
@@ -188,6 +233,7 @@ class Flight {
       if (start) {
         take_in(line.observations);
         estimator_->start(at_start_);
+        if (window_) window_->start(at_start_);
       } else {
         // Cycles that were left out went as the line before says.
         for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) {
@@ -196,6 +242,7 @@ class Flight {
         update(line, line.time);
       }
       belief = listed(estimator_->belief(), options_);
+      if (window_) tell_history();
     } catch (const runtime::TooManyStates& error) {
       throw base::LimitError(name + ":" + std::to_string(line.number) + ": " + error.what() +
                              "; expected -k, to list the best of them, or --estimator k-best");
@@ -209,7 +256,8 @@ class Flight {
       account_.missing = std::max(account_.missing, cost.missing);
     }
     before_ = line;
-    write(json_, line, estimate, belief, options_.stats && !start ? &cost : nullptr, options_.ranks, plant_);
+    write(json_, line, estimate, belief, options_.stats && !start ? &cost : nullptr, window_ ? &history_ : nullptr,
+          options_.ranks, plant_);
     return json_.text();
   }
 
@@ -223,7 +271,23 @@ class Flight {
     const automata::ControlAction action = automata::action_from(plant_, told.command);
     const runtime::Stopwatch stopwatch;
     estimator_->update(action, told.observations, time);
+    if (window_) window_->update(action, told.observations, time);
     account_.latency.add(stopwatch.seconds());
+    ++updates_;
+    times_.push_back(time);
+    if (times_.size() > options_.window.value_or(0) + 1) times_.erase(times_.begin());
+  }
+
+  void tell_history() {
+    History next{times_, window_->trajectories(), updates_ + 1 - times_.size(), {}};
+    for (std::size_t t = 0; !history_.trajectories.empty() && t < times_.size(); ++t) {
+      const auto& last = history_.trajectories.front().states;
+      if (next.first + t < history_.first || next.first + t >= history_.first + last.size()) continue;
+      const automata::Modes& before = last[next.first + t - history_.first].modes;
+      const automata::Modes& now = next.trajectories.front().states[t].modes;
+      if (before != now) next.revised.push_back({times_[t], before, now});
+    }
+    history_ = std::move(next);
   }
 
   /// Of several readings of one attribute at the start the last counts.
@@ -245,6 +309,10 @@ class Flight {
   bool cut_ = false;
   automata::Observation at_start_;
   LogLine before_;
+  std::optional<runtime::PlantWindow> window_;
+  History history_;
+  std::size_t updates_ = 0;
+  std::vector<automata::Ticks> times_{automata::Ticks{}};  ///< of what the window sets out from, and of updates since
 };
 
 /// A model program is estimated by markings.
@@ -273,8 +341,11 @@ ExitStatus run(const Options& options, const Common& common) {
   if (compilation.document().plants.empty() && !compilation.document().models.empty()) {
     return run_model(only_model_program(compilation.document(), options.plant), options, common);
   }
-  if (options.beam || options.window || options.text) {
-    throw base::InputError(options.plant + ": --beam, --window and --text are about model programs, and this is none");
+  if (options.beam || options.text) {
+    throw base::InputError(options.plant + ": --beam and --text are about model programs, and this is none");
+  }
+  if (options.window && (options.thesis || options.ranks || options.deadline)) {
+    throw base::InputError("--window weighs exactly: expected none of --thesis, --ranks and --deadline");
   }
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
@@ -335,9 +406,8 @@ void add_estimate(Program& program) {
   command->add_flag("--beam", options->beam,
                     "model programs: keep the k markings that were most likely before the readings' factors, as the\n"
                     "paper on model programs does");
-  add_whole_number(
-      *command, "--window", options->window, 1, 1'000,
-      "model programs: tell the k most likely histories of the last N updates, revised by what came since");
+  add_whole_number(*command, "--window", options->window, 1, 1'000,
+                   "tell the k most likely histories of the last N updates, revised by what came since");
   command->add_flag("--text", options->text, "model programs: answer for people, with the source of what is marked");
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
   command->footer(footer);

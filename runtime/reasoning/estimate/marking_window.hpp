@@ -1,13 +1,9 @@
-// What most likely happened over the last updates: the k most likely trajectories, revised as evidence comes.
-//
-// A trellis of each independent group of threads: forward, the probability of the best way to each marking (Viterbi;
-// Forney 1973); backward, the k best sequences in order, by that as the exact remainder (Nilsson & Goldberger 2001, in
-// the form of Soong & Huang). The k best of all groups together are then the best of the product.
-// SPDX-License-Identifier: MIT
+// What most likely happened over the last updates of a model program: the k most likely trajectories, revised as
+// evidence comes. A trellis of each independent group of threads; the k best of all groups together are the best of the
+// product. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <utility>
 #include <vector>
@@ -15,6 +11,7 @@
 #include "automata/step/marking_step.hpp"
 #include "runtime/reasoning/estimate/marking_estimator.hpp"
 #include "runtime/reasoning/estimate/marking_groups.hpp"
+#include "runtime/reasoning/estimate/trellis.hpp"
 
 namespace rmpl::runtime {
 
@@ -38,33 +35,14 @@ class MarkingWindow {
   std::vector<MarkingTrajectory> trajectories();
 
  private:
-  using Number = automata::MarkingStep::Number;
-  struct Edge {
-    std::uint32_t from;  ///< place in the layer before
-    double probability;  ///< with the observation factor
-  };
-  /// The markings at one time.
-  struct Layer {
-    std::vector<Number> markings;
-    std::vector<std::vector<Edge>> into;
-    std::vector<double> sum;   ///< of all ways there, normalised
-    std::vector<double> best;  ///< of the best way there, in the same unit
-  };
-  using Trellis = std::vector<Layer>;
   struct Told {
     std::vector<automata::Command> commands;
     std::vector<automata::Observation> observations;
   };
   enum class Reading { seen, unseen };
-  struct Path {
-    double probability;
-    std::vector<Number> markings;
-  };
 
-  Layer first(std::size_t group);
-  bool extend(std::size_t group, const Told& told, Reading reading, Layer& next);
-  void stand(std::size_t group, Layer& next);
-  std::vector<Path> paths(std::size_t group);
+  void begin(std::size_t group);
+  bool extend(std::size_t group, const Told& told, Reading reading);
 
   const MarkingGroups& groups_;
   std::size_t updates_, k_;

@@ -1,0 +1,92 @@
+// The window of a plant against all of its trajectories.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "runtime/reasoning/estimate/plant_window.hpp"
+#include "tests/property/draw.hpp"
+#include "tests/property/generate.hpp"
+#include "tests/reference/belief.hpp"
+
+namespace rmpl::property {
+namespace {
+
+using automata::SystemState;
+using automata::Ticks;
+using Trajectories = std::map<std::vector<SystemState>, double>;
+
+void divide_by_sum(Trajectories& trajectories) {
+  double sum = 0;
+  for (const auto& [states, probability] : trajectories) sum += probability;
+  for (auto& [states, probability] : trajectories) probability /= sum;
+}
+
+/// One update further, every state that may follow each trajectory.
+Trajectories extended(const reference::Step& step, const Trajectories& all, const LogLine& line, Ticks before) {
+  Trajectories predictions, posterior;
+  for (const auto& [states, weight] : all) {
+    const reference::Belief next = reference::predicted(step, {{states.back(), 1.0}}, line.action, before, line.time);
+    for (const auto& [state, probability] : next) {
+      std::vector<SystemState> longer = states;
+      longer.push_back(state);
+      predictions[longer] = weight * probability;
+      const double worth = weight * probability * step.observation_factor(state.modes, line.observation);
+      if (worth > 0) posterior[longer] = worth;
+    }
+  }
+  if (!posterior.empty()) return posterior;
+  if (!predictions.empty()) return predictions;
+  Trajectories standing;
+  for (const auto& [states, weight] : all) {
+    std::vector<SystemState> longer = states;
+    longer.push_back(states.back());
+    standing[longer] = weight;
+  }
+  return standing;
+}
+
+RC_GTEST_PROP(PlantWindow, IsTheBestOfAllTrajectories, ()) {
+  const Model model = *models({.max_components = 2, .max_attributes = 4});
+  const Log log = *logs(model.plant, 4);
+  const std::size_t updates = up_to(1, 3);
+  const std::size_t k = up_to(1, 5);
+  const reference::Step slow(model.plant);
+  runtime::PlantWindow window(model.plant, {.k = k}, true, updates);
+  std::vector<reference::Belief> beliefs{reference::initial_belief(slow)};
+  double sum = 0;
+  for (const auto& [state, probability] : beliefs[0]) sum += probability;
+  for (auto& [state, probability] : beliefs[0]) probability /= sum;
+  for (std::size_t i = 0; i < log.lines.size(); ++i) {
+    const LogLine& line = log.lines[i];
+    const Ticks before = i > 0 ? log.lines[i - 1].time : Ticks{};
+    window.update(line.action, line.observation, line.time);
+    beliefs.push_back(
+        reference::belief_update(slow, beliefs.back(), line.action, line.observation, before, line.time).belief);
+    const std::size_t first = i + 1 - std::min(updates, i + 1);
+    Trajectories all;
+    for (const auto& [state, probability] : beliefs[first]) all[{state}] = probability;
+    for (std::size_t j = first; j <= i; ++j) {
+      all = extended(slow, all, log.lines[j], j > 0 ? log.lines[j - 1].time : Ticks{});
+    }
+    divide_by_sum(all);
+    std::vector<double> probabilities;
+    for (const auto& [states, probability] : all) probabilities.push_back(probability);
+    std::sort(probabilities.begin(), probabilities.end(), std::greater<>());
+    const auto found = window.trajectories();
+    RC_ASSERT(found.size() == std::min(k, all.size()));
+    for (std::size_t t = 0; t < found.size(); ++t) {
+      RC_ASSERT(all.contains(found[t].states));
+      RC_ASSERT(std::abs(all.at(found[t].states) - found[t].probability) < 1e-9);
+      RC_ASSERT(std::abs(probabilities[t] - found[t].probability) < 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rmpl::property
