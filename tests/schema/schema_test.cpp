@@ -166,6 +166,14 @@ const std::vector<Output> outputs = {
      "echo '{\"time\": 1, \"command\": {\"pde.cmd\": \"on\"}}' | rmpl-run estimate "
      "{examples}/propulsion/propulsion.tcca --log -",
      "trace", true},
+    {"HistoriesOfAPlant",
+     "echo '{\"time\": 1, \"command\": {\"pde.cmd\": \"on\"}}' | rmpl-run estimate "
+     "{examples}/propulsion/propulsion.tcca --log - --window 2 -k 2",
+     "trace", true},
+    {"HistoriesOfAModelProgram",
+     "rmpl-run estimate {examples}/optical-navigation/optical_navigation.rmpl --log "
+     "{examples}/optical-navigation/corrupted_image.jsonl --window 3 -k 2",
+     "trace", true},
     {"Markings",
      "printf '{\"time\":0,\"estimate\":{\"engine\":\"off\"}}\\n{\"time\":1,\"estimate\":{\"engine\":\"standby\"}}\\n' "
      "| "

@@ -245,7 +245,8 @@ class Flight {
       if (window_) tell_history();
     } catch (const runtime::TooManyStates& error) {
       throw base::LimitError(name + ":" + std::to_string(line.number) + ": " + error.what() +
-                             "; expected -k, to list the best of them, or --estimator k-best");
+                             (options_.window ? "; expected no --window, or independent groups of fewer states"
+                                              : "; expected -k, to list the best of them, or --estimator k-best"));
     }
     const Estimate& estimate = estimator_->estimate();
     const Cost cost{estimate.checked, estimate.missing_mass, unlisted(estimate, belief)};

@@ -198,7 +198,9 @@ class ModelFlight {
       if (options_.estimator.window > 0) tell_history(answer, start);
     } catch (const runtime::TooManyStates& error) {
       throw base::LimitError(name + ":" + std::to_string(line.number) + ": " + error.what() +
-                             "; expected -k, to list the best of them, or --estimator k-best");
+                             (options_.estimator.window > 0
+                                  ? "; expected no --window, or independent groups of fewer states"
+                                  : "; expected -k, to list the best of them, or --estimator k-best"));
     }
     answer.cycle = line.cycle;
     answer.time = line.time;
