@@ -126,6 +126,8 @@ class CallCollector {
                                          backquoted(callee.name.text) + ", which is a " + kind(callee.model) +
                                          " definition: a program either tells what holds or asserts what should");
     error.notes.push_back({callee.name.span, backquoted(callee.name.text) + " is defined here"});
+    if (model_)
+      error.suggestion = "if it tells what holds, write `model " + callee.name.text + "(…)` where it is defined";
     definitions_.mixed = true;
   }
 
