@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "runtime/executive/scenario/report.hpp"
 #include "runtime/executive/scenario/story.hpp"
+#include "runtime/report/recorder.hpp"
 #include "tools/rmpl-run/follow.hpp"
 #include "tools/rmpl-run/latency.hpp"
 #include "tools/shared/interruption.hpp"
@@ -141,6 +142,8 @@ Flown fly(const Task& task, const FlightOptions& options, const Common& common, 
       count > 1 ? "[" + std::to_string(position + 1) + "/" + std::to_string(count) + "] " : std::string();
   Progress progress(which + scenario.name, scenario.duration, voices, position);
   if (progress_is_seen(common.quiet) && !(told && output_is_seen())) observers.push_back(&progress);
+  std::optional<runtime::Recorder> recorder;
+  if (options.records()) observers.push_back(&recorder.emplace(*task.document, scenario));
   Account account;
   const bool accounted = options.stats || common.verbose;
   if (accounted) observers.push_back(&account);
@@ -155,7 +158,9 @@ Flown fly(const Task& task, const FlightOptions& options, const Common& common, 
   if (told || (common.format == Format::text && common.quiet)) {
     tell((common.quiet ? scenario.name + ": " : "\n") + runtime::summary(scenario, result, painter));
   }
-  return {&scenario, std::move(result), seconds};
+  std::optional<runtime::Flight> data;
+  if (recorder) data = recorder->finish(result);
+  return {&scenario, std::move(result), seconds, std::move(data)};
 }
 
 }  // namespace rmpl::tools

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/executive/scenario/run.hpp"
+#include "runtime/report/flight.hpp"
 #include "tools/rmpl-run/flight_options.hpp"
 #include "tools/rmpl-run/in_turn.hpp"
 
@@ -25,6 +27,7 @@ struct Flown {
   const automata::Scenario* scenario = nullptr;
   runtime::ScenarioResult result;
   double seconds = 0;
+  std::optional<runtime::Flight> data = std::nullopt;  ///< where the options ask for it
 };
 
 /// Flies the task at `position` of `count`, and tells its story as it happens. Throws base::InputError.

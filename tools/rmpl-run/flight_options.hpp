@@ -19,6 +19,7 @@ struct FlightOptions {
   std::vector<std::string> only;  ///< names of scenarios; empty: all
   std::string trace;              ///< paths of what is written; empty: not
   std::string junit;
+  std::string report;
   runtime::TraceDetail detail = runtime::TraceDetail::changes;
   std::vector<std::string> components;
   automata::Ticks from;
@@ -33,6 +34,8 @@ struct FlightOptions {
   bool stats = false;
 
   /// Several files are told as a table; the flights of one as stories, unless nobody wants to hear them.
+  /// Whether the data of the flights are wanted.
+  [[nodiscard]] bool records() const { return !report.empty(); }
   [[nodiscard]] bool tells_stories(const Common& common) const {
     return common.format == Format::text && !common.quiet && (files.size() == 1 || common.verbose);
   }

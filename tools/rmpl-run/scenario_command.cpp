@@ -17,6 +17,7 @@
 #include "tools/rmpl-run/scenario_table.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/models.hpp"
+#include "tools/shared/report_file.hpp"
 #include "tools/shared/suggestion.hpp"
 
 namespace rmpl::tools {
@@ -38,6 +39,7 @@ examples:
   rmpl-run scenario nominal.scn                    the story, and the verdicts
   rmpl-run scenario nominal.scn --follow           the flight on the terminal as it goes on
   rmpl-run scenario *.scn --junit out.xml          a table of verdicts, and a file for the CI
+  rmpl-run scenario nominal.scn --report out.html  a page to look at it in a browser
   rmpl-run scenario nominal.scn --trace out.jsonl  what changes, as JSON Lines
   rmpl-run scenario faults.scn --only 'pde reset'  one scenario of several
   rmpl-run scenario dice.scn --seed 42             another draw of the same plant
@@ -103,6 +105,28 @@ std::string to_json(const std::vector<Flown>& flights) {
   return json.text() + "\n";
 }
 
+std::vector<ReportFile::Subject> models_of(const std::vector<Task>& tasks) {
+  std::vector<ReportFile::Subject> result;
+  for (const Task& task : tasks) {
+    const automata::Document& document = *task.document;
+    result.push_back({&document.plants[task.scenario->plant], &document.programs[task.scenario->program]});
+  }
+  return result;
+}
+
+std::vector<runtime::Flight> data_of(std::vector<Flown>& flights) {
+  std::vector<runtime::Flight> result;
+  for (Flown& flown : flights) {
+    if (flown.data) result.push_back(std::move(*flown.data));
+  }
+  return result;
+}
+
+std::string title_of(const FlightOptions& options) {
+  const std::string first = options.files.front();
+  return first.substr(first.rfind('/') + 1) + (options.files.size() > 1 ? " and others" : "");
+}
+
 ExitStatus run(const FlightOptions& options, const Common& common) {
   check_standard_input(options.files);
   std::vector<compiler::Compilation> compilations;
@@ -111,7 +135,9 @@ ExitStatus run(const FlightOptions& options, const Common& common) {
   std::optional<base::OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);  // a name that cannot be written is told at once
   watch_for_interruption();
-  const std::vector<Flown> flights = fly_all(tasks, options, common);
+  std::optional<ReportFile> report;
+  if (!options.report.empty()) report.emplace(options.report, models_of(tasks));
+  std::vector<Flown> flights = fly_all(tasks, options, common);
   switch (common.format) {
     case Format::text:
       if (tasks.size() > 1 && !common.quiet) {
@@ -130,6 +156,7 @@ ExitStatus run(const FlightOptions& options, const Common& common) {
     junit->write(to_junit(tasks, flights));
     junit->keep();
   }
+  if (report) report->write(title_of(options), data_of(flights));
   ExitStatus status = flights.size() < tasks.size() ? ExitStatus::undecided : ExitStatus::done;
   for (const Flown& flown : flights) status = worse(status, status_of(flown.result.verdict()));
   return status;
@@ -151,6 +178,8 @@ void add_scenario(Program& program) {
                    "how many scenarios fly at once, with the same output for any number\n(default: one a core)");
   command->add_flag("--follow", options->follow, "show the flight on the terminal while it goes on, not its story");
   command->add_option("--trace", options->trace, "write what happens, as JSON Lines")->option_text("OUT.jsonl");
+  command->add_option("--report", options->report, "write a page to look at the flights in a browser, all in one file")
+      ->option_text("OUT.html");
   command->add_option("--junit", options->junit, "write a test case for each expectation, for continuous integration")
       ->option_text("OUT.xml");
   add_choice<TraceDetail>(

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "compiler/diagram/figures.hpp"
 #include "tools/rmplc/commands.hpp"
-#include "tools/rmplc/graphviz.hpp"
+#include "tools/shared/graphviz.hpp"
 #include "tools/shared/models.hpp"
 #include "tools/shared/suggestion.hpp"
 
@@ -88,8 +88,9 @@ bool is_svg(const Options& options) {
 
 ExitStatus run(const Options& options, const Common& common) {
   const compiler::Compilation result = load(options.files, common, {.main = options.main, .types_suffice = true});
+  constexpr std::string_view way_out = "install the package 'graphviz', or write DOT with --format dot";
   const std::string graph = drawn(compiler::figures_of(result.document()), options);
-  write_result(options.output, is_svg(options) ? svg_of(graph) : graph);
+  write_result(options.output, is_svg(options) ? svg_of(graph, way_out) : graph);
   return ExitStatus::done;
 }
 

@@ -1,6 +1,6 @@
 // The process: what it reads and writes are unnamed files, so that nobody waits for anybody.
 // SPDX-License-Identifier: MIT
-#include "tools/rmplc/graphviz.hpp"
+#include "tools/shared/graphviz.hpp"
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -64,7 +64,7 @@ class Redirections {
 
 }  // namespace
 
-std::string svg_of(const std::string& graph) {
+std::string svg_of(const std::string& graph, std::string_view way_out) {
   const File input = unnamed_file();
   const File output = unnamed_file();
   const File complaints = unnamed_file();
@@ -79,8 +79,7 @@ std::string svg_of(const std::string& graph) {
   pid_t process = 0;
   const int refused = posix_spawnp(&process, "dot", redirections.get(), nullptr, arguments.data(), environ);
   if (refused == ENOENT) {
-    throw base::InputError(
-        "dot, which lays pictures out, is not there: install the package 'graphviz', or write DOT with --format dot");
+    throw base::InputError("dot, which lays pictures out, is not there: " + std::string(way_out));
   }
   if (refused != 0) fail(refused);
   int status = 0;

@@ -1,0 +1,26 @@
+# Writes files as constants of a C++ source: OUT from FRAME, STYLE and SCRIPTS.
+# SPDX-License-Identifier: MIT
+function(literal name text out)
+  # A compiler may take no more than 64 KiB in one literal: pieces, which it joins.
+  string(LENGTH "${text}" length)
+  set(pieces "")
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${text}" ${at} 8000 piece)
+    string(APPEND pieces "\n    R\"part(${piece})part\"")
+    math(EXPR at "${at} + 8000")
+  endwhile()
+  set(${out} "const std::string_view ${name} =${pieces};\n" PARENT_SCOPE)
+endfunction()
+
+file(READ "${FRAME}" frame)
+file(READ "${STYLE}" style)
+set(script "")
+foreach(file IN LISTS SCRIPTS)
+  file(READ "${file}" text)
+  string(APPEND script "${text}")
+endforeach()
+literal(page_frame "${frame}" frame)
+literal(page_style "${style}" style)
+literal(page_script "${script}" script)
+file(WRITE "${OUT}" "#include \"runtime/report/page_parts.hpp\"\n\nnamespace rmpl::runtime {\n\n${frame}\n${style}\n${script}\n}  // namespace rmpl::runtime\n")
