@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -29,10 +31,28 @@ class Track {
     changes_.push_back({time, std::move(value)});
   }
   [[nodiscard]] const std::vector<Change<Value>>& changes() const { return changes_; }
+  /// What it is at a time; null before the first change. Logarithmic.
+  [[nodiscard]] const Value* at(automata::Ticks time) const {
+    const auto after = std::upper_bound(changes_.begin(), changes_.end(), time,
+                                        [](automata::Ticks t, const Change<Value>& change) { return t < change.time; });
+    return after == changes_.begin() ? nullptr : &std::prev(after)->value;
+  }
   [[nodiscard]] bool empty() const { return changes_.empty(); }
 
  private:
   std::vector<Change<Value>> changes_;
 };
+
+/// When one of the tracks changes: ascending, each time once.
+template <class Value>
+std::vector<automata::Ticks> times_of(const std::vector<Track<Value>>& tracks) {
+  std::vector<automata::Ticks> times;
+  for (const auto& track : tracks) {
+    for (const Change<Value>& change : track.changes()) times.push_back(change.time);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
 
 }  // namespace rmpl::runtime

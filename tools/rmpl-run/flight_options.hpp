@@ -20,6 +20,7 @@ struct FlightOptions {
   std::string trace;              ///< paths of what is written; empty: not
   std::string junit;
   std::string report;
+  std::string vcd, csv, mcap;
   runtime::TraceDetail detail = runtime::TraceDetail::changes;
   std::vector<std::string> components;
   automata::Ticks from;
@@ -35,7 +36,7 @@ struct FlightOptions {
 
   /// Several files are told as a table; the flights of one as stories, unless nobody wants to hear them.
   /// Whether the data of the flights are wanted.
-  [[nodiscard]] bool records() const { return !report.empty(); }
+  [[nodiscard]] bool records() const { return !report.empty() || !vcd.empty() || !csv.empty() || !mcap.empty(); }
   [[nodiscard]] bool tells_stories(const Common& common) const {
     return common.format == Format::text && !common.quiet && (files.size() == 1 || common.verbose);
   }

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "runtime/executive/scenario/report.hpp"
+#include "runtime/report/exports.hpp"
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/flights.hpp"
 #include "tools/rmpl-run/scenario_junit.hpp"
@@ -71,8 +72,10 @@ std::vector<Task> tasks_of(const std::vector<compiler::Compilation>& compilation
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     throw base::InputError(files + ": no scenario is called '" + name + "'" + suggestion_or_list(name, names));
   }
-  if (result.size() > 1 && !options.trace.empty()) {
-    throw base::InputError("--trace holds one scenario, and " + files +
+  for (const auto& [option, path] : {std::pair{"--trace", &options.trace}, std::pair{"--vcd", &options.vcd},
+                                     std::pair{"--csv", &options.csv}, std::pair{"--mcap", &options.mcap}}) {
+    if (result.size() <= 1 || path->empty()) continue;
+    throw base::InputError(std::string(option) + " holds one scenario, and " + files +
                            (options.files.size() == 1 ? " has " : " have ") + std::to_string(result.size()) +
                            "; choose one with --only");
   }
@@ -105,6 +108,29 @@ std::string to_json(const std::vector<Flown>& flights) {
   return json.text() + "\n";
 }
 
+/// The files of one flight for tools of others. Names that cannot be written are told before the flight.
+class Exports {
+ public:
+  explicit Exports(const FlightOptions& options) {
+    if (!options.vcd.empty()) vcd_.emplace(options.vcd);
+    if (!options.csv.empty()) csv_.emplace(options.csv);
+    if (!options.mcap.empty()) mcap_.emplace(options.mcap);
+  }
+  void write(const runtime::Flight& flight) {
+    const auto keep = [](std::optional<base::OutputFile>& file, const auto& text) {
+      if (!file) return;
+      file->write(text());
+      file->keep();
+    };
+    keep(vcd_, [&] { return runtime::to_vcd(flight); });
+    keep(csv_, [&] { return runtime::to_csv(flight); });
+    keep(mcap_, [&] { return runtime::to_mcap(flight); });
+  }
+
+ private:
+  std::optional<base::OutputFile> vcd_, csv_, mcap_;
+};
+
 std::vector<ReportFile::Subject> models_of(const std::vector<Task>& tasks) {
   std::vector<ReportFile::Subject> result;
   for (const Task& task : tasks) {
@@ -135,6 +161,7 @@ ExitStatus run(const FlightOptions& options, const Common& common) {
   std::optional<base::OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);  // a name that cannot be written is told at once
   watch_for_interruption();
+  Exports exports(options);
   std::optional<ReportFile> report;
   if (!options.report.empty()) report.emplace(options.report, models_of(tasks));
   std::vector<Flown> flights = fly_all(tasks, options, common);
@@ -156,6 +183,7 @@ ExitStatus run(const FlightOptions& options, const Common& common) {
     junit->write(to_junit(tasks, flights));
     junit->keep();
   }
+  if (!flights.empty() && flights.front().data) exports.write(*flights.front().data);
   if (report) report->write(title_of(options), data_of(flights));
   ExitStatus status = flights.size() < tasks.size() ? ExitStatus::undecided : ExitStatus::done;
   for (const Flown& flown : flights) status = worse(status, status_of(flown.result.verdict()));
@@ -180,6 +208,9 @@ void add_scenario(Program& program) {
   command->add_option("--trace", options->trace, "write what happens, as JSON Lines")->option_text("OUT.jsonl");
   command->add_option("--report", options->report, "write a page to look at the flights in a browser, all in one file")
       ->option_text("OUT.html");
+  command->add_option("--vcd", options->vcd, "write a value change dump, for wave viewers")->option_text("OUT.vcd");
+  command->add_option("--csv", options->csv, "write what changes as a table")->option_text("OUT.csv");
+  command->add_option("--mcap", options->mcap, "write MCAP, for robotics tools")->option_text("OUT.mcap");
   command->add_option("--junit", options->junit, "write a test case for each expectation, for continuous integration")
       ->option_text("OUT.xml");
   add_choice<TraceDetail>(

@@ -1,6 +1,7 @@
 // tcca-check check.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "base/check.hpp"
@@ -9,6 +10,7 @@
 #include "tools/shared/suggestion.hpp"
 #include "tools/tcca-check/check_options.hpp"
 #include "tools/tcca-check/commands.hpp"
+#include "tools/tcca-check/witness_flight.hpp"
 #include "verifier/closed_loop/check_all.hpp"
 #include "verifier/verdict/table.hpp"
 
@@ -30,6 +32,7 @@ struct Options {
   Budget budget;
   unsigned threads = 1;
   bool statistics = false;
+  std::string report;  ///< where to write a page to look at traces; empty: nowhere
 };
 
 Commands commands_of(PlantProperty::Commands commands) {
@@ -144,6 +147,16 @@ const automata::Program* program_of(const automata::Document& document, const Op
   return document.programs.size() == 1 ? &document.programs.front() : nullptr;
 }
 
+/// The runs of all claims; a claim on the plant alone is shown under the program too, which marks nothing there.
+std::vector<runtime::Flight> runs_of(const Subject& subject, const std::vector<verifier::Claim>& claims) {
+  std::vector<runtime::Flight> flights;
+  for (const verifier::Claim& claim : claims) {
+    auto own = flights_of(subject, claim.name, claim.question.property, claim.question.options, claim.answer);
+    std::move(own.begin(), own.end(), std::back_inserter(flights));
+  }
+  return flights;
+}
+
 ExitStatus run(const Options& options, const Common& common) {
   check_standard_input({options.model, options.properties});
   std::vector<std::string> models = {options.model};
@@ -158,6 +171,9 @@ ExitStatus run(const Options& options, const Common& common) {
   verifier::Slices slices(plant);
   std::vector<verifier::Answer> answers =
       verifier::check_all(subject, slices, questions, limits(options.budget, common));
+  TraceReport report(options.report, subject);
+  automata::PlantStep step(plant);
+  std::vector<verifier::Answer> answers = verifier::check_all(subject, step, questions, limits(options.budget, common));
   if (std::any_of(answers.begin(), answers.end(), [](const verifier::Answer& a) { return a.startless; })) {
     warn_of_no_start("nothing is reachable");
   }
@@ -169,6 +185,7 @@ ExitStatus run(const Options& options, const Common& common) {
       common,
       [&] { return verifier::to_table(subject, claims, options.statistics, output_painter(common.color).color); },
       [&] { return verifier::to_json(subject, claims); }, [&] { return verifier::to_junit(subject, claims); });
+  report.write(runs_of(subject, claims), subject, common.quiet);
   const verifier::Count found = verifier::count(claims);
   if (found.unexpected > 0) return ExitStatus::violated;
   return found.undecided > 0 ? ExitStatus::undecided : ExitStatus::done;
@@ -188,6 +205,7 @@ void add_check(Program& program) {
            "the definition to start with; else the one that no other calls");
   add_texts(*command, "--only", options->only, "NAME", "check this property alone; may be given several times");
   add_threads(*command, options->threads);
+  add_report(*command, options->report);
   add_budget(*command, options->budget);
   add_format(*command, program.common(), true);
   command->add_flag("--stats", options->statistics, "tell what each search has cost; properties may share one");

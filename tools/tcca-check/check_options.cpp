@@ -55,6 +55,10 @@ verifier::Limits limits(const Budget& budget, const Common& common) {
   return result;
 }
 
+void add_report(CLI::App& command, std::string& path) {
+  add_text(command, "--report", path, "OUT.html", "write a page to look at the traces in a browser, all in one file");
+}
+
 void add_model(CLI::App& command, std::string& model) {
   command.add_option("MODEL", model, "the plant: .tcca or compiled .json; - for standard input")->required();
 }

@@ -39,6 +39,8 @@ void add_budget(CLI::App& command, Budget& budget);
 /// The limits of a search that signals end, and that shows its progress where somebody sees it.
 verifier::Limits limits(const Budget& budget, const Common& common);
 
+/// Where to write a page with the traces.
+void add_report(CLI::App& command, std::string& path);
 void add_model(CLI::App& command, std::string& model);
 void add_commands(CLI::App& command, verifier::Commands& commands);
 /// As many as there are cores, unless given.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include "base/error.hpp"
@@ -10,6 +11,7 @@
 #include "tools/tcca-check/commands.hpp"
 #include "tools/tcca-check/program_options.hpp"
 #include "tools/tcca-check/rehearsal.hpp"
+#include "tools/tcca-check/witness_flight.hpp"
 #include "verifier/closed_loop/check.hpp"
 #include "verifier/export/witness_scenario.hpp"
 #include "verifier/verdict/report.hpp"
@@ -180,6 +182,7 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
     frame = frame_of(options, subject);
     file.emplace(options.scenario);  // before the search: a name that cannot be written is told at once
   }
+  TraceReport report(options.report, subject);
   const verifier::Limits bounds = limits(options.budget, common);
   const std::vector<Answer> answers = verifier::check(*subject.program, step, properties, free, bounds);
   const verifier::ProgramQuestion question{properties, free, options.budget.bounds()};
@@ -189,6 +192,12 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
       [&] { return verifier::to_json(subject, question, answers); },
       [&] { return verifier::to_junit(subject, properties, answers); });
   if (frame) write_scenario(options.scenario, *file, *frame, subject, step, properties, answers, free, common, bounds);
+  std::vector<runtime::Flight> flights;
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    auto own = flights_of(subject, verifier::name_of(properties[p]), properties[p], free, answers[p]);
+    std::move(own.begin(), own.end(), std::back_inserter(flights));
+  }
+  report.write(std::move(flights), subject, common.quiet);
   return status_of(verifier::overall(properties, answers));
 }
 
@@ -209,7 +218,9 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
                           .from = assignments_option(freedom.from, plant, "--from", common)};
   automata::PlantStep step(plant);
   if (!options.each_fault) return run_check(options, common, subject, step, properties, free);
+  TraceReport report(options.report, subject);
   const FaultTable table = verifier::check_each_fault(program, step, properties, free, limits(options.budget, common));
+  report.write(flights_of(subject, table, free.period), subject, common.quiet);
   return print_table(subject, {properties, free, options.budget.bounds()}, table, options, common);
 }
 

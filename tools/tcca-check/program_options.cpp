@@ -130,6 +130,7 @@ void add_program_options(CLI::App& command, ProgramOptions& options, Common& com
            "the cycle of that scenario, where time is dense (default: 0.5s)")
       ->option_text("T")
       ->needs(scenario);
+  add_report(command, options.report);
   add_budget(command, options.budget);
   add_format(command, common, true);
   command.add_flag("--stats", options.statistics, "tell what the check has cost");

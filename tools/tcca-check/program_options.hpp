@@ -44,6 +44,7 @@ struct ProgramOptions {
   WindowOptions window;
   std::string scenario;  ///< where to write a witness as a scenario; empty: nowhere
   automata::Ticks cycle = {automata::Ticks::per_second / 2};  ///< of that scenario, where time is dense
+  std::string report;  ///< where to write a page to look at traces; empty: nowhere
   Freedom freedom;
   Budget budget;
   bool statistics = false;

@@ -3,6 +3,7 @@
 #include "tools/tcca-check/property_check.hpp"
 
 #include "tools/shared/models.hpp"
+#include "tools/tcca-check/witness_flight.hpp"
 #include "verifier/plant/check.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/table.hpp"
@@ -52,6 +53,7 @@ void add_property_options(CLI::App& command, PropertyOptions& options, Common& c
   add_threads(command, options.threads);
   command.add_flag("--no-symmetry", options.no_symmetry,
                    "explore also what differs only in the names of like components");
+  add_report(command, options.report);
   add_budget(command, options.budget);
   add_format(command, common, true);
   command.add_flag("--stats", options.statistics, "tell what the check has cost");
@@ -74,10 +76,12 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
          " components, " + std::to_string(plant.controls.size()) + " controls");
   }
   verifier::Slices slices(plant);
+  const verifier::Subject subject{plant};
+  TraceReport report(options.report, subject);
+  automata::PlantStep step(plant);
   const verifier::Question question{asked, check_options(plant, options, common), options.budget.bounds()};
   const verifier::Answer answer = verifier::check(slices, asked, question.options, limits(options.budget, common));
   if (answer.startless) warn_of_no_start("nothing is reachable");
-  const verifier::Subject subject{plant};
   print_answer(
       common,
       [&] {
@@ -88,6 +92,7 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
       [&] {
         return verifier::to_junit(subject, {{title, question, false, answer}});
       });
+  report.write(flights_of(subject, title, asked, question.options, answer), subject, common.quiet);
   return status_of(answer.verdict);
 }
 

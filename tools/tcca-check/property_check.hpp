@@ -20,6 +20,7 @@ struct PropertyOptions {
   bool no_symmetry = false;
   unsigned threads = 1;
   bool statistics = false;
+  std::string report;  ///< where to write a page to look at traces; empty: nowhere
 };
 
 /// What is asked: whether a formula holds somewhere, or for any dead end, of which one is enough.

@@ -15,19 +15,18 @@ namespace rmpl::verifier {
 using automata::Plant;
 using nlohmann::ordered_json;
 
-namespace {
-
-const std::string& name_of(const Plant& plant, const Fault& fault) {
-  return plant[fault.component].modes[fault.mode.index()].name;
-}
-
-/// What is said of the last event of a run.
 std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
   const auto* asked = std::get_if<ProgramProperty>(&property);
   if (asked != nullptr) return finding(subject, *asked, witness);
   if (witness.stop) return to_text(subject.plant, *witness.stop);
   const auto* response = std::get_if<Response>(&property);
   return response != nullptr && witness.owed_since ? owed_text(subject, *response, witness) : "";
+}
+
+namespace {
+
+const std::string& name_of(const Plant& plant, const Fault& fault) {
+  return plant[fault.component].modes[fault.mode.index()].name;
 }
 
 std::string text_of_cut_sets(const Subject& subject, const Question& question, const Answer& answer) {

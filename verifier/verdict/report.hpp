@@ -11,6 +11,9 @@
 
 namespace rmpl::verifier {
 
+/// What is said of the last event of a run that an answer has; may be empty.
+std::string end_of(const Subject& subject, const Property& property, const Witness& witness);
+
 /// One answer for people, lines ended, in colour if asked for.
 std::string to_text(const Subject& subject, const Question& question, const Answer& answer, bool color);
 /// One answer about a plant for programs. Times are seconds.

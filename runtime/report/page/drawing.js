@@ -21,7 +21,9 @@ class Drawing {
     this.svg.setAttribute("preserveAspectRatio", "xMidYMid meet");
     for (const group of this.svg.querySelectorAll("g.node, g.cluster")) {
       const title = group.querySelector(":scope > title");
-      if (title) this.nodes.set(title.textContent, group);
+      if (!title) continue;
+      group.dataset.title = title.textContent;
+      this.nodes.set(title.textContent, group);
     }
     // The paper of the drawing is the page's.
     const paper = this.svg.querySelector("g.graph > polygon");

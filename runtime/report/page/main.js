@@ -218,4 +218,5 @@ class State {
 startTheme();
 const state = new State();
 state.open(0);
+globalThis.flightReport = state;  // for the console, and for tests
 document.documentElement.dataset.ready = "yes";
