@@ -168,12 +168,10 @@ ExitStatus run(const Options& options, const Common& common) {
   const Subject subject{plant, program_of(document, options, paths)};
   const std::vector<PlantProperty> stated = read_properties(options, common, subject);
   std::vector<verifier::Question> questions = questions_of(stated, plant, options);
+  TraceReport report(options.report, subject);
   verifier::Slices slices(plant);
   std::vector<verifier::Answer> answers =
       verifier::check_all(subject, slices, questions, limits(options.budget, common));
-  TraceReport report(options.report, subject);
-  automata::PlantStep step(plant);
-  std::vector<verifier::Answer> answers = verifier::check_all(subject, step, questions, limits(options.budget, common));
   if (std::any_of(answers.begin(), answers.end(), [](const verifier::Answer& a) { return a.startless; })) {
     warn_of_no_start("nothing is reachable");
   }

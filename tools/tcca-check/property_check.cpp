@@ -78,7 +78,6 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   verifier::Slices slices(plant);
   const verifier::Subject subject{plant};
   TraceReport report(options.report, subject);
-  automata::PlantStep step(plant);
   const verifier::Question question{asked, check_options(plant, options, common), options.budget.bounds()};
   const verifier::Answer answer = verifier::check(slices, asked, question.options, limits(options.budget, common));
   if (answer.startless) warn_of_no_start("nothing is reachable");
