@@ -201,6 +201,7 @@ body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; max-width: 75em; 
 table { border-collapse: collapse; margin: 2em 0; font-variant-numeric: tabular-nums }
 caption { text-align: left; font-weight: 600; padding-bottom: .4em }
 th, td { text-align: left; font-weight: normal; padding: .25em 1.2em .25em 0; border-bottom: 1px solid #8884 }
+td, th[scope=row] { white-space: nowrap }
 th[scope=col] { color: GrayText }
 </style></head><body>
 <h1>)" + escaped(heading) +

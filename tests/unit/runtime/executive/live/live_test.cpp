@@ -107,17 +107,17 @@ class Auditor final : public CycleObserver {
   MadPlant& plant_;
 };
 
-constexpr Ticks half_a_second{Ticks::per_second / 2};
+constexpr Ticks a_second = Ticks::of_seconds(1);
 
 std::string day(std::uint64_t seed, LiveOptions::Time time, Ticks duration, Auditor* auditor, MadPlant& plant) {
   const Program program = heater::program(true);
   const Plant model = heater::plant();
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("day" + std::to_string(seed));
   LiveRun run;
-  run.cycle = half_a_second;
+  run.cycle = a_second;
   run.duration = duration;
   run.plant.time = time;
-  run.plant.patience = half_a_second;
+  run.plant.patience = a_second;
   run.engines.engine = ScenarioOptions::Engine::exact;
   TraceWriter trace(model, program, path.string(), TraceDetail::cycles);
   std::vector<CycleObserver*> observers{&trace};
@@ -133,11 +133,11 @@ std::string day(std::uint64_t seed, LiveOptions::Time time, Ticks duration, Audi
 }
 
 TEST(LivePlant, ADayOfAbuseLosesNoCommandUntold) {
-  MadPlant plant(16, half_a_second);
+  MadPlant plant(16, a_second);
   Auditor auditor(plant);
   const std::string trace = day(16, LiveOptions::Time::wall, Ticks::of_seconds(24L * 3600), &auditor, plant);
-  EXPECT_EQ(auditor.cycles, 24U * 3600 * 2);
-  EXPECT_EQ(std::count(trace.begin(), trace.end(), '\n'), 24 * 3600 * 2 + 1);
+  EXPECT_EQ(auditor.cycles, 24U * 3600);
+  EXPECT_EQ(std::count(trace.begin(), trace.end(), '\n'), 24 * 3600 + 1);
   for (const Event::Kind kind : {Event::Kind::connected, Event::Kind::gone, Event::Kind::refused, Event::Kind::late,
                                  Event::Kind::flood, Event::Kind::unacknowledged}) {
     EXPECT_GT(auditor.events[kind], 100U) << name_of(kind);
@@ -148,7 +148,7 @@ TEST(LivePlant, ADayOfAbuseLosesNoCommandUntold) {
 
 TEST(LivePlant, TheSameSeedIsTheSameTrace) {
   for (const auto time : {LiveOptions::Time::wall, LiveOptions::Time::lock_step}) {
-    MadPlant plant(7, half_a_second), again(7, half_a_second), other(8, half_a_second);
+    MadPlant plant(7, a_second), again(7, a_second), other(8, a_second);
     const std::string trace = day(7, time, Ticks::of_seconds(3600), nullptr, plant);
     EXPECT_EQ(trace, day(7, time, Ticks::of_seconds(3600), nullptr, again));
     EXPECT_NE(trace, day(8, time, Ticks::of_seconds(3600), nullptr, other));
