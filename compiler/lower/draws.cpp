@@ -128,19 +128,31 @@ class Drawing {
 
   /// Distributes one over the other.
   void multiply(Outcomes& all, const Outcomes& more, LocationId blame) {
+    if (more.size() == 1) {
+      // What is certain is added in place: many threads side by side are no product.
+      const auto& [probability, started] = more.front();
+      if (!grow(all.size() * (1 + started.size()), blame)) return;
+      for (Outcome& one : all) {
+        one.probability *= probability;
+        one.started.insert(one.started.end(), started.begin(), started.end());
+      }
+      return;
+    }
     Outcomes product;
     for (const Outcome& one : all) {
       for (const Outcome& other : more) {
-        size_ += 1 + one.started.size() + other.started.size();
-        if (size_ > size_limit) {
-          if (!draws_.too_large) draws_.too_large = blame;
-          return;
-        }
+        if (!grow(1 + one.started.size() + other.started.size(), blame)) return;
         Outcome& both = product.emplace_back(Outcome{one.probability * other.probability, one.started});
         both.started.insert(both.started.end(), other.started.begin(), other.started.end());
       }
     }
     all = std::move(product);
+  }
+
+  bool grow(std::size_t more, LocationId blame) {
+    size_ += more;
+    if (size_ > size_limit && !draws_.too_large) draws_.too_large = blame;
+    return size_ <= size_limit;
   }
 
   const automata::Program& program_;

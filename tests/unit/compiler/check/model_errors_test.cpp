@@ -94,6 +94,14 @@ TEST_F(ModelErrors, AScenarioFliesNoModelProgram) {
   EXPECT_THAT(messages(result), ElementsAre(HasSubstr("is a model program")));
 }
 
+TEST_F(ModelErrors, ManyThreadsInABranchAreNoProduct) {
+  std::string threads = "next x = a";
+  for (int t = 0; t < 3000; ++t) threads += ", next y = b";
+  EXPECT_THAT(
+      in_body("next choose { { choose { next x = a with 0.5, next x = b with 0.5 }, " + threads + " } with 1 }"),
+      IsEmpty());
+}
+
 TEST_F(ModelErrors, ChoicesThatMultiplyWithoutBounds) {
   std::string threads;
   for (int t = 0; t < 24; ++t)
