@@ -38,7 +38,7 @@ class State {
     byId("verdict").className = "chip " + flight.verdict;
     byId("facts").textContent = [
       flight.model.program ? "program " + flight.model.program : "", "plant " + flight.model.plant,
-      flight.cycle > 0 ? "cycle " + clockText(flight.cycle) : "dense time", flight.seed !== undefined ? "seed " + flight.seed : "",
+      flight.cycle > 0 ? "cycle " + clockText(flight.cycle) : "dense time, steps of one moment a nanosecond apart", flight.seed !== undefined ? "seed " + flight.seed : "",
     ].filter(Boolean).join(" \u00b7 ");
     byId("ruler").setAttribute("aria-valuemax", flight.end);
     const {program, plant, missing} = flight.model.drawings;

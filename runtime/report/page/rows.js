@@ -6,7 +6,7 @@ function spansOf(track, end, describe) {
   track.times.forEach((from, i) => {
     const what = describe(track.values[i], from);
     const to = i + 1 < track.length ? track.times[i + 1] : end;
-    if (what && (to > from || i + 1 === track.length)) spans.push({from, to, share: 1, ...what});
+    if (what && (to > from || i + 1 === track.length)) spans.push({from, to, lasts: i + 1 === track.length, share: 1, ...what});
   });
   return spans;
 }
@@ -20,7 +20,7 @@ function toneOf(component, mode) {
 function spanAt(spans, time) {
   const late = time + 5e-10 + time * 4e-16;
   for (let i = spans.length - 1; i >= 0; --i) {
-    if (spans[i].from <= late) return late < spans[i].to || i === spans.length - 1 ? spans[i] : null;
+    if (spans[i].from <= late) return late < spans[i].to || spans[i].lasts ? spans[i] : null;
   }
   return null;
 }
@@ -51,7 +51,7 @@ function believedSpans(flight, c) {
       const shares = belief.at(times[i]) ?? [];
       const at = shares.findIndex((mode, k) => k % 2 === 0 && mode === span.mode);
       const share = shares.length === 0 ? 1 : at < 0 ? 0 : shares[at + 1] / 100;
-      cuts.push({...span, from: times[i], to: times[i + 1], share, goesOn: i > 0});
+      cuts.push({...span, from: times[i], to: times[i + 1], lasts: span.lasts && i + 2 === times.length, share, goesOn: i > 0});
     }
   }
   return cuts;

@@ -1,9 +1,13 @@
 // Times as people read them, and the ticks of an axis.
 
-/** `4:30:44.5`; below a minute `12.5 s`, below a second `250 ms`. `step`: how fine it has to be. */
+/**
+ * `4:30:44.5`; below a minute `12.5 s`, below a second `250 ms`. `step`: how fine it has to be; microseconds where nothing
+ * is said.
+ */
 function clockText(time, step = 0) {
   const sign = time < 0 ? "-" : "";
-  const nano = Math.round(Math.abs(time) * 1e9);
+  const grain = step > 0 && step < 1e-6 ? 1 : 1e3;
+  const nano = Math.round((Math.abs(time) * 1e9) / grain) * grain;
   if (nano < 60e9) {
     if (nano > 0 && nano < 1e9 && step < 1) return sign + trimmed(nano / 1e6) + " ms";
     return sign + trimmed(nano / 1e9) + " s";
