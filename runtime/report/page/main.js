@@ -33,6 +33,7 @@ class State {
     this.moments = [...new Set(this.events.map((event) => event.time))];
     this.rows = rowsOf(flight, this.events);
     this.chosen = -1;
+    byId("flight").value = index;
     byId("name").textContent = flight.name;
     byId("verdict").textContent = flight.verdict;
     byId("verdict").className = "chip " + flight.verdict;

@@ -25,7 +25,7 @@ function trimmed(number) {
 }
 
 function secondsText(time) {
-  return trimmed(time) + " s";
+  return trimmed(Math.round(time * 1e6) / 1e6) + " s";
 }
 
 const steps = [1e-9, 2e-9, 5e-9];
