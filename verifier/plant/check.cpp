@@ -9,6 +9,7 @@
 #include "base/check.hpp"
 #include "verifier/plant/arena.hpp"
 #include "verifier/plant/cut_sets.hpp"
+#include "verifier/plant/out_of_reach.hpp"
 #include "verifier/plant/plant_system.hpp"
 #include "verifier/plant/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
@@ -111,12 +112,15 @@ class Check {
   }
 
   void look_for(const Target& target) {
+    Arena& arena = cone_ ? *cone_ : whole();
+    const Formula& formula = std::get<Target>(arena.wanted()).formula;
+    if (options_.slice && out_of_reach(arena.step(), formula, arena.from(), terms_.faults)) return;
     const TimeModel& time = terms_.time;
     const auto reach = [this](std::optional<Interval> window) -> Observe {
-      return [this, window](const Arena& arena) {
-        const Formula& formula = std::get<Target>(arena.wanted()).formula;
-        return [this, &formula, window](PlantStep& step) {
-          return Observer::reach(holds(step, formula, options_.entailed), window);
+      return [this, window](const Arena& searched) {
+        const Formula& wanted = std::get<Target>(searched.wanted()).formula;
+        return [this, &wanted, window](PlantStep& step) {
+          return Observer::reach(holds(step, wanted, options_.entailed), window);
         };
       };
     };
@@ -136,10 +140,13 @@ class Check {
 
   void look_for(const Response& response) {
     if (response.within.is_infinite()) return;
+    Arena& arena = cone_ ? *cone_ : whole();
+    const Formula& asks = std::get<Response>(arena.wanted()).after;
+    if (options_.slice && out_of_reach(arena.step(), asks, arena.from(), terms_.faults)) return;
     const Units deadline = terms_.time.more_than(response.within);
     owed_ = &response;
-    witness_ = search([this, deadline](const Arena& arena) {
-      const auto& asked = std::get<Response>(arena.wanted());
+    witness_ = search([this, deadline](const Arena& searched) {
+      const auto& asked = std::get<Response>(searched.wanted());
       return [this, &asked, deadline](PlantStep& step) {
         return Observer::miss(holds(step, asked.after, options_.entailed), holds(step, asked.then, !options_.entailed),
                               deadline);

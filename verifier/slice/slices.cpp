@@ -97,13 +97,13 @@ bool Slices::indifferent(std::size_t number) {
   return true;
 }
 
-const Cone& Slices::sensitive() {
+const std::vector<std::size_t>& Slices::sensitive() {
   if (sensitive_) return *sensitive_;
-  Cone result;
+  std::vector<std::size_t> result;
   for (std::size_t i = 0; i < locality_.islands().size(); ++i) {
     const Island& island = locality_.islands()[i];
     if (island.constraints.empty() || island.support.controls.empty() || indifferent(i)) continue;
-    result.insert(result.end(), island.support.components.begin(), island.support.components.end());
+    result.push_back(i);
   }
   return sensitive_.emplace(std::move(result));
 }
@@ -118,7 +118,7 @@ Cone Slices::cone(std::span<const Formula> formulas) {
     }
   };
   for (const Formula& formula : formulas) add(locality_.support_of(formula).components);
-  add(sensitive());
+  for (const std::size_t i : sensitive()) add(locality_.islands()[i].support.components);
   for (std::size_t next = 0; next < result.size(); ++next) {
     const ComponentId c = result[next];
     for (const automata::Transition& t : plant_[c].transitions) add(locality_.support_of(t.guard).components);
@@ -128,28 +128,29 @@ Cone Slices::cone(std::span<const Formula> formulas) {
   return result;
 }
 
-Part Slices::part(const Cone& cone, std::span<const Formula> formulas) const {
+Part Slices::part(const Cone& cone, std::span<const Formula> formulas) {
   Part::Kept kept{cone, std::vector<bool>(plant_.variables.size(), false), {}};
   std::vector<VariableId> variables;
   const auto keep = [&](VariableId v) {
     if (!kept.variables[v.index()]) variables.push_back(v);
     kept.variables[v.index()] = true;
   };
+  const auto keep_island = [&](std::size_t island) {
+    for (const VariableId attribute : locality_.islands()[island].attributes) keep(attribute);
+  };
   const auto keep_islands = [&](const Formula& formula) {
     for (const VariableId v : automata::variables_of(formula)) {
       const auto island = locality_.island_of(v);
-      if (!island || kept.variables[v.index()]) continue;
-      for (const VariableId attribute : locality_.islands()[*island].attributes) keep(attribute);
+      if (island && !kept.variables[v.index()]) keep_island(*island);
     }
   };
   for (const ComponentId c : cone) {
     keep(plant_[c].mode);
-    for (const std::size_t i : islands_of_[c.index()]) {
-      for (const VariableId attribute : locality_.islands()[i].attributes) keep(attribute);
-    }
+    for (const std::size_t i : islands_of_[c.index()]) keep_island(i);
     for (const automata::Transition& t : plant_[c].transitions) keep_islands(t.guard);
   }
   for (const Formula& formula : formulas) keep_islands(formula);
+  for (const std::size_t i : sensitive()) keep_island(i);
   for (const VariableId v : variables) {
     const auto& reading = interconnections_[v.index()];
     kept.interconnections.insert(kept.interconnections.end(), reading.begin(), reading.end());

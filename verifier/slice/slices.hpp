@@ -39,8 +39,8 @@ class Slices {
   /// there, the cone does all that it can do in the whole plant, and perhaps more: what outside stops time, or must
   /// move while the cone waits, is not felt.
   Cone cone(std::span<const automata::Formula> formulas);
-  /// A cone, and what the formulas that it is of read, as a plant of its own.
-  Part part(const Cone& cone, std::span<const automata::Formula> formulas) const;
+  /// A cone, what the formulas that it is of read, and what a control action could contradict, as a plant of its own.
+  Part part(const Cone& cone, std::span<const automata::Formula> formulas);
   /// The first possible modes to start in, in the order of the components and of their modes, `from` in place of the
   /// initial distribution of those that it names. Nothing where there are none. The last answer is remembered.
   const std::optional<automata::Modes>& start(const std::vector<automata::Assignment>& from);
@@ -52,8 +52,8 @@ class Slices {
  private:
   [[nodiscard]] bool excludes(std::size_t island);
   [[nodiscard]] bool indifferent(std::size_t island);
-  /// Components of islands that a control action can contradict.
-  const Cone& sensitive();
+  /// Islands that a control action can contradict, perhaps without a component.
+  const std::vector<std::size_t>& sensitive();
   [[nodiscard]] std::optional<automata::Modes> first_start(const std::vector<automata::Assignment>& from);
   bool settle(const std::vector<std::size_t>& components, const std::vector<std::size_t>& islands,
               const std::vector<std::vector<automata::ModeId>>& lists, automata::Modes& modes) const;
@@ -64,7 +64,7 @@ class Slices {
   std::vector<std::vector<std::size_t>> islands_of_;        ///< by component: those with constraints
   std::vector<std::vector<std::size_t>> interconnections_;  ///< by variable: those that read it
   std::vector<std::optional<bool>> excludes_;               ///< by island, as far as asked for
-  std::optional<Cone> sensitive_;
+  std::optional<std::vector<std::size_t>> sensitive_;
   /// Where `start` is asked for again.
   struct Start {
     std::vector<automata::Assignment> from;

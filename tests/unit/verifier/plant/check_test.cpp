@@ -188,5 +188,31 @@ TEST(From, HasToNameEachModeOnce) {
   EXPECT_THROW(ask(b, Safety{b.is("engine", "off"), {}, false}, options), base::InputError);
 }
 
+/// A command that contradicts the interconnections enables everything, wherever it is.
+TEST(Slices, KeepWhatACommandContradicts) {
+  PlantBuilder b;
+  b.control("stray", {"none", "forbidden"});
+  b.variable("x", {"zero", "one"});
+  b.plant.interconnections.emplace_back(b.is("stray", "none"));
+  auto& valve = b.component("valve", {"closed", "open"});
+  b.transition(valve, 0, 1, b.is("x", "one"));
+  b.component("other", {"here", "there"});
+  const Answer result = ask(b, Reachability{b.is("valve", "open"), {}, false});
+  ASSERT_EQ(result.verdict, Verdict::holds);
+  EXPECT_EQ(result.witness->events.back().action.front(), automata::ValueId(1));
+  EXPECT_EQ(result.witness->events.back().modes.size(), 2u);
+}
+
+TEST(OutOfReach, AFaultWithoutABudgetIsToldAtOnce) {
+  const auto b = test::engine();
+  const Safety safety{b.is("engine", "failed"), {}, false};
+  const Answer result = ask(b, safety);
+  EXPECT_EQ(result.verdict, Verdict::holds);
+  EXPECT_EQ(result.progress.states, 0u);
+  CheckOptions one;
+  one.faults = 1;
+  EXPECT_EQ(ask(b, safety, one).verdict, Verdict::violated);
+}
+
 }  // namespace
 }  // namespace rmpl::verifier

@@ -34,7 +34,7 @@ TEST(Report, TellsTheWitness) {
 TEST(Report, TellsWhatCutItShort) {
   const auto b = test::engine();
   Slices slices(b.plant);
-  const Property property = Safety{b.is("engine", "failed"), {}, false};
+  const Property property = Safety{b.is("engine", "firing"), {}, false};
   Limits limits;
   limits.states = 2;
   const Answer result = check(slices, property, {}, limits);
