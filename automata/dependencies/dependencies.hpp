@@ -15,7 +15,7 @@
 //                                          mode
 //   groups    controls that only guards    as parts                      whose beliefs depend on    estimate/groups
 //             read and nobody observes                                   each other?
-//   cones     (no partition, a closure)    islands that a component      what can decide these      verifier/slice/cone
+//   cones     (no partition, a closure)    islands that a component      what can decide these      verifier/slice/slices
 //                                          shares, supports of its       formulas?
 //                                          guards
 //
