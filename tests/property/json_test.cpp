@@ -44,7 +44,10 @@ automata::Scenario draw_scenario(const automata::Plant& plant) {
 
 RC_GTEST_PROP(Json, DocumentsComeBackTheSame, ()) {
   const Model model = *models({.rewards = true});
-  const automata::Document document{{model.plant}, {(*programs(model.plant)).program}, {draw_scenario(model.plant)}};
+  const automata::Document document{.plants = {model.plant},
+                                    .programs = {(*programs(model.plant)).program},
+                                    .models = {},
+                                    .scenarios = {draw_scenario(model.plant)}};
   const automata::Json json = automata::to_json(document);
   const std::string text = json.dump(2);
   const automata::Document back = automata::read_document(text, "document.json");
@@ -58,7 +61,7 @@ RC_GTEST_PROP(Json, FormulasComeBackTheSame, ()) {
   Model model = *models();
   const auto formula = *formulas(model.plant.variables, all_variables(model.plant), 3);
   model.plant.interconnections = {formula};
-  const automata::Document document{{model.plant}, {}, {}};
+  const automata::Document document{{model.plant}, {}, {}, {}};
   const automata::Document back = automata::read_document(automata::to_json(document).dump(), "document.json");
   RC_ASSERT(back.plants.front().interconnections.front().constraint == formula);
 }

@@ -20,7 +20,8 @@ compiler::Compilation load(const std::vector<std::string>& paths, const Common& 
 /// Tells diagnostics, in the form that was asked for; nothing where there are none.
 void tell_findings(const grammar::Findings& findings, const Common& common);
 
-/// The one plant, control program or model program that the files hold. Throw base::InputError where there is not exactly one.
+/// The one plant, control program or model program that the files hold. Throw base::InputError where there is not
+/// exactly one.
 const automata::Plant& only_plant(const automata::Document& document, const std::string& paths);
 const automata::Program& only_program(const automata::Document& document, const std::string& paths);
 const automata::ModelProgram& only_model_program(const automata::Document& document, const std::string& paths);
