@@ -18,13 +18,15 @@ import time
 ROOT = PROGRAMS = pathlib.Path()
 PLANT = """component Lamp {
   input cmd : { none, on };
+  output light : { dark, bright, flickering };
   initial off;
-  mode off; mode on;
-  fault broken;
+  mode off { light = dark };
+  mode on { light = bright };
+  fault broken { light = flickering };
   off -> on when cmd = on in [3 s, 4 s];
   any -> broken with 0.01;
 }
-plant P { lamp : Lamp; control lamp.cmd default none; }
+plant P { lamp : Lamp; control lamp.cmd default none; observe lamp.light; }
 """
 PROGRAM = "Main() :: { lamp = on }\n"
 

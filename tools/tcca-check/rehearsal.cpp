@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "tools/tcca-check/rehearsal.hpp"
 
+#include <filesystem>
 #include <vector>
 
-#include "base/check.hpp"
 #include "base/error.hpp"
 #include "compiler/session/compiler.hpp"
 #include "compiler/session/provider.hpp"
@@ -55,10 +55,15 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
                                     const verifier::Witness& witness, const std::atomic<bool>* interrupted) {
   compiler::Disk disk;
   compiler::Overlay sources(disk);
-  sources.put(path, text);
-  const std::vector<std::string> paths{path};
+  // The file may be of any name and kind; what it says of program and plant is relative to its folder.
+  const std::string name = (std::filesystem::absolute(path).lexically_normal().parent_path() / "witness.scn").string();
+  sources.put(name, text);
+  const std::vector<std::string> paths{name};
   const compiler::Compilation compilation = compiler::compile(paths, {}, sources);
-  CHECK(compilation.ok() && compilation.document().scenarios.size() == 1);
+  if (!compilation.ok()) {  // it did, a moment ago
+    throw base::InputError("the program and its plant cannot be read once more: " +
+                           compilation.findings().diagnostics.sorted().front().message);
+  }
   Comparison comparison(plant, witness);
   runtime::ScenarioOptions options;
   options.interrupted = [interrupted] { return interrupted != nullptr && interrupted->load(); };
