@@ -7,6 +7,7 @@
 #include <set>
 
 #include "automata/json/condition_json.hpp"
+#include "automata/json/location_json.hpp"
 
 namespace rmpl::automata {
 namespace {
@@ -138,19 +139,7 @@ class Reading {
   }
 
   ModelLocation location(const Node& node, std::size_t position) const {
-    ModelLocation location;
-    if (node.at("number").natural() != position + 1) node.at("number").fail(std::to_string(position + 1));
-    const std::string kind = node.at("kind").text();
-    if (kind != "composite" && kind != "primitive") node.at("kind").fail("composite or primitive");
-    location.composite = kind == "composite";
-    if (position == 0 && (node.has("parent") || !location.composite)) node.fail("the program itself, a composite");
-    if (position > 0) {
-      const std::size_t parent = node.at("parent").index(position + 1);
-      if (parent == 0 || !model_.locations[parent - 1].composite)
-        node.at("parent").fail("a composite that comes before");
-      location.parent = LocationId(parent - 1);
-    }
-    location.start = node.at("start").truth();
+    ModelLocation location = common_of_location(node, position, model_.locations);
     if (location.composite) {
       node.only({"number", "kind", "parent", "start", "maintain", "arcs", "label", "origin"});
       if (node.has("maintain")) location.maintenance = condition_from_json(node.at("maintain"), model_.variables);

@@ -6,6 +6,7 @@
 
 #include "automata/json/condition_json.hpp"
 #include "automata/json/document.hpp"
+#include "automata/json/location_json.hpp"
 
 namespace rmpl::automata {
 namespace {
@@ -49,19 +50,7 @@ Location location_from_json(const Node& node, std::size_t position, std::size_t 
                             std::set<ClockId>& owned) {
   node.only({"number", "kind", "parent", "start", "goal", "clock_start", "own_clocks", "maintain", "arcs", "label",
              "origin"});
-  Location location;
-  if (node.at("number").natural() != position + 1) node.at("number").fail(std::to_string(position + 1));
-  const std::string kind = node.at("kind").text();
-  if (kind != "composite" && kind != "primitive") node.at("kind").fail("composite or primitive");
-  location.composite = kind == "composite";
-  if (position == 0 && (node.has("parent") || !location.composite)) node.fail("the program itself, a composite");
-  if (position > 0) {
-    const std::size_t parent = node.at("parent").index(position + 1);
-    if (parent == 0 || !program.locations[parent - 1].composite)
-      node.at("parent").fail("a composite that comes before");
-    location.parent = LocationId(parent - 1);
-  }
-  location.start = node.at("start").truth();
+  Location location = common_of_location(node, position, program.locations);
   if (node.has("goal")) {
     for (const Node& item : node.at("goal").items()) {
       location.goal.push_back(assignment_from_json(item, program.variables));

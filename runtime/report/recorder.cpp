@@ -8,26 +8,13 @@
 #include "automata/place.hpp"
 #include "runtime/executive/scenario/moment.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
+#include "runtime/reasoning/reconfigure/outcome.hpp"
 
 namespace rmpl::runtime {
 namespace {
 
 /// From this share on every mode of the estimate has a share that is shown as all.
 constexpr double as_good_as_all = 0.995;
-
-std::string name_of(Reconfiguration::Outcome outcome) {
-  switch (outcome) {
-    case Reconfiguration::Outcome::command:
-      return "command";
-    case Reconfiguration::Outcome::wait:
-      return "wait";
-    case Reconfiguration::Outcome::no_plan:
-      return "no-plan";
-    case Reconfiguration::Outcome::nothing_to_do:
-      break;
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -75,7 +62,8 @@ void Recorder::note_action(const CycleRecord& record) {
   if (!same_goal || record.outcome != outcome_ || record.why != why_) {
     outcome_ = record.outcome;
     why_ = record.why;
-    const std::string outcome = name_of(outcome_);
+    const bool acts = outcome_ != Reconfiguration::Outcome::nothing_to_do;
+    const std::string outcome(acts ? runtime::name_of(outcome_) : "");
     flight_.explanations.set(
         record.start, {outcome, outcome.empty() ? "" : to_text(why_, plant_, automata::conjunction_of(record.goal))});
   }

@@ -189,22 +189,17 @@ CampaignClaims::CampaignClaims(const std::string& database)
 
 CampaignClaims::~CampaignClaims() { ::close(file_); }
 
-bool CampaignClaims::claim(std::uint64_t run) {
+bool CampaignClaims::claim(std::uint64_t run) { return set_lock(run, F_WRLCK); }
+
+void CampaignClaims::release(std::uint64_t run) { set_lock(run, F_UNLCK); }
+
+bool CampaignClaims::set_lock(std::uint64_t run, short kind) {
   struct flock lock = {};
-  lock.l_type = F_WRLCK;
+  lock.l_type = kind;
   lock.l_whence = SEEK_SET;
   lock.l_start = static_cast<off_t>(run);
   lock.l_len = 1;
   return fcntl(file_, F_OFD_SETLK, &lock) == 0;
-}
-
-void CampaignClaims::release(std::uint64_t run) {
-  struct flock lock = {};
-  lock.l_type = F_UNLCK;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = static_cast<off_t>(run);
-  lock.l_len = 1;
-  fcntl(file_, F_OFD_SETLK, &lock);
 }
 
 }  // namespace rmpl::tools

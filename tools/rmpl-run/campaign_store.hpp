@@ -64,6 +64,9 @@ class CampaignClaims {
   static std::string path(const std::string& database) { return database + ".claims"; }
 
  private:
+  /// Of the byte that stands for the run; whether it could be had.
+  bool set_lock(std::uint64_t run, short kind);
+
   int file_;
 };
 

@@ -11,7 +11,6 @@
 
 #include "automata/step/plant_step.hpp"
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "base/limit_error.hpp"
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/trace/json_line.hpp"
@@ -20,6 +19,7 @@
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "runtime/reasoning/estimate/plant_window.hpp"
+#include "tools/rmpl-run/answer_log.hpp"
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/estimate_model.hpp"
 #include "tools/rmpl-run/latency.hpp"
@@ -35,7 +35,6 @@ using runtime::Estimator;
 using runtime::Event;
 using runtime::JsonLine;
 using runtime::LogLine;
-using runtime::LogReader;
 
 enum class Engine { exact, k_best };
 
@@ -349,30 +348,12 @@ ExitStatus run(const Options& options, const Common& common) {
     throw base::InputError("--window weighs exactly: expected none of --thesis, --ranks and --deadline");
   }
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
-  // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
-  std::optional<std::size_t> lines;
-  if (base::is_read_again(options.log)) {
-    base::InputFile input(options.log);
-    LogReader reader(input.stream(), input.name(), plant);
-    for (lines = 0; reader.next(); ++*lines) {
-    }
-  }
+  const auto lines = check_log(options.log, plant);
   watch_for_interruption();
   Flight flight(plant, options);
-  base::InputFile input(options.log, interrupted);
-  LogReader reader(input.stream(), input.name(), plant);
-  std::size_t answered = 0;
-  while (!interrupted()) {
-    const auto line = reader.next();
-    if (!line) break;
-    print(std::string(flight.answer(*line, input.name())) + "\n");  // whole lines, whatever ends the run
-    ++answered;
-  }
-  const bool early = interrupted() && answered != lines;
-  if (early) {
-    tell("interrupted after " + std::to_string(answered) + (lines ? " of " + std::to_string(*lines) : std::string()) +
-         (answered == 1 && !lines ? " line" : " lines"));
-  }
+  const bool early = answer_log(options.log, plant, lines, [&](const LogLine& line, const std::string& name) {
+    return std::string(flight.answer(line, name)) + "\n";
+  });
   if (flight.cut()) tell("a search was cut short; a belief may lack states");
   if (options.stats || common.verbose) {
     report(flight.account(), flight.estimator(), options.ranks, seconds_since(begin));

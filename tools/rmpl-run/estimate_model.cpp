@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "base/limit_error.hpp"
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "runtime/executive/trace/trace_writer.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
+#include "tools/rmpl-run/answer_log.hpp"
 #include "tools/rmpl-run/latency.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/terminal.hpp"
@@ -29,7 +29,6 @@ using automata::Ticks;
 using runtime::Event;
 using runtime::JsonLine;
 using runtime::LogLine;
-using runtime::LogReader;
 using runtime::MarkingEntry;
 using runtime::MarkingTrajectory;
 
@@ -278,30 +277,12 @@ class ModelFlight {
 
 ExitStatus estimate_model(const ModelProgram& program, const ModelEstimateOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
-  std::optional<std::size_t> lines;
-  if (base::is_read_again(options.log)) {
-    base::InputFile input(options.log);
-    LogReader reader(input.stream(), input.name(), program);
-    for (lines = 0; reader.next(); ++*lines) {
-    }
-  }
+  const auto lines = check_log(options.log, program);
   watch_for_interruption();
   ModelFlight flight(program, options);
-  base::InputFile input(options.log, interrupted);
-  LogReader reader(input.stream(), input.name(), program);
-  std::size_t answered = 0;
-  while (!interrupted()) {
-    const auto line = reader.next();
-    if (!line) break;
-    print(flight.answer(*line, input.name()));  // whole lines, whatever ends the run
-    ++answered;
-  }
-  const bool early = interrupted() && answered != lines;
-  if (early) {
-    tell("interrupted after " + std::to_string(answered) + (lines ? " of " + std::to_string(*lines) : std::string()) +
-         (answered == 1 && !lines ? " line" : " lines"));
-  }
+  const bool early = answer_log(options.log, program, lines, [&](const LogLine& line, const std::string& name) {
+    return flight.answer(line, name);
+  });
   if (flight.cut()) tell("a search was cut short; a belief may lack markings");
   if (options.stats) flight.report(seconds_since(begin));
   return early ? ExitStatus::undecided : ExitStatus::done;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "automata/logic/formula.hpp"
+#include "runtime/reasoning/reconfigure/outcome.hpp"
 #include "tools/shared/terminal.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/wording.hpp"
@@ -22,20 +23,6 @@ using verifier::Witness;
 
 /// Between steps of one moment.
 constexpr Ticks apart{1};
-
-std::string outcome_name(runtime::Reconfiguration::Outcome outcome) {
-  switch (outcome) {
-    case runtime::Reconfiguration::Outcome::command:
-      return "command";
-    case runtime::Reconfiguration::Outcome::wait:
-      return "wait";
-    case runtime::Reconfiguration::Outcome::no_plan:
-      return "no-plan";
-    case runtime::Reconfiguration::Outcome::nothing_to_do:
-      break;
-  }
-  return {};
-}
 
 class Events {
  public:
@@ -91,7 +78,8 @@ class Events {
     for (const automata::Assignment& goal : cycle.goal) goals.push_back({goal, asserts(cycle, goal)});
     flight_.goals.set(at, std::move(goals));
     set_command(at, event.action);
-    const std::string outcome = outcome_name(cycle.outcome);
+    const bool acts = cycle.outcome != runtime::Reconfiguration::Outcome::nothing_to_do;
+    const std::string outcome(acts ? runtime::name_of(cycle.outcome) : "");
     flight_.explanations.set(
         at, {outcome, outcome.empty() ? "" : to_text(cycle.why, plant_, automata::conjunction_of(cycle.goal))});
     if (cycle.outcome == runtime::Reconfiguration::Outcome::no_plan) note("no-plan", at, cycle.reason);

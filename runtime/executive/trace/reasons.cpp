@@ -5,23 +5,10 @@
 #include <string_view>
 
 #include "runtime/executive/trace/place.hpp"
+#include "runtime/reasoning/reconfigure/outcome.hpp"
 
 namespace rmpl::runtime {
 namespace {
-
-std::string_view name_of(Reconfiguration::Outcome outcome) {
-  switch (outcome) {
-    case Reconfiguration::Outcome::command:
-      return "command";
-    case Reconfiguration::Outcome::wait:
-      return "wait";
-    case Reconfiguration::Outcome::no_plan:
-      return "no-plan";
-    case Reconfiguration::Outcome::nothing_to_do:
-      return "nothing-to-do";
-  }
-  return {};
-}
 
 std::string_view name_of(Reason::Purpose purpose) {
   switch (purpose) {
