@@ -9,13 +9,13 @@
 //                                          modes' constraints            what does it imply?
 //   regions   modes, controls              the same                      which attributes can make  reconfigure/regions
 //                                                                        a formula true or false?
-//   parts     nothing                      each formula of Q; all that   what can a command touch,  reconfigure/islands
+//   parts     nothing                      each formula of Q; all that   what can a command touch,  reconfigure/parts
 //                                          a component's constraints     now or later?
 //                                          and guards read, with its
 //                                          mode
 //   groups    controls that only guards    as parts                      whose beliefs depend on    estimate/groups
 //             read and nobody observes                                   each other?
-//   cones     (no partition, a closure)    islands that a component      what can decide these      verifier/slice/slices
+//   cones     (no partition, a closure)    islands that a component      what can decide these      slice/slices
 //                                          shares, supports of its       formulas?
 //                                          guards
 //
