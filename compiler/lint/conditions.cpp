@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "automata/assignment_text.hpp"
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/bound_programs.hpp"
 #include "compiler/lint/possibilities.hpp"
@@ -69,10 +70,10 @@ class Judge {
     for (const automata::VariableId variable : variables_of(formula)) {
       const auto component = bound_.plant->component_of(variable);
       if (!component) continue;
-      const auto& modes = (*bound_.plant)[*component].modes;
-      for (std::size_t m = 0; m < modes.size(); ++m) {
+      const automata::Component& read = (*bound_.plant)[*component];
+      for (std::size_t m = 0; m < read.modes.size(); ++m) {
         if (reach_->reached({variable, automata::ValueId(m)})) continue;
-        text += (text.empty() ? "" : ", ") + backquoted(bound_.plant->variables.name(variable) + " = " + modes[m].name);
+        text += (text.empty() ? "" : ", ") + backquoted(to_text(read, automata::ModeId(m)));
       }
     }
     return text;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "automata/assignment_text.hpp"
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/bound_programs.hpp"
 #include "compiler/lint/goal_threads.hpp"
@@ -45,9 +46,7 @@ void report(const LintInput& input, const BoundProgram& bound, const GoalClash& 
   }
   if (!told.insert({first, second}).second) return;
   const automata::Variables& variables = bound.program.variables;
-  const auto text = [&](const Assignment& goal) {
-    return backquoted(variables.name(goal.variable) + " = " + variables.value(goal));
-  };
+  const auto text = [&](const Assignment& goal) { return backquoted(to_text(variables, goal)); };
   auto& finding = add_finding(found, grammar::Code::contradicting_goals, second,
                               text(asked) + (clash.certain ? " is" : " can be") + " asked for together with " +
                                   text(other) + ": such a cycle commands nothing");

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "automata/assignment_text.hpp"
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/bound_programs.hpp"
 #include "compiler/lint/program_passes.hpp"
@@ -33,7 +34,7 @@ void for_each_goal(const BoundProgram& bound, const auto& visit) {
 }
 
 std::string text_of(const BoundProgram& bound, const Assignment& goal) {
-  return backquoted(bound.plant->variables.name(goal.variable) + " = " + bound.plant->variables.value(goal));
+  return backquoted(to_text(bound.plant->variables, goal));
 }
 
 /// The modes that nominal transitions lead to from some modes.
@@ -85,8 +86,7 @@ void lint_fault_goals(const LintInput& input, grammar::Diagnostics& found) {
       auto& finding = add_finding(found, Code::goal_on_fault_mode, span,
                                   text_of(bound, goal) + " is asked for, and no command leads into a fault mode");
       finding.notes.push_back({input.places.at(mode.origin), backquoted(mode.name) + " is a fault mode"});
-      finding.suggestion = "to wait for the fault, write `when " + bound.plant->variables.name(goal.variable) + " = " +
-                           mode.name + " donext …`";
+      finding.suggestion = "to wait for the fault, write `when " + to_text(bound.plant->variables, goal) + " donext …`";
     });
   }
 }

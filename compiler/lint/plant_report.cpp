@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/assignment_text.hpp"
 #include "compiler/check/vocabulary.hpp"
 
 namespace rmpl::compiler {
@@ -49,7 +50,7 @@ std::string PlantReport::mode(PlantMode mode) const {
 std::string PlantReport::list(const std::vector<Assignment>& assignments) const {
   std::vector<std::string> texts;
   for (const Assignment& a : assignments) {
-    texts.push_back(backquoted(plant_.variables.name(a.variable) + " = " + plant_.variables.value(a)));
+    texts.push_back(backquoted(to_text(plant_.variables, a)));
   }
   return enumerated(texts, few);
 }

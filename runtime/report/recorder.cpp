@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 #include "runtime/executive/scenario/moment.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
@@ -120,9 +121,9 @@ void Recorder::note_belief(const CycleRecord& record) {
 void Recorder::note_events(const CycleRecord& record) {
   for (const Evidence& evidence : record.evidence) {
     const automata::Component& component = plant_[evidence.component];
-    flight_.happenings.push_back({"fault", record.time, std::nullopt, evidence.component,
-                                  component.name + " = " + component.modes[evidence.fault.index()].name + ": " +
-                                      to_text(evidence, record.estimate, plant_)});
+    flight_.happenings.push_back(
+        {"fault", record.time, std::nullopt, evidence.component,
+         to_text(component, evidence.fault) + ": " + to_text(evidence, record.estimate, plant_)});
   }
   for (auto& [event, happening] : open_) {
     if (std::find(record.events.begin(), record.events.end(), event) != record.events.end()) continue;

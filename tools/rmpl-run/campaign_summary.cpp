@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "automata/assignment_text.hpp"
 #include "runtime/executive/campaign/interval.hpp"
 
 namespace rmpl::tools {
@@ -151,8 +152,7 @@ void CampaignSummary::add(const CampaignRun& run) {
 }
 
 std::string CampaignSummary::name_of(std::pair<std::size_t, std::size_t> fault) const {
-  const automata::Component& component = plant_.components[fault.first];
-  return component.name + " = " + component.modes[fault.second].name;
+  return to_text(plant_.components[fault.first], automata::ModeId(fault.second));
 }
 
 std::vector<Row> CampaignSummary::totals() const {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "automata/assignment_text.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/diagnose/diagnose.hpp"
@@ -86,7 +87,7 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
     if (diagnosis.faults.empty()) text += " nothing is at fault";
     bool first = true;
     for (const auto& [component, mode] : diagnosis.faults) {
-      text += (first ? " " : ", ") + plant[component].name + " = " + plant[component].modes[mode.index()].name;
+      text += (first ? " " : ", ") + to_text(plant[component], mode);
       first = false;
     }
     text += "\n";

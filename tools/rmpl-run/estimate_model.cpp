@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "automata/assignment_text.hpp"
 #include "base/error.hpp"
 #include "base/limit_error.hpp"
 #include "runtime/executive/cycle/stopwatch.hpp"
@@ -145,10 +146,7 @@ std::string as_text(const Answer& answer, const ModelProgram& program) {
   if (answer.estimate.cut) text << "  the search ended early; the belief may lack markings\n";
   for (const MarkingEntry& entry : answer.belief) {
     text << "  " << entry.probability << "  " << in_words(entry.marking, program) << '\n';
-    std::string values;
-    for (const automata::Assignment& a : entry.values) {
-      values += (values.empty() ? "" : ", ") + program.variables.name(a.variable) + " = " + program.variables.value(a);
-    }
+    const std::string values = to_text(program.variables, entry.values);
     if (!values.empty()) text << "      " << values << '\n';
   }
   for (const MarkingTrajectory& trajectory : answer.history) {

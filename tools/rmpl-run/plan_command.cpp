@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 #include "automata/step/plant_step.hpp"
 #include "base/error.hpp"
@@ -89,14 +90,6 @@ void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan) 
   json.close('}');
 }
 
-std::string joined(const std::vector<automata::Assignment>& assignments, const automata::Variables& variables) {
-  std::string text;
-  for (const automata::Assignment& a : assignments) {
-    text += (text.empty() ? "" : ", ") + variables.name(a.variable) + " = " + variables.value(a);
-  }
-  return text;
-}
-
 /// Where the model says so, and what would permit it; a line where there is something to say.
 std::string hint(const automata::Plant& plant, const runtime::Reason& why) {
   const automata::Origin origin = runtime::origin_of(plant, why);
@@ -118,13 +111,13 @@ std::string text_of(const automata::Plant& plant, const Plan& plan) {
       break;
     case Plan::Outcome::plan:
       for (std::size_t i = 0; i < plan.commands.size(); ++i) {
-        const std::string command = joined(automata::commanded(plant, plan.commands[i]), plant.variables);
+        const std::string command = to_text(plant.variables, automata::commanded(plant, plan.commands[i]));
         text += std::to_string(i + 1) + ". " + (command.empty() ? "wait" : command) + "\n";
       }
       break;
   }
   if (plan.goal_state) {
-    text += "goal state: " + joined(automata::assignments_of(plant, *plan.goal_state), plant.variables) + "\n";
+    text += "goal state: " + to_text(plant.variables, automata::assignments_of(plant, *plan.goal_state)) + "\n";
   }
   return text;
 }
@@ -168,7 +161,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const automata::Modes modes = modes_from(plant, given);
   if (!step.possible(modes)) {
     throw base::InputError("--from: the plant cannot be in " +
-                           joined(automata::assignments_of(plant, modes), plant.variables) +
+                           to_text(plant.variables, automata::assignments_of(plant, modes)) +
                            ": the model forbids these modes together");
   }
   const auto reconfigurer =

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "automata/assignment_text.hpp"
 #include "automata/logic/formula.hpp"
 #include "runtime/reasoning/reconfigure/outcome.hpp"
 #include "tools/shared/terminal.hpp"
@@ -137,8 +138,7 @@ std::vector<Flight> flights_of(const Subject& subject, const std::string& name, 
   for (const verifier::CutSet& cut : answer.cut_sets) {
     std::string faults;
     for (const verifier::Fault& fault : cut.faults) {
-      const automata::Component& component = subject.plant[fault.component];
-      faults += (faults.empty() ? "" : ", ") + component.name + " = " + component.modes[fault.mode.index()].name;
+      faults += (faults.empty() ? "" : ", ") + to_text(subject.plant[fault.component], fault.mode);
     }
     add(cut.witness, ", cut set " + (faults.empty() ? "of none" : faults));
   }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "automata/assignment_text.hpp"
 #include "base/error.hpp"
 #include "base/product.hpp"
 #include "verifier/markov/markov.hpp"
@@ -86,10 +87,7 @@ class Writer {
   static std::string label(std::size_t action) { return "a" + std::to_string(action); }
 
   std::string describe(const ControlAction& action) const {
-    std::string text;
-    for (const automata::Assignment& a : automata::commanded(plant_, action)) {
-      text += (text.empty() ? "" : ", ") + plant_.variables.name(a.variable) + " = " + plant_.variables.value(a);
-    }
+    const std::string text = to_text(plant_.variables, automata::commanded(plant_, action));
     return text.empty() ? "all controls idle" : text;
   }
 

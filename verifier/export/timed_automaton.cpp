@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "automata/assignment_text.hpp"
 #include "verifier/plant/joint_choices.hpp"
 #include "verifier/property/initial_modes.hpp"
 
@@ -170,11 +171,7 @@ TimedAutomaton unfold(automata::PlantStep& step, const ExportQuestion& question,
 }
 
 std::string describe(const Plant& plant, const Modes& modes) {
-  std::string result;
-  for (const automata::Assignment& a : automata::assignments_of(plant, modes)) {
-    result += (result.empty() ? "" : ", ") + plant.variables.name(a.variable) + " = " + plant.variables.value(a);
-  }
-  return result;
+  return to_text(plant.variables, automata::assignments_of(plant, modes));
 }
 
 }  // namespace rmpl::verifier

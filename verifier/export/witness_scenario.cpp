@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "automata/assignment_text.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Assignment;
@@ -180,9 +182,7 @@ class Writer {
         }));
   }
 
-  [[nodiscard]] std::string text_of(Assignment a) const {
-    return plant_.variables.name(a.variable) + " = " + plant_.variables.value(a);
-  }
+  [[nodiscard]] std::string text_of(Assignment a) const { return to_text(plant_.variables, a); }
 
   [[nodiscard]] std::string expectation() const {
     switch (property_.kind) {

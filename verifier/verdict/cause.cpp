@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/assignment_text.hpp"
 #include "verifier/verdict/trace.hpp"
 #include "verifier/witness/hindrance.hpp"
 
@@ -41,12 +42,12 @@ std::string no_plan_text(const Subject& subject, const Witness& witness) {
   const std::size_t conjunct = cycle.why.conjunct.value_or(0);
   if (conjunct < cycle.goal.size() && (cycle.why.conjunct || cycle.goal.size() == 1)) {
     const Assignment& asked = cycle.goal[conjunct];
-    goal = "for " + text_of(subject.plant, {asked}) + place_of(subject, cycle.marking, asked) + ": ";
+    goal = "for " + to_text(subject.plant.variables, asked) + place_of(subject, cycle.marking, asked) + ": ";
   }
   std::string text = "no plan" + (goal.empty() ? ": " : " " + goal) + barrier_text(subject, cycle.why, cycle.reason);
   for (const Refusal& other : witness.refused) {
-    text += "; nor for " + text_of(subject.plant, {other.goal}) + place_of(subject, cycle.marking, other.goal) + ": " +
-            barrier_text(subject, other.why, other.reason);
+    text += "; nor for " + to_text(subject.plant.variables, other.goal) + place_of(subject, cycle.marking, other.goal) +
+            ": " + barrier_text(subject, other.why, other.reason);
   }
   return text;
 }
@@ -72,7 +73,7 @@ std::string undone_text(const Subject& subject, const Witness& witness) {
   const Undone& undone = *witness.undone;
   const Assignment lost{subject.plant[undone.component].mode, automata::ValueId(undone.mode.index())};
   const Event& event = witness.events[witness.events.size() - 2];
-  return "`" + text_of(subject.plant, {lost}) + "`" +
+  return "`" + to_text(subject.plant.variables, lost) + "`" +
          place_of(subject, witness.events[undone.asked].cycle->marking, lost) +
          " is undone, and no goal asks for that: the command is " +
          to_text(event.cycle->why, subject.plant, automata::conjunction_of(event.cycle->goal)) +

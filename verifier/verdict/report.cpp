@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/assignment_text.hpp"
 #include "base/junit.hpp"
 #include "verifier/verdict/cause.hpp"
 #include "verifier/verdict/question_json.hpp"
@@ -25,10 +26,6 @@ std::string end_of(const Subject& subject, const Property& property, const Witne
 
 namespace {
 
-const std::string& name_of(const Plant& plant, const Fault& fault) {
-  return plant[fault.component].modes[fault.mode.index()].name;
-}
-
 std::string text_of_cut_sets(const Subject& subject, const Question& question, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return "";
   const Plant& plant = subject.plant;
@@ -38,7 +35,7 @@ std::string text_of_cut_sets(const Subject& subject, const Question& question, c
   for (const CutSet& cut : answer.cut_sets) {
     text += "\ncut set:";
     for (std::size_t f = 0; f < cut.faults.size(); ++f) {
-      text += (f == 0 ? " " : ", ") + plant[cut.faults[f].component].name + " = " + name_of(plant, cut.faults[f]);
+      text += (f == 0 ? " " : ", ") + to_text(plant[cut.faults[f].component], cut.faults[f].mode);
     }
     const bool program = std::holds_alternative<ProgramProperty>(question.property);
     text += (cut.faults.empty() ? " no fault is needed\n" : "\n") +
@@ -52,7 +49,8 @@ ordered_json json_of_cut_sets(const Subject& subject, const Answer& answer) {
   for (const CutSet& cut : answer.cut_sets) {
     auto faults = ordered_json::array();
     for (const Fault& f : cut.faults) {
-      faults.push_back({{"component", subject.plant[f.component].name}, {"mode", name_of(subject.plant, f)}});
+      faults.push_back({{"component", subject.plant[f.component].name},
+                        {"mode", subject.plant[f.component].modes[f.mode.index()].name}});
     }
     sets.push_back({{"faults", std::move(faults)}, {"trace", json_of(subject, cut.witness)}});
   }

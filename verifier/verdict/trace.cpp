@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "automata/assignment_text.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Assignment;
@@ -40,7 +42,7 @@ std::string goal_text(const Subject& subject, const Cycle& cycle) {
       return std::find(own.begin(), own.end(), goal) != own.end();
     };
     const auto at = std::find_if(cycle.marking.begin(), cycle.marking.end(), asserts);
-    const std::string text = text_of(subject.plant, {goal});
+    const std::string text = to_text(subject.plant.variables, goal);
     const bool known = at != cycle.marking.end();
     result += result.empty() ? "" : ", ";
     result += known ? text + in_brackets(subject.program->locations[at->index()].origin) : text;
@@ -67,7 +69,7 @@ std::string start_text(const Plant& plant, const automata::Modes& modes) {
       others.push_back({plant.components[c].mode, automata::ValueId(modes[c].index())});
     }
   }
-  return others.empty() ? "the initial modes" : "the initial modes, but " + text_of(plant, others);
+  return others.empty() ? "the initial modes" : "the initial modes, but " + to_text(plant.variables, others);
 }
 
 /// The lines of a run: a time, and what there is to say.
@@ -114,7 +116,7 @@ class Story {
 
   void tell_step(const Event& before, const Event& event) {
     const std::string changes = changes_text(subject_.plant, before, event);
-    const std::string command = text_of(subject_.plant, automata::commanded(subject_.plant, event.action));
+    const std::string command = to_text(subject_.plant.variables, automata::commanded(subject_.plant, event.action));
     const bool repeated = changes.empty() && event.action == command_;
     command_ = event.action;
     if (event.cycle && ((changes.empty() && command.empty()) || repeated)) return;
@@ -147,14 +149,6 @@ ordered_json json_of(const automata::Program& program, const automata::Marking& 
 }
 
 }  // namespace
-
-std::string text_of(const Plant& plant, const std::vector<Assignment>& assignments) {
-  std::string result;
-  for (const Assignment& a : assignments) {
-    result += (result.empty() ? "" : ", ") + plant.variables.name(a.variable) + " = " + plant.variables.value(a);
-  }
-  return result;
-}
 
 std::string text_of(const Subject& subject, const Witness& witness, const std::string& end) {
   return Story(subject, witness).tell(end);

@@ -10,9 +10,6 @@
 
 namespace rmpl::verifier {
 
-/// `valve = open, engine = off`.
-std::string text_of(const automata::Plant& plant, const std::vector<automata::Assignment>& assignments);
-
 /// A line an event in which something happens: the time, right-aligned; the goals that are new; the command, if any;
 /// what changed. Of the start the modes are told that are not the most likely ones. `end` is said of the last event.
 std::string text_of(const Subject& subject, const Witness& witness, const std::string& end);

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "automata/assignment_text.hpp"
 #include "base/overloaded.hpp"
 #include "base/painter.hpp"
 #include "verifier/verdict/cause.hpp"
@@ -156,8 +157,8 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
   switch (property.kind) {
     case Kind::goal_conflict: {
       const automata::GoalConflict& conflict = last.conflicts.front();
-      return "goals contradict each other: " + text_of(subject.plant, {conflict.contradicted}) +
-             in_brackets(origin(conflict.first)) + " and " + text_of(subject.plant, {conflict.asserted}) +
+      return "goals contradict each other: " + to_text(subject.plant.variables, conflict.contradicted) +
+             in_brackets(origin(conflict.first)) + " and " + to_text(subject.plant.variables, conflict.asserted) +
              in_brackets(origin(conflict.second));
     }
     case Kind::no_plan:

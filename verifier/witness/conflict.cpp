@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/assignment_text.hpp"
 #include "automata/logic/theory.hpp"
 #include "base/check.hpp"
 
@@ -75,7 +76,7 @@ std::string to_text(const Plant& plant, const Conflict& conflict, const Modes& m
   std::string result;
   const auto add = [&](const std::string& part) { result += (result.empty() ? "" : ", ") + part; };
   for (const Assignment& a : conflict.modes) {
-    std::string text = plant.variables.name(a.variable) + " = " + plant.variables.value(a);
+    std::string text = automata::to_text(plant.variables, a);
     const ComponentId component = *plant.component_of(a.variable);
     const auto& all = conflict.constrained;
     if (std::find(all.begin(), all.end(), component) != all.end()) {

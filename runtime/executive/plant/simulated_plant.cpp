@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "automata/assignment_text.hpp"
 #include "base/error.hpp"
 
 namespace rmpl::runtime {
@@ -60,8 +61,7 @@ void SimulatedPlant::force(std::vector<std::vector<automata::Move>>& moves, auto
     const automata::ForcedMode& forced = forced_.back();
     const automata::Component& component = plant_[forced.component];
     moves[forced.component.index()] = {{forced.mode, 1.0}};
-    happenings_.push_back({Event::Kind::forced, component.name + " = " + component.modes[forced.mode.index()].name,
-                           forced.component, std::nullopt});
+    happenings_.push_back({Event::Kind::forced, to_text(component, forced.mode), forced.component, std::nullopt});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 
 namespace rmpl::runtime {
@@ -30,7 +31,7 @@ std::string circumstances(const automata::Formula& formula, const CycleRecord& r
     const auto component = plant.component_of(variable);
     if (!component) continue;
     const automata::Component& told = plant[*component];
-    parts.push_back(told.name + " = " + told.modes[modes[component->index()].index()].name);
+    parts.push_back(to_text(told, modes[component->index()]));
     owners.push_back(told.name + ".");
   }
   for (const automata::Assignment& reading : record.observations) {
@@ -38,7 +39,7 @@ std::string circumstances(const automata::Formula& formula, const CycleRecord& r
     const bool told = std::find(mentioned.begin(), mentioned.end(), reading.variable) != mentioned.end() ||
                       std::any_of(owners.begin(), owners.end(),
                                   [&](const std::string& owner) { return std::string_view(name).starts_with(owner); });
-    if (told) parts.push_back(name + " = " + plant.variables.value(reading));
+    if (told) parts.push_back(to_text(plant.variables, reading));
   }
   return listed(parts, 4);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 #include "runtime/executive/scenario/moment.hpp"
 
@@ -65,14 +66,10 @@ void LiveView::observe(const CycleRecord& record) {
   now_.goals.clear();
   for (std::size_t i = 0; i < record.goal.size(); ++i) {
     const automata::Assignment goal = record.goal[i];
-    now_.goals.push_back(plant_.variables.name(goal.variable) + " = " + plant_.variables.value(goal) +
+    now_.goals.push_back(to_text(plant_.variables, goal) +
                          in_parentheses(program_.locations[record.asserted_by[i].index()].origin));
   }
-  now_.command.clear();
-  for (const automata::Assignment& part : automata::commanded(plant_, record.command)) {
-    now_.command += (now_.command.empty() ? "" : ", ") + plant_.variables.name(part.variable) + " = " +
-                    plant_.variables.value(part);
-  }
+  now_.command = to_text(plant_.variables, automata::commanded(plant_, record.command));
   now_.why = record.outcome == Reconfiguration::Outcome::nothing_to_do
                  ? ""
                  : to_text(record.why, plant_, automata::conjunction_of(record.goal));
@@ -104,8 +101,7 @@ std::vector<std::string> LiveView::believed(std::size_t width, std::size_t rows)
   std::size_t used = 0;
   for (const std::size_t c : order) {
     const automata::Component& component = plant_.components[c];
-    const std::string text =
-        cut(component.name + " = " + component.modes[now_.estimate[c].index()].name, width - margin - 3);
+    const std::string text = cut(to_text(component, now_.estimate[c]), width - margin - 3);
     const std::size_t size = columns(text) + (used == 0 ? 0 : 3);
     if (used > 0 && margin + used + size > width - 2) {
       if (result.size() == rows) {

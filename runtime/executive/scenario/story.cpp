@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
 
@@ -54,9 +55,7 @@ void Story::line(automata::Ticks time, std::string_view what, const std::string&
   tell_("  " + painter_.quiet(column_.text(time)) + "  " + padded(what, word_width) + " " + text);
 }
 
-std::string Story::text_of(Assignment assignment) const {
-  return plant_.variables.name(assignment.variable) + " = " + plant_.variables.value(assignment);
-}
+std::string Story::text_of(Assignment assignment) const { return to_text(plant_.variables, assignment); }
 
 /// The component that a variable belongs to by its name, `component.attribute`, if it belongs to one.
 Story::Component Story::component_of(automata::VariableId variable) const {

@@ -4,13 +4,15 @@
 
 #include <string>
 
+#include "automata/assignment_text.hpp"
+
 namespace rmpl::runtime {
 namespace {
 
 std::string asserts(const automata::Program& program, automata::LocationId id, automata::Assignment goal,
                     const automata::Variables& variables) {
-  return "location " + std::to_string(id.index() + 1) + " asserts " + variables.name(goal.variable) + " = " +
-         variables.value(goal) + in_brackets(program.locations[id.index()].origin);
+  return "location " + std::to_string(id.index() + 1) + " asserts " + to_text(variables, goal) +
+         in_brackets(program.locations[id.index()].origin);
 }
 
 }  // namespace

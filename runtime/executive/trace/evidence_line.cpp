@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 #include "runtime/executive/trace/place.hpp"
 
@@ -49,7 +50,7 @@ std::string listed(const std::vector<std::string>& parts) {
 std::string readings_of(const Evidence& evidence, const Plant& plant) {
   std::vector<std::string> texts;
   for (const automata::Assignment& reading : evidence.readings) {
-    texts.push_back(plant.variables.name(reading.variable) + " = " + plant.variables.value(reading));
+    texts.push_back(to_text(plant.variables, reading));
   }
   return listed(texts);
 }

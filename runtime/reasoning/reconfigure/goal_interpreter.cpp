@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "automata/assignment_text.hpp"
+
 namespace rmpl::runtime {
 
 using automata::Assignment;
@@ -358,8 +360,7 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Pro
                               !plant[*result.component].modes[modes[result.component->index()].index()].fault)) {
       result.component = c;
     }
-    result.reason +=
-        (result.reason.empty() ? "" : " & ") + plant.variables.name(a.variable) + " = " + plant.variables.value(a);
+    result.reason += (result.reason.empty() ? "" : " & ") + to_text(plant.variables, a);
   }
   result.why.component = result.component;
   if (result.component) result.why.aim = modes[result.component->index()];
