@@ -8,11 +8,11 @@
 #include <set>
 #include <utility>
 
-#include "compiler/lint/goal_threads.hpp"
-#include "compiler/lint/marking_search.hpp"
-#include "compiler/lint/meeting_goals.hpp"
-#include "compiler/lint/possibilities.hpp"
-#include "compiler/lint/reachable_locations.hpp"
+#include "compiler/lint/program/goal_threads.hpp"
+#include "compiler/lint/program/marking_search.hpp"
+#include "compiler/lint/program/meeting_goals.hpp"
+#include "compiler/lint/program/possibilities.hpp"
+#include "compiler/lint/program/reachable_locations.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/markings.hpp"
 #include "tests/reference/models.hpp"

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/lint/plant_alike.hpp"
-#include "compiler/lint/plant_findings.hpp"
+#include "compiler/lint/plant/alike.hpp"
+#include "compiler/lint/plant/findings.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/lint.hpp"
 

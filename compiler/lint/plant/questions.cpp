@@ -1,0 +1,189 @@
+// Questions about a plant whose components are kept to some of their modes.
+// SPDX-License-Identifier: MIT
+#include "compiler/lint/plant/questions.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "automata/store/model.hpp"
+#include "compiler/lint/plant/exclusions.hpp"
+
+namespace rmpl::compiler {
+
+using automata::Assignment;
+using automata::ComponentId;
+using automata::Formula;
+using automata::ModeId;
+using automata::ValueId;
+using automata::VariableId;
+
+namespace {
+
+constexpr ValueId yes(1);
+
+/// The plant's variables, and for each mode one that excludes it where it is assumed.
+automata::Variables with_exclusions(const automata::Plant& plant) {
+  automata::Variables result = plant.variables;
+  add_exclusions(result, plant);
+  return result;
+}
+
+std::vector<std::size_t> first_exclusions(const automata::Plant& plant) {
+  std::vector<std::size_t> result;
+  std::size_t next = plant.variables.size();
+  for (const automata::Component& component : plant.components) {
+    result.push_back(next);
+    next += component.modes.size();
+  }
+  return result;
+}
+
+/// How many modes and commands are tried that leave a guard open, before it stays open whether others imply it.
+constexpr std::size_t patience = 256;
+
+}  // namespace
+
+ModeSets all_modes(const automata::Plant& plant) {
+  ModeSets result;
+  for (const automata::Component& component : plant.components) result.emplace_back(component.modes.size(), true);
+  return result;
+}
+
+PlantQuestions::PlantQuestions(const automata::Plant& plant)
+    : plant_(plant),
+      locality_(plant),
+      index_(plant),
+      first_exclusion_(first_exclusions(plant)),
+      theory_(with_exclusions(plant), automata::Theory::Upkeep::maintained),
+      excluded_(plant.components.size()) {
+  automata::tell_model(theory_, plant);
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const automata::Component& component = plant.components[c];
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      theory_.tell_if(exclusion(ComponentId(c), m), negation(is(component.mode, ValueId(m))));
+    }
+  }
+}
+
+Assignment PlantQuestions::exclusion(ComponentId component, std::size_t mode) const {
+  return {VariableId(first_exclusion_[component.index()] + mode), yes};
+}
+
+void PlantQuestions::keep_to(const ModeSets& modes) {
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    excluded_[c].clear();
+    for (std::size_t m = 0; m < modes[c].size(); ++m) {
+      if (!modes[c][m]) excluded_[c].push_back(exclusion(ComponentId(c), m));
+    }
+  }
+}
+
+void PlantQuestions::allow(ComponentId component, ModeId mode) {
+  std::erase(excluded_[component.index()], exclusion(component, mode.index()));
+}
+
+std::vector<Assignment> PlantQuestions::assumed(std::span<const Assignment> assumptions) const {
+  std::vector<Assignment> result(assumptions.begin(), assumptions.end());
+  std::vector<std::size_t> free;
+  for (const Assignment& a : assumptions) {
+    if (const auto component = index_.component_of(a.variable)) free.push_back(component->index());
+  }
+  for (std::size_t c = 0; c < excluded_.size(); ++c) {
+    if (excluded_[c].empty() || std::find(free.begin(), free.end(), c) != free.end()) continue;
+    result.insert(result.end(), excluded_[c].begin(), excluded_[c].end());
+  }
+  return result;
+}
+
+bool PlantQuestions::possible(std::span<const Assignment> assumptions) {
+  return theory_.consistent(assumed(assumptions));
+}
+
+bool PlantQuestions::possible(std::span<const Assignment> assumptions, const Formula& formula) {
+  return theory_.allows(assumed(assumptions), theory_.encode(formula));
+}
+
+std::vector<Assignment> PlantQuestions::due_to() const {
+  std::vector<Assignment> result;
+  for (const Assignment& a : theory_.conflict()) {
+    if (a.variable.index() < plant_.variables.size()) continue;
+    const auto after = std::upper_bound(first_exclusion_.begin(), first_exclusion_.end(), a.variable.index());
+    const auto component = static_cast<std::size_t>(after - first_exclusion_.begin()) - 1;
+    result.push_back({plant_.components[component].mode, ValueId(a.variable.index() - first_exclusion_[component])});
+  }
+  return result;
+}
+
+bool PlantQuestions::follows(std::span<const Assignment> context, const Formula& formula) {
+  return theory_.entails(context, theory_.encode(formula));
+}
+
+/// The modes and controls of the support in the model that was found.
+std::vector<Assignment> PlantQuestions::context(const automata::Support& support) const {
+  std::vector<Assignment> result;
+  for (const ComponentId c : support.components) {
+    result.push_back({plant_[c].mode, theory_.value(plant_[c].mode)});
+  }
+  for (const std::size_t control : support.controls) {
+    const VariableId variable = plant_.controls[control].variable;
+    result.push_back({variable, theory_.value(variable)});
+  }
+  return result;
+}
+
+std::vector<Assignment> PlantQuestions::values(std::span<const VariableId> variables) const {
+  std::vector<Assignment> result;
+  for (const VariableId v : variables) result.push_back({v, theory_.value(v)});
+  return result;
+}
+
+/// The same with all that is read in nominal modes, which decide most: fault modes leave much open.
+bool PlantQuestions::try_nominal(ComponentId component, ModeId mode, const Formula& together,
+                                 const automata::Support& support) {
+  const Assignment own{plant_[component].mode, ValueId(mode.index())};
+  std::vector<Assignment> assumptions = assumed({&own, 1});
+  for (const ComponentId c : support.components) {
+    if (c == component) continue;
+    for (std::size_t m = 0; m < plant_[c].modes.size(); ++m) {
+      if (plant_[c].modes[m].fault) assumptions.push_back(exclusion(c, m));
+    }
+  }
+  return theory_.allows(assumptions, theory_.encode(together));
+}
+
+Implied PlantQuestions::implied(ComponentId component, ModeId mode, std::span<const Formula* const> guards) {
+  const Assignment own{plant_[component].mode, ValueId(mode.index())};
+  std::vector<Formula> parts;
+  automata::Support support{{component}, {}};
+  for (const Formula* guard : guards) {
+    parts.push_back(*guard);
+    support.join(locality_.support_of(*guard));
+  }
+  const std::vector<VariableId> variables = variables_of(conjunction(parts));
+  Implied result;
+  const auto is_implied = [&] {
+    result.context = context(support);
+    result.read = values(variables);
+    return std::all_of(guards.begin(), guards.end(),
+                       [&](const Formula* guard) { return follows(result.context, *guard); });
+  };
+  if (try_nominal(component, mode, conjunction(parts), support) && is_implied()) {
+    result.verdict = Implied::Verdict::yes;
+    return result;
+  }
+  for (std::size_t tried = 0; tried < patience; ++tried) {
+    if (!possible({&own, 1}, conjunction(parts))) {
+      result.verdict = Implied::Verdict::no;
+      result.due_to = due_to();
+      return result;
+    }
+    if (is_implied()) {
+      result.verdict = Implied::Verdict::yes;
+      return result;
+    }
+    parts.push_back(negation(conjunction_of(result.context)));
+  }
+  return result;
+}
+
+}  // namespace rmpl::compiler

@@ -1,0 +1,118 @@
+// Told: inputs that nothing drives, and attributes that nothing mentions.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "automata/plant.hpp"
+#include "base/partition.hpp"
+#include "compiler/check/vocabulary.hpp"
+#include "compiler/lint/plant/report.hpp"
+
+namespace rmpl::compiler {
+
+using automata::Formula;
+using automata::Plant;
+using automata::VariableId;
+using grammar::Code;
+using grammar::Direction;
+
+std::set<VariableId> undriven_inputs(const Plant& plant, const PlantDeclarations& declarations) {
+  std::vector<bool> input(plant.variables.size());
+  for (const PlantAttribute& attribute : declarations.attributes) {
+    const auto variable = plant.variables.find(attribute.name);
+    if (variable && attribute.direction == Direction::input) input[variable->index()] = true;
+  }
+  base::Partition joined(plant.variables.size());
+  std::vector<VariableId> drivers = plant.observables;
+  for (const automata::Control& control : plant.controls) drivers.push_back(control.variable);
+  for (const automata::Interconnection& q : plant.interconnections) {
+    const std::vector<VariableId> variables = variables_of(q.constraint);
+    for (const VariableId v : variables) joined.join(v.index(), variables.front().index());
+    if (q.constraint.kind != Formula::Kind::equality) drivers.insert(drivers.end(), variables.begin(), variables.end());
+  }
+  std::vector<bool> driven(plant.variables.size());
+  for (const VariableId v : drivers) driven[joined.root(v.index())] = true;
+  for (std::size_t v = 0; v < input.size(); ++v) {
+    if (!input[v]) driven[joined.root(v)] = true;
+  }
+  std::set<VariableId> result;
+  for (std::size_t v = 0; v < input.size(); ++v) {
+    if (input[v] && !driven[joined.root(v)]) result.insert(VariableId(v));
+  }
+  return result;
+}
+
+namespace {
+
+/// Instances of one attribute, as it is declared.
+struct Declared {
+  const PlantAttribute* attribute;
+  std::vector<std::string> names;  ///< of those that something is told of
+  std::size_t instances = 0;
+  bool read = false;       ///< by the component itself, in some instance
+  bool mentioned = false;  ///< by anything, in some instance
+  bool observed = false;
+};
+
+std::vector<Declared> by_declaration(PlantReport& report, const std::set<VariableId>& own,
+                                     const std::set<VariableId>& others) {
+  std::map<grammar::Span, Declared> result;
+  for (const PlantAttribute& attribute : report.declarations().attributes) {
+    const auto variable = report.plant().variables.find(attribute.name);
+    if (!variable) continue;
+    Declared& declared = result.try_emplace(attribute.span, Declared{&attribute, {}}).first->second;
+    ++declared.instances;
+    declared.read = declared.read || own.contains(*variable);
+    declared.mentioned = declared.mentioned || own.contains(*variable) || others.contains(*variable);
+    declared.observed = declared.observed || report.analysis().observed(*variable);
+    if (report.undriven().contains(*variable)) declared.names.push_back(backquoted(attribute.name));
+  }
+  std::vector<Declared> list;
+  for (auto& [span, declared] : result) list.push_back(std::move(declared));
+  return list;
+}
+
+/// What guards and mode constraints read, and what the rest reads.
+std::pair<std::set<VariableId>, std::set<VariableId>> mentions(const Plant& plant) {
+  std::set<VariableId> own, others(plant.observables.begin(), plant.observables.end());
+  const auto add = [](const Formula& formula, std::set<VariableId>& to) {
+    for (const VariableId v : variables_of(formula)) to.insert(v);
+  };
+  for (const automata::Component& component : plant.components) {
+    for (const automata::Mode& mode : component.modes) add(mode.constraint, own);
+    for (const automata::Transition& transition : component.transitions) add(transition.guard, own);
+  }
+  for (const automata::Interconnection& q : plant.interconnections) add(q.constraint, others);
+  for (const automata::Control& control : plant.controls) others.insert(control.variable);
+  return {own, others};
+}
+
+void report_unused(PlantReport& report, const Declared& declared) {
+  const PlantAttribute& attribute = *declared.attribute;
+  const std::string what = backquoted(attribute.attribute) + " of " + backquoted(attribute.type);
+  if (!declared.mentioned) {
+    report.add(Code::unused_attribute, attribute.span, "nothing mentions the attribute " + what);
+  } else if (attribute.of_component && attribute.direction == Direction::input && !declared.read &&
+             !declared.observed) {
+    report.add(Code::unused_attribute, attribute.span, "no guard and no mode constraint reads the input " + what);
+  }
+}
+
+}  // namespace
+
+void report_attributes(PlantReport& report) {
+  const auto [own, others] = mentions(report.plant());
+  for (const Declared& declared : by_declaration(report, own, others)) {
+    const PlantAttribute& attribute = *declared.attribute;
+    report_unused(report, declared);
+    if (declared.names.empty() || !attribute.of_component || !declared.read) continue;
+    const bool all = declared.names.size() == declared.instances;
+    auto& finding = report.add(Code::unconnected_input, attribute.span,
+                               all ? "the input " + backquoted(attribute.attribute) + " of " +
+                                         backquoted(attribute.type) + " is neither connected nor commanded"
+                                   : enumerated(declared.names, 3) + (declared.names.size() == 1 ? " is" : " are") +
+                                         " neither connected nor commanded");
+    finding.suggestion = "connect it, or declare it with `control`";
+  }
+}
+
+}  // namespace rmpl::compiler

@@ -1,0 +1,59 @@
+// What lint looks for in programs, scenarios and properties.
+// SPDX-License-Identifier: MIT
+#include "compiler/lint/program/passes.hpp"
+
+#include <array>
+
+namespace rmpl::compiler {
+
+using grammar::Code;
+using grammar::Severity;
+
+std::span<const LintPass> program_passes() {
+  static constexpr std::array passes = {
+      LintPass{&lint_conditions},
+      LintPass{&lint_contradicting_goals},
+      LintPass{&lint_unreachable_steps},
+      LintPass{&lint_fault_goals},
+      LintPass{&lint_irreversible_goals},
+      LintPass{&lint_clock_starts},
+      LintPass{&lint_unused_definitions},
+      LintPass{&lint_unused_parameters},
+      LintPass{&lint_unused_clocks},
+      LintPass{&lint_unused_domains},
+      LintPass{&lint_unused_types},
+      LintPass{&lint_mixed_separators},
+      LintPass{&lint_rules},
+      LintPass{&lint_fine_times},
+      LintPass{&lint_vacuous_properties},
+  };
+  return passes;
+}
+
+std::span<const LintCode> program_lint_codes() {
+  static constexpr std::array codes = {
+      LintCode{Code::scenario_after_end, LintGroup::impossible, Severity::warning},  // found by the compiler
+      LintCode{Code::condition_never_holds, LintGroup::impossible, Severity::warning},
+      LintCode{Code::condition_always_holds, LintGroup::impossible, Severity::warning},
+      LintCode{Code::condition_out_of_reach, LintGroup::impossible, Severity::warning},
+      LintCode{Code::contradicting_goals, LintGroup::suspicious, Severity::warning},
+      LintCode{Code::step_never_reached, LintGroup::impossible, Severity::warning},
+      LintCode{Code::goal_on_fault_mode, LintGroup::suspicious, Severity::warning},
+      LintCode{Code::irreversible_goal, LintGroup::suspicious, Severity::note},
+      LintCode{Code::clock_started_twice, LintGroup::suspicious, Severity::warning},
+      LintCode{Code::unused_definition, LintGroup::unused, Severity::warning},
+      LintCode{Code::unused_parameter, LintGroup::unused, Severity::warning},
+      LintCode{Code::unused_clock, LintGroup::unused, Severity::warning},
+      LintCode{Code::unused_domain, LintGroup::unused, Severity::warning},
+      LintCode{Code::unused_type, LintGroup::unused, Severity::warning},
+      LintCode{Code::finer_than_cycle, LintGroup::timing, Severity::warning},
+      LintCode{Code::vacuous_property, LintGroup::impossible, Severity::warning},
+      LintCode{Code::rule_never_fires, LintGroup::impossible, Severity::warning},
+      LintCode{Code::unused_allowance, LintGroup::allowance, Severity::warning},
+      LintCode{Code::allowance_without_reason, LintGroup::allowance, Severity::warning},
+      LintCode{Code::mixed_separators, LintGroup::style, Severity::warning},
+  };
+  return codes;
+}
+
+}  // namespace rmpl::compiler
