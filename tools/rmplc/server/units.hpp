@@ -39,8 +39,7 @@ class References {
 /// - the scenarios that lead to an open document, those of one plant together; they bring program, plant and imports;
 /// - properties with the plant beside them that has their name, or that is the only one;
 /// - for a document that no scenario leads to either, the file of its language beside it that imports it and that no
-/// other
-///   imports; where there is none, the document by itself.
+///   other imports; where there is none, the document by itself.
 std::vector<Unit> units_of(const Documents& documents, References& references, compiler::Provider& texts);
 
 }  // namespace rmpl::tools
