@@ -53,6 +53,13 @@ void MarkingMovement::unite(Effect& into, const Effect& other) {
   unite(into.active, other.active);
 }
 
+void MarkingMovement::add(Ways& ways, Effect effect, Chance chance) {
+  const auto [known, fresh] = ways.try_emplace(std::move(effect), chance);
+  if (fresh) return;
+  known->second.probability += chance.probability;
+  known->second.improbable = std::min(known->second.improbable, chance.improbable);
+}
+
 bool MarkingMovement::holds(std::size_t condition) {
   signed char& known = known_[condition];
   if (known < 0) known = holds_(condition) ? 1 : 0;
@@ -124,7 +131,8 @@ void MarkingMovement::start() {
     for (const InitialBranch& branch : draw.branches) {
       Effect effect;
       for (const LocationId l : branch.started) unite(effect.marked, rules_.started_[l.index()]);
-      if (branch.probability > 0) ways[std::move(effect)] += branch.probability;
+      if (!(branch.probability > 0)) continue;
+      add(ways, std::move(effect), {branch.probability, is_improbable(branch, draw.branches) ? 1u : 0u});
     }
     add_draw(std::move(ways));
   }
@@ -142,7 +150,7 @@ void MarkingMovement::leave(LocationId location) {
       activate(started, effect);
       if (!left(started)) add_arcs(rules_.functions_[started.index()].front().arcs, effect);
     }
-    ways[std::move(effect)] += function.probability;
+    add(ways, std::move(effect), {function.probability, function.improbable ? 1u : 0u});
   }
   add_draw(std::move(ways));
 }
@@ -150,7 +158,7 @@ void MarkingMovement::leave(LocationId location) {
 /// What all ways have in common is certain, and what is certain anyway makes no difference between them.
 void MarkingMovement::settle_common(Ways& ways) {
   Effect shared = ways.begin()->first;
-  for (const auto& [effect, probability] : ways) {
+  for (const auto& [effect, chance] : ways) {
     shared.marked = common(shared.marked, effect.marked);
     shared.kept = common(shared.kept, effect.kept);
     shared.active = common(shared.active, effect.active);
@@ -162,7 +170,7 @@ void MarkingMovement::settle_common(Ways& ways) {
 void MarkingMovement::settle_composites() {
   Marking candidates = certain_.active;
   for (const Ways& ways : draws_) {
-    for (const auto& [effect, probability] : ways) unite(candidates, effect.active);
+    for (const auto& [effect, chance] : ways) unite(candidates, effect.active);
   }
   for (auto c = candidates.rbegin(); c != candidates.rend(); ++c) {
     if (contains(certain_.kept, *c)) continue;
@@ -199,7 +207,7 @@ void MarkingMovement::join_overlapping() {
     }
   };
   for (std::size_t d = 0; d < draws_.size(); ++d) {
-    for (const auto& [effect, probability] : draws_[d]) {
+    for (const auto& [effect, chance] : draws_[d]) {
       mark(effect.marked, d);
       depend(effect, d);
     }
@@ -213,7 +221,7 @@ void MarkingMovement::join_overlapping() {
 
 std::vector<MarkingOutcome> MarkingMovement::turn_out(const std::vector<std::size_t>& draws,
                                                       const Marking& composites) {
-  Ways all{{Effect{}, 1.0}};
+  Ways all{{Effect{}, {1.0, 0}}};
   for (const std::size_t d : draws) {
     Ways longer;
     for (const auto& [before, p] : all) {
@@ -221,7 +229,7 @@ std::vector<MarkingOutcome> MarkingMovement::turn_out(const std::vector<std::siz
         Effect both = before;
         unite(both, effect);
         both.marked = without(both.marked, certain_.marked);
-        longer[std::move(both)] += p * q;
+        add(longer, std::move(both), {p.probability * q.probability, p.improbable + q.improbable});
       }
     }
     all = std::move(longer);
@@ -231,18 +239,21 @@ std::vector<MarkingOutcome> MarkingMovement::turn_out(const std::vector<std::siz
                             std::to_string(most_outcomes) + " ways");
     }
   }
-  std::map<Marking, double> outcomes;
-  for (const auto& [way, probability] : all) {
+  std::map<Marking, Chance> outcomes;
+  for (const auto& [way, chance] : all) {
     Effect effect = way;
     for (const LocationId composite : composites) {
       if (contains(effect.kept, composite)) continue;
       if (!contains(effect.active, composite) && !contains(certain_.active, composite)) continue;
       unite(effect, ending(composite));
     }
-    outcomes[without(effect.marked, certain_.marked)] += probability;
+    const auto [known, fresh] = outcomes.try_emplace(without(effect.marked, certain_.marked), chance);
+    if (fresh) continue;
+    known->second.probability += chance.probability;
+    known->second.improbable = std::min(known->second.improbable, chance.improbable);
   }
   std::vector<MarkingOutcome> result;
-  for (const auto& [marked, probability] : outcomes) result.push_back({probability, marked});
+  for (const auto& [marked, chance] : outcomes) result.push_back({chance.probability, marked, chance.improbable});
   return result;
 }
 

@@ -30,12 +30,17 @@ class MarkingMovement {
     Marking active;  ///< composites that something in is marked, or counts as started, ascending: they may end
     auto operator<=>(const Effect&) const = default;
   };
+  struct Chance {
+    double probability = 0;
+    unsigned improbable = 0;  ///< draws, as few as will do
+  };
   /// Several ways, of which one is drawn; merged where they come to the same.
-  using Ways = std::map<Effect, double>;
+  using Ways = std::map<Effect, Chance>;
 
   static void unite(Marking& into, const Marking& other);
   static Marking without(const Marking& from, const Marking& other);
   static void unite(Effect& into, const Effect& other);
+  static void add(Ways& ways, Effect effect, Chance chance);
 
   bool holds(std::size_t condition);
   bool hold(const std::vector<std::size_t>& guard);

@@ -35,7 +35,8 @@ MarkingRules::MarkingRules(const ModelProgram& program)
     }
     CHECK(!location.functions.empty() && "a primitive location has a transition function");
     for (const TransitionFunction& function : location.functions) {
-      functions_[l].push_back({function.probability, function.started, ruled(function.arcs, l)});
+      functions_[l].push_back({function.probability, is_improbable(function, location.functions), function.started,
+                               ruled(function.arcs, l)});
     }
   }
   for (std::size_t l = locations.size(); l-- > 0;) {

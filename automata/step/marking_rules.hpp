@@ -2,21 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "automata/phca.hpp"
 #include "automata/step/program_rules.hpp"
 #include "base/function_ref.hpp"
+#include "base/limit_error.hpp"
 
 namespace rmpl::automata {
+
+/// Whether another branch of a draw is likelier; probabilities that differ by rounding alone are the same.
+template <class Branch>
+bool is_improbable(const Branch& branch, const std::vector<Branch>& all) {
+  constexpr double rounding = 1e-9;
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Branch& other) { return other.probability > branch.probability * (1 + rounding); });
+}
 
 /// One way in which a part of a step may turn out.
 struct MarkingOutcome {
   double probability = 0;
   Marking marked;  ///< primitive locations
+  /// The fewest improbable draws with which it comes about: draws of a branch that another one is likelier than.
+  unsigned improbable = 0;
   bool operator==(const MarkingOutcome&) const = default;
 };
 
@@ -28,9 +39,9 @@ struct MarkingMoves {
 };
 
 /// Threads whose draws have to do with each other may turn out in more ways than there is room for.
-class TooManyOutcomes : public std::runtime_error {
+class TooManyOutcomes : public base::LimitError {
  public:
-  using std::runtime_error::runtime_error;
+  using LimitError::LimitError;
 };
 
 /// Keeps a reference to the program. A marking is given by its primitive locations: a composite is marked where
@@ -60,6 +71,7 @@ class MarkingRules {
   };
   struct RuledFunction {
     double probability;
+    bool improbable;  ///< another one is likelier
     std::vector<LocationId> started;
     std::vector<RuledArc> arcs;
   };

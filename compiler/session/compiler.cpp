@@ -73,22 +73,35 @@ Compilation compile(std::span<const std::string> paths, const Options& options, 
 
 namespace {
 
-/// The resolver of a text of the command line, judged by a plant.
-Resolver resolver_of(const automata::Plant& plant, grammar::Findings& findings) {
-  return {{plant.variables, nullptr, "plant " + backquoted(plant.name), grammar::Code::unknown_name},
-          findings.diagnostics};
+/// The resolver of a text of the command line, judged by a plant or a model program; `owner` says by which.
+Resolver resolver_of(const automata::Variables& variables, const std::string& owner, grammar::Findings& findings) {
+  return {{variables, nullptr, owner, grammar::Code::unknown_name}, findings.diagnostics};
+}
+
+std::string owner(const automata::Plant& plant) { return "plant " + backquoted(plant.name); }
+std::string owner(const automata::ModelProgram& program) { return "model program " + backquoted(program.name); }
+
+template <class Model>
+CompiledFormula formula_over(std::string_view text, const Model& model, std::string_view where) {
+  CompiledFormula result;
+  auto& [sources, diagnostics] = result.findings;
+  const std::uint32_t file = sources.add(std::string(where), std::string(text));
+  const auto constraint = grammar::parse_constraint(sources, file, diagnostics);
+  if (constraint.whole) {
+    result.formula = resolver_of(model.variables, owner(model), result.findings).resolve(constraint.tree);
+  }
+  if (diagnostics.has_errors()) result.formula.reset();
+  return result;
 }
 
 }  // namespace
 
 CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where) {
-  CompiledFormula result;
-  auto& [sources, diagnostics] = result.findings;
-  const std::uint32_t file = sources.add(std::string(where), std::string(text));
-  const auto constraint = grammar::parse_constraint(sources, file, diagnostics);
-  if (constraint.whole) result.formula = resolver_of(plant, result.findings).resolve(constraint.tree);
-  if (diagnostics.has_errors()) result.formula.reset();
-  return result;
+  return formula_over(text, plant, where);
+}
+
+CompiledFormula compile_formula(std::string_view text, const automata::ModelProgram& program, std::string_view where) {
+  return formula_over(text, program, where);
 }
 
 CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where) {
@@ -97,7 +110,7 @@ CompiledAssignments compile_assignments(std::string_view text, const automata::P
   const std::uint32_t file = sources.add(std::string(where), std::string(text));
   const auto texts = grammar::parse_assignments(sources, file, diagnostics);
   if (texts.whole) {
-    Resolver resolver = resolver_of(plant, result.findings);
+    Resolver resolver = resolver_of(plant.variables, owner(plant), result.findings);
     auto& assignments = result.assignments.emplace();
     for (const grammar::AssignmentText& one : texts.tree) {
       if (const auto assignment = resolver.assignment(one.variable, one.value)) assignments.push_back(*assignment);

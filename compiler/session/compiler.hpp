@@ -73,6 +73,8 @@ struct CompiledFormula {
   grammar::Findings findings;
 };
 CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where);
+/// The same over the variables of a model program.
+CompiledFormula compile_formula(std::string_view text, const automata::ModelProgram& program, std::string_view where);
 
 /// A list of assignments from the command line, `x = v, y = w` or `x = v & y = w` (`--from`, `--observe`).
 struct CompiledAssignments {

@@ -27,6 +27,12 @@ bool all_hold(const std::vector<automata::Condition>& guard, const std::vector<c
   return std::all_of(guard.begin(), guard.end(), [&](const automata::Condition& c) { return holds_of(c, store); });
 }
 
+template <class Branch>
+bool another_is_likelier(const Branch& branch, const std::vector<Branch>& all) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Branch& other) { return other.probability > branch.probability * (1 + 1e-9); });
+}
+
 double sum(const MarkingBelief& belief) {
   double result = 0;
   for (const auto& [marking, probability] : belief) result += probability;
@@ -100,21 +106,27 @@ void ModelProgramStep::mark(LocationId target, MarkedSet& marked) const {
 }
 
 MarkingBelief ModelProgramStep::initial() const {
+  MarkingBelief result;
+  for_each_start([&](const MarkedSet& marked, double probability, unsigned) { result[marked] += probability; });
+  return result;
+}
+
+void ModelProgramStep::for_each_start(const Visit& visit) const {
   std::vector<std::size_t> sizes;
   for (const automata::InitialDraw& draw : program_.initial) sizes.push_back(draw.branches.size());
-  MarkingBelief result;
   for (const auto& tuple : tuples(sizes)) {
     MarkedSet marked;
     mark(LocationId(0), marked);
     double probability = 1;
+    unsigned improbable = 0;
     for (std::size_t d = 0; d < tuple.size(); ++d) {
       const automata::InitialBranch& branch = program_.initial[d].branches[tuple[d]];
       probability *= branch.probability;
+      if (another_is_likelier(branch, program_.initial[d].branches)) ++improbable;
       for (const LocationId l : branch.started) mark(l, marked);
     }
-    if (probability > 0 && !worlds(marked, {}).empty()) result[marked] += probability;
+    if (probability > 0 && !worlds(marked, {}).empty()) visit(marked, probability, improbable);
   }
-  return result;
 }
 
 MarkedSet ModelProgramStep::taken(const MarkedSet& marking,
@@ -159,8 +171,15 @@ MarkedSet ModelProgramStep::taken(const MarkedSet& marking,
 }
 
 MarkingBelief ModelProgramStep::next(const MarkedSet& marking, const Commands& commands) const {
+  MarkingBelief result;
+  for_each_next(marking, commands,
+                [&](const MarkedSet& target, double probability, unsigned) { result[target] += probability; });
+  return result;
+}
+
+void ModelProgramStep::for_each_next(const MarkedSet& marking, const Commands& commands, const Visit& visit) const {
   const Worlds store = worlds(marking, commands);
-  if (store.empty()) return {};
+  if (store.empty()) return;
   std::vector<LocationId> primitive;
   std::vector<std::size_t> sizes;
   for (const LocationId l : marking) {
@@ -168,20 +187,30 @@ MarkingBelief ModelProgramStep::next(const MarkedSet& marking, const Commands& c
     primitive.push_back(l);
     sizes.push_back(program_.locations[l.index()].functions.size());
   }
-  MarkingBelief result;
   for (const auto& tuple : tuples(sizes)) {
     std::map<LocationId, const TransitionFunction*> drawn;
     double probability = 1;
+    unsigned improbable = 0;
     for (std::size_t i = 0; i < tuple.size(); ++i) {
       const TransitionFunction& function = program_.locations[primitive[i].index()].functions[tuple[i]];
       drawn[primitive[i]] = &function;
       probability *= function.probability;
+      if (another_is_likelier(function, program_.locations[primitive[i].index()].functions)) ++improbable;
     }
     if (!(probability > 0)) continue;
     const MarkedSet target = taken(marking, drawn, store);
-    if (!worlds(target, {}).empty()) result[target] += probability;
+    if (!worlds(target, {}).empty()) visit(target, probability, improbable);
   }
-  return result;
+}
+
+bool ModelProgramStep::entails(const MarkedSet& marking, const automata::Formula& formula) const {
+  const Worlds store = worlds(marking, {});
+  return std::all_of(store.begin(), store.end(), [&](const World* world) { return holds(formula, *world); });
+}
+
+bool ModelProgramStep::allows(const MarkedSet& marking, const automata::Formula& formula) const {
+  const Worlds store = worlds(marking, {});
+  return std::any_of(store.begin(), store.end(), [&](const World* world) { return holds(formula, *world); });
 }
 
 double ModelProgramStep::factor(const MarkedSet& marking, const automata::Observation& observation) const {

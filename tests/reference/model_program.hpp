@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -31,6 +32,13 @@ class ModelProgramStep {
   [[nodiscard]] MarkingBelief initial() const;
   /// Where a step leads, markings with inconsistent stores left out; nothing where the commands contradict the marking.
   [[nodiscard]] MarkingBelief next(const MarkedSet& marking, const Commands& commands) const;
+  /// The same with every draw by itself: `visit(target, probability, draws of a branch that another is likelier than)`.
+  using Visit = std::function<void(const MarkedSet&, double, unsigned)>;
+  void for_each_start(const Visit& visit) const;
+  void for_each_next(const MarkedSet& marking, const Commands& commands, const Visit& visit) const;
+  /// Whether the formula holds in all worlds of the marking's store, and in some.
+  [[nodiscard]] bool entails(const MarkedSet& marking, const automata::Formula& formula) const;
+  [[nodiscard]] bool allows(const MarkedSet& marking, const automata::Formula& formula) const;
   [[nodiscard]] double factor(const MarkedSet& marking, const automata::Observation& observation) const;
   /// The values that are entailed.
   [[nodiscard]] std::map<automata::VariableId, automata::ValueId> values(const MarkedSet& marking) const;

@@ -102,6 +102,13 @@ const std::vector<Output> outputs = {
      "tcca-check reachability {examples}/propulsion/propulsion.tcca --target 'engine = firing' --max-states 1 --format "
      "json",
      "verdict"},
+    {"ModelProgramHolds",
+     "tcca-check safety {examples}/rover-camera/rover_camera.rmpl --never 'software = corrupt & software = running' "
+     "--format json",
+     "verdict"},
+    {"ModelProgramIsViolated",
+     "tcca-check safety {examples}/rover-camera/rover_camera.rmpl --never 'report = blank' --by 4 --faults 2 --format json",
+     "verdict"},
     {"ProgramHolds",
      "tcca-check program {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca --format json",
      "program_verdict"},

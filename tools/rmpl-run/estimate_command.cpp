@@ -338,7 +338,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const auto begin = std::chrono::steady_clock::now();
   check_standard_input({options.plant, options.log});
   const compiler::Compilation compilation = load({options.plant}, common);
-  if (compilation.document().plants.empty() && !compilation.document().models.empty()) {
+  if (is_model_program(compilation.document())) {
     return run_model(only_model_program(compilation.document(), options.plant), options, common);
   }
   if (options.beam || options.text) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "automata/assignment_text.hpp"
-#include "base/error.hpp"
 #include "base/limit_error.hpp"
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/trace/json_line.hpp"
@@ -19,6 +18,7 @@
 #include "tools/rmpl-run/answer_log.hpp"
 #include "tools/rmpl-run/latency.hpp"
 #include "tools/shared/interruption.hpp"
+#include "tools/shared/models.hpp"
 #include "tools/shared/terminal.hpp"
 
 namespace rmpl::tools {
@@ -167,10 +167,7 @@ class ModelFlight {
  public:
   ModelFlight(const ModelProgram& program, const ModelEstimateOptions& options)
       : program_(program), options_(options), estimator_(make_marking_estimator(program, options.estimator)) {
-    if (!estimator_->estimate().possible) {
-      throw base::InputError(options.model + ": no start is consistent: what the start locations of '" + program.name +
-                             "' tell contradicts itself, or the constraints for the whole model");
-    }
+    if (!estimator_->estimate().possible) refuse_start(program, options.model);
   }
 
   std::string answer(const LogLine& line, const std::string& name) {

@@ -34,8 +34,9 @@ const auto& only(const Things& things, const automata::Document& document, const
   if (things.size() == 1) return things.front();
   const std::string expected = std::string("expected one ") + what + ", as in a " + ending + " file";
   if (things.empty() && !document.models.empty()) {
-    throw base::InputError(paths + ": " + expected + ", and '" + document.models.front().name +
-                           "' is a model program; what it does is told by rmpl-run estimate");
+    throw base::InputError(
+        paths + ": " + expected + ", and '" + document.models.front().name +
+        "' is a model program; rmpl-run estimate, tcca-check reachability and tcca-check safety take one");
   }
   if (things.empty()) throw base::InputError(paths + ": " + expected + ", and there is none in it");
   throw base::InputError(paths + ": " + expected + ", and there are " + std::to_string(things.size()));
@@ -55,12 +56,36 @@ const automata::ModelProgram& only_model_program(const automata::Document& docum
   return only(document.models, document, paths, "model program", ".rmpl");
 }
 
-automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
-                                 const Common& common) {
-  auto compiled = compiler::compile_formula(text, plant, where);
+bool is_model_program(const automata::Document& document) {
+  return document.plants.empty() && !document.models.empty();
+}
+
+void refuse_start(const automata::ModelProgram& program, const std::string& paths) {
+  throw base::InputError(paths + ": no start is consistent: what the start locations of '" + program.name +
+                         "' tell contradicts itself, or the constraints for the whole model");
+}
+
+namespace {
+
+template <class Model>
+automata::Formula formula_over(const std::string& text, const Model& model, std::string_view where,
+                               const Common& common) {
+  auto compiled = compiler::compile_formula(text, model, where);
   tell_findings(compiled.findings, common);
   if (!compiled.formula) throw Rejected{};
   return std::move(*compiled.formula);
+}
+
+}  // namespace
+
+automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
+                                 const Common& common) {
+  return formula_over(text, plant, where, common);
+}
+
+automata::Formula formula_option(const std::string& text, const automata::ModelProgram& program, std::string_view where,
+                                 const Common& common) {
+  return formula_over(text, program, where, common);
 }
 
 std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::Plant& plant,

@@ -26,9 +26,17 @@ const automata::Plant& only_plant(const automata::Document& document, const std:
 const automata::Program& only_program(const automata::Document& document, const std::string& paths);
 const automata::ModelProgram& only_model_program(const automata::Document& document, const std::string& paths);
 
+/// Whether the files hold a model program and no plant.
+bool is_model_program(const automata::Document& document);
+
+/// Says that no start of a model program is consistent. Throws base::InputError.
+[[noreturn]] void refuse_start(const automata::ModelProgram& program, const std::string& paths);
+
 /// A formula or assignments that stand on the command line, as the option `where`. Throw Rejected where they are wrong.
 /// Assignments come sorted, each once; base::InputError where two contradict each other.
 automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
+                                 const Common& common);
+automata::Formula formula_option(const std::string& text, const automata::ModelProgram& program, std::string_view where,
                                  const Common& common);
 std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::Plant& plant,
                                                      std::string_view where, const Common& common);

@@ -15,8 +15,9 @@ using verifier::Commands;
 using verifier::Verdict;
 
 void add_freedom(CLI::App& command, Freedom& freedom, bool formula) {
-  const auto period = [](const std::string& text) {
-    return text == "dense" ? std::nullopt : std::optional(positive_duration(text));
+  const auto period = [&freedom](const std::string& text) {
+    freedom.dense = text == "dense";
+    return freedom.dense ? std::nullopt : std::optional(positive_duration(text));
   };
   add_read(command, "--time", freedom.period, period,
            "dense time (the default), or the period at whose multiples steps happen")

@@ -19,6 +19,7 @@ namespace rmpl::tools {
 /// Of a run: the reading of time, faults, the start.
 struct Freedom {
   std::optional<automata::Ticks> period;  ///< none: dense time
+  bool dense = false;                     ///< which was asked for
   std::optional<unsigned> faults;         ///< as it was given
   bool entailed = false;
   std::string from;  ///< assignments; empty: the initial distribution

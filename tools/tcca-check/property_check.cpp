@@ -3,6 +3,7 @@
 #include "tools/tcca-check/property_check.hpp"
 
 #include "tools/shared/models.hpp"
+#include "tools/tcca-check/model_check.hpp"
 #include "tools/tcca-check/witness_flight.hpp"
 #include "verifier/plant/check.hpp"
 #include "verifier/verdict/report.hpp"
@@ -67,8 +68,11 @@ void add_window(CLI::App& command, WindowOptions& options) {
 }
 
 ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,
-                          const std::function<verifier::Property(const Plant&)>& ask) {
+                          const std::function<verifier::Property(const Plant&)>& ask, const FormulaAsked* of_model) {
   const compiler::Compilation compilation = load({options.model}, common);
+  if (of_model != nullptr && is_model_program(compilation.document())) {
+    return check_model(only_model_program(compilation.document(), options.model), options, common, title, *of_model);
+  }
   const Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::Property asked = ask(plant);
   if (common.verbose) {

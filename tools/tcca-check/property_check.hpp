@@ -1,4 +1,4 @@
-// One property of a plant: its options, its check, its answer. For reachability, safety and response.
+// One property of a plant: its options, its check, its answer. For reachability, safety, response and stuck.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -34,9 +34,13 @@ struct WindowOptions {
 };
 void add_window(CLI::App& command, WindowOptions& options);
 
+struct FormulaAsked;
+
 /// Checks the property that `ask` makes of the plant, and prints the answer. `title` is the property as it was asked.
-/// Throws base::InputError and Rejected.
+/// Of a model program it is asked as `of_model` says; where that is none, such a program is no input. Throws
+/// base::InputError, base::LimitError and Rejected.
 ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,
-                          const std::function<verifier::Property(const automata::Plant&)>& ask);
+                          const std::function<verifier::Property(const automata::Plant&)>& ask,
+                          const FormulaAsked* of_model = nullptr);
 
 }  // namespace rmpl::tools

@@ -4,6 +4,7 @@
 
 #include "tools/shared/models.hpp"
 #include "tools/tcca-check/commands.hpp"
+#include "tools/tcca-check/model_check.hpp"
 #include "tools/tcca-check/property_check.hpp"
 
 namespace rmpl::tools {
@@ -14,10 +15,14 @@ struct Options : PropertyOptions, WindowOptions {
 };
 
 ExitStatus run(const Options& options, const Common& common) {
-  return check_property(options, common, "reachability " + options.formula, [&](const automata::Plant& plant) {
-    return verifier::Reachability{formula_option(options.formula, plant, "--target", common), options.window,
-                                  options.fastest};
-  });
+  const FormulaAsked asked{verifier::MarkingQuestion::Kind::reachability, options.formula, "--target", options.window};
+  return check_property(
+      options, common, "reachability " + options.formula,
+      [&](const automata::Plant& plant) {
+        return verifier::Reachability{formula_option(options.formula, plant, "--target", common), options.window,
+                                      options.fastest};
+      },
+      &asked);
 }
 
 }  // namespace
