@@ -40,6 +40,7 @@ struct Options {
   std::uint64_t runs = 0;
   std::uint64_t faults = 0;
   bool enumerate = false;
+  bool unmodelled = false;
   std::vector<std::string> at;
   std::uint64_t seed = 1;
   unsigned jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
@@ -49,8 +50,8 @@ struct Options {
 };
 
 constexpr const char* footer =
-    R"(Every run is the scenario with a seed of its own and --faults faults, each at a random time of the
-flight. What comes of a run depends on the scenario, --seed and its number alone. The same command goes
+    R"(Every run is the scenario with a seed of its own and --faults faults, each as soon as the model allows
+it from a random time of the flight on. What comes of a run depends on the scenario, --seed and its number alone. The same command goes
 on where one was ended, and shares the work with others that run at the same time: in two terminals, or
 under mpirun, over machines that share the folder. docs/campaigns.md explains the tables.
 
@@ -131,6 +132,7 @@ Campaign prepare(const automata::Document& document, const Options& options) {
   }
   campaign.plan.seed = options.seed;
   campaign.plan.faults = options.faults;
+  campaign.plan.unmodelled = options.unmodelled;
   std::string times;
   for (const std::string& text : options.at) {
     campaign.plan.times.push_back(duration(text));
@@ -143,7 +145,8 @@ Campaign prepare(const automata::Document& document, const Options& options) {
   campaign.identity = {{"version", RMPL_VERSION},
                        {"scenario", scenario.name},
                        {"seed", std::to_string(options.seed)},
-                       {"faults", options.enumerate ? "each at " + times : std::to_string(options.faults)},
+                       {"faults", (options.enumerate ? "each at " + times : std::to_string(options.faults)) +
+                                      (options.unmodelled ? ", unmodelled" : "")},
                        {"models", digest(document, scenario)}};
   return campaign;
 }
@@ -287,6 +290,8 @@ void add_campaign(Program& program) {
       ->option_text("TIME")
       ->expected(1)
       ->take_all();
+  command->add_flag("--unmodelled", options->unmodelled,
+                    "inject each fault at its time, whether or not the model has a transition to it then");
   add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
                    "seed of all runs (default: 1)");
   add_whole_number(*command, "--jobs,-j", options->jobs, 1, most_jobs,

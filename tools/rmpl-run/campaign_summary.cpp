@@ -128,6 +128,7 @@ void CampaignTally::add_run(const CampaignRun& run) {
 }
 
 void CampaignTally::add_fault(const Injected& fault) {
+  ++drawn;
   if (!fault.forced) return;
   ++injected;
   if (!fault.symptom) return;
@@ -167,6 +168,7 @@ std::vector<Row> CampaignSummary::totals() const {
   if (all_.impossible > 0) rows.push_back({"impossible for the model", std::to_string(all_.impossible)});
   if (faults_.empty()) return rows;
   rows.push_back({"faults injected", std::to_string(all_.injected)});
+  if (all_.drawn > all_.injected) rows.push_back({"without an occasion", std::to_string(all_.drawn - all_.injected)});
   rows.push_back({"with a symptom", std::to_string(all_.shown)});
   rows.push_back({"named within 10 s of it", share(all_.named, all_.shown)});
   return rows;

@@ -17,9 +17,10 @@ namespace rmpl::tools {
 struct CampaignTally {
   std::uint64_t runs = 0, met = 0, finished = 0, impossible = 0;
   std::uint64_t cycles = 0, right = 0, by_chance = 0;
-  std::uint64_t injected = 0;  ///< faults that happened
-  std::uint64_t shown = 0;     ///< of them, those with a symptom
-  std::uint64_t named = 0;     ///< of those, named no later than ten seconds after it
+  std::uint64_t drawn = 0;     ///< faults that were to happen
+  std::uint64_t injected = 0;  ///< of them, those that did
+  std::uint64_t shown = 0;     ///< of those, the ones with a symptom
+  std::uint64_t named = 0;     ///< of those, the ones named no later than ten seconds after it
   std::vector<automata::Ticks>
       latencies;  ///< from symptom to name, of all that have both; below 0 where it was named first
 

@@ -45,7 +45,8 @@ std::optional<CampaignRun> fly_run(const automata::Document& document, const aut
   result.seed = seed_of_run(plan, run);
   automata::Scenario flown = scenario;
   const auto faults = injections(plan, plant, scenario.cycle, run);
-  flown.forced.insert(flown.forced.end(), faults.begin(), faults.end());
+  if (plan.unmodelled) flown.forced.insert(flown.forced.end(), faults.begin(), faults.end());
+  if (!plan.unmodelled) options.awaited = faults;
   options.seed = result.seed;
   CampaignWatch watch(plant, faults);
   try {

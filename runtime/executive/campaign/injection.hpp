@@ -15,6 +15,7 @@ struct CampaignPlan {
   std::size_t faults = 0;              ///< drawn per run; at most as many as components have faults
   std::vector<automata::Ticks> times;  ///< of an enumeration; empty where faults are drawn
   std::uint64_t cycles = 1;            ///< of the flight without injections, among which a draw chooses
+  bool unmodelled = false;             ///< a fault happens at its time even where the model has no transition to it
 };
 
 /// A fault mode of a component.

@@ -6,6 +6,16 @@
 
 namespace rmpl::runtime {
 
+namespace {
+
+bool is_forced(const CycleRecord& record, automata::ComponentId component) {
+  return std::any_of(record.events.begin(), record.events.end(), [&](const Event& event) {
+    return event.kind == Event::Kind::forced && event.component == component;
+  });
+}
+
+}  // namespace
+
 CampaignWatch::CampaignWatch(const automata::Plant& plant, const std::vector<automata::ForcedMode>& faults)
     : plant_(plant), step_(plant), twins_(faults.size()) {
   for (const automata::ForcedMode& fault : faults) injected_.push_back({fault, {}, {}, {}});
@@ -18,7 +28,9 @@ void CampaignWatch::observe(const CycleRecord& record) {
   }
   for (std::size_t i = 0; i < injected_.size(); ++i) {
     Injected& injected = injected_[i];
-    if (injected.forced || injected.fault.at > record.time) continue;
+    const automata::ForcedMode& fault = injected.fault;
+    const bool there = (*record.truth)[fault.component.index()] == fault.mode && is_forced(record, fault.component);
+    if (injected.forced || fault.at > record.time || !there) continue;
     injected.forced = record.time;
     twins_[i].emplace(step_, before_, injected.fault.component);
   }
@@ -47,10 +59,7 @@ void CampaignWatch::count_chance(const CycleRecord& record) {
   for (std::size_t c = 0; c < record.truth->size(); ++c) {
     const automata::ModeId mode = (*record.truth)[c];
     if (mode == before_.modes[c] || !plant_.components[c].modes[mode.index()].fault) continue;
-    const bool forced = std::any_of(record.events.begin(), record.events.end(), [&](const Event& event) {
-      return event.kind == Event::Kind::forced && event.component == automata::ComponentId(c);
-    });
-    if (!forced) ++by_chance_;
+    if (!is_forced(record, automata::ComponentId(c))) ++by_chance_;
   }
 }
 

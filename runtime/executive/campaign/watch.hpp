@@ -14,7 +14,7 @@ namespace rmpl::runtime {
 /// One injected fault.
 struct Injected {
   automata::ForcedMode fault;
-  std::optional<automata::Ticks> forced;   ///< the end of the cycle in which it happened; none where the run was over
+  std::optional<automata::Ticks> forced;   ///< the end of the cycle in which it happened; none where it never did
   std::optional<automata::Ticks> symptom;  ///< the first readings that the flight without it could not have had
   std::optional<automata::Ticks> named;    ///< the first estimate from `forced` on that has it
 };

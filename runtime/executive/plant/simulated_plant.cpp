@@ -31,13 +31,15 @@ automata::ModeId choose(const std::vector<automata::Move>& moves, RandomSource& 
 
 }  // namespace
 
-SimulatedPlant::SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed)
+SimulatedPlant::SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed,
+                               std::vector<automata::ForcedMode> awaited)
     : plant_(plant),
       step_(plant),
       random_(seed, state_stream),
       sensors_(step_, RandomSource(seed, sensor_stream)),
       script_(plant, scenario),
       forced_(scenario.forced),
+      awaited_(std::move(awaited)),
       action_(automata::idle_action(plant)) {
   std::stable_sort(forced_.begin(), forced_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
   std::reverse(forced_.begin(), forced_.end());
@@ -56,13 +58,28 @@ void SimulatedPlant::issue(const automata::ControlAction& action, automata::Tick
   script_.hear_command(action, now);
 }
 
+void SimulatedPlant::release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
+  const auto due = [&](const automata::ForcedMode& fault) {
+    const auto& open = moves[fault.component.index()];
+    return fault.at <= now && state_.modes[fault.component.index()] != fault.mode &&
+           std::any_of(open.begin(), open.end(), [&](const automata::Move& move) { return move.mode == fault.mode; });
+  };
+  std::erase_if(awaited_, [&](const automata::ForcedMode& fault) {
+    const bool now_due = due(fault);
+    if (now_due) force(moves[fault.component.index()], fault);
+    return now_due;
+  });
+}
+
 void SimulatedPlant::force(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
   for (; !forced_.empty() && forced_.back().at <= now; forced_.pop_back()) {
-    const automata::ForcedMode& forced = forced_.back();
-    const automata::Component& component = plant_[forced.component];
-    moves[forced.component.index()] = {{forced.mode, 1.0}};
-    happenings_.push_back({Event::Kind::forced, to_text(component, forced.mode), forced.component, std::nullopt});
+    force(moves[forced_.back().component.index()], forced_.back());
   }
+}
+
+void SimulatedPlant::force(std::vector<automata::Move>& moves, const automata::ForcedMode& forced) {
+  moves = {{forced.mode, 1.0}};
+  happenings_.push_back({Event::Kind::forced, to_text(plant_[forced.component], forced.mode), forced.component, {}});
 }
 
 void SimulatedPlant::draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
@@ -85,6 +102,7 @@ void SimulatedPlant::give_up(automata::Ticks now) const {
 const automata::Observation& SimulatedPlant::sense(automata::Ticks now) {
   happenings_.clear();
   auto moves = step_.moves(state_, action_, time_, now);
+  release(moves, now);
   force(moves, now);
   draw(moves, now);
   for (std::size_t c = 0; c < drawn_.size(); ++c) {

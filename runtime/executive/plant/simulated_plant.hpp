@@ -16,11 +16,13 @@ namespace rmpl::runtime {
 
 /// Draws initial modes, transitions, faults and readings from the model: all components at once, and all again where
 /// the store of the drawn state is inconsistent. Faults that the scenario forces happen in the first step that ends at
-/// or after their time; sensors that it dictates read what it says. Same seed, same plant.
+/// or after their time; those that are awaited in the first of these in which the model has them happen by chance, to
+/// a component that is not there yet. Sensors that the scenario dictates read what it says. Same seed, same plant.
 class SimulatedPlant final : public PlantInterface {
  public:
   /// Keeps references to all. Throws base::InputError where no consistent initial state is found.
-  SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed);
+  SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed,
+                 std::vector<automata::ForcedMode> awaited = {});
 
   void issue(const automata::ControlAction& action, automata::Ticks now) override;
   /// Throws base::InputError where no consistent next state is found: the model, or a forced mode, leads nowhere.
@@ -28,11 +30,17 @@ class SimulatedPlant final : public PlantInterface {
   void overhear(const automata::Modes& estimate, automata::Ticks now) override { script_.hear_estimate(estimate, now); }
   [[nodiscard]] const automata::Modes* truth() const override { return &state_.modes; }
   [[nodiscard]] const std::vector<Event>& happenings() const override { return happenings_; }
-  [[nodiscard]] bool more_to_come() const override { return !forced_.empty() || script_.pending(); }
+  [[nodiscard]] bool more_to_come() const override {
+    return !forced_.empty() || !awaited_.empty() || script_.pending();
+  }
 
  private:
   void draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  // Faults whose time has come take the place of what else the components could do: those that are awaited, those that
+  // the scenario forces.
+  void release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
   void force(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  void force(std::vector<automata::Move>& moves, const automata::ForcedMode& forced);
   [[noreturn]] void give_up(automata::Ticks now) const;
 
   const automata::Plant& plant_;
@@ -41,6 +49,7 @@ class SimulatedPlant final : public PlantInterface {
   Sensors sensors_;
   SensorScript script_;
   std::vector<automata::ForcedMode> forced_;  ///< the next to happen stands last
+  std::vector<automata::ForcedMode> awaited_;
   automata::SystemState state_;
   automata::Ticks time_;
   automata::ControlAction action_;

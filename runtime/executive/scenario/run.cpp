@@ -15,9 +15,9 @@ namespace rmpl::runtime {
 namespace {
 
 std::unique_ptr<PlantInterface> make_plant(const automata::Plant& model, const automata::Scenario& scenario,
-                                           std::uint64_t seed) {
+                                           std::uint64_t seed, const ScenarioOptions& options) {
   if (scenario.rules_only) return std::make_unique<ScriptedPlant>(model, scenario);
-  return std::make_unique<SimulatedPlant>(model, scenario, seed);
+  return std::make_unique<SimulatedPlant>(model, scenario, seed, options.awaited);
 }
 
 std::unique_ptr<Clock> make_clock(const ScenarioOptions& options) {
@@ -49,7 +49,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
   automata::PlantStep step(model);
   const auto estimator = make_estimator(step, options);
   const auto reconfigurer = make_recovery(step, options);
-  const auto plant = make_plant(model, scenario, result.seed);
+  const auto plant = make_plant(model, scenario, result.seed, options);
   const auto clock = make_clock(options);
   Expectations expectations(step, program, scenario);
   Executive executive(program, model, *estimator, *reconfigurer, *plant, *clock, scenario.cycle);

@@ -77,6 +77,27 @@ TEST(SimulatedPlant, ForcesModesInTheFirstStepThatEndsAtTheirTimeOrLater) {
   EXPECT_FALSE(plant.more_to_come());
 }
 
+/// A heater that breaks only where it is on: what is awaited from 0.7 s on happens after 2.5 s, once, in the next step.
+TEST(SimulatedPlant, WaitsForTheFirstStepInWhichTheModelHasAFault) {
+  Plant model = heater::plant();
+  std::erase_if(model.components[0].transitions,
+                [](const Transition& transition) { return transition.to == broken && transition.from != on; });
+  SimulatedPlant plant(model, heater::scenario(), 1, {{{700'000'000}, component, broken, {}}});
+  plant.issue({turn_on}, Ticks{});
+  plant.sense(half_second);
+  plant.issue({none}, half_second);
+  for (int i = 1; i < 5; ++i) {
+    plant.sense({half_second.count * (i + 1)});
+    EXPECT_EQ(*plant.truth(), Modes{i < 4 ? heating : on}) << i;
+    EXPECT_TRUE(plant.more_to_come());
+  }
+  plant.sense({half_second.count * 6});
+  EXPECT_EQ(*plant.truth(), Modes{broken});
+  ASSERT_EQ(plant.happenings().size(), 1U);
+  EXPECT_EQ(plant.happenings()[0].message, "heater = broken");
+  EXPECT_FALSE(plant.more_to_come());
+}
+
 TEST(SimulatedPlant, TakesTheInitialModesThatAreGiven) {
   const Plant model = heater::plant();
   Scenario scenario = heater::scenario();
