@@ -17,14 +17,8 @@ using automata::Modes;
 using automata::Theory;
 using automata::TransitionId;
 
-namespace {
-
-/// So many reasons of one component in one mode are looked through, one by one.
-constexpr std::size_t most_reasons = 512;
-
-}  // namespace
-
-Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time) : step_(step), time_(time) {
+Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time)
+    : step_(step), time_(time), like_(step.plant()) {
   const automata::Plant& plant = step.plant();
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     auto& modes = known_.emplace_back();
@@ -55,47 +49,33 @@ BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled
 
 void Behaviours::read(const Modes& modes, const ControlAction& action, std::vector<BehaviourId>& result) {
   result.resize(modes.size());
-  const automata::AllEnabled* all = step_.consistent(modes, action) ? nullptr : &step_.enabled(modes, action);
+  like_.read(modes, seen_);
+  const automata::AllEnabled* all = step_.consistent(seen_, action) ? nullptr : &step_.enabled(modes, action);
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const ComponentId id(c);
     if (all != nullptr) {
       result[c] = number(id, modes[c], (*all)[c]);
     } else {
-      result[c] = look_up(id, modes, action);
+      result[c] = look_up(id, modes[c], action);
     }
   }
 }
 
-BehaviourId Behaviours::look_up(ComponentId component, const Modes& modes, const ControlAction& action) {
-  Known& known = known_[component.index()][modes[component.index()].index()];
-  const auto fits = [&](const Reason& r) {
-    return std::all_of(r.controls.begin(), r.controls.end(),
-                       [&](const Premise& p) { return action[p.position].value == p.value; }) &&
-           std::all_of(r.modes.begin(), r.modes.end(),
-                       [&](const Premise& p) { return modes[p.position].value == p.value; });
-  };
-  const auto reason = std::find_if(known.reasons.begin(), known.reasons.end(), fits);
-  if (reason != known.reasons.end()) {
-    const BehaviourId behaviour = reason->behaviour;
-    // What is asked for often comes to be found soon.
-    if (reason != known.reasons.begin()) std::iter_swap(reason, reason - 1);
-    return behaviour;
-  }
-  return known.rest.find(modes, action, [&] {
-    const BehaviourId behaviour = number(component, modes[component.index()], step_.enabled(component, modes, action));
-    if (known.reasons.size() < most_reasons) {
-      if (auto why = this->reason(component, modes, action)) {
-        why->behaviour = behaviour;
-        known.reasons.push_back(std::move(*why));
-      }
-    }
+BehaviourId Behaviours::look_up(ComponentId component, ModeId mode, const ControlAction& action) {
+  Known& known = known_[component.index()][mode.index()];
+  if (const auto behaviour = known.decided.find(seen_, action)) return BehaviourId(*behaviour);
+  return known.rest.find(seen_, action, [&] {
+    Modes modes = seen_;
+    modes[component.index()] = mode;
+    const BehaviourId behaviour = number(component, mode, step_.enabled(component, modes, action));
+    if (const auto why = reason(component, modes, action)) known.decided.add(seen_, action, *why, behaviour.value);
     return behaviour;
   });
 }
 
 /// What is enough to imply, or to refute, each guard of the mode; nothing where one is left open.
-std::optional<Behaviours::Reason> Behaviours::reason(ComponentId component, const Modes& modes,
-                                                     const ControlAction& action) {
+std::optional<std::vector<Premise>> Behaviours::reason(ComponentId component, const Modes& modes,
+                                                       const ControlAction& action) {
   const automata::Plant& plant = step_.plant();
   const ModeId mode = modes[component.index()];
   const automata::Support& support = step_.support(component, mode);
@@ -125,17 +105,21 @@ std::optional<Behaviours::Reason> Behaviours::reason(ComponentId component, cons
     all.erase(std::unique(all.begin(), all.end()), all.end());
   }
 
-  Reason result{{}, {}, {}};
+  // Controls first: what a command is not meant for is mostly decided by that alone.
+  std::vector<Premise> result;
+  std::vector<Premise> others;
   for (const Assignment& a : all) {
     if (const auto c = plant.component_of(a.variable)) {
-      // Its own mode is what the reasons are filed under.
-      if (*c != component) result.modes.push_back({c->value, a.value.value});
+      // Its own mode is what the answers are filed under.
+      if (*c != component) others.push_back({c->value, a.value.value});
       continue;
     }
     const auto control = std::find_if(plant.controls.begin(), plant.controls.end(),
                                       [&](const automata::Control& one) { return one.variable == a.variable; });
-    result.controls.push_back({static_cast<std::uint32_t>(control - plant.controls.begin()), a.value.value});
+    const auto position = plant.components.size() + static_cast<std::size_t>(control - plant.controls.begin());
+    result.push_back({static_cast<std::uint32_t>(position), a.value.value});
   }
+  result.insert(result.end(), others.begin(), others.end());
   return result;
 }
 

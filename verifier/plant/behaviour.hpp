@@ -11,6 +11,8 @@
 #include "automata/step/plant_step.hpp"
 #include "automata/store/memory.hpp"
 #include "verifier/plant/choices.hpp"
+#include "verifier/plant/decisions.hpp"
+#include "verifier/plant/like_modes.hpp"
 
 namespace rmpl::verifier {
 
@@ -32,7 +34,7 @@ using BehaviourId = automata::Id<struct BehaviourTag>;
 /// What decides a guard is mostly far less than what could: a command that is not given refutes it whatever the rest of
 /// the plant does. Each answer is therefore remembered under its reason, the failed assumptions of its proof (which
 /// propagation finds, and mostly none could be spared); only where a guard is neither implied nor refuted is it
-/// remembered under all that could matter.
+/// remembered under all that could matter. Modes of others that are alike are one in all of this.
 class Behaviours {
  public:
   Behaviours(automata::PlantStep& step, const TimeModel& time);
@@ -44,32 +46,22 @@ class Behaviours {
   [[nodiscard]] const TimeModel& time() const { return time_; }
 
  private:
-  /// One assumption: a mode of a component, or the value of a control.
-  struct Premise {
-    std::uint32_t position;  ///< of the component, or of the control
-    std::uint32_t value;
-    auto operator<=>(const Premise&) const = default;
-  };
-  /// A behaviour and what is enough for it.
-  struct Reason {
-    std::vector<Premise> modes;
-    std::vector<Premise> controls;
-    BehaviourId behaviour;
-  };
   struct Known {
-    std::vector<Reason> reasons;
+    Decisions decided;
     automata::Memory<BehaviourId> rest;
   };
 
   BehaviourId number(automata::ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses);
   BehaviourId number(automata::ComponentId component, automata::ModeId mode, const automata::Enabled& enabled);
-  BehaviourId look_up(automata::ComponentId component, const automata::Modes& modes,
-                      const automata::ControlAction& action);
-  [[nodiscard]] std::optional<Reason> reason(automata::ComponentId component, const automata::Modes& modes,
-                                             const automata::ControlAction& action);
+  BehaviourId look_up(automata::ComponentId component, automata::ModeId mode, const automata::ControlAction& action);
+  [[nodiscard]] std::optional<std::vector<Premise>> reason(automata::ComponentId component,
+                                                           const automata::Modes& modes,
+                                                           const automata::ControlAction& action);
 
   automata::PlantStep& step_;
   TimeModel time_;
+  LikeModes like_;
+  automata::Modes seen_;  ///< the modes at hand, as the store tells them apart
   std::deque<Behaviour> table_;
   std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>>, BehaviourId> numbers_;
   std::vector<std::vector<Known>> known_;  ///< per component, per mode
