@@ -25,6 +25,7 @@ Drawn draw_question(const automata::Plant& plant) {
   drawn.question.entailed = drawn.options.entailed = chance(30);
   drawn.question.faults = up_to(0, 2);
   drawn.options.faults = static_cast<unsigned>(drawn.question.faults);
+  drawn.options.merge = chance(80);
   switch (up_to(0, 3)) {
     case 0:
       drawn.question.commands = reference::Question::Commands::none;
@@ -163,6 +164,38 @@ RC_GTEST_PROP(Reachability, SampledStopsAreThoseOfTheTicks, ()) {
   Drawn drawn = draw_question(model.plant);
   drawn.options.period = pick<Ticks>({{Ticks::per_second}, {3 * Ticks::per_second / 4}});
   compare_stuck(model, drawn);
+}
+
+/// More components than the twin can explore: states that are put together change no verdict and no number of steps.
+RC_GTEST_PROP(Reachability, MergingChangesNothing, ()) {
+  Shape shape{.max_components = 5, .max_modes = 4, .max_attributes = 5};
+  shape.tangled = chance(30);
+  const Model model = *models(shape);
+  Drawn drawn = chance(20) ? draw_response(model.plant) : draw_question(model.plant);
+  if (chance(20)) drawn.options.period = Ticks::of_seconds(1);
+  verifier::Property property = verifier::Stuck{};
+  if (drawn.question.response) {
+    const reference::Response& asked = *drawn.question.response;
+    property = verifier::Response{asked.after, asked.then, asked.within};
+  } else if (chance(90)) {
+    verifier::Reachability asked{.target = drawn.question.target, .window = {}};
+    if (chance(30)) asked.window.by = Ticks::of_seconds(static_cast<std::int64_t>(up_to(0, 6)));
+    property = asked;
+  }
+  verifier::Slices slices(model.plant);
+  verifier::Limits limits;
+  limits.states = 20000;
+  verifier::CheckOptions options = drawn.options;
+  options.merge = false;
+  const verifier::Answer apart = verifier::check(slices, property, options, limits);
+  options.merge = true;
+  const verifier::Answer merged = verifier::check(slices, property, options, limits);
+  RC_PRE(!apart.limit && !merged.limit);
+  RC_CLASSIFY(apart.witness.has_value());
+  RC_ASSERT(merged.verdict == apart.verdict);
+  RC_ASSERT(merged.witness.has_value() == apart.witness.has_value());
+  RC_ASSERT(merged.cut_off.stuck == apart.cut_off.stuck);
+  if (apart.witness) RC_ASSERT(changes(*merged.witness) == changes(*apart.witness));
 }
 
 using Faults = std::vector<verifier::Fault>;

@@ -111,24 +111,47 @@ class Check {
     return *whole_;
   }
 
+  [[nodiscard]] Observe reach(std::optional<Interval> window) const {
+    return [this, window](const Arena& searched) {
+      const Formula& wanted = std::get<Target>(searched.wanted()).formula;
+      return [this, &wanted, window](PlantStep& step) {
+        return Observer::reach(holds(step, wanted, options_.entailed), window);
+      };
+    };
+  }
+
+  /// Of what is to hold all at once, whether a part can never hold, as its own cone tells where that is much smaller.
+  /// Components that have nothing to do with each other do not multiply then.
+  bool refuted_in_part(const Target& target, const Observe& observe) {
+    const std::vector<Formula> parts = automata::conjuncts_of(target.formula);
+    if (!options_.slice || options_.cut_sets || !terms_.time.is_dense() || parts.size() < 2) return false;
+    const std::size_t all = slices_.cone({&target.formula, 1}).size();
+    return std::any_of(parts.begin(), parts.end(), [&](const Formula& part) {
+      const Cone cone = slices_.cone({&part, 1});
+      if (2 * cone.size() > all) return false;
+      const Wanted wanted = Target{part, target.window};
+      Arena arena(slices_.part(cone, {&part, 1}), slices_.start(options_.from).value(), wanted, terms_);
+      const PlantSystem::Observe observer = observe(arena);
+      PlantSystem system(arena.situations(), observer, arena.symmetry(), arena.start());
+      const auto fewer = fewer_steps(arena);
+      if (find_corridor(system, meter_)) return false;
+      const CutOff& cut_off = system.cut_off();
+      return !cut_off.stuck && !cut_off.still;
+    });
+  }
+
   void look_for(const Target& target) {
     Arena& arena = cone_ ? *cone_ : whole();
     const Formula& formula = std::get<Target>(arena.wanted()).formula;
     if (options_.slice && out_of_reach(arena.step(), formula, arena.from(), terms_.faults)) return;
     const TimeModel& time = terms_.time;
-    const auto reach = [this](std::optional<Interval> window) -> Observe {
-      return [this, window](const Arena& searched) {
-        const Formula& wanted = std::get<Target>(searched.wanted()).formula;
-        return [this, &wanted, window](PlantStep& step) {
-          return Observer::reach(holds(step, wanted, options_.entailed), window);
-        };
-      };
-    };
     Interval window;
     if (target.window.not_before) window.lower = time.at_least(*target.window.not_before);
     if (target.window.by) window.upper = time.at_most(*target.window.by);
     const bool windowed = target.window.not_before || target.window.by;
-    witness_ = search(reach(windowed ? std::optional(window) : std::nullopt));
+    const Observe any_time = reach(windowed ? std::optional(window) : std::nullopt);
+    if (refuted_in_part(target, any_time)) return;
+    witness_ = search(any_time);
     // Each round asks for less time than the best so far takes, until there is none.
     while (target.fastest && witness_ && witness_->events.back().time > Ticks{0}) {
       window.upper = time.at_most(witness_->events.back().time) - 1;
@@ -215,6 +238,17 @@ class Check {
     return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
   }
 
+  /// Merged states tell whether there is a path. Where there is, one is looked for where they found it: a merged state
+  /// may allow a joint step that its parts, whose clocks are known better, take one by one.
+  std::optional<std::vector<PathState>> any_path(PlantSystem& system) {
+    if (options_.merge) {
+      const auto corridor = find_corridor(system, meter_);
+      if (!corridor) return std::nullopt;
+      if (auto path = find_path_along(*corridor, system, meter_)) return path;
+    }
+    return find_path(system, SearchOrder::covering, options_.threads, meter_);
+  }
+
   /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
   /// the fewest steps are looked for among all.
   std::optional<Witness> search_in(Arena& arena, const Observe& observe) {
@@ -224,7 +258,7 @@ class Check {
     std::optional<Witness> any;
     if (terms_.time.is_dense() || options_.fewest_faults) {
       const auto fewer = fewer_steps(arena);
-      const auto path = find_path(system, SearchOrder::covering, options_.threads, meter_);
+      const auto path = any_path(system);
       if (path) any = witness_of(*path, system, arena);
       cut_off_ = system.cut_off();
       if (!any || any_) return any;

@@ -32,8 +32,8 @@ std::optional<ZoneBox> InstantClocks::translated(const Box& box, Units earlier, 
 std::vector<std::size_t> InstantClocks::restarted(const automata::Modes& from, const automata::Modes& to) const {
   std::vector<std::size_t> result;
   for (std::size_t c = 0; c < from.size(); ++c) {
-    const auto clock = clock_of(ComponentId(c));
-    if (from[c] != to[c] && clock) result.push_back(*clock);
+    if (from[c] == to[c]) continue;
+    if (const auto clock = clock_of(ComponentId(c))) result.push_back(*clock);
   }
   return result;
 }

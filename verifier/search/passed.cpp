@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "base/check.hpp"
 #include "verifier/zone/covering.hpp"
+#include "verifier/zone/union.hpp"
 
 namespace rmpl::verifier {
 namespace {
+
+/// A node grows by what is among so many others, cut into so many pieces.
+constexpr std::size_t most_parts = 32;
+constexpr std::size_t most_pieces = 256;
 
 constexpr Units greatest_narrow = std::numeric_limits<std::int32_t>::max();
 
@@ -118,6 +124,60 @@ std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::u
   }
   nodes_.push_back(node);
   return number;
+}
+
+std::uint32_t Passed::grown(std::uint32_t number) {
+  nodes_[number].explored = true;
+  const Node node = nodes_[number];
+  std::vector<Zone> parts;
+  std::vector<Zone> waiting;
+  for (std::uint32_t n = first(node.discrete); n != none && parts.size() < most_parts; n = nodes_[n].next) {
+    if (nodes_[n].covered || n == number || !system_.no_more_faults(nodes_[n].faults, node.faults)) continue;
+    parts.push_back(state(n).zone);
+    if (!nodes_[n].explored && nodes_[n].faults == node.faults) waiting.push_back(parts.back());
+  }
+  if (waiting.empty()) return number;
+  SymbolicState result = state(number);
+  parts.push_back(result.zone);
+  const std::size_t own = parts.size() - 1;
+  bool grows = false;
+  for (const Zone& zone : waiting) {
+    if (result.zone.includes(zone)) continue;
+    Zone both = hull(result.zone, zone);
+    if (!within_union(both, parts, most_pieces)) continue;
+    result.zone = std::move(both);
+    parts[own] = result.zone;
+    grows = true;
+  }
+  if (!grows) return number;
+  nodes_[number].covered = true;
+  const std::uint32_t merged = add(result, node.label, node.parent, node.steps);
+  if (merged == none) return none;
+  nodes_[merged].explored = true;
+  nodes_[merged].merged = true;
+  return merged;
+}
+
+Corridor Passed::corridor(std::uint32_t node) const {
+  std::map<std::uint64_t, std::vector<std::uint32_t>> alike;
+  for (std::uint32_t n = 0; n <= node; ++n) alike[nodes_[n].discrete].push_back(n);
+  Corridor result;
+  std::vector<bool> seen(node + std::size_t{1}, false);
+  std::vector<std::uint32_t> open = {node};
+  while (!open.empty()) {
+    const std::uint32_t n = open.back();
+    open.pop_back();
+    if (seen[n]) continue;
+    seen[n] = true;
+    const std::uint32_t parent = nodes_[n].parent;
+    result.emplace(parent == none ? before_all : nodes_[parent].discrete, nodes_[n].discrete);
+    if (parent != none) open.push_back(parent);
+    if (!nodes_[n].merged) continue;
+    for (const std::uint32_t part : alike[nodes_[n].discrete]) {
+      if (part < n) open.push_back(part);
+    }
+  }
+  return result;
 }
 
 std::vector<PathState> Passed::path(std::uint32_t node) const {

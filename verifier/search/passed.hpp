@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "verifier/search/system.hpp"
@@ -15,6 +17,10 @@ struct PathState {
   std::uint64_t discrete;
   Label label;
 };
+
+/// Discrete parts that follow each other on the way to an accepted state; initial ones follow `before_all`.
+using Corridor = std::set<std::pair<std::uint64_t, std::uint64_t>>;
+inline constexpr std::uint64_t before_all = UINT64_MAX;
 
 /// Numbered states with how each came about. A zone takes four bytes an entry (eight, where a bound does not fit).
 class Passed {
@@ -31,7 +37,9 @@ class Passed {
     std::uint32_t next;  ///< another node of the same discrete part
     std::uint16_t dimension;
     bool wide;
-    bool covered = false;  ///< by a later one
+    bool covered = false;   ///< by a later one
+    bool explored = false;  ///< its successors have been asked for, or are about to be
+    bool merged = false;    ///< its zone is one of several nodes with this discrete part together
   };
 
   /// Where steps are counted, a state with more steps does not cover one with fewer.
@@ -43,8 +51,14 @@ class Passed {
   /// The number of the state, added unless one that was found before covers it: same discrete part, no more faults
   /// and steps, and a zone that covers its zone. The nodes that it covers are marked so.
   std::uint32_t add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps);
+  /// The node is about to be explored: it, or one in its place whose zone also holds those of other nodes with the same
+  /// discrete part and as many faults that are not explored yet, where all that it holds is in nodes found so far. None
+  /// where such a one is covered.
+  std::uint32_t grown(std::uint32_t node);
   /// How the node came about, from an initial state on.
   [[nodiscard]] std::vector<PathState> path(std::uint32_t node) const;
+  /// The ways by which the node may have come about, whatever was merged.
+  [[nodiscard]] Corridor corridor(std::uint32_t node) const;
 
  private:
   template <class Entry>

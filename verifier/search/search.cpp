@@ -14,17 +14,57 @@ namespace {
 /// Searches that end sooner than this use one thread: a copy of the system has to learn first.
 constexpr double seconds_alone = 0.05;
 
+/// A system without the steps that do not follow a corridor. Keeps references.
+class Guided : public TransitionSystem {
+ public:
+  Guided(TransitionSystem& system, const Corridor& corridor) : system_(system), corridor_(corridor) {}
+
+  void initial(const Visit& visit) override {
+    system_.initial([&](SymbolicState&& state, const Label& label) {
+      if (corridor_.contains({before_all, state.discrete})) visit(std::move(state), label);
+    });
+  }
+  void successors(const SymbolicState& state, const Visit& visit) override {
+    system_.successors(state, [&](SymbolicState&& next, const Label& label) {
+      if (corridor_.contains({state.discrete, next.discrete})) visit(std::move(next), label);
+    });
+  }
+  [[nodiscard]] bool accepts(const SymbolicState& state) const override { return system_.accepts(state); }
+  [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override { return system_.no_more_faults(a, b); }
+  [[nodiscard]] unsigned fault_count(unsigned faults) const override { return system_.fault_count(faults); }
+  void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override { system_.limits(discrete, result); }
+
+ private:
+  TransitionSystem& system_;
+  const Corridor& corridor_;
+};
+
+/// Whether the states of a search are new, or were counted by another one.
+enum class Counted { now, before };
+
 class Search {
  public:
-  Search(TransitionSystem& system, SearchOrder order, unsigned threads, Meter& meter)
+  Search(TransitionSystem& system, SearchOrder order, unsigned threads, Meter& meter, Counted counted = Counted::now)
       : system_(system),
         order_(order),
         threads_(threads),
         copyable_(threads > 1 ? system.copyable() : nullptr),
         meter_(meter),
+        counted_(counted),
         passed_(system, order == SearchOrder::fewest_steps) {}
 
-  std::optional<std::vector<PathState>> run() {
+  std::optional<std::vector<PathState>> path() {
+    run();
+    return found_ ? std::optional(passed_.path(*found_)) : std::nullopt;
+  }
+
+  std::optional<Corridor> corridor() {
+    run();
+    return found_ ? std::optional(passed_.corridor(*found_)) : std::nullopt;
+  }
+
+ private:
+  void run() {
     system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
     while (!found_ && !queues_.empty()) {
       const auto queue = queues_.begin();
@@ -32,14 +72,16 @@ class Search {
         queues_.erase(queue);
         continue;
       }
-      const std::uint32_t parent = queue->second.front();
+      std::uint32_t parent = queue->second.front();
       queue->second.pop_front();
-      if (order_ == SearchOrder::covering && passed_[parent].covered) {
+      if (order_ != SearchOrder::fewest_steps && passed_[parent].covered) {
         if (lookahead_) lookahead_->forget(parent);
         continue;
       }
+      if (order_ == SearchOrder::merging) parent = passed_.grown(parent);
+      if (parent == Passed::none) continue;
       const std::uint32_t steps = passed_[parent].steps;
-      if (order_ == SearchOrder::covering) {
+      if (order_ != SearchOrder::fewest_steps) {
         meter_.at_faults(queue->first, queue->second.size());
       } else {
         meter_.at_steps(steps, queue->second.size());
@@ -56,11 +98,8 @@ class Search {
         system_.successors(passed_.state(parent), visit);
       }
     }
-    if (!found_) return std::nullopt;
-    return passed_.path(*found_);
   }
 
- private:
   /// Tells the other threads what comes next in the queue.
   void announce(const std::deque<std::uint32_t>& queue) {
     if (copyable_ != nullptr && !lookahead_ && meter_.progress().seconds - begun_ > seconds_alone) {
@@ -78,9 +117,9 @@ class Search {
   void add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
     const std::uint32_t number = passed_.add(state, label, parent, steps);
     if (number == Passed::none) return;
-    meter_.count_state();
+    if (counted_ == Counted::now) meter_.count_state();
     if (system_.accepts(state)) found_ = number;
-    auto& queue = queues_[order_ == SearchOrder::covering ? system_.fault_count(state.faults) : 0];
+    auto& queue = queues_[order_ != SearchOrder::fewest_steps ? system_.fault_count(state.faults) : 0];
     if (label.silent) {
       queue.push_front(number);
     } else {
@@ -93,6 +132,7 @@ class Search {
   unsigned threads_;
   CopyableSystem* copyable_;  ///< none: explored by one thread
   Meter& meter_;
+  Counted counted_;
   double begun_ = meter_.progress().seconds;
   Passed passed_;
   std::map<unsigned, std::deque<std::uint32_t>> queues_;  ///< by number of faults where that is the order
@@ -104,7 +144,17 @@ class Search {
 
 std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, unsigned threads,
                                                 Meter& meter) {
-  return Search(system, order, threads, meter).run();
+  return Search(system, order, threads, meter).path();
+}
+
+std::optional<Corridor> find_corridor(TransitionSystem& system, Meter& meter) {
+  return Search(system, SearchOrder::merging, 1, meter).corridor();
+}
+
+std::optional<std::vector<PathState>> find_path_along(const Corridor& corridor, TransitionSystem& system,
+                                                      Meter& meter) {
+  Guided guided(system, corridor);
+  return Search(guided, SearchOrder::covering, 1, meter, Counted::before).path();
 }
 
 }  // namespace rmpl::verifier

@@ -3,7 +3,6 @@
 #include "verifier/search/standstill.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <map>
 
 namespace rmpl::verifier {
@@ -67,21 +66,25 @@ class Finder {
   }
 
   /// All that steps lead to which can be taken whatever the readings; false where time passes there, or where it leads
-  /// on.
+  /// on. That is mostly seen a step away, and else at the end of a few steps: depth first, looking one step ahead.
   bool explore(const Zone& zone) {
     taken_.clear();
-    std::deque<std::uint64_t> queue{root_};
+    std::vector<std::uint64_t> open{root_};
     taken_[root_];
-    while (!queue.empty()) {
-      const std::uint64_t node = queue.front();
-      queue.pop_front();
-      if (node != root_ && passes(zone, node)) return false;
+    while (!open.empty()) {
+      const std::uint64_t node = open.back();
+      open.pop_back();
       for (const Instant& step : instants_.steps(node)) {
         if (decide(zone, step.bounds) != Truth::yes) continue;
         if (step.leads_on || starts_anew(zone, step)) return false;
-        if (taken_.try_emplace(step.target).second) queue.push_back(step.target);
+        if (taken_.try_emplace(step.target).second) {
+          if (passes(zone, step.target)) return false;
+          open.push_back(step.target);
+        }
         taken_[node].push_back(&step);
       }
+      // What is open is told apart before going on, as all there is further on may be open for the same reason.
+      if (undecided_) return true;
     }
     return true;
   }

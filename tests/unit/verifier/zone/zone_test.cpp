@@ -10,6 +10,7 @@
 #include <set>
 
 #include "verifier/zone/covering.hpp"
+#include "verifier/zone/union.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -146,6 +147,56 @@ TEST(Zone, InclusionIsThatOfThePoints) {
     included += subset ? 1 : 0;
   }
   EXPECT_GT(included, 0);
+}
+
+TEST(Union, HoldsAZoneExactlyIfItHoldsItsPoints) {
+  std::mt19937 random(7);
+  int counts[2] = {};
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<Zone> parts = {random_zone(random), random_zone(random), random_zone(random)};
+    const Zone both = hull(parts[0], parts[1]);
+    EXPECT_TRUE(is_canonical(both));
+    EXPECT_TRUE(both.includes(parts[0]) && both.includes(parts[1]));
+    const bool inside = both.upper(1) < side && both.upper(2) < side && both.upper(3) < side;
+    if (!inside) continue;
+    Points together;
+    for (const Zone& part : parts) together.merge(points_of(part));
+    const Points all = points_of(both);
+    const bool holds = std::includes(together.begin(), together.end(), all.begin(), all.end());
+    EXPECT_EQ(within_union(both, parts, 1000), holds);
+    EXPECT_FALSE(within_union(both, parts, 0));
+    ++counts[holds ? 1 : 0];
+    const Points first = points_of(parts[0]);
+    const Points second = points_of(parts[1]);
+    const bool apart = std::none_of(first.begin(), first.end(), [&](const Point& p) { return second.contains(p); });
+    EXPECT_TRUE(apart || !disjoint(parts[0], parts[1]));
+  }
+  EXPECT_GT(counts[0], 100);
+  EXPECT_GT(counts[1], 100);
+}
+
+/// One of three clocks started last, whichever: pieces of which no two make a zone, and all three do.
+TEST(Union, NeedsMoreThanTwoPieces) {
+  Zone all(clocks);
+  for (std::size_t clock = 1; clock <= clocks; ++clock) {
+    all.elapse();
+    std::vector<std::size_t> sources = {1, 2, 3};
+    sources[clock - 1] = 0;
+    all = hull(all, all.select(sources));
+  }
+  std::vector<Zone> pieces;
+  for (std::size_t last = 1; last <= clocks; ++last) {
+    Zone piece = all;
+    for (std::size_t other = 1; other <= clocks; ++other) ASSERT_TRUE(other == last || piece.constrain(last, other, 0));
+    pieces.push_back(piece);
+  }
+  EXPECT_TRUE(within_union(all, pieces, 100));
+  EXPECT_TRUE(within_union(hull(pieces[0], pieces[1]), pieces, 100));
+  for (std::size_t left_out = 0; left_out < clocks; ++left_out) {
+    std::vector<Zone> two = pieces;
+    two.erase(two.begin() + static_cast<std::ptrdiff_t>(left_out));
+    EXPECT_FALSE(within_union(hull(two[0], two[1]), two, 100));
+  }
 }
 
 /// Every point that extrapolation adds is simulated by one of the zone: it agrees with it on each clock, or both are
