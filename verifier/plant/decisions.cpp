@@ -14,6 +14,8 @@ using automata::Modes;
 namespace {
 
 constexpr std::size_t most_nodes = 1u << 12;
+/// So many reasons are looked through, one by one, where the tree has no answer.
+constexpr std::size_t most_reasons = 512;
 
 std::uint32_t value_at(std::uint32_t position, const Modes& modes, const ControlAction& action) {
   return position < modes.size() ? modes[position].value : action[position - modes.size()].value;
@@ -21,20 +23,35 @@ std::uint32_t value_at(std::uint32_t position, const Modes& modes, const Control
 
 }  // namespace
 
-std::optional<std::uint32_t> Decisions::find(const Modes& modes, const ControlAction& action) const {
+std::optional<std::uint32_t> Decisions::find(const Modes& modes, const ControlAction& action) {
   const Node* node = &nodes_.front();
   while (node->kind == Kind::test) {
     const std::uint32_t value = value_at(node->number, modes, action);
-    if (value >= node->next.size() || node->next[value] == 0) return std::nullopt;
+    if (value >= node->next.size() || node->next[value] == 0) break;
     node = &nodes_[node->next[value]];
   }
-  return node->kind == Kind::answer ? std::optional(node->number) : std::nullopt;
+  if (node->kind == Kind::answer) return node->number;
+  const auto holds = [&](const Reason& reason) {
+    return std::all_of(reason.premises.begin(), reason.premises.end(),
+                       [&](const Premise& p) { return value_at(p.position, modes, action) == p.value; });
+  };
+  const auto reason = std::find_if(reasons_.begin(), reasons_.end(), holds);
+  if (reason == reasons_.end()) return std::nullopt;
+  graft(modes, action, *reason);
+  return reason->answer;
 }
 
 void Decisions::add(const Modes& modes, const ControlAction& action, const std::vector<Premise>& premises,
                     std::uint32_t answer) {
-  if (nodes_.size() + premises.size() >= most_nodes) return;
-  std::vector<Premise> left = premises;
+  const Reason reason{premises, answer};
+  graft(modes, action, reason);
+  if (reasons_.size() < most_reasons) reasons_.push_back(reason);
+}
+
+/// Adds the reason where the tree has no answer for these.
+void Decisions::graft(const Modes& modes, const ControlAction& action, const Reason& reason) {
+  if (nodes_.size() + reason.premises.size() >= most_nodes) return;
+  std::vector<Premise> left = reason.premises;
   std::size_t node = 0;
   const auto descend = [&] {
     const std::uint32_t position = nodes_[node].number;
@@ -55,7 +72,7 @@ void Decisions::add(const Modes& modes, const ControlAction& action, const std::
     descend();
   }
   nodes_[node].kind = Kind::answer;
-  nodes_[node].number = answer;
+  nodes_[node].number = reason.answer;
 }
 
 }  // namespace rmpl::verifier

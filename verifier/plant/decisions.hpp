@@ -18,17 +18,16 @@ struct Premise {
 
 /// A tree that asks one position after another, and grows where a question comes to that it has no answer for: there
 /// by the premises of that answer that have not been asked for yet. So a look costs as many steps as there are premises
-/// on the way, however many answers there are. Premises that decide other cases can be asked for in vain, as in any
-/// decision tree: that costs answers that are found twice, and never a wrong one.
+/// on the way, however many answers there are. What decides other cases can be asked for in vain, as in any decision
+/// tree; where that leads to a new place, the reasons of the first answers are looked through for one that holds there.
 class Decisions {
  public:
   Decisions() : nodes_(1) {}
 
   /// The answer where the premises of one hold; else nothing.
-  [[nodiscard]] std::optional<std::uint32_t> find(const automata::Modes& modes,
-                                                  const automata::ControlAction& action) const;
-  /// Adds what `find` had no answer for. The premises hold there, and are enough for the answer. Does nothing where the
-  /// tree is as large as it may be.
+  [[nodiscard]] std::optional<std::uint32_t> find(const automata::Modes& modes, const automata::ControlAction& action);
+  /// Adds what `find` had no answer for. The premises hold there, and are enough for the answer. Tree and reasons stop
+  /// growing at some size.
   void add(const automata::Modes& modes, const automata::ControlAction& action, const std::vector<Premise>& premises,
            std::uint32_t answer);
 
@@ -40,7 +39,16 @@ class Decisions {
     std::vector<std::uint32_t> next;  ///< by value; 0: none yet
   };
 
+  /// Premises that are enough for an answer.
+  struct Reason {
+    std::vector<Premise> premises;
+    std::uint32_t answer;
+  };
+
+  void graft(const automata::Modes& modes, const automata::ControlAction& action, const Reason& reason);
+
   std::vector<Node> nodes_;  ///< the root first
+  std::vector<Reason> reasons_;
 };
 
 }  // namespace rmpl::verifier
