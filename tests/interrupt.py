@@ -36,7 +36,21 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
     assert run.returncode == 3, f"exit {run.returncode}"
     assert errors.decode() == f"rmpl-run: interrupted after {len(lines)} line{'s' * (len(lines) != 1)}\n", errors
     print(f"{len(lines)} whole lines")
+    within_a_line(plant, programs)
     return 0
+
+
+def within_a_line(plant: pathlib.Path, programs: pathlib.Path) -> None:
+    """A line that stands for many cycles: what was not worked out to its end is not told."""
+    with subprocess.Popen([programs / "rmpl-run", "estimate", plant, "--log", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, bufsize=0) as run:
+        run.stdin.write(b'{"time": 1}\n{"time": 1000000000, "unchanged": 999999998}\n')
+        first = run.stdout.readline()
+        run.send_signal(signal.SIGINT)
+        rest, errors = run.communicate(timeout=60)
+    assert json.loads(first)["time"] == 1 and not rest, first + rest
+    assert run.returncode == 3, f"exit {run.returncode}"
+    assert errors.decode() == "rmpl-run: interrupted after 1 line\n", errors
 
 
 if __name__ == "__main__":

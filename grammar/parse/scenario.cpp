@@ -62,11 +62,12 @@ const auto condition = x3::expect[field<&ExpectText::condition>[constraint]] >>
 const auto expectation_def =
     record[Keyword("expect") >> -set<&ExpectText::truth, true>[Keyword("truth") >> !relation] >>
            ((set<kind, ExpectText::Kind::finished>[Keyword("finished") >> !relation] >>
-             -(Keyword("with") > field<&ExpectText::condition>[constraint]) >> -within) |
-            set<kind, ExpectText::Kind::goal_conflict>[Keyword("never") >> Keyword("goal-conflict") >> !relation] |
-            set<kind, ExpectText::Kind::no_plan>[Keyword("never") >> Keyword("no-plan") >> !relation] |
-            (set<kind, ExpectText::Kind::never>[Keyword("never") >> !relation] >> condition) | condition) >
-           named("`within`, `after` or `;`", semicolon)];
+             -(Keyword("with") > field<&ExpectText::condition>[constraint]) >> -within >
+             named("`with`, `within` or `;`", semicolon)) |
+            ((set<kind, ExpectText::Kind::goal_conflict>[Keyword("never") >> Keyword("goal-conflict") >> !relation] |
+              set<kind, ExpectText::Kind::no_plan>[Keyword("never") >> Keyword("no-plan") >> !relation]) > semicolon) |
+            (((set<kind, ExpectText::Kind::never>[Keyword("never") >> !relation] >> condition) | condition) >
+             named("`within`, `after` or `;`", semicolon)))];
 
 constexpr auto items = &ScenarioDefinition::items;
 const auto scenario_def =

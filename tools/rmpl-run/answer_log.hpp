@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 
+#include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "tools/shared/interruption.hpp"
@@ -13,29 +15,54 @@
 
 namespace rmpl::tools {
 
+/// Reads the lines of a log for plant or model program, `names`. A plant is where it is at a time: only what is seen at
+/// the start may do without one. Each line of a model program's log is a step.
+template <class Names>
+class LogOf {
+ public:
+  LogOf(const std::string& log, const Names& names)
+      : input_(log, interrupted), reader_(input_.stream(), input_.name(), names) {}
+
+  /// The next line; nothing at the end, or once the run is interrupted.
+  std::optional<runtime::LogLine> next() {
+    if (interrupted()) return std::nullopt;
+    auto line = reader_.next();
+    const bool start = first_ && line && !line->commanded;
+    if (std::is_same_v<Names, automata::Plant> && line && !line->timed && !start) {
+      throw base::InputError(name() + ":" + std::to_string(line->number) + ": expected a 'time'");
+    }
+    first_ = false;
+    return line;
+  }
+  [[nodiscard]] const std::string& name() const { return input_.name(); }
+
+ private:
+  base::InputFile input_;
+  runtime::LogReader reader_;
+  bool first_ = true;
+};
+
 /// A file is checked in full before anything is answered: how many lines it has. What can be read only once is answered
-/// as it comes: nothing. `names`: the plant or model program that the log speaks of.
+/// as it comes: nothing, as where the run is interrupted.
 template <class Names>
 std::optional<std::size_t> check_log(const std::string& log, const Names& names) {
   if (!base::is_read_again(log)) return std::nullopt;
-  base::InputFile input(log);
-  runtime::LogReader reader(input.stream(), input.name(), names);
-  std::size_t lines = 0;
-  while (reader.next()) ++lines;
-  return lines;
+  LogOf<Names> lines(log, names);
+  std::size_t count = 0;
+  while (lines.next()) ++count;
+  return interrupted() ? std::nullopt : std::optional(count);
 }
 
-/// Answers each line with `answer(line, name of the log)`, up to an interruption, which is told. Whether one came
-/// before the end.
+/// Answers each line with `answer(line, name of the log)`, up to an interruption, which is told; where that came within
+/// a line there is no answer to it. Whether one came before the end.
 template <class Names, class Answer>
 bool answer_log(const std::string& log, const Names& names, std::optional<std::size_t> lines, const Answer& answer) {
-  base::InputFile input(log, interrupted);
-  runtime::LogReader reader(input.stream(), input.name(), names);
+  LogOf<Names> of(log, names);
   std::size_t answered = 0;
-  while (!interrupted()) {
-    const auto line = reader.next();
-    if (!line) break;
-    print(answer(*line, input.name()));  // whole lines, whatever ends the run
+  while (const auto line = of.next()) {
+    const std::optional<std::string> text = answer(*line, of.name());
+    if (!text) break;
+    print(*text);  // whole lines, whatever ends the run
     ++answered;
   }
   const bool early = interrupted() && answered != lines;

@@ -136,6 +136,10 @@ Campaign prepare(const automata::Document& document, const Options& options) {
   std::string times;
   for (const std::string& text : options.at) {
     campaign.plan.times.push_back(duration(text));
+    if (campaign.plan.times.back() > scenario.duration) {
+      throw base::InputError("--at " + text + ": a flight of '" + scenario.name + "' is over after " +
+                             automata::format_seconds(scenario.duration) + " s");
+    }
     times += (times.empty() ? "" : ", ") + automata::format_seconds(campaign.plan.times.back());
   }
   const std::uint64_t each = runtime::faults_of(plant).size() * campaign.plan.times.size();
@@ -145,7 +149,7 @@ Campaign prepare(const automata::Document& document, const Options& options) {
   campaign.identity = {{"version", RMPL_VERSION},
                        {"scenario", scenario.name},
                        {"seed", std::to_string(options.seed)},
-                       {"faults", (options.enumerate ? "each at " + times : std::to_string(options.faults)) +
+                       {"faults", (options.enumerate ? "each at " + times + " s" : std::to_string(options.faults)) +
                                       (options.unmodelled ? ", unmodelled" : "")},
                        {"models", digest(document, scenario)}};
   return campaign;

@@ -101,6 +101,11 @@ ExitStatus run(Options options, const Common& common) {
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   const auto observation = options.scenario.empty() ? assignments_option(options.observe, plant, "--observe", common)
                                                     : competition_observation(options.scenario, plant);
+  for (const automata::Assignment& reading : observation) {
+    if (!plant.component_of(reading.variable)) continue;
+    throw base::InputError("--observe: '" + plant.variables.name(reading.variable) +
+                           "' is a component: no sensor reads its mode; expected an attribute");
+  }
   if (options.search.first && options.search.count_only) {
     throw base::InputError("--first and --count exclude each other: one diagnosis, or how many there are");
   }

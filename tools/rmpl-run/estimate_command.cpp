@@ -15,12 +15,12 @@
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/executive/trace/log.hpp"
-#include "runtime/executive/trace/trace_writer.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "runtime/reasoning/estimate/plant_window.hpp"
 #include "tools/rmpl-run/answer_log.hpp"
 #include "tools/rmpl-run/commands.hpp"
+#include "tools/rmpl-run/estimate_answer.hpp"
 #include "tools/rmpl-run/estimate_model.hpp"
 #include "tools/rmpl-run/latency.hpp"
 #include "tools/shared/interruption.hpp"
@@ -32,7 +32,6 @@ namespace {
 using runtime::Belief;
 using runtime::Estimate;
 using runtime::Estimator;
-using runtime::Event;
 using runtime::JsonLine;
 using runtime::LogLine;
 
@@ -51,13 +50,6 @@ struct Options {
   bool beam = false;
   std::optional<std::size_t> window;
   bool text = false;
-};
-
-/// What an update cost, and what it may have missed.
-struct Cost {
-  std::size_t checked = 0;
-  double dropped = 0;  ///< of what followed from the belief before
-  double missing = 0;
 };
 
 constexpr const char* footer =
@@ -115,71 +107,6 @@ Belief listed(const Belief& belief, const Options& options) {
   return {belief.begin(), belief.begin() + static_cast<std::ptrdiff_t>(std::min(belief.size(), most))};
 }
 
-/// What most likely happened: trajectories, best first, the times of their states, and where the best of them differs
-/// from what it was after the line before.
-struct History {
-  std::vector<automata::Ticks> times;
-  std::vector<runtime::PlantTrajectory> trajectories;
-  std::size_t first = 0;  ///< the update after which they set out
-  struct Revision {
-    automata::Ticks time;
-    automata::Modes before, now;
-  };
-  std::vector<Revision> revised;
-};
-
-void write(JsonLine& json, const History& history, const automata::Plant& plant) {
-  json.key("history").open('[');
-  for (const runtime::PlantTrajectory& trajectory : history.trajectories) {
-    json.open('{').key("probability").number(trajectory.probability).key("trajectory").open('[');
-    for (std::size_t t = 0; t < trajectory.states.size(); ++t) {
-      const automata::SystemState& state = trajectory.states[t];
-      json.open('{').key("time").seconds(history.times[t]).key("modes").modes(state.modes, plant);
-      json.key("clocks").open('{');
-      for (std::size_t c = 0; c < plant.components.size(); ++c) {
-        json.key(plant.components[c].name).seconds(history.times[t] - state.clock_starts[c]);
-      }
-      json.close('}').close('}');
-    }
-    json.close(']').close('}');
-  }
-  json.close(']').key("revised").open('[');
-  for (const History::Revision& revision : history.revised) {
-    json.open('{').key("time").seconds(revision.time).key("before").modes(revision.before, plant);
-    json.key("modes").modes(revision.now, plant).close('}');
-  }
-  json.close(']');
-}
-
-void write(JsonLine& json, const LogLine& line, const Estimate& estimate, const Belief& belief, const Cost* cost,
-           const History* history, bool ranks, const automata::Plant& plant) {
-  json.clear();
-  json.open('{');
-  if (line.cycle) json.key("cycle").number(*line.cycle);
-  json.key("time").seconds(line.time).key("estimate").modes(estimate.modes, plant);
-  json.key("belief").belief(belief, plant, line.time, nullptr, ranks ? &estimate.rank : nullptr);
-  if (history != nullptr) write(json, *history, plant);
-  if (estimate.cut) json.key("cut").boolean(true);
-  if (cost != nullptr) {
-    json.key("checked").number(cost->checked);
-    if (!ranks) json.key("dropped").number(cost->dropped).key("missing_mass").number(cost->missing);
-  }
-  std::vector<Event> events;
-  if (!estimate.consistent) {
-    events.push_back(
-        {Event::Kind::inconsistent, "no state that is tracked explains the observations", std::nullopt, std::nullopt});
-  }
-  if (estimate.cut) {
-    events.push_back(
-        {Event::Kind::cut, "the search ended early; the belief may lack states", std::nullopt, std::nullopt});
-  }
-  if (!events.empty()) {
-    json.key("events");
-    write_events(json, events, &plant);
-  }
-  json.close('}');
-}
-
 /// An upper bound of the probability of what a line does not list. A belief that is listed in full adds up to 1 but for
 /// rounding.
 double unlisted(const Estimate& estimate, const Belief& belief) {
@@ -214,7 +141,11 @@ void report(const Account& account, const Estimator& estimator, bool ranks, doub
 class Flight {
  public:
   Flight(const automata::Plant& plant, const Options& options)
-      : plant_(plant), options_(options), step_(plant), estimator_(make_estimator(step_, options)) {
+      : plant_(plant),
+        options_(options),
+        step_(plant),
+        estimator_(make_estimator(step_, options)),
+        live_(runtime::live_clocks(plant)) {
     if (!estimator_->estimate().consistent) {
       throw base::InputError(options.plant +
                              ": no initial state is possible: the initial modes contradict the interconnections");
@@ -224,8 +155,8 @@ class Flight {
     }
   }
 
-  /// The answer to the next line; `name` is the log's, for messages.
-  std::string_view answer(const LogLine& line, const std::string& name) {
+  /// The answer to the next line; `name` is the log's, for messages. Nothing where an interruption came within it.
+  std::optional<std::string> answer(const LogLine& line, const std::string& name) {
     Belief belief;
     const bool start = !begun_ && line.time == automata::Ticks{} && (!line.commanded || line.cycle == 0);
     try {
@@ -235,7 +166,8 @@ class Flight {
         if (window_) window_->start(at_start_);
       } else {
         // Cycles that were left out went as the line before says.
-        for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) {
+        for (std::uint64_t i = 1; i <= line.unchanged; ++i) {
+          if (interrupted()) return std::nullopt;
           update(before_, line.time_of_unchanged(i));
         }
         update(line, line.time);
@@ -248,7 +180,7 @@ class Flight {
                                               : "; expected -k, to list the best of them, or --estimator k-best"));
     }
     const Estimate& estimate = estimator_->estimate();
-    const Cost cost{estimate.checked, estimate.missing_mass, unlisted(estimate, belief)};
+    const UpdateCost cost{estimate.checked, estimate.missing_mass, unlisted(estimate, belief)};
     if (!start) {
       cut_ = cut_ || estimate.cut;
       account_.checked += cost.checked;
@@ -256,9 +188,11 @@ class Flight {
       account_.missing = std::max(account_.missing, cost.missing);
     }
     before_ = line;
-    write(json_, line, estimate, belief, options_.stats && !start ? &cost : nullptr, window_ ? &history_ : nullptr,
-          options_.ranks, plant_);
-    return json_.text();
+    write(json_,
+          {line, estimate, belief, options_.stats && !start ? &cost : nullptr, window_ ? &history_ : nullptr,
+           options_.live_clocks ? &live_ : nullptr, options_.ranks},
+          plant_);
+    return std::string(json_.text()) + "\n";
   }
 
   [[nodiscard]] bool cut() const { return cut_; }
@@ -279,7 +213,7 @@ class Flight {
   }
 
   void tell_history() {
-    History next{times_, window_->trajectories(), updates_ + 1 - times_.size(), {}};
+    PlantHistory next{times_, window_->trajectories(), updates_ + 1 - times_.size(), {}};
     for (std::size_t t = 0; !history_.trajectories.empty() && t < times_.size(); ++t) {
       const auto& last = history_.trajectories.front().states;
       if (next.first + t < history_.first || next.first + t >= history_.first + last.size()) continue;
@@ -303,6 +237,7 @@ class Flight {
   const Options& options_;
   automata::PlantStep step_;
   std::unique_ptr<Estimator> estimator_;
+  runtime::ClockTable live_;
   JsonLine json_;
   Account account_;
   bool begun_ = false;  ///< a step was taken
@@ -310,7 +245,7 @@ class Flight {
   automata::Observation at_start_;
   LogLine before_;
   std::optional<runtime::PlantWindow> window_;
-  History history_;
+  PlantHistory history_;
   std::size_t updates_ = 0;
   std::vector<automata::Ticks> times_{automata::Ticks{}};  ///< of what the window sets out from, and of updates since
 };
@@ -348,11 +283,11 @@ ExitStatus run(const Options& options, const Common& common) {
     throw base::InputError("--window weighs exactly: expected none of --thesis, --ranks and --deadline");
   }
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
-  const auto lines = check_log(options.log, plant);
   watch_for_interruption();
+  const auto lines = check_log(options.log, plant);
   Flight flight(plant, options);
   const bool early = answer_log(options.log, plant, lines, [&](const LogLine& line, const std::string& name) {
-    return std::string(flight.answer(line, name)) + "\n";
+    return flight.answer(line, name);
   });
   if (flight.cut()) tell("a search was cut short; a belief may lack states");
   if (options.stats || common.verbose) {

@@ -170,15 +170,16 @@ class ModelFlight {
     if (!estimator_->estimate().possible) refuse_start(program, options.model);
   }
 
-  std::string answer(const LogLine& line, const std::string& name) {
+  std::optional<std::string> answer(const LogLine& line, const std::string& name) {
     Answer answer;
     try {
-      const bool start = !begun_ && line.time == Ticks{} && (!line.commanded || line.cycle == 0);
+      const bool start = !begun_ && line.timed && line.time == Ticks{} && (!line.commanded || line.cycle == 0);
       if (start) {
         take_in(line.observations);
         estimator_->start(at_start_);
       } else {
-        for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) {
+        for (std::uint64_t i = 1; i <= line.unchanged; ++i) {
+          if (interrupted()) return std::nullopt;
           const runtime::Stopwatch stopwatch;
           update(before_, line.time_of_unchanged(i));
           latency_.add(stopwatch.seconds());
@@ -272,8 +273,8 @@ class ModelFlight {
 
 ExitStatus estimate_model(const ModelProgram& program, const ModelEstimateOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto lines = check_log(options.log, program);
   watch_for_interruption();
+  const auto lines = check_log(options.log, program);
   ModelFlight flight(program, options);
   const bool early = answer_log(options.log, program, lines, [&](const LogLine& line, const std::string& name) {
     return flight.answer(line, name);

@@ -127,7 +127,7 @@ Flown fly(const Task& task, const FlightOptions& options, const Common& common, 
   const bool followed = told && options.follow && output_is_seen();
 
   std::vector<CycleObserver*> observers;
-  const runtime::MomentColumn column(scenario.duration, options.real_time ? automata::Ticks{1} : scenario.cycle);
+  const runtime::MomentColumn column(scenario.duration, scenario.cycle);
   runtime::Story story(plant, program, column, painter, focus_of(options, plant),
                        [&](const std::string& line) { tell(line + "\n"); });
   if (told && position > 0) tell("\n");

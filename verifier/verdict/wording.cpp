@@ -123,8 +123,8 @@ std::string painted(Verdict verdict, bool color, bool warning) {
 
 std::string reason(std::optional<Limit> limit, const Progress& p) {
   if (!limit) return "";
-  std::string text = std::string(limit_text(*limit)) + " after " + std::to_string(p.states) + " states, " +
-                     std::to_string(p.waiting) + " of them unexplored";
+  std::string text = std::string(limit_text(*limit)) + " after " + std::to_string(p.states) + " states" +
+                     (p.waiting > 0 ? ", " + std::to_string(p.waiting) + " of them unexplored" : "");
   if (p.steps) text += "; everything within " + std::to_string(*p.steps) + " steps was seen";
   if (p.level > 0) text += "; every run with fewer than " + std::to_string(p.level) + " faults was seen";
   return text;

@@ -1,4 +1,4 @@
-// Simulated and real time.
+// Simulated time, paced or not.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/cycle/clock.hpp"
 
@@ -10,18 +10,16 @@ namespace rmpl::runtime {
 
 void SimulatedClock::wait_until(automata::Ticks time) { now_ = std::max(now_, time); }
 
-WallClock::WallClock(std::function<bool()> interrupted)
+PacedClock::PacedClock(std::function<bool()> interrupted)
     : interrupted_(std::move(interrupted)), start_(std::chrono::steady_clock::now()) {}
 
-automata::Ticks WallClock::now() const {
-  return {std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start_).count()};
-}
-
-void WallClock::wait_until(automata::Ticks time) {
+void PacedClock::wait_until(automata::Ticks time) {
   constexpr std::chrono::nanoseconds slice = std::chrono::milliseconds(50);
-  for (automata::Ticks left = time - now(); left.count > 0 && !interrupted_(); left = time - now()) {
-    std::this_thread::sleep_for(std::min(slice, std::chrono::nanoseconds(left.count)));
+  const auto left = [&] { return std::chrono::nanoseconds(time.count) - (std::chrono::steady_clock::now() - start_); };
+  for (auto rest = left(); rest.count() > 0 && !interrupted_(); rest = left()) {
+    std::this_thread::sleep_for(std::min(slice, std::chrono::duration_cast<std::chrono::nanoseconds>(rest)));
   }
+  now_ = std::max(now_, time);
 }
 
 }  // namespace rmpl::runtime

@@ -1,4 +1,4 @@
-// The system clock that the executive asks: simulated, or the wall's (thesis 7.1.1, steps 1 and 13).
+// The system clock that the executive asks: simulated, or in step with the wall's (thesis 7.1.1, steps 1 and 13).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,7 +14,7 @@ class Clock {
  public:
   virtual ~Clock() = default;
   [[nodiscard]] virtual automata::Ticks now() const = 0;
-  /// Returns once `now()` is at least `time`, or earlier where the run was interrupted.
+  /// Afterwards `now()` is at least `time`. Returns at once where the run was interrupted.
   virtual void wait_until(automata::Ticks time) = 0;
 };
 
@@ -28,15 +28,17 @@ class SimulatedClock final : public Clock {
   automata::Ticks now_;
 };
 
-/// The monotonic clock of the machine, from the construction on. A wait looks for an interruption twenty times a
-/// second.
-class WallClock final : public Clock {
+/// Simulated time that is never ahead of the machine's monotonic clock, which counts from the construction on. A cycle
+/// that takes the machine longer than it says makes the flight late, and no other: what happens is as simulated. A
+/// wait looks for an interruption twenty times a second.
+class PacedClock final : public Clock {
  public:
-  explicit WallClock(std::function<bool()> interrupted);
-  [[nodiscard]] automata::Ticks now() const override;
+  explicit PacedClock(std::function<bool()> interrupted);
+  [[nodiscard]] automata::Ticks now() const override { return now_; }
   void wait_until(automata::Ticks time) override;
 
  private:
+  automata::Ticks now_;
   std::function<bool()> interrupted_;
   std::chrono::steady_clock::time_point start_;
 };

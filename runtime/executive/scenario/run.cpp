@@ -21,7 +21,7 @@ std::unique_ptr<PlantInterface> make_plant(const automata::Plant& model, const a
 }
 
 std::unique_ptr<Clock> make_clock(const ScenarioOptions& options) {
-  if (options.real_time) return std::make_unique<WallClock>(options.interrupted);
+  if (options.real_time) return std::make_unique<PacedClock>(options.interrupted);
   return std::make_unique<SimulatedClock>();
 }
 

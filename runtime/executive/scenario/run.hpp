@@ -22,10 +22,10 @@ struct ScenarioOptions {
   Engine engine = Engine::k_best;
   enum class Recovery { planner, one_step };
   Recovery recovery = Recovery::planner;
-  std::shared_ptr<const NominalGraph> graph = nullptr;       ///< of the scenario's plant, where it was computed before
-  std::size_t k = 16;                                        ///< system states that k-best keeps
-  std::vector<automata::ForcedMode> awaited = {};            ///< faults besides the scenario's, as SimulatedPlant has them
-  bool real_time = false;                                    ///< a cycle takes as long as it says
+  std::shared_ptr<const NominalGraph> graph = nullptr;  ///< of the scenario's plant, where it was computed before
+  std::size_t k = 16;                                   ///< system states that k-best keeps
+  std::vector<automata::ForcedMode> awaited = {};       ///< faults besides the scenario's, as SimulatedPlant has them
+  bool real_time = false;                               ///< a cycle takes as long as it says
   std::function<bool()> interrupted = [] { return false; };  ///< asked once a cycle, and while waiting in real time
 };
 

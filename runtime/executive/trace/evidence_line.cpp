@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -86,7 +87,12 @@ std::string interconnections_of(const Evidence& evidence, const Plant& plant) {
   return text;
 }
 
+/// A number above 0, rounded: from 1 to a million as whole numbers and fractions are written, beyond with an exponent.
 std::string two_digits(double number) {
+  if (number >= 99.5 && number < 999'999.5) {
+    const double unit = std::pow(10, std::floor(std::log10(number)) - 1);
+    return std::to_string(std::llround(std::round(number / unit) * unit));
+  }
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::general, 2);
   return {digits.data(), end.ptr};

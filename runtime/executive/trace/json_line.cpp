@@ -11,6 +11,17 @@
 
 namespace rmpl::runtime {
 
+ClockTable live_clocks(const automata::Plant& plant) {
+  ClockTable table;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    auto& live = table.emplace_back();
+    for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
+      live.push_back(plant.has_timed_exit(automata::ComponentId(c), automata::ModeId(m)));
+    }
+  }
+  return table;
+}
+
 void JsonLine::clear() {
   text_.clear();
   first_ = true;

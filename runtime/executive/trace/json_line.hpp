@@ -19,6 +19,9 @@ namespace rmpl::runtime {
 /// Per component, per mode: whether its clock counts.
 using ClockTable = std::vector<std::vector<bool>>;
 
+/// The clocks that a transition with time bounds reads: the executive forgets the others.
+ClockTable live_clocks(const automata::Plant& plant);
+
 /// A JSON text under construction. Commas come by themselves; the caller opens, closes and names in a legal order.
 class JsonLine {
  public:

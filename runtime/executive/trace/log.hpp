@@ -22,6 +22,7 @@ struct LogLine {
   std::size_t number = 0;  ///< of the line in the file, from 1
   std::optional<std::uint64_t> cycle;
   automata::Ticks time;         ///< where the line has none: that of the line before, or 0
+  bool timed = false;           ///< whether the line has one
   std::uint64_t unchanged = 0;  ///< cycles that were left out before this line; each was as the line before it says
   automata::Ticks before;       ///< the time of the line before
   std::optional<std::vector<automata::Assignment>> estimate;  ///< sorted by variable, like all of these
@@ -48,7 +49,8 @@ class LogReader {
 
   /// The next line that is not blank, or nothing at the end. Throws where a line is no JSON object, has a key twice or
   /// one that no trace has, a value of the wrong type, a name or value that the plant lacks (with the nearest one), an
-  /// observed mode, or a time that lies before that of an earlier line or is no whole number of nanoseconds.
+  /// observed mode, a time that lies before that of an earlier line or is no whole number of nanoseconds, or more
+  /// cycles left out than there are nanoseconds.
   std::optional<LogLine> next();
 
  private:

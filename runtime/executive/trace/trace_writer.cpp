@@ -31,14 +31,7 @@ bool TraceWriter::Told::still_true_of(const CycleRecord& record) const {
 
 TraceWriter::TraceWriter(const automata::Plant& plant, const automata::Program& program, std::string path,
                          TraceDetail detail)
-    : plant_(plant), program_(program), detail_(detail), file_(std::move(path)) {
-  for (std::size_t c = 0; c < plant_.components.size(); ++c) {
-    auto& live = live_clocks_.emplace_back();
-    for (std::size_t m = 0; m < plant_.components[c].modes.size(); ++m) {
-      live.push_back(plant_.has_timed_exit(automata::ComponentId(c), automata::ModeId(m)));
-    }
-  }
-}
+    : plant_(plant), program_(program), detail_(detail), file_(std::move(path)), live_clocks_(live_clocks(plant)) {}
 
 void TraceWriter::observe(const CycleRecord& record) {
   last_cycle_ = record.cycle;
