@@ -26,6 +26,7 @@ struct FlightOptions {
   automata::Ticks from;
   automata::Ticks to = automata::Ticks::infinite();
   std::optional<std::uint64_t> seed;
+  std::string commands;  ///< of a model program: the list; empty: scenarios fly
   runtime::ScenarioOptions::Engine engine = runtime::ScenarioOptions::Engine::k_best;
   runtime::ScenarioOptions::Recovery recovery = runtime::ScenarioOptions::Recovery::planner;
   std::size_t k = 16;

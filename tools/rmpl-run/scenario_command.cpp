@@ -15,6 +15,7 @@
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/flights.hpp"
 #include "tools/rmpl-run/scenario_junit.hpp"
+#include "tools/rmpl-run/scenario_model.hpp"
 #include "tools/rmpl-run/scenario_table.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/models.hpp"
@@ -52,6 +53,10 @@ std::vector<Task> tasks_of(const std::vector<compiler::Compilation>& compilation
   std::vector<std::string_view> names;
   for (std::size_t f = 0; f < compilations.size(); ++f) {
     const automata::Document& document = compilations[f].document();
+    if (is_model_program(document)) {
+      throw base::InputError(options.files[f] +
+                             ": this is a model program: expected --commands, the list of commands to draw it under");
+    }
     if (document.scenarios.empty())
       throw base::InputError(options.files[f] + ": expected a scenario, and there is none in it");
     // What reconfiguration computes beforehand, once for each plant.
@@ -153,7 +158,17 @@ std::string title_of(const FlightOptions& options) {
   return first.substr(first.rfind('/') + 1) + (options.files.size() > 1 ? " and others" : "");
 }
 
+/// A model program is no scenario: it is drawn from under a list of commands.
+ExitStatus run_model(const FlightOptions& options, const Common& common) {
+  if (options.files.size() > 1) throw base::InputError("--commands: expected one model program");
+  check_standard_input({options.files.front(), options.commands});
+  const compiler::Compilation compilation = load(options.files, common);
+  const automata::ModelProgram& program = only_model_program(compilation.document(), options.files.front());
+  return fly_model(program, options.files.front(), options.commands, options.seed.value_or(0));
+}
+
 ExitStatus run(const FlightOptions& options, const Common& common) {
+  if (!options.commands.empty()) return run_model(options, common);
   check_standard_input(options.files);
   std::vector<compiler::Compilation> compilations;
   for (const std::string& file : options.files) compilations.push_back(load({file}, common));
@@ -228,6 +243,11 @@ void add_scenario(Program& program) {
   add_read(*command, "--to", options->to, duration, "tell the story up to this time")->option_text("TIME");
   add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
                    "draw the plant with this seed instead of the scenario's");
+  command
+      ->add_option("--commands", options->commands,
+                   "draw a model program under these commands, and print what happens as a log; the FILE is\n"
+                   "then a .rmpl or .tcca file; - is standard input")
+      ->option_text("IN.jsonl");
   add_format(*command, program.common(), true);
   add_choice<Engine>(*command, "--estimator", options->engine, {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
                      "how the executive estimates (default: k-best)");

@@ -34,9 +34,9 @@ const auto& only(const Things& things, const automata::Document& document, const
   if (things.size() == 1) return things.front();
   const std::string expected = std::string("expected one ") + what + ", as in a " + ending + " file";
   if (things.empty() && !document.models.empty()) {
-    throw base::InputError(
-        paths + ": " + expected + ", and '" + document.models.front().name +
-        "' is a model program; rmpl-run estimate, tcca-check reachability and tcca-check safety take one");
+    throw base::InputError(paths + ": " + expected + ", and '" + document.models.front().name +
+                           "' is, or holds, a model program, which rmpl-run estimate and scenario --commands, "
+                           "tcca-check reachability and safety take");
   }
   if (things.empty()) throw base::InputError(paths + ": " + expected + ", and there is none in it");
   throw base::InputError(paths + ": " + expected + ", and there are " + std::to_string(things.size()));

@@ -1,0 +1,88 @@
+// Listed ways are drawn from by weight; where they are too many, part by part, and again where the marking cannot be.
+// SPDX-License-Identifier: MIT
+#include "runtime/executive/plant/simulated_model.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/limit_error.hpp"
+
+namespace rmpl::runtime {
+
+using automata::Assignment;
+using automata::Marking;
+using automata::MarkingMoves;
+using automata::MarkingOutcome;
+using automata::MarkingStep;
+
+namespace {
+
+constexpr std::size_t most_tries = std::size_t{1} << 16;
+
+/// One of some weighed things; the last where rounding leaves nothing.
+template <class Weighed>
+const Weighed& drawn(const std::vector<Weighed>& from, double at) {
+  double sum = 0;
+  for (const Weighed& one : from) sum += one.probability;
+  double before = 0;
+  for (const Weighed& one : from) {
+    before += one.probability;
+    if (at * sum < before) return one;
+  }
+  return from.back();
+}
+
+}  // namespace
+
+SimulatedModel::SimulatedModel(const automata::ModelProgram& program, std::uint64_t seed)
+    : step_(program), moves_(seed, 1), readings_(seed, 2) {
+  draw(step_.rules().initial(), step_.initial(), "no start is consistent");
+}
+
+void SimulatedModel::step(const automata::Command& command) {
+  step_.command(command);
+  if (!step_.permits(marking_)) throw base::InputError("the command contradicts what is told");
+  draw(step_.moves(marking_), step_.ways(marking_), "nothing that is consistent can follow");
+}
+
+void SimulatedModel::draw(const MarkingMoves& moves, const MarkingStep::Ways& ways, const char* what) {
+  if (ways) {
+    if (ways->empty()) throw base::InputError(what);
+    marking_ = drawn(*ways, moves_.uniform()).target;
+  } else {
+    std::size_t tries = 0;
+    do {
+      if (tries++ == most_tries) {
+        throw base::LimitError("none of " + std::to_string(most_tries) + " draws came to a consistent marking");
+      }
+      Marking marking = moves.certain;
+      for (const auto& part : moves.parts) {
+        const MarkingOutcome& outcome = drawn(part, moves_.uniform());
+        marking.insert(marking.end(), outcome.marked.begin(), outcome.marked.end());
+      }
+      std::sort(marking.begin(), marking.end());
+      marking_ = step_.number(marking);
+    } while (!step_.possible(marking_));
+  }
+  if (step_.forget_but({marking_})) marking_ = 0;
+}
+
+automata::Observation SimulatedModel::read() {
+  const automata::ModelProgram& program = step_.program();
+  automata::Observation result;
+  for (const automata::VariableId variable : program.observables) {
+    std::vector<Assignment> candidates;
+    for (std::size_t v = 0; v < program.variables[variable].values.size(); ++v) {
+      automata::Observation longer = result;
+      longer.push_back({variable, automata::ValueId(v)});
+      if (step_.store().factor(step_[marking_], longer) > 0) candidates.push_back(longer.back());
+    }
+    // What is entailed costs no draw, so that sensors which are sure do not shift those which are not.
+    result.push_back(candidates[candidates.size() == 1 ? 0 : readings_.below(candidates.size())]);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace rmpl::runtime
