@@ -417,7 +417,7 @@ def completing(program, folder):
     same(offered("engine.tcca", ENGINE[: ENGINE.index("on  when")], ";\n}\n"), ["broken", "off", "on", "after", "in", "when"])
     same(offered("engine.tcca", ENGINE[: ENGINE.index("Level;")], ";\n}\n"), ["Level"])
     client.change("engine.tcca", ENGINE)
-    same(offered("ship.tcca", PLANT[: PLANT.index("Engine;")], ";\n}\n"), ["Engine"])
+    same(offered("ship.tcca", PLANT[: PLANT.index("Engine;")], ";\n}\n"), ["Engine", "model"])
     same(offered("ship.tcca", PLANT[: PLANT.index("none;")], ";\n}\n"), ["none", "off", "on", "false", "true"])
     same(offered("ship.tcca", PLANT[: PLANT.index("engine.temp")] + "engine.", ";\n}\n"), ["engine.cmd", "engine.temp"])
     same(offered("ship.tcca", ""), ["component", "domain", "import", "module", "plant"])

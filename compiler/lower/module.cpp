@@ -49,7 +49,7 @@ std::optional<Part> ModelLowering::run(const std::vector<const grammar::PlantFil
                                            return std::holds_alternative<grammar::InstanceDeclaration>(item);
                                          }) &&
                              diagnostics_.error_count() > 0;  // instances of what is wrong leave nothing behind
-    const bool empty = part.plant.components.empty() && !unbuildable;
+    const bool empty = part.plant.components.empty() && part.models.empty() && !unbuildable;
     if (empty) {
       diagnostics_.error(
           Code::no_instances, plant->name.span,
@@ -124,6 +124,7 @@ void ModelLowering::add_instances(const grammar::InstanceDeclaration& declaratio
   for (const Name& name : declaration.names) {
     if (names.add(name)) fresh.push_back(&name);
   }
+  if (declaration.model) return add_models(declaration, fresh, part);
   Type* type = find_type(declaration.type);
   if (type == nullptr || type->open) {
     for (const Name* name : fresh) part.broken.insert(name->text);
@@ -148,6 +149,25 @@ void ModelLowering::add_instances(const grammar::InstanceDeclaration& declaratio
     initial = initial_distribution(*declaration.initial, made->plant.components.front(), diagnostics_);
   }
   for (const Name* name : fresh) add_instance(*name, *made, initial, part);
+}
+
+void ModelLowering::add_models(const grammar::InstanceDeclaration& declaration, const std::vector<const Name*>& fresh,
+                               Part& part) {
+  if (declaration.initial) {
+    diagnostics_.error(
+        Code::wrong_kind_of_name, declaration.initial->span,
+        "an initial mode for model program " + backquoted(declaration.type.text) + ", which has no modes");
+  }
+  const Part* made = model_type_(declaration.type);
+  for (const Name* name : fresh) {
+    if (made == nullptr) {
+      part.broken.insert(name->text);
+      continue;
+    }
+    const std::size_t before = part.models.size();
+    add_instance(*name, *made, std::nullopt, part);
+    if (part.models.size() > before) part.models.back().span = name->span;
+  }
 }
 
 void ModelLowering::add_instance(const Name& name, const Part& type, const std::optional<std::vector<double>>& initial,

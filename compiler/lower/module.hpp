@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/check/domains.hpp"
@@ -23,8 +25,12 @@ namespace rmpl::compiler {
 /// are reported once; instances are copies.
 class ModelLowering {
  public:
-  ModelLowering(const grammar::Sources& sources, grammar::Diagnostics& diagnostics)
-      : sources_(sources), diagnostics_(diagnostics), domains_(diagnostics) {}
+  /// The model program of a definition as a part whose model has no name; null where there is none, which has been
+  /// reported.
+  using ModelType = std::function<const Part*(const grammar::Name& definition)>;
+
+  ModelLowering(const grammar::Sources& sources, ModelType model_type, grammar::Diagnostics& diagnostics)
+      : sources_(sources), model_type_(std::move(model_type)), diagnostics_(diagnostics), domains_(diagnostics) {}
 
   /// The plant of the model. `blame` is where a model without a plant is reported; where types suffice, it is one
   /// without a name, with an instance of each type, called as the type. Only where no error was reported is the result
@@ -49,12 +55,15 @@ class ModelLowering {
   void lower_module(const grammar::ModuleDefinition& definition, Part& part);
   Part instances_of_types();
   void add_instances(const grammar::InstanceDeclaration& declaration, Uniqueness& names, Part& part);
+  void add_models(const grammar::InstanceDeclaration& declaration, const std::vector<const grammar::Name*>& fresh,
+                  Part& part);
   void add_instance(const grammar::Name& name, const Part& type, const std::optional<std::vector<double>>& initial,
                     Part& part);
   Type* find_type(const grammar::Name& name);
   void report_cycle(const Type& type, const grammar::Name& instance);
 
   const grammar::Sources& sources_;
+  ModelType model_type_;
   grammar::Diagnostics& diagnostics_;
   Domains domains_;
   std::map<std::string, Type, std::less<>> types_;

@@ -17,6 +17,21 @@ void shift(Formula& formula, std::size_t offset) {
   for (Formula& operand : formula.operands) shift(operand, offset);
 }
 
+void shift(std::vector<automata::GuardedArc>& arcs, std::size_t offset) {
+  for (automata::GuardedArc& arc : arcs) {
+    for (automata::Condition& guard : arc.guard) shift(guard.constraint, offset);
+  }
+}
+
+void shift(automata::ModelProgram& program, std::size_t offset) {
+  for (automata::ModelLocation& location : program.locations) {
+    shift(location.told, offset);
+    shift(location.maintenance.constraint, offset);
+    shift(location.arcs, offset);
+    for (automata::TransitionFunction& function : location.functions) shift(function.arcs, offset);
+  }
+}
+
 }  // namespace
 
 std::string qualified(std::string_view instance, std::string_view name) {
@@ -52,6 +67,11 @@ void instantiate(Part& whole, const std::string& instance, const Part& type) {
   }
   for (const automata::Control& control : type.plant.controls) {
     plant.controls.push_back({VariableId(control.variable.index() + offset), control.idle});
+  }
+  for (const ModelPart& model : type.models) {
+    ModelPart& copy = whole.models.emplace_back(model);
+    copy.component.name = qualified(instance, model.component.name);
+    shift(copy.component.program, offset);
   }
   for (const std::string& name : type.broken) whole.broken.insert(qualified(instance, name));
   for (const VariableId observable : type.plant.observables) {

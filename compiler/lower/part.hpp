@@ -8,11 +8,18 @@
 #include <vector>
 
 #include "automata/plant.hpp"
+#include "automata/step/plant_as_model.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 #include "grammar/source/span.hpp"
 
 namespace rmpl::compiler {
+
+/// A model program as a component, over the variables of the part, with the name of its instance to blame.
+struct ModelPart {
+  automata::ModelComponent component;
+  grammar::Span span;
+};
 
 /// A plant is its root module as a part. The mode variable and the component of a component type are named "", so that
 /// an instance of it takes the instance's name.
@@ -21,6 +28,7 @@ struct Part {
   std::vector<grammar::Span> declared;  ///< per variable, where its domain is written; a mode variable's: the type
   std::set<std::string, std::less<>> broken;  ///< names that an error left without meaning: no more is said of them
   std::size_t size = 0;                       ///< values, modes and transitions: what a copy costs
+  std::vector<ModelPart> models = {};         ///< model programs as components
 };
 
 /// How large a part may become, in values, modes and transitions.

@@ -163,6 +163,13 @@ void Files::follow(const File& file, std::vector<Importing>& path, FileSet& set)
       report_cycle(*imported, path, import->span);
       continue;
     }
+    if (imported->kind == Kind::program && file.kind == Kind::plant) {
+      set.complete = set.complete && imported->whole;
+      if (std::find(set.programs.begin(), set.programs.end(), imported) == set.programs.end()) {
+        set.programs.push_back(imported);
+      }
+      continue;
+    }
     if (imported->kind != file.kind) {
       diagnostics_.error(Code::import_not_found, import->path.span,
                          backquoted(import->path.text) + " is " + name_of(imported->kind) + ", and " +

@@ -41,6 +41,7 @@ struct FileSet {
   std::vector<const File*> files;
   std::size_t roots = 0;  ///< how many of them were named
   bool complete = true;   ///< false where a file is missing or has syntax errors; that has been reported
+  std::vector<const File*> programs = {};  ///< of a plant: those that it imports for their model programs, each once
 };
 
 /// Reads and parses; the same file once, however it is named.
@@ -55,7 +56,7 @@ class Files {
   /// A file that another names, relative to it. Null where it cannot be read; then it has been reported at the name.
   const File* open(const File& from, const grammar::String& path);
   /// The named files with all that they import. Reports what is missing, what imports itself, and imports of a file of
-  /// another kind.
+  /// another kind; but a plant may import programs, whose own imports are not followed.
   FileSet with_imports(const std::vector<const File*>& roots);
   /// All that were opened, and what they hold, for good.
   std::vector<File> take();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "base/error.hpp"
@@ -112,12 +113,73 @@ automata::Program InputSet::bound(const automata::Program& program, const Part* 
 InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
   if (const auto known = plants_.find(roots); known != plants_.end()) return known->second;
   Plant result{document_.plants.size(), nullptr};
-  if (auto part = lower_plant(roots, blame)) {
+  auto part = lower_plant(roots, blame);
+  if (part && !part->models.empty()) {
+    result.model = true;
+    if (auto program = in_steps(*part)) document_.models.push_back(std::move(*program));
+  } else if (part) {
     document_.plants.push_back(part->plant);
     result.part = &parts_.emplace_back(std::move(*part));
   }
   plants_.emplace(roots, result);
   return result;
+}
+
+std::optional<automata::ModelProgram> InputSet::in_steps(const Part& plant) {
+  const ModelPart& first = plant.models.front();
+  std::set<std::string> told;  // instances of one type share what bars their way
+  for (const automata::Component& component : plant.plant.components) {
+    const auto obstacle = automata::obstacle_to_model(component);
+    if (!obstacle || !told.insert(obstacle->reason + in_brackets(obstacle->origin)).second) continue;
+    auto& error = diagnostics_.error(Code::not_in_steps, first.span,
+                                     "beside model program " + backquoted(first.component.name) +
+                                         " everything moves in steps, and component " + backquoted(component.name) +
+                                         " " + obstacle->reason + in_brackets(obstacle->origin));
+    error.suggestion = "give the transition a probability in a step, as in `-> { m with p, … }`";
+  }
+  if (!told.empty()) return std::nullopt;
+  std::vector<automata::ModelComponent> models;
+  for (const ModelPart& model : plant.models) models.push_back(model.component);
+  return automata::as_model_program(plant.plant, models);
+}
+
+const Part* InputSet::model_type(const std::vector<const File*>& files, const grammar::Name& definition) {
+  for (const File* file : files) {
+    const auto [known, fresh] = model_types_.try_emplace({file, definition.text});
+    if (!fresh && known->second) return &*known->second;
+    const auto defines = [&](const grammar::ProgramItem& item) {
+      const auto* found = std::get_if<grammar::Definition>(&item);
+      return found != nullptr && found->name.text == definition.text;
+    };
+    const FileSet set = files_.with_imports({file});
+    const bool here = std::any_of(set.files.begin(), set.files.end(), [&](const File* one) {
+      return one->program && std::any_of(one->program->items.begin(), one->program->items.end(), defines);
+    });
+    if (!here) continue;
+    if (!fresh || !set.complete) return nullptr;  // reported
+    std::vector<ProgramSource> sources;
+    for (const File* one : set.files) sources.push_back({&*one->program, true});
+    const std::size_t errors = diagnostics_.error_count();
+    Lowered lowered = lower_definitions(sources, {definition.text, definition.span}, nullptr, definition.span);
+    if (lowered.program && diagnostics_.error_count() == errors) {
+      diagnostics_.error(Code::wrong_kind_of_name, definition.span,
+                         backquoted(definition.text) + " is a control program, expected one that begins with `model`");
+    }
+    if (!lowered.model || diagnostics_.error_count() != errors) return nullptr;
+    Part& part = known->second.emplace();
+    part.plant.name = definition.text;
+    part.plant.variables = lowered.model->variables;
+    part.plant.interconnections = lowered.model->constraints;
+    part.declared.assign(part.plant.variables.size(), definition.span);
+    for (const automata::ModelLocation& location : lowered.model->locations) part.size += 1 + location.functions.size();
+    for (const automata::Variable& variable : part.plant.variables) part.size += variable.values.size();
+    part.models.push_back({{"", std::move(*lowered.model)}, definition.span});
+    return &part;
+  }
+  auto& error = diagnostics_.error(Code::unknown_name, definition.span,
+                                   "there is no model program " + backquoted(definition.text) + " in what is imported");
+  error.suggestion = "import the file that defines it: `import \"….rmpl\";`";
+  return nullptr;
 }
 
 std::optional<Part> InputSet::lower_plant(const Roots& roots, Span blame) {
@@ -133,7 +195,8 @@ std::optional<Part> InputSet::lower_plant(const Roots& roots, Span blame) {
   }
   std::vector<const grammar::PlantFile*> files;
   for (const File* file : set.files) files.push_back(&*file->plant);
-  auto part = ModelLowering(sources_, diagnostics_).run(files, blame, types_suffice_);
+  const auto model_type = [&](const grammar::Name& definition) { return this->model_type(set.programs, definition); };
+  auto part = ModelLowering(sources_, model_type, diagnostics_).run(files, blame, types_suffice_);
   return diagnostics_.error_count() == errors ? std::move(part) : std::nullopt;
 }
 
@@ -241,6 +304,12 @@ void InputSet::scenarios(const File& file) {
     Plant plant;
     if (const File* from = parts.plant == nullptr ? nullptr : referred(file, parts.plant->path, Kind::plant)) {
       plant = this->plant({from}, parts.plant->path.span);
+      if (plant.model) {
+        auto& error = diagnostics_.error(
+            Code::no_plant, parts.plant->path.span,
+            backquoted(parts.plant->path.text) + " holds model programs: a scenario flies a plant of components");
+        error.suggestion = "`rmpl-run scenario " + parts.plant->path.text + " --commands LIST.jsonl` draws from it";
+      }
     }
     automata::Scenario scenario = lower_scenario(sources_, definition, plant.part, diagnostics_);
     Program program;

@@ -45,6 +45,7 @@ class InputSet {
   struct Plant {
     std::size_t position = 0;
     const Part* part = nullptr;
+    bool model = false;  ///< it holds model programs, and is one: it is among the models of the document
   };
   /// Where execution of a program starts, as the user said it.
   struct Entry {
@@ -61,6 +62,10 @@ class InputSet {
   /// The files that the user named. Throws base::InputError that tells of all that cannot be read.
   Roots opened(std::span<const std::string> paths, const Options& options);
   Plant plant(const Roots& roots, grammar::Span blame);
+  /// A plant with model programs as one of these; nothing where a component does not move in steps.
+  std::optional<automata::ModelProgram> in_steps(const Part& plant);
+  /// The model program of a definition in one of the files, as a part; null where there is none.
+  const Part* model_type(const std::vector<const File*>& files, const grammar::Name& definition);
   std::optional<Part> lower_plant(const Roots& roots, grammar::Span blame);
   /// A program of the document. A model program has no position among those that control a plant.
   struct Program {
@@ -95,6 +100,7 @@ class InputSet {
   std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document
   std::deque<Part> parts_;              ///< of plants without errors; a deque, for they are referred to
   std::map<Roots, Plant> plants_;
+  std::map<std::pair<const File*, std::string>, std::optional<Part>> model_types_;  ///< by file and definition
   std::map<std::tuple<Roots, std::string, const Part*>, Program> programs_;
 };
 

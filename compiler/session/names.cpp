@@ -117,8 +117,8 @@ class Walk {
   }
   void add(const grammar::InstanceDeclaration& instance) {
     for (const Name& name : instance.names) declare(name.span, NameKind::instance);
-    refer(instance.type, scopes_.type(instance.type.text));
-    if (!instance.initial) return;
+    refer(instance.type, instance.model ? scopes_.definition(instance.type.text) : scopes_.type(instance.type.text));
+    if (!instance.initial || instance.model) return;
     for (const grammar::InitialMode& start : instance.initial->modes) mode(instance.type.text, start.mode);
   }
   void add(const grammar::Interconnection& interconnection) { add(interconnection.constraint); }

@@ -118,10 +118,11 @@ struct ComponentDefinition {
   std::vector<ComponentItem> items;
 };
 
-/// `engine, spare : Engine { initial standby; };`
+/// `engine, spare : Engine { initial standby; };`, or `camera : model CameraTask;`
 struct InstanceDeclaration {
   Span span;
   std::vector<Name> names;
+  bool model = false;  ///< `type` is a definition of a model program
   Name type;
   std::optional<Initial> initial;  ///< overrides the type's
 };

@@ -9,9 +9,10 @@ const Rule<struct InstanceId, InstanceDeclaration> instance{"an instance"};
 const Rule<struct InterconnectionId, Interconnection> interconnection{"a constraint"};
 
 const auto instance_def =
-    record[comma_list(append<&InstanceDeclaration::names>[name]) >> colon > field<&InstanceDeclaration::type>[name] >
-           -(open_brace > field<&InstanceDeclaration::initial>[initial] > close_brace) >
-           named("`{` or `;`", semicolon)];
+    record[comma_list(append<&InstanceDeclaration::names>[name]) >> colon >
+           -set<&InstanceDeclaration::model, true>[Keyword("model") >> &name] >
+           field<&InstanceDeclaration::type>[name] > -(open_brace > field<&InstanceDeclaration::initial>[initial] >
+                                                       close_brace) > named("`{` or `;`", semicolon)];
 
 // Two names side by side are neither an instance nor a constraint.
 const auto interconnection_def =

@@ -55,6 +55,45 @@ model Main() :: {
 model Main() :: {
   next next lamp = lit
 })"},
+    CodeInfo{
+        Code::not_in_steps, "component that does not move in steps",
+        "A plant that holds a model program moves in steps, which have no length: no component of it has transitions "
+        "that take time or faults with a rate, or modes with more than ten different guards. Say how likely the "
+        "transition is in a step; or leave the model program out of this plant.",
+        R"(// software.rmpl
+variable power : { off, on };
+model Software() :: { always power = on }
+// lamp.tcca
+import "software.rmpl";
+component Lamp {
+  input power : { off, on };
+  initial dark;
+  mode dark;
+  mode lit;
+  dark -> lit when power = on after 2 s;
+}
+plant House {
+  software : model Software;
+  lamp : Lamp;
+  lamp.power = software.power;
+})",
+        R"(// software.rmpl
+variable power : { off, on };
+model Software() :: { always power = on }
+// lamp.tcca
+import "software.rmpl";
+component Lamp {
+  input power : { off, on };
+  initial dark;
+  mode dark;
+  mode lit;
+  dark -> { lit with 0.5, dark with 0.5 } when power = on;
+}
+plant House {
+  software : model Software;
+  lamp : Lamp;
+  lamp.power = software.power;
+})"},
 };
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "automata/step/marking_step.hpp"
+#include "automata/step/plant_as_model.hpp"
 #include "automata/step/plant_step.hpp"
-#include "automata/step/transition_rules.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "runtime/reasoning/estimate/marking_estimator.hpp"
 #include "tests/property/draw.hpp"
@@ -282,83 +282,21 @@ RC_GTEST_PROP(ModelPrograms, TheWindowIsTheBestOfAllTrajectories, ()) {
   }
 }
 
-/// The functions of a mode's location: the moves depend on which guards hold, the draw does not. So [0, 1] is cut where
-/// the moves under any guards are cut, and each piece has an arc for all that the guards may say.
-std::vector<automata::TransitionFunction> functions_of(const automata::Component& component, automata::ModeId mode,
-                                                       automata::LocationId first, automata::Ticks step) {
-  std::vector<automata::TransitionId> leaving;
-  for (std::size_t t = 0; t < component.transitions.size(); ++t) {
-    const automata::Transition& transition = component.transitions[t];
-    if (transition.from == mode && automata::can_ever_be_taken(transition)) leaving.emplace_back(t);
-  }
-  std::vector<std::vector<automata::Move>> moves;  // by which guards hold
-  std::set<double> cuts;
-  for (std::size_t held = 0; held < (std::size_t{1} << leaving.size()); ++held) {
-    const auto enabled = automata::enabled_in(component, mode, [&](automata::TransitionId t) {
-      const auto place = std::find(leaving.begin(), leaving.end(), t) - leaving.begin();
-      return (held >> place & 1) != 0;
-    });
-    double sum = 0;
-    for (const automata::Move& move : moves.emplace_back(automata::moves_of(component, mode, enabled, {}, step))) {
-      cuts.insert(sum += move.probability);
+/// With the probabilities that rates have in a step of that length.
+automata::Plant in_steps_of(automata::Plant plant, automata::Ticks step) {
+  for (automata::Component& component : plant.components) {
+    for (automata::Transition& transition : component.transitions) {
+      if (transition.weight.kind != automata::Weight::Kind::rate) continue;
+      transition.weight = {automata::Weight::Kind::probability, transition.weight.fault_probability(step)};
     }
   }
-  std::vector<automata::TransitionFunction> functions;
-  double before = 0;
-  for (const double cut : cuts) {
-    automata::TransitionFunction& function = functions.emplace_back();
-    function.probability = cut - before;
-    for (std::size_t held = 0; held < moves.size(); ++held) {
-      automata::GuardedArc& arc = function.arcs.emplace_back();
-      for (std::size_t i = 0; i < leaving.size(); ++i) {
-        arc.guard.push_back({(held >> i & 1) != 0, component.transitions[leaving[i].index()].guard});
-      }
-      double sum = 0;
-      automata::ModeId to = moves[held].back().mode;
-      for (const automata::Move& move : moves[held]) {
-        sum += move.probability;
-        if (sum < (before + cut) / 2) continue;
-        to = move.mode;
-        break;
-      }
-      arc.target = automata::LocationId(first.index() + to.index());
-    }
-    before = cut;
-  }
-  return functions;
-}
-
-/// An untimed plant as a model program, for steps of one length: a location a mode.
-ModelProgram as_model_program(const automata::Plant& plant, automata::Ticks step) {
-  ModelProgram program;
-  program.name = plant.name;
-  program.variables = plant.variables;
-  program.observables = plant.observables;
-  program.constraints = plant.interconnections;
-  for (const automata::Control& control : plant.controls) program.controls.push_back({control.variable, control.idle});
-  program.locations.emplace_back().composite = true;
-  for (const automata::Component& component : plant.components) {
-    automata::InitialDraw& draw = program.initial.emplace_back();
-    draw.choice = automata::LocationId(program.locations.size());
-    program.locations.emplace_back().parent = automata::LocationId(0);
-    program.locations.back().functions.emplace_back();
-    const automata::LocationId first(program.locations.size());
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      automata::ModelLocation& location = program.locations.emplace_back();
-      location.parent = automata::LocationId(0);
-      location.told =
-          automata::conjunction({automata::is(component.mode, automata::ValueId(m)), component.modes[m].constraint});
-      location.functions = functions_of(component, automata::ModeId(m), first, step);
-      draw.branches.push_back({component.initial[m], {automata::LocationId(first.index() + m)}});
-    }
-  }
-  return program;
+  return plant;
 }
 
 RC_GTEST_PROP(ModelPrograms, AnUntimedPlantHasTheSameBelief, ()) {
   const automata::Ticks second{automata::Ticks::per_second};
   const Model model = *models({.timed = false, .open = chance(40)});
-  const ModelProgram program = as_model_program(model.plant, second);
+  const ModelProgram program = automata::as_model_program(in_steps_of(model.plant, second), {});
   automata::PlantStep step(model.plant);
   const auto plant = runtime::make_exact_estimator(step, {});
   const auto markings = runtime::make_marking_estimator(program, {.kind = MarkingOptions::Kind::exact});

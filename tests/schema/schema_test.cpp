@@ -107,7 +107,8 @@ const std::vector<Output> outputs = {
      "--format json",
      "verdict"},
     {"ModelProgramIsViolated",
-     "tcca-check safety {examples}/rover-camera/rover_camera.rmpl --never 'report = blank' --by 4 --faults 2 --format json",
+     "tcca-check safety {examples}/rover-camera/rover_camera.rmpl --never 'report = blank' --by 4 --faults 2 --format "
+     "json",
      "verdict"},
     {"ProgramHolds",
      "tcca-check program {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca --format json",
@@ -176,6 +177,9 @@ const std::vector<Output> outputs = {
     {"HistoriesOfAPlant",
      "echo '{\"time\": 1, \"command\": {\"pde.cmd\": \"on\"}}' | rmpl-run estimate "
      "{examples}/propulsion/propulsion.tcca --log - --window 2 -k 2",
+     "trace", true},
+    {"ModelProgramDrawn",
+     "rmpl-run scenario {examples}/rover-camera/rover.tcca --commands {examples}/rover-camera/take.jsonl --seed 3",
      "trace", true},
     {"HistoriesOfAModelProgram",
      "rmpl-run estimate {examples}/optical-navigation/optical_navigation.rmpl --log "

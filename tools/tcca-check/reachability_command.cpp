@@ -34,6 +34,7 @@ void add_reachability(Program& program) {
   add_text(*command, "--target", options->formula, "FORMULA", "what is to be reached")->required();
   add_window(*command, *options);
   add_property_options(*command, *options, program.common());
+  command->footer(std::string(model_notes) + "\n\n" + command->get_footer());
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 

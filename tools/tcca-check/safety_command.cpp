@@ -33,6 +33,7 @@ void add_safety(Program& program) {
   add_text(*command, "--never", options->formula, "FORMULA", "what is never to hold")->required();
   add_window(*command, *options);
   add_property_options(*command, *options, program.common());
+  command->footer(std::string(model_notes) + "\n\n" + command->get_footer());
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 

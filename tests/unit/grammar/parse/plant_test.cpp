@@ -69,6 +69,20 @@ TEST(PlantParse, TheEngineOfTheLanguagePage) {
   EXPECT_EQ(std::get<Observe>(plant.items.at(2)).names.size(), 2u);
 }
 
+TEST(PlantParse, InstancesOfModelPrograms) {
+  const Parsed<PlantFile> result(parse_plant, "plant P { a, b : model Task; c : model; d : Valve; }");
+  ASSERT_TRUE(result.tree) << result.errors();
+  const auto& items = std::get<ModuleDefinition>(result.tree->items.at(0)).items;
+  ASSERT_EQ(items.size(), 3u);
+  const auto& tasks = std::get<InstanceDeclaration>(items[0]);
+  EXPECT_TRUE(tasks.model);
+  EXPECT_EQ(tasks.names.size(), 2u);
+  EXPECT_EQ(tasks.type.text, "Task");
+  EXPECT_FALSE(std::get<InstanceDeclaration>(items[1]).model) << "a type may be called `model`";
+  EXPECT_EQ(std::get<InstanceDeclaration>(items[1]).type.text, "model");
+  EXPECT_FALSE(std::get<InstanceDeclaration>(items[2]).model);
+}
+
 TEST(PlantParse, Modes) {
   const auto firing = only<ModeDeclaration>(component_with("mode firing { thrust = full } reward -5;"));
   EXPECT_EQ(firing.reward->value, -5);
