@@ -60,6 +60,18 @@ verifier::Verdict without_witness(const verifier::Answer& answer, verifier::Verd
   return answer.cut_off.still ? verifier::Verdict::undecided : otherwise;
 }
 
+/// A search that gives up at once has the plan of the plant's reconfiguration, where that is a run that is asked about.
+void compare_planned(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& fewest) {
+  verifier::Slices slices(model.plant);
+  verifier::Limits limits;
+  limits.states = 1;
+  const verifier::Answer planned = verifier::check(
+      slices, verifier::Reachability{.target = drawn.question.target, .window = {}}, drawn.options, limits);
+  if (!planned.witness) return;
+  RC_ASSERT(planned.verdict == verifier::Verdict::holds);
+  RC_ASSERT(fewest && changes(*planned.witness) >= *fewest);
+}
+
 void compare(const Model& model, const Drawn& drawn, const std::optional<std::size_t>& fewest) {
   verifier::Slices slices(model.plant);
   const verifier::Answer reached =
@@ -68,6 +80,7 @@ void compare(const Model& model, const Drawn& drawn, const std::optional<std::si
   RC_ASSERT(reached.verdict ==
             (fewest ? verifier::Verdict::holds : without_witness(reached, verifier::Verdict::violated)));
   if (fewest) RC_ASSERT(changes(*reached.witness) == *fewest);
+  compare_planned(model, drawn, fewest);
 
   const verifier::Answer safe =
       verifier::check(slices, verifier::Safety{.never = drawn.question.target, .window = {}}, drawn.options, {});

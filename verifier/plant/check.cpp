@@ -10,6 +10,7 @@
 #include "verifier/plant/arena.hpp"
 #include "verifier/plant/cut_sets.hpp"
 #include "verifier/plant/out_of_reach.hpp"
+#include "verifier/plant/planned_run.hpp"
 #include "verifier/plant/plant_system.hpp"
 #include "verifier/plant/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
@@ -150,8 +151,16 @@ class Check {
     if (target.window.by) window.upper = time.at_most(*target.window.by);
     const bool windowed = target.window.not_before || target.window.by;
     const Observe any_time = reach(windowed ? std::optional(window) : std::nullopt);
-    if (refuted_in_part(target, any_time)) return;
-    witness_ = search(any_time);
+    try {
+      if (refuted_in_part(target, any_time)) return;
+      witness_ = search(any_time);
+    } catch (const LimitReached& reached) {
+      if (reached.limit == Limit::interrupt || options_.cut_sets) throw;
+      witness_ = planned(target);
+      if (!witness_) throw;
+      limit_ = reached.limit;
+      return;
+    }
     // Each round asks for less time than the best so far takes, until there is none.
     while (target.fastest && witness_ && witness_->events.back().time > Ticks{0}) {
       window.upper = time.at_most(witness_->events.back().time) - 1;
@@ -159,6 +168,20 @@ class Check {
       if (!faster) return;
       witness_ = std::move(faster);
     }
+  }
+
+  /// Where a search was given up: what the plant's reconfiguration would do may lead there all the same. It was made
+  /// for plants that are too large to search.
+  std::optional<Witness> planned(const Target& target) {
+    if (cone_) {
+      const auto& wanted = std::get<Target>(cone_->wanted());
+      auto run = planned_run(cone_->step(), cone_->start().front(), wanted.formula, target.window, options_.period);
+      std::optional<Witness> witness = run ? std::optional(cone_->out(std::move(*run))) : std::nullopt;
+      if (witness && !failure_of(*witness)) return witness;
+    }
+    const Modes& start = slices_.start(options_.from).value();
+    auto run = planned_run(slices_.whole(), start, target.formula, target.window, options_.period);
+    return run && !failure_of(*run) ? std::move(run) : std::nullopt;
   }
 
   void look_for(const Response& response) {

@@ -169,13 +169,35 @@ TEST(Limits, AreSaid) {
   Slices slices(b.plant);
   Limits limits;
   limits.states = 1;
-  const Answer result = check(slices, Reachability{b.is("engine", "firing"), {}, false}, {}, limits);
+  CheckOptions one_fault;
+  one_fault.faults = 1;
+  const Answer result = check(slices, Safety{b.is("engine", "failed"), {}, false}, one_fault, limits);
   EXPECT_EQ(result.verdict, Verdict::undecided);
   EXPECT_EQ(result.limit, Limit::states);
   const std::atomic<bool> interrupted = true;
   limits = {};
   limits.interrupted = &interrupted;
   EXPECT_EQ(check(slices, Reachability{b.is("engine", "firing"), {}, false}, {}, limits).limit, Limit::interrupt);
+}
+
+TEST(Planned, RunsStandInForASearchThatWasGivenUp) {
+  const auto b = test::engine();
+  Slices slices(b.plant);
+  Limits limits;
+  limits.states = 1;
+  const Reachability standby{b.is("engine", "standby"), {}, false};
+  const Answer dense = check(slices, standby, {}, limits);
+  ASSERT_EQ(dense.verdict, Verdict::holds);
+  EXPECT_EQ(dense.limit, Limit::states);
+  EXPECT_EQ(dense.witness->events.back().time, seconds(30));
+  const Answer late = check(slices, Reachability{standby.target, by(seconds(29)), false}, {}, limits);
+  EXPECT_EQ(late.verdict, Verdict::undecided);
+  const Answer waits = check(slices, Reachability{standby.target, not_before(seconds(90)), false}, {}, limits);
+  EXPECT_EQ(waits.verdict, Verdict::holds);
+  EXPECT_EQ(waits.witness->events.back().time, seconds(90));
+  const Answer steps = check(slices, standby, sampled(half_second()), limits);
+  ASSERT_EQ(steps.verdict, Verdict::holds);
+  EXPECT_EQ(steps.witness->events.back().time, seconds(31));
 }
 
 TEST(From, HasToNameEachModeOnce) {

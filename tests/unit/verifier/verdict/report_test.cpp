@@ -34,15 +34,17 @@ TEST(Report, TellsTheWitness) {
 TEST(Report, TellsWhatCutItShort) {
   const auto b = test::engine();
   Slices slices(b.plant);
-  const Property property = Safety{b.is("engine", "firing"), {}, false};
+  const Property property = Safety{b.is("engine", "failed"), {}, false};
+  CheckOptions options;
+  options.faults = 1;
   Limits limits;
-  limits.states = 2;
-  const Answer result = check(slices, property, {}, limits);
+  limits.states = 1;
+  const Answer result = check(slices, property, options, limits);
   const auto json = to_json(Subject{b.plant}, {property, {}}, result);
   EXPECT_EQ(json["verdict"], "undecided");
   EXPECT_TRUE(json["trace"].empty());
   EXPECT_NE(json["reason"].get<std::string>().find("--max-states"), std::string::npos);
-  EXPECT_EQ(json["statistics"]["states"], 2);
+  EXPECT_EQ(json["statistics"]["states"], 1);
 }
 
 }  // namespace

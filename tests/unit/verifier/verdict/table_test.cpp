@@ -51,8 +51,9 @@ TEST(Table, JunitIsWellFormedAndCounts) {
 TEST(Table, WhatIsUndecidedIsAnErrorOfJunit) {
   const auto b = test::engine();
   Slices slices(b.plant);
+  const std::atomic<bool> interrupted = true;
   Limits limits;
-  limits.states = 1;
+  limits.interrupted = &interrupted;
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(to_junit({b.plant}, claims(slices, b, limits)).c_str()));
   const pugi::xml_node suite = document.child("testsuites").child("testsuite");
