@@ -55,8 +55,7 @@ Elimination::Elimination(const Variables& variables, const std::vector<Constrain
     const VariableId attribute = open_.begin()->second;
     open_.erase(open_.begin());
     if (!always_has_a_value(attribute)) continue;
-    gone_.insert(attribute);
-    const std::set<std::size_t> readers = std::move(readers_.at(attribute));
+    const std::set<std::size_t>& readers = gone_[attribute] = std::move(readers_.at(attribute));
     readers_.erase(attribute);
     for (const std::size_t t : readers) take_away(t);
   }

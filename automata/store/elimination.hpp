@@ -15,7 +15,8 @@
 
 namespace rmpl::automata {
 
-/// Takes away all of some attributes that may go. The result does not depend on the order in which they go.
+/// Takes away all of some attributes that may go. Which of them go, and what is left, does not depend on the order in
+/// which they go.
 class Elimination {
  public:
   /// Keeps a reference to the variables.
@@ -23,6 +24,9 @@ class Elimination {
               const std::vector<VariableId>& attributes);
 
   [[nodiscard]] bool has_gone(VariableId attribute) const { return gone_.contains(attribute); }
+  /// Positions of the constraints that an attribute took away when it went, ascending. All that they read beside it
+  /// went later or is still there, so what is left says of other variables what it did before.
+  [[nodiscard]] const std::set<std::size_t>& taken_by(VariableId attribute) const { return gone_.at(attribute); }
   /// Positions of the constraints that nothing has taken away, ascending.
   [[nodiscard]] const std::set<std::size_t>& left() const { return left_; }
 
@@ -40,7 +44,7 @@ class Elimination {
   const Variables& variables_;
   std::vector<Told> told_;
   std::set<std::size_t> left_;
-  std::set<VariableId> gone_;
+  std::map<VariableId, std::set<std::size_t>> gone_;     ///< with the constraints that they took away
   std::map<VariableId, std::set<std::size_t>> readers_;  ///< of the attributes that are still there
   std::set<std::pair<std::size_t, VariableId>> open_;    ///< number of readers, attribute: not looked at since
 };

@@ -125,31 +125,29 @@ RC_GTEST_PROP(Logic, StepIsItsDefinitionWithoutCaches, ()) {
   compare_steps();
 }
 
-RC_GTEST_PROP(Logic, WhatIsLeftOutMakesNoDifference, ()) {
+/// Values that the constraints of a part permit are those that the whole store permits.
+RC_GTEST_PROP(Logic, PartsOfAStoreSayWhatItSays, ()) {
   const Model model = *models();
-  const automata::Plant part = automata::relevant_part(model.plant);
-  automata::PlantStep less(part);
-  const reference::Step all(model.plant);
+  automata::Relevance relevance(model.plant);
+  const reference::Models whole(model.plant);
+  if (!whole.consistent({})) return;
   for (int question = 0; question < 6; ++question) {
-    const automata::Modes modes = *modes_of(model.plant);
-    RC_ASSERT(less.possible(modes) == all.possible(modes));
-    if (!all.possible(modes)) continue;
-    const auto action = *actions_of(model.plant);
-    const automata::AllEnabled& enabled = less.enabled(modes, action);
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      const auto& transitions = model.plant.components[c].transitions;
-      const auto listed = [&](automata::TransitionId id) {
-        for (const auto* list : {&enabled[c].faults, &enabled[c].untimed, &enabled[c].timed}) {
-          if (std::find(list->begin(), list->end(), id) != list->end()) return true;
-        }
-        return false;
-      };
-      for (std::size_t t = 0; t < transitions.size(); ++t) {
-        const auto& weight = transitions[t].weight;
-        const bool weightless = weight.kind != automata::Weight::Kind::none && !(weight.value > 0);
-        if (transitions[t].from != modes[c] || weightless) continue;
-        RC_ASSERT(listed(automata::TransitionId(t)) == all.enabled(transitions[t], modes, action));
+    std::vector<automata::VariableId> of;
+    for (std::size_t i = up_to(1, 2); i > 0; --i) of.push_back(pick(all_variables(model.plant)));
+    const automata::Relevance::Part part = relevance.part(of);
+    for (int draw = 0; draw < 8; ++draw) {
+      reference::World world(model.plant.variables.size());
+      std::vector<Assignment> values;
+      for (const automata::VariableId v : part.variables) {
+        world[v.index()] = automata::ValueId(up_to(0, model.plant.variables[v].values.size() - 1));
+        values.push_back({v, world[v.index()]});
       }
+      const bool permitted = std::all_of(part.constraints.begin(), part.constraints.end(), [&](std::size_t position) {
+        const automata::Constraint& told = relevance.constraints()[position];
+        const bool counts = !told.under || world[told.under->variable.index()] == told.under->value;
+        return !counts || reference::holds(told.formula, world);
+      });
+      RC_ASSERT(permitted == whole.consistent(values));
     }
   }
 }

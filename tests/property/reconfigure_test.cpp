@@ -45,6 +45,40 @@ bool entails(const reference::Step& slow, const Modes& modes, const Formula& goa
   return slow.models().entails(reference::assumptions_of(slow.plant(), modes), goal);
 }
 
+/// Preconditions fit a consistent state and control action where these imply the guard, and only there.
+RC_GTEST_PROP(Reconfigure, PreconditionsAreWhatImpliesTheGuard, ()) {
+  const Model model = *models(planning);
+  const reference::Step slow(model.plant);
+  const runtime::NominalGraph graph(model.plant);
+  for (int question = 0; question < 8; ++question) {
+    const Modes modes = *modes_of(model.plant);
+    const auto action = *actions_of(model.plant);
+    const auto store = reference::assumptions_of(model.plant, modes, action);
+    if (!slow.models().consistent(store)) continue;
+    const auto fits = [&](const runtime::Requirement& r) {
+      return std::any_of(store.begin(), store.end(), [&](automata::Assignment a) {
+        return a.variable == r.variable && std::binary_search(r.values.begin(), r.values.end(), a.value);
+      });
+    };
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      const automata::Component& component = model.plant.components[c];
+      for (std::size_t t = 0; t < component.transitions.size(); ++t) {
+        const automata::Transition& transition = component.transitions[t];
+        if (transition.from != modes[c] || component.is_fault(transition)) continue;
+        const bool weightless =
+            transition.weight.kind != automata::Weight::Kind::none && !(transition.weight.value > 0);
+        const auto* const found = graph.find(automata::ComponentId(c), automata::TransitionId(t));
+        const bool fit =
+            found != nullptr && std::any_of(found->preconditions.begin(), found->preconditions.end(),
+                                            [&](const runtime::Precondition& precondition) {
+                                              return std::all_of(precondition.begin(), precondition.end(), fits);
+                                            });
+        RC_ASSERT(fit == (!weightless && slow.models().entails(store, transition.guard)));
+      }
+    }
+  }
+}
+
 RC_GTEST_PROP(Reconfigure, WhatIsAchievedIsNeverNoPlanAndStaysAchieved, ()) {
   const Model model = *models(planning);
   const reference::Step slow(model.plant);

@@ -138,7 +138,7 @@ std::vector<automata::ComponentId> components_named(const automata::Plant& plant
 
 ExitStatus print_policies(const Options& options, const Common& common, const automata::Plant& plant) {
   const auto components = components_named(plant, options.component);
-  const runtime::NominalGraph graph(plant, runtime::Parts(plant));
+  const runtime::NominalGraph graph(plant);
   if (common.format == Format::json) {
     JsonLine json;
     write_policies(json, plant, graph, components);

@@ -3,6 +3,7 @@
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
 
 #include <algorithm>
+#include <queue>
 #include <unordered_map>
 
 namespace rmpl::runtime {
@@ -146,21 +147,19 @@ CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph
       in_cycle_[c] = in_cycle_[c] || cycles.number[u] == cycles.number[c];
     }
   }
-  std::vector<std::size_t> ready;
+  const auto declared_later = [&](std::size_t a, std::size_t b) { return members[a].front() > members[b].front(); };
+  std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(declared_later)> ready(declared_later);
   for (std::size_t k = 0; k < cycles.count; ++k) {
-    if (waits_for[k] == 0) ready.push_back(k);
+    if (waits_for[k] == 0) ready.push(k);
   }
   while (!ready.empty()) {
-    const auto first = std::min_element(ready.begin(), ready.end(), [&](std::size_t a, std::size_t b) {
-      return members[a].front() < members[b].front();
-    });
-    const std::size_t k = *first;
-    ready.erase(first);
+    const std::size_t k = ready.top();
+    ready.pop();
     for (const std::size_t c : members[k]) {
       rank_[c] = order_.size();
       order_.emplace_back(c);
       for (const std::size_t u : upstream[c]) {
-        if (cycles.number[u] != k && --waits_for[cycles.number[u]] == 0) ready.push_back(cycles.number[u]);
+        if (cycles.number[u] != k && --waits_for[cycles.number[u]] == 0) ready.push(cycles.number[u]);
       }
     }
   }

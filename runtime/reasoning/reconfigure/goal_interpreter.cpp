@@ -22,21 +22,6 @@ using automata::VariableId;
 
 namespace {
 
-/// Whether the argument of `refuted_by_world` holds: neither Q, nor a mode constraint, nor the goal reads a mode.
-bool reads_modes(const Plant& plant, const automata::Formula& goal) {
-  const auto reads = [&](const automata::Formula& formula) {
-    const auto variables = variables_of(formula);
-    return std::any_of(variables.begin(), variables.end(),
-                       [&](VariableId v) { return plant.component_of(v).has_value(); });
-  };
-  return reads(goal) ||
-         std::any_of(plant.interconnections.begin(), plant.interconnections.end(),
-                     [&](const auto& q) { return reads(q.constraint); }) ||
-         std::any_of(plant.components.begin(), plant.components.end(), [&](const Component& c) {
-           return std::any_of(c.modes.begin(), c.modes.end(), [&](const auto& m) { return reads(m.constraint); });
-         });
-}
-
 /// After the store was found to permit a world of the candidate in which the goal fails: that world is one of every
 /// state whose components all have modes that it satisfies. So only those components are to blame that could be in a
 /// mode that it does not satisfy.
@@ -62,6 +47,23 @@ Modes modes_of(std::span<const std::uint32_t> values) {
 }
 
 }  // namespace
+
+GoalInterpreter::GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph)
+    : step_(step), graph_(graph), rewards_(whole_rewards(step.plant())) {
+  const auto& told = step.store().dependencies().constraints();
+  store_reads_modes_ =
+      std::any_of(told.begin(), told.end(), [this](const auto& reading) { return reads_modes(reading.variables); });
+}
+
+bool GoalInterpreter::reads_modes(const std::vector<VariableId>& variables) const {
+  const automata::PlantIndex& index = step_.store().dependencies().index();
+  return std::any_of(variables.begin(), variables.end(),
+                     [&](VariableId v) { return index.component_of(v).has_value(); });
+}
+
+bool GoalInterpreter::is_local(const Goal& goal) const {
+  return goal.rest() && !store_reads_modes_ && !reads_modes(variables_of(goal.rest()->formula));
+}
 
 bool GoalInterpreter::entailed(const Modes& modes, const Goal& goal) {
   for (std::size_t c = 0; c < modes.size(); ++c) {
@@ -170,7 +172,7 @@ std::variant<Modes, Impasse> GoalInterpreter::interpret(const Modes& modes, cons
                             goal.permits(ComponentId(c), ModeId(m)));
     }
   }
-  const bool local = goal.rest() && !reads_modes(step_.plant(), goal.rest()->formula);
+  const bool local = is_local(goal);
   auto known = std::make_shared<ConflictSet>();
   for (const Conflict& conflict : excluded_) known->add(conflict);
   OptimalSearch search(costs(modes, goal, prospects, possible), std::move(known));
@@ -213,7 +215,7 @@ std::vector<ComponentId> GoalInterpreter::needed(const Modes& modes, const Modes
     if (!must) possible[c][modes[c].index()] = true;
     costs.push_back({same ? never : 1.0, must ? never : 0.0});
   }
-  const bool local = goal.rest() && !reads_modes(step_.plant(), goal.rest()->formula);
+  const bool local = is_local(goal);
   Modes candidate = modes;
   OptimalSearch search(costs);
   const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {

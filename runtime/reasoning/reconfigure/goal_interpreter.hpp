@@ -25,8 +25,7 @@ namespace rmpl::runtime {
 /// Fig. 6-16: that there is no plan is one more conflict.
 class GoalInterpreter {
  public:
-  GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph)
-      : step_(step), graph_(graph), rewards_(whole_rewards(step.plant())) {}
+  GoalInterpreter(automata::PlantStep& step, const NominalGraph& graph);
 
   /// Nothing where a candidate has a plan; else those of its modes that cannot be come to together.
   using HasPlan = std::function<std::optional<std::vector<automata::ComponentId>>(const automata::Modes& candidate)>;
@@ -51,6 +50,9 @@ class GoalInterpreter {
                              const Possible& possible) const;
   std::optional<std::vector<automata::ComponentId>> refuted(const automata::Modes& candidate, const Goal& goal,
                                                             bool local, const Possible& possible);
+  [[nodiscard]] bool reads_modes(const std::vector<automata::VariableId>& variables) const;
+  /// Whether the argument of `refuted_by_world` holds: neither Q, nor a mode constraint, nor the goal reads a mode.
+  [[nodiscard]] bool is_local(const Goal& goal) const;
   Impasse out_of_reach(const automata::Modes& modes, const Prospects& prospects, automata::ComponentId component,
                        std::vector<bool> asked);
   Impasse impasse(const automata::Modes& modes, const Goal& goal, const Prospects& prospects);
@@ -58,6 +60,7 @@ class GoalInterpreter {
   automata::PlantStep& step_;
   const NominalGraph& graph_;
   WholeRewards rewards_;
+  bool store_reads_modes_;
   std::size_t checked_ = 0;
   /// What the store excludes, whatever the goal, the estimate and the plans.
   std::vector<Conflict> excluded_;

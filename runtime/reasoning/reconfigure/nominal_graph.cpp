@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "runtime/reasoning/reconfigure/precondition_finder.hpp"
+#include "runtime/reasoning/reconfigure/preconditions.hpp"
 
 namespace rmpl::runtime {
 
@@ -76,12 +76,8 @@ NamedModes named_modes(const automata::Plant& plant, const Formula& goal) {
   return named;
 }
 
-NominalGraph::NominalGraph(const automata::Plant& plant, const Parts& parts) {
-  PreconditionFinder finder(plant, parts);
-  component_of_.resize(plant.variables.size());
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    component_of_[plant.components[c].mode.index()] = ComponentId(c);
-  }
+NominalGraph::NominalGraph(const automata::Plant& plant) : index_(plant) {
+  Preconditions finder(plant);
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const Component& component = plant.components[c];
     auto& transitions = transitions_.emplace_back();
@@ -89,7 +85,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Parts& parts) {
       const automata::Transition& t = component.transitions[i];
       const bool weightless = t.weight.kind != automata::Weight::Kind::none && !(t.weight.value > 0);
       if (component.is_fault(t) || weightless) continue;
-      auto preconditions = finder.preconditions(ComponentId(c), TransitionId(i));
+      auto preconditions = finder.of(ComponentId(c), TransitionId(i));
       if (preconditions.empty()) continue;
       transitions.push_back({.id = TransitionId(i),
                              .from = t.from,
@@ -104,9 +100,9 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Parts& parts) {
                              .preconditions = std::move(preconditions),
                              .silent = {}});
       NominalTransition& added = transitions.back();
-      const auto about_mode = [&](const Requirement& r) { return component_of_[r.variable.index()].has_value(); };
+      const auto about_mode = [&](const Requirement& r) { return index_.component_of(r.variable).has_value(); };
       for (const Precondition& precondition : added.preconditions) {
-        added.silent.push_back(needs_no_command(plant, precondition));
+        added.silent.push_back(needs_no_command(plant, index_, precondition));
         const auto modes =
             static_cast<std::size_t>(std::count_if(precondition.begin(), precondition.end(), about_mode));
         added.comes_by_itself = added.comes_by_itself || (added.silent.back() && modes == 0);
@@ -123,7 +119,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant, const Parts& parts) {
     for (const NominalTransition& t : transitions_[c]) {
       for (const Precondition& precondition : t.preconditions) {
         for (const Requirement& requirement : precondition) {
-          const auto other = component_of_[requirement.variable.index()];
+          const auto other = component_of(requirement);
           if (!other || known[other->index()]) continue;
           known[other->index()] = true;
           dependents_[other->index()].emplace_back(c);
@@ -140,13 +136,11 @@ const NominalTransition* NominalGraph::find(ComponentId component, TransitionId 
   return at == all.end() || at->id != id ? nullptr : &*at;
 }
 
-std::vector<ComponentId> NominalGraph::restless(const automata::Plant& plant) const {
+std::vector<ComponentId> NominalGraph::restless() const {
   std::vector<ComponentId> result;
   for (std::size_t c = 0; c < transitions_.size(); ++c) {
-    const auto moves_of_itself = [&](const NominalTransition& t) {
-      return !t.timed && t.from != t.to &&
-             std::any_of(t.preconditions.begin(), t.preconditions.end(),
-                         [&](const Precondition& precondition) { return needs_no_command(plant, precondition); });
+    const auto moves_of_itself = [](const NominalTransition& t) {
+      return !t.timed && t.from != t.to && std::find(t.silent.begin(), t.silent.end(), true) != t.silent.end();
     };
     if (std::any_of(transitions_[c].begin(), transitions_[c].end(), moves_of_itself)) result.emplace_back(c);
   }
@@ -154,7 +148,7 @@ std::vector<ComponentId> NominalGraph::restless(const automata::Plant& plant) co
 }
 
 bool NominalGraph::meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const {
-  const auto component = component_of_[requirement.variable.index()];
+  const auto component = component_of(requirement);
   return !component || std::any_of(requirement.values.begin(), requirement.values.end(),
                                    [&](automata::ValueId v) { return reached[component->index()][v.index()]; });
 }

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "automata/dependencies/plant_index.hpp"
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
-#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/precondition.hpp"
 
 namespace rmpl::runtime {
@@ -42,7 +42,7 @@ using Permitted = std::vector<std::vector<bool>>;
 /// Per component, the graph over its modes. Computed once; its cost is that of the preconditions.
 class NominalGraph {
  public:
-  NominalGraph(const automata::Plant& plant, const Parts& parts);
+  explicit NominalGraph(const automata::Plant& plant);
 
   /// In declaration order.
   [[nodiscard]] const std::vector<NominalTransition>& transitions(automata::ComponentId component) const {
@@ -77,17 +77,17 @@ class NominalGraph {
   [[nodiscard]] bool meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const;
   /// The component whose mode a requirement is about, if it is one.
   [[nodiscard]] std::optional<automata::ComponentId> component_of(const Requirement& requirement) const {
-    return component_of_[requirement.variable.index()];
+    return index_.component_of(requirement.variable);
   }
 
   /// The components that may change their mode of themselves: some untimed transition needs no command. While one part
   /// of the plant is commanded, these do not stand still, so their parts are planned together.
-  [[nodiscard]] std::vector<automata::ComponentId> restless(const automata::Plant& plant) const;
+  [[nodiscard]] std::vector<automata::ComponentId> restless() const;
 
  private:
+  automata::PlantIndex index_;
   std::vector<std::vector<NominalTransition>> transitions_;
-  std::vector<std::vector<std::vector<bool>>> leads_;               ///< per component, from, to
-  std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
+  std::vector<std::vector<std::vector<bool>>> leads_;           ///< per component, from, to
   std::vector<std::vector<automata::ComponentId>> dependents_;  ///< by component: others whose preconditions read it
 };
 

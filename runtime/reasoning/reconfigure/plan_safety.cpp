@@ -65,7 +65,7 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
       for (const Precondition& precondition : t->preconditions) {
         for (const Requirement& r : precondition) {
-          const auto upstream = component_of_[r.variable.index()];
+          const auto upstream = index_.component_of(r.variable);
           if (!upstream || *upstream == component) continue;
           for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
         }

@@ -1,6 +1,7 @@
 // The reactive planner: the search of a part where the walk through the policies does not get there.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <queue>
 #include <tuple>
 #include <unordered_map>
@@ -32,7 +33,7 @@ struct Entry {
 
 }  // namespace
 
-std::vector<automata::ControlAction> Planner::promising(const Modes& modes, const Objective& objective) const {
+std::vector<Planner::OffIdle> Planner::promising(const Modes& modes, const Objective& objective) {
   std::vector<bool> involved(modes.size());
   std::vector<bool> useful(nominal_.plant().variables.size());
   std::vector<automata::ComponentId> open;
@@ -51,27 +52,25 @@ std::vector<automata::ControlAction> Planner::promising(const Modes& modes, cons
       for (const Precondition& precondition : t.preconditions) {
         for (const Requirement& r : precondition) {
           useful[r.variable.index()] = true;
-          if (const auto upstream = component_of_[r.variable.index()]) involve(*upstream);
+          if (const auto upstream = index_.component_of(r.variable)) involve(*upstream);
         }
       }
     }
   }
-  std::vector<automata::ControlAction> actions;
+  std::vector<OffIdle> some;
   const auto& controls = nominal_.plant().controls;
-  for (const automata::ControlAction& action : actions_[objective.part]) {
-    bool useless = false;
-    for (std::size_t i = 0; i < action.size(); ++i) {
-      useless = useless || (action[i] != idle_[i] && !useful[controls[i].variable.index()]);
-    }
-    if (!useless) actions.push_back(action);
-  }
-  return actions;
+  const auto& all = actions(objective.part);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](const OffIdle& action) {
+    return std::all_of(action.begin(), action.end(),
+                       [&](const auto& off) { return useful[controls[off.first].variable.index()]; });
+  });
+  return some;
 }
 
 /// Promising actions first; where they do not get there, all.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits) {
-  const auto& all = actions_[objective.part];
-  const std::vector<automata::ControlAction> some = promising(modes, objective);
+  const auto& all = actions(objective.part);
+  const std::vector<OffIdle> some = promising(modes, objective);
   Found found = search(modes, objective, otherwise, waits, some);
   if (std::holds_alternative<PlannedStep>(found.first) || some.size() == all.size()) return found;
   return search(modes, objective, otherwise, waits, all);
@@ -80,7 +79,7 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, c
 /// Uniform-cost search over the nominal successors of the whole part: fewest irreversible steps, then fewest steps.
 /// The same rules on irreversible steps hold; what is achieved may be undone on the path.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
-                               std::span<const automata::ControlAction> actions) {
+                               std::span<const OffIdle> actions) {
   const auto& components = ordered_[objective.part];
   const automata::ComponentId served =
       *std::find_if(components.begin(), components.end(), [&](auto c) { return astray(modes, objective, c); });
@@ -111,13 +110,15 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
       return {std::move(otherwise), excluded, {}};
     }
     tried_ += actions.size();
-    for (const automata::ControlAction& action : actions) {
+    for (const OffIdle& off : actions) {
+      automata::ControlAction action = idle_;
+      for (const auto& [control, value] : off) action[control] = value;
       for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.part, objective.permitted)) {
         if (waits == Waits::safe && !is_safe(current, objective, action, outcome)) {
           excluded = true;
           continue;
         }
-        if (!may_take(current, objective, action == idle_, outcome)) continue;
+        if (!may_take(current, objective, off.empty(), outcome)) continue;
         Distance distance = reached.distance + Distance{0, 1};
         for (const NominalMove& move : outcome.moves) {
           distance.irreversible += NominalGraph::harmless(*move.transition) ? 0 : 1;
@@ -125,7 +126,7 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
         std::size_t first = reached.first;
         if (first == none) {
           first = first_steps.size();
-          first_steps.push_back({action, outcome.moves.front().component, served, outcome, action == idle_});
+          first_steps.push_back({action, outcome.moves.front().component, served, outcome, off.empty()});
         }
         offer(outcome.modes, distance, first);
       }

@@ -3,6 +3,7 @@
 #include "runtime/reasoning/reconfigure/planner.hpp"
 
 #include <algorithm>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -17,45 +18,45 @@ using automata::Modes;
 using automata::Plant;
 using automata::ValueId;
 
-namespace {
-
 /// Idle; each control of the part off its idle value by itself; then what preconditions need of several at once.
-std::vector<ControlAction> actions_of(const Plant& plant, const NominalGraph& graph, const Parts& parts,
-                                      std::size_t part) {
-  const ControlAction idle = idle_action(plant);
-  std::vector<ControlAction> actions{idle};
-  for (const std::size_t i : parts.controls(part)) {
+const std::vector<Planner::OffIdle>& Planner::actions(std::size_t part) {
+  auto& known = actions_[part];
+  if (known) return *known;
+  const Plant& plant = nominal_.plant();
+  std::vector<OffIdle>& all = known.emplace();
+  std::set<OffIdle> listed;
+  const auto list = [&](OffIdle action) {
+    if (listed.insert(action).second) all.push_back(std::move(action));
+  };
+  list({});
+  for (const std::size_t i : parts_.controls(part)) {
     for (std::size_t v = 0; v < plant.variables[plant.controls[i].variable].values.size(); ++v) {
-      if (ValueId(v) == idle[i]) continue;
-      actions.push_back(idle);
-      actions.back()[i] = ValueId(v);
+      if (ValueId(v) != idle_[i]) list({{i, ValueId(v)}});
     }
   }
-  for (const ComponentId c : parts.components(part)) {
-    for (const NominalTransition& t : graph.transitions(c)) {
+  for (const ComponentId c : parts_.components(part)) {
+    for (const NominalTransition& t : graph_.transitions(c)) {
       for (const Precondition& precondition : t.preconditions) {
-        std::vector<ControlAction> joint{idle};
-        for (const std::size_t i : parts.controls(part)) {
-          const auto r = std::find_if(precondition.begin(), precondition.end(), [&](const Requirement& requirement) {
-            return requirement.variable == plant.controls[i].variable;
-          });
-          if (r == precondition.end() || std::binary_search(r->values.begin(), r->values.end(), idle[i])) continue;
-          std::vector<ControlAction> extended;
-          for (const ControlAction& action : joint) {
-            for (const ValueId v : r->values) extended.emplace_back(action)[i] = v;
+        std::vector<std::pair<std::size_t, const Requirement*>> asked;
+        for (const Requirement& r : precondition) {
+          const auto i = index_.control_of(r.variable);
+          if (i && !std::binary_search(r.values.begin(), r.values.end(), idle_[*i])) asked.emplace_back(*i, &r);
+        }
+        std::sort(asked.begin(), asked.end());
+        std::vector<OffIdle> joint{{}};
+        for (const auto& [i, r] : asked) {
+          std::vector<OffIdle> extended;
+          for (const OffIdle& action : joint) {
+            for (const ValueId v : r->values) extended.emplace_back(action).emplace_back(i, v);
           }
           joint = std::move(extended);
         }
-        for (ControlAction& action : joint) {
-          if (std::find(actions.begin(), actions.end(), action) == actions.end()) actions.push_back(std::move(action));
-        }
+        for (OffIdle& action : joint) list(std::move(action));
       }
     }
   }
-  return actions;
+  return all;
 }
-
-}  // namespace
 
 Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts)
     : graph_(graph),
@@ -65,14 +66,10 @@ Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Par
       ways_(step.plant(), graph, order_),
       nominal_(step, graph, parts),
       idle_(idle_action(step.plant())),
-      component_of_(step.plant().variables.size()),
-      ordered_(parts.count()) {
-  const Plant& plant = step.plant();
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    component_of_[plant.components[c].mode.index()] = ComponentId(c);
-  }
+      index_(step.plant()),
+      ordered_(parts.count()),
+      actions_(parts.count()) {
   for (const ComponentId c : order_.downstream_first()) ordered_[parts.of(c)].push_back(c);
-  for (std::size_t i = 0; i < parts.count(); ++i) actions_.push_back(actions_of(plant, graph, parts, i));
 }
 
 bool Planner::arrived(const Modes& modes, const Objective& objective) const {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "automata/dependencies/plant_index.hpp"
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
 #include "base/bounded_cache.hpp"
@@ -124,13 +125,16 @@ class Planner {
                        const NominalTransition& transition);
   NextStep command(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                    const NominalTransition& transition, const Precondition& precondition);
+  /// A control action by the controls that are off their idle values, ascending, with their values.
+  using OffIdle = std::vector<std::pair<std::size_t, automata::ValueId>>;
+  /// All actions that a search of a part tries.
+  const std::vector<OffIdle>& actions(std::size_t part);
   /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
   /// upstream of it. It can take others, to bring a component out of the way that is where it should be in the end.
-  [[nodiscard]] std::vector<automata::ControlAction> promising(const automata::Modes& modes,
-                                                               const Objective& objective) const;
+  std::vector<OffIdle> promising(const automata::Modes& modes, const Objective& objective);
   Found search(const automata::Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits);
   Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
-               std::span<const automata::ControlAction> actions);
+               std::span<const OffIdle> actions);
 
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
@@ -177,9 +181,9 @@ class Planner {
   NominalStep nominal_;
   std::size_t tried_ = 0;
   automata::ControlAction idle_;
-  std::vector<std::optional<automata::ComponentId>> component_of_;  ///< by variable
-  std::vector<std::vector<automata::ComponentId>> ordered_;         ///< per part, downstream first
-  std::vector<std::vector<automata::ControlAction>> actions_;       ///< per part: idle, then all that are tried
+  automata::PlantIndex index_;
+  std::vector<std::vector<automata::ComponentId>> ordered_;   ///< per part, downstream first
+  std::vector<std::optional<std::vector<OffIdle>>> actions_;  ///< per part, as far as asked for
   /// The steps of safe walks downstream first, by `question`: what follows on the first step is a safe walk, too, and
   /// its answer was found on the way.
   base::BoundedCache<std::vector<std::uint64_t>, RememberedStep> remembered_{memory_limit};

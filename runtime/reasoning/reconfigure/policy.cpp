@@ -58,7 +58,7 @@ const Policy& Policies::of(ComponentId component, const Permitted& permitted) {
 }
 
 PolicyTable policy_table(const automata::Plant& plant, ComponentId component) {
-  return policy_table(plant, NominalGraph(plant, Parts(plant)), component);
+  return policy_table(plant, NominalGraph(plant), component);
 }
 
 PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph, ComponentId component) {

@@ -12,11 +12,11 @@ using automata::Plant;
 using automata::ValueId;
 using automata::VariableId;
 
-std::size_t commanded_controls(const Plant& plant, const Precondition& precondition) {
+std::size_t commanded_controls(const Plant& plant, const automata::PlantIndex& index,
+                               const Precondition& precondition) {
   return static_cast<std::size_t>(std::count_if(precondition.begin(), precondition.end(), [&](const Requirement& r) {
-    return std::any_of(plant.controls.begin(), plant.controls.end(), [&](const automata::Control& control) {
-      return control.variable == r.variable && !std::binary_search(r.values.begin(), r.values.end(), control.idle);
-    });
+    const auto control = index.control_of(r.variable);
+    return control && !std::binary_search(r.values.begin(), r.values.end(), plant.controls[*control].idle);
   }));
 }
 
@@ -53,8 +53,8 @@ std::optional<Precondition> both(const Precondition& left, const Precondition& r
   return result;
 }
 
-bool needs_no_command(const Plant& plant, const Precondition& precondition) {
-  return commanded_controls(plant, precondition) == 0;
+bool needs_no_command(const Plant& plant, const automata::PlantIndex& index, const Precondition& precondition) {
+  return commanded_controls(plant, index, precondition) == 0;
 }
 
 }  // namespace rmpl::runtime

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "automata/dependencies/plant_index.hpp"
 #include "automata/plant.hpp"
 
 namespace rmpl::runtime {
@@ -21,9 +22,11 @@ struct Requirement {
 using Precondition = std::vector<Requirement>;
 
 /// Whether a precondition can be met with every control at its idle value.
-bool needs_no_command(const automata::Plant& plant, const Precondition& precondition);
+bool needs_no_command(const automata::Plant& plant, const automata::PlantIndex& index,
+                      const Precondition& precondition);
 /// How many controls it needs off their idle values.
-std::size_t commanded_controls(const automata::Plant& plant, const Precondition& precondition);
+std::size_t commanded_controls(const automata::Plant& plant, const automata::PlantIndex& index,
+                               const Precondition& precondition);
 
 /// That all requirements are met.
 automata::Formula formula_of(const Precondition& precondition);

@@ -9,17 +9,14 @@
 #include <tuple>
 
 #include "automata/store/model.hpp"
-#include "automata/store/relevance.hpp"
 
 namespace rmpl::runtime {
 
 using automata::Assignment;
 using automata::Component;
-using automata::ComponentId;
 using automata::Formula;
 using automata::Plant;
 using automata::Theory;
-using automata::TransitionId;
 using automata::ValueId;
 using automata::VariableId;
 
@@ -32,7 +29,7 @@ constexpr std::size_t exclusion_limit = 16;
 
 /// The plant with a variable for each question, and for each mode one that tells its constraint to hold, whatever the
 /// mode is; `?` keeps the names apart from those of models.
-Plant with_questions(const Plant& plant, std::vector<std::vector<std::vector<VariableId>>>& questions,
+Plant with_questions(const Plant& plant, std::size_t conjuncts, std::vector<VariableId>& questions,
                      std::vector<std::vector<VariableId>>& tolerates) {
   Plant extended = plant;
   for (const Component& component : plant.components) {
@@ -41,15 +38,8 @@ Plant with_questions(const Plant& plant, std::vector<std::vector<std::vector<Var
       of_component.push_back(extended.variables.add({component.name + "?" + mode.name, {"no", "yes"}}));
     }
   }
-  for (const Component& component : plant.components) {
-    auto& of_component = questions.emplace_back();
-    for (std::size_t t = 0; t < component.transitions.size(); ++t) {
-      auto& ids = of_component.emplace_back();
-      for (std::size_t i = 0; i < conjuncts_of(component.transitions[t].guard).size(); ++i) {
-        ids.push_back(extended.variables.add(
-            {component.name + "?" + std::to_string(t) + "?" + std::to_string(i), {"no", "yes"}}));
-      }
-    }
+  for (std::size_t i = 0; i < conjuncts; ++i) {
+    questions.push_back(extended.variables.add({"?" + std::to_string(i), {"no", "yes"}}));
   }
   return extended;
 }
@@ -93,23 +83,22 @@ bool reads(const Formula& formula, const std::vector<bool>& set) {
 
 }  // namespace
 
-/// One conjunct of a guard in one source mode: what is asked, and what may be decided to bring it about.
+/// One conjunct of the guard: what is asked, and what may be decided to bring it about.
 struct PreconditionFinder::Question {
-  ComponentId component;
-  Assignment asked;   ///< assumed where the conjunct is wanted and what is excluded stays excluded
-  Assignment source;  ///< the component's own mode
+  Assignment asked;  ///< assumed where the conjunct is wanted and what is excluded stays excluded
   Formula guard;
-  Theory::Handle refuted;  ///< its negation
-  std::size_t part;
+  Theory::Handle refuted;              ///< its negation
   std::vector<VariableId> decisions;   ///< modes of other components and controls
   std::vector<VariableId> attributes;  ///< that the decisions may leave open
 };
 
-PreconditionFinder::PreconditionFinder(const Plant& plant, const Parts& parts)
-    : plant_(with_questions(automata::relevant_part(plant), questions_, tolerates_)),
-      parts_(parts),
+PreconditionFinder::PreconditionFinder(const Plant& plant, Assignment source, const Formula& guard)
+    : source_(source),
+      conjuncts_(conjuncts_of(guard)),
+      plant_(with_questions(plant, conjuncts_.size(), questions_, tolerates_)),
+      variables_(plant.variables.size()),
       theory_(fresh_theory()),
-      regions_(plant_, plant.variables.size()) {}
+      regions_(plant_, variables_) {}
 
 Theory PreconditionFinder::fresh_theory() const {
   Theory theory = model_theory(plant_, Theory::Upkeep::searched);
@@ -121,27 +110,21 @@ Theory PreconditionFinder::fresh_theory() const {
   return theory;
 }
 
-std::vector<Precondition> PreconditionFinder::preconditions(ComponentId component, TransitionId transition) {
-  const auto& t = plant_[component].transitions[transition.index()];
-  const Assignment source{plant_[component].mode, ValueId(t.from.index())};
+std::vector<Precondition> PreconditionFinder::preconditions() {
   std::vector<Precondition> found{{}};
-  const std::vector<Formula> conjuncts = conjuncts_of(t.guard);
-  for (std::size_t i = 0; i < conjuncts.size(); ++i) {
-    Question question{.component = component,
-                      .asked = {questions_[component.index()][transition.index()][i], ValueId(yes)},
-                      .source = source,
-                      .guard = conjuncts[i],
+  for (std::size_t i = 0; i < conjuncts_.size(); ++i) {
+    Question question{.asked = {questions_[i], ValueId(yes)},
+                      .guard = conjuncts_[i],
                       .refuted = {},
-                      .part = parts_.of(component),
                       .decisions = {},
                       .attributes = {}};
     std::vector<bool> chosen(plant_.variables.size());
-    chosen[source.variable.index()] = true;
+    chosen[source_.variable.index()] = true;
     const auto choose = [&](VariableId v, std::vector<VariableId>& from) {
       if (!chosen[v.index()]) from.push_back(v);
       chosen[v.index()] = true;
     };
-    for (const VariableId v : variables_of(conjuncts[i])) {
+    for (const VariableId v : variables_of(conjuncts_[i])) {
       const Regions::Region* const region = regions_.of(v);
       if (region == nullptr) {
         choose(v, question.decisions);
@@ -151,10 +134,11 @@ std::vector<Precondition> PreconditionFinder::preconditions(ComponentId componen
       for (const VariableId attribute : region->attributes) choose(attribute, question.attributes);
     }
     std::sort(question.decisions.begin(), question.decisions.end());
-    found = joined(found, part_preconditions(question), source);
+    found = joined(found, part_preconditions(question));
   }
+  const automata::PlantIndex index(plant_);
   const auto rank = [&](const Precondition& precondition) {
-    return std::make_tuple(commanded_controls(plant_, precondition), precondition.size());
+    return std::make_tuple(commanded_controls(plant_, index, precondition), precondition.size());
   };
   std::sort(found.begin(), found.end(), [&](const Precondition& a, const Precondition& b) {
     return std::tuple_cat(rank(a), std::tie(a)) < std::tuple_cat(rank(b), std::tie(b));
@@ -165,7 +149,7 @@ std::vector<Precondition> PreconditionFinder::preconditions(ComponentId componen
 
 /// The unions that the store permits, without those that a wider one makes superfluous.
 std::vector<Precondition> PreconditionFinder::joined(const std::vector<Precondition>& left,
-                                                     const std::vector<Precondition>& right, Assignment source) {
+                                                     const std::vector<Precondition>& right) {
   std::vector<Precondition> unions;
   for (const Precondition& l : left) {
     for (const Precondition& r : right) {
@@ -179,7 +163,7 @@ std::vector<Precondition> PreconditionFinder::joined(const std::vector<Precondit
     const bool superfluous = std::any_of(unions.begin(), unions.end(), [&](const Precondition& other) {
       return &other != &precondition && subsumes(other, precondition);
     });
-    if (!superfluous && theory_.allows(std::span(&source, 1), theory_.encode(formula_of(precondition)))) {
+    if (!superfluous && theory_.allows(std::span(&source_, 1), theory_.encode(formula_of(precondition)))) {
       result.push_back(precondition);
     }
   }
@@ -195,10 +179,10 @@ std::vector<Precondition> PreconditionFinder::part_preconditions(Question& quest
   question.refuted = theory_.encode(negation(question.guard));
   theory_.tell_if(question.asked, question.guard);
   std::vector<Precondition> found;
-  const std::vector<Assignment> wanted{question.asked, question.source};
+  const std::vector<Assignment> wanted{question.asked, source_};
   while (found.size() < limit && theory_.consistent(wanted)) {
-    const World proposal = read_world(question);
-    std::vector<Assignment> decisions{question.source};
+    const World proposal = read_world();
+    std::vector<Assignment> decisions{source_};
     for (const VariableId v : question.decisions) decisions.push_back({v, proposal[v.index()]});
     if (theory_.allows(decisions, question.refuted)) {
       exclude(question, proposal);
@@ -212,22 +196,18 @@ std::vector<Precondition> PreconditionFinder::part_preconditions(Question& quest
   return found;
 }
 
-bool PreconditionFinder::possible(ComponentId component, automata::ModeId mode) {
-  return theory_.consistent(std::vector<Assignment>{{plant_[component].mode, ValueId(mode.index())}});
-}
-
-PreconditionFinder::World PreconditionFinder::read_world(const Question& question) const {
-  World world(plant_.variables.size());
-  for (const VariableId v : parts_.variables(question.part)) world[v.index()] = theory_.value(v);
+PreconditionFinder::World PreconditionFinder::read_world() const {
+  World world;
+  for (std::size_t v = 0; v < variables_; ++v) world.push_back(theory_.value(VariableId(v)));
   return world;
 }
 
 /// After the decisions were found to imply the guard: those that are needed for it, one value each.
 Precondition PreconditionFinder::shrink(const Question& question) {
   std::vector<Assignment> core = theory_.conflict();
-  std::erase(core, question.source);
+  std::erase(core, source_);
   for (std::size_t i = 0; i < core.size();) {
-    std::vector<Assignment> rest{question.source};
+    std::vector<Assignment> rest{source_};
     for (std::size_t j = 0; j < core.size(); ++j) {
       if (j != i) rest.push_back(core[j]);
     }
@@ -254,7 +234,7 @@ void PreconditionFinder::widen(const Question& question, Precondition& precondit
     const VariableId variable = precondition[i].variable;
     std::vector<ValueId> values;
     for (std::size_t v = 0; v < plant_.variables[variable].values.size(); ++v) {
-      const std::vector<Assignment> with{question.source, {variable, ValueId(v)}};
+      const std::vector<Assignment> with{source_, {variable, ValueId(v)}};
       if (theory_.allows(with, permitted) && !theory_.allows(with, refuted)) values.emplace_back(v);
     }
     precondition[i].values = std::move(values);
@@ -265,18 +245,18 @@ void PreconditionFinder::widen(const Question& question, Precondition& precondit
 /// as many modes as can be added one by one, so that it refutes as many proposals as possible.
 PreconditionFinder::World PreconditionFinder::most_tolerant(const Question& question,
                                                             std::vector<Assignment> assumptions) {
-  World world = read_world(question);
-  const auto tolerated = [&](ComponentId c, std::size_t m) {
-    return evaluate(plant_[c].modes[m].constraint, [&](VariableId v) { return world[v.index()]; });
+  World world = read_world();
+  const auto tolerated = [&](std::size_t c, std::size_t m) {
+    return evaluate(plant_.components[c].modes[m].constraint, [&](VariableId v) { return world[v.index()]; });
   };
-  for (const ComponentId c : parts_.components(question.part)) {
-    const bool decided = std::binary_search(question.decisions.begin(), question.decisions.end(), plant_[c].mode);
-    if (!decided) continue;
-    for (std::size_t m = 0; m < plant_[c].modes.size(); ++m) {
-      assumptions.push_back({tolerates_[c.index()][m], ValueId(yes)});
+  for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+    const Component& component = plant_.components[c];
+    if (!std::binary_search(question.decisions.begin(), question.decisions.end(), component.mode)) continue;
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      assumptions.push_back({tolerates_[c][m], ValueId(yes)});
       if (tolerated(c, m)) continue;
       if (theory_.allows(assumptions, question.refuted)) {
-        world = read_world(question);
+        world = read_world();
       } else {
         assumptions.pop_back();
       }
@@ -328,7 +308,7 @@ std::vector<bool> PreconditionFinder::swapped(const Question& question, const Wo
 /// decisions admit that other world. Only constraints that read what is swapped can tell, so only those are in what is
 /// excluded.
 void PreconditionFinder::exclude(const Question& question, const World& proposal) {
-  std::vector<Assignment> fixed{question.source};
+  std::vector<Assignment> fixed{source_};
   for (const VariableId v : question.decisions) fixed.push_back({v, proposal[v.index()]});
   std::vector<Assignment> kept;
   for (const VariableId v : question.attributes) kept.push_back({v, proposal[v.index()]});
@@ -351,8 +331,7 @@ void PreconditionFinder::exclude(const Question& question, const World& proposal
   for (const automata::Interconnection& q : plant_.interconnections) {
     if (reads(q.constraint, changed)) parts.push_back(substituted(q.constraint, value_of));
   }
-  for (const ComponentId c : parts_.components(question.part)) {
-    const Component& component = plant_[c];
+  for (const Component& component : plant_.components) {
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       const Formula& constraint = component.modes[m].constraint;
       if (!reads(constraint, changed)) continue;

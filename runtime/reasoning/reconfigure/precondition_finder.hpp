@@ -1,4 +1,4 @@
-// Finding preconditions: what modes and controls bring a guard about.
+// Finding the preconditions of a guard: what modes and controls bring it about.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,14 +6,13 @@
 
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
-#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/precondition.hpp"
 #include "runtime/reasoning/reconfigure/regions.hpp"
 
 namespace rmpl::runtime {
 
-/// Finds preconditions by abduction over the constraint store (the preconditions of Williams & Nayak 1997, 4.1, without
-/// compiling the interactions away first).
+/// Finds the preconditions of one guard by abduction over the constraint store (the preconditions of Williams & Nayak
+/// 1997, 4.1, without compiling the interactions away first).
 ///
 /// Which modes and controls bring a guard about is a question of two quantifiers: do some modes and controls make it
 /// true in all worlds? It is answered by counterexample-guided refinement. A world in which the guard holds proposes
@@ -27,38 +26,36 @@ namespace rmpl::runtime {
 /// once modes and controls are fixed: those of other regions cannot make it true or false in a consistent state.
 class PreconditionFinder {
  public:
-  PreconditionFinder(const automata::Plant& plant, const Parts& parts);
+  /// Of a guard where a component of the plant is in a mode: all of the plant is looked at.
+  PreconditionFinder(const automata::Plant& plant, automata::Assignment source, const automata::Formula& guard);
 
-  /// The preconditions of a transition's guard in its source mode; none when nothing can bring the guard about. Every
-  /// consistent state and control action that imply the guard fit one of them, unless there are more than `limit`.
-  /// Sorted: fewest controls off their idle values first, then fewest requirements, then by variables and values.
-  std::vector<Precondition> preconditions(automata::ComponentId component, automata::TransitionId transition);
-
-  /// Whether some state of the plant has this mode.
-  bool possible(automata::ComponentId component, automata::ModeId mode);
+  /// None when nothing can bring the guard about. Every consistent state and control action that imply the guard fit
+  /// one of them, unless there are more than `limit`. Sorted: fewest controls off their idle values first, then fewest
+  /// requirements, then by variables and values.
+  std::vector<Precondition> preconditions();
 
   static constexpr std::size_t limit = 256;
 
  private:
   struct Question;
-  using World = std::vector<automata::ValueId>;  ///< by variable; of the part only
+  using World = std::vector<automata::ValueId>;  ///< by variable
 
   [[nodiscard]] automata::Theory fresh_theory() const;
   std::vector<Precondition> part_preconditions(Question& question);
-  std::vector<Precondition> joined(const std::vector<Precondition>& left, const std::vector<Precondition>& right,
-                                   automata::Assignment source);
-  World read_world(const Question& question) const;
+  std::vector<Precondition> joined(const std::vector<Precondition>& left, const std::vector<Precondition>& right);
+  [[nodiscard]] World read_world() const;
   Precondition shrink(const Question& question);
   void widen(const Question& question, Precondition& precondition);
   World most_tolerant(const Question& question, std::vector<automata::Assignment> assumptions);
   [[nodiscard]] std::vector<bool> swapped(const Question& question, const World& proposal, const World& refuting) const;
   void exclude(const Question& question, const World& proposal);
 
-  /// Per component, per transition, per conjunct of its guard.
-  std::vector<std::vector<std::vector<automata::VariableId>>> questions_;
+  automata::Assignment source_;  ///< the component's own mode
+  std::vector<automata::Formula> conjuncts_;
+  std::vector<automata::VariableId> questions_;               ///< by conjunct
   std::vector<std::vector<automata::VariableId>> tolerates_;  ///< per component, per mode
   automata::Plant plant_;  ///< with those variables: assumed, one asks for a conjunct, or tells a mode's constraint
-  const Parts& parts_;
+  std::size_t variables_;  ///< how many it has without them
   automata::Theory theory_;
   std::size_t excluded_ = 0;  ///< by this theory
   Regions regions_;

@@ -41,7 +41,7 @@ class PolicyReconfigurer : public Reconfigurer {
       : step_(step),
         idle_(idle_action(step.plant())),
         graph_(std::move(graph)),
-        parts_(step.plant(), graph_->restless(step.plant())),
+        parts_(step.plant(), graph_->restless()),
         interpreter_(step, *graph_),
         planner_(step, *graph_, parts_),
         goals_(step) {}
@@ -359,7 +359,7 @@ std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step, std::
 }
 
 std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant) {
-  return std::make_shared<NominalGraph>(plant, Parts(plant));
+  return std::make_shared<NominalGraph>(plant);
 }
 
 }  // namespace rmpl::runtime
