@@ -124,16 +124,16 @@ void LogReader::place(LogLine& line, bool first) const {
   }
   if (line.unchanged == 0) return;
   if (first) throw base::InputError(" 'unchanged': expected a line before it that the cycles left out are like");
+  if (last_cycle_ && line.cycle && (*line.cycle <= *last_cycle_ || *line.cycle - *last_cycle_ - 1 != line.unchanged)) {
+    throw base::InputError(" 'unchanged': " + std::to_string(line.unchanged) +
+                           " cycles cannot have been left out between cycle " + std::to_string(*last_cycle_) +
+                           " and cycle " + std::to_string(*line.cycle));
+  }
   const auto span = static_cast<std::uint64_t>((line.time - line.before).count);
   if (line.unchanged >= span) {
     throw base::InputError(" 'unchanged': " + std::to_string(line.unchanged) +
                            " cycles cannot have been left out between " + automata::format_seconds(line.before) +
                            " s and " + automata::format_seconds(line.time) + " s");
-  }
-  if (last_cycle_ && line.cycle && (*line.cycle <= *last_cycle_ || *line.cycle - *last_cycle_ - 1 != line.unchanged)) {
-    throw base::InputError(" 'unchanged': " + std::to_string(line.unchanged) +
-                           " cycles cannot have been left out between cycle " + std::to_string(*last_cycle_) +
-                           " and cycle " + std::to_string(*line.cycle));
   }
 }
 
