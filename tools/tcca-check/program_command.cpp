@@ -13,6 +13,7 @@
 #include "tools/tcca-check/rehearsal.hpp"
 #include "tools/tcca-check/witness_flight.hpp"
 #include "verifier/closed_loop/check.hpp"
+#include "verifier/closed_loop/each_fault.hpp"
 #include "verifier/export/witness_scenario.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/wording.hpp"

@@ -6,7 +6,6 @@
 
 #include "automata/step/plant_step.hpp"
 #include "verifier/verdict/answer.hpp"
-#include "verifier/verdict/fault_table.hpp"
 
 namespace rmpl::verifier {
 
@@ -16,9 +15,5 @@ namespace rmpl::verifier {
 /// gives modes in which no state to start in is possible.
 std::vector<Answer> check(const automata::Program& program, automata::PlantStep& step,
                           const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits);
-
-/// Takes every fault by itself. `properties` say what the mission is; `options.faults` is not looked at.
-FaultTable check_each_fault(const automata::Program& program, automata::PlantStep& step,
-                            const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits);
 
 }  // namespace rmpl::verifier

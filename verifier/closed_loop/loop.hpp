@@ -87,7 +87,9 @@ class Loop {
   [[nodiscard]] const automata::Program& program() const { return program_; }
   [[nodiscard]] const TimeModel& time() const { return time_; }
   [[nodiscard]] const ClockCells& cells() const { return cells_; }
+  /// How many may happen in all.
   [[nodiscard]] unsigned faults() const { return faults_; }
+  void allow_faults(unsigned faults) { faults_ = faults; }
 
   /// The program at its start beside every possible initial state of the plant, or with the given modes.
   std::vector<LoopState> initial(const std::vector<automata::Assignment>& from);

@@ -29,9 +29,39 @@ void ProgramSystem::successors(const SymbolicState& state, const Visit& visit) {
   if (is_end(state.discrete)) return;
   if (loop_[id].marking.empty() && !is_due(state.discrete)) return;
   const std::shared_ptr<const Turn> turn = loop_.turn(id, loop_.faults() - fault_count(state.faults));
-  for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) step(state, *turn, move, visit);
-  enter_end(state, visit);
+  StepMemory::Entry* const known = memory_ != nullptr ? memory_->find(state) : nullptr;
+  if (known != nullptr && known->moves.empty()) known->moves.resize(turn->outcomes.size());
+  for (std::uint32_t move = 0; move < turn->outcomes.size(); ++move) {
+    if (!is_allowed(state, turn->outcomes[move])) continue;
+    through(
+        known != nullptr ? &known->moves[move] : nullptr, [&](const Visit& to) { step(state, *turn, move, to); },
+        visit);
+  }
+  through(
+      known != nullptr ? &known->end : nullptr, [&](const Visit& to) { enter_end(state, to); }, visit);
   loop_.explored(id);
+}
+
+/// Visits what a move leads to, as remembered or as `work_out` tells it.
+void ProgramSystem::through(StepMemory::Move* known, base::FunctionRef<void(const Visit&)> work_out,
+                            const Visit& visit) {
+  if (known == nullptr) return work_out(visit);
+  if (!known->known) {
+    known->steps.clear();
+    work_out([&](SymbolicState&& next, const Label& label) {
+      known->steps.push_back({std::move(next), label});
+      memory_->count(known->steps.back());
+    });
+    known->known = true;
+  }
+  for (const StepMemory::Step& next : known->steps) visit(SymbolicState(next.state), next.label);
+}
+
+/// Whether the faults of the move are within the budget, and ones that may happen.
+bool ProgramSystem::is_allowed(const SymbolicState& state, const Outcome& outcome) const {
+  if (fault_count(state.faults) + outcome.faults > loop_.faults()) return false;
+  const auto& filter = query_.filter;
+  return !filter.only || outcome.faults == 0 || !is_filtered(loop_[loop_state(state.discrete)], outcome);
 }
 
 /// What a run is cut off in, if there is such a thing.
@@ -45,7 +75,7 @@ void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
 std::optional<Standstill> ProgramSystem::stop_in(const Zone& zone, std::uint64_t discrete) {
   const bool due = is_due(discrete);
   const LoopStateId id = loop_state(discrete);
-  const auto comes_true = [this, due](const automata::Modes& modes) { return due && test(modes); };
+  const auto comes_true = [this, due](const automata::Modes& modes) { return due && query_.test(modes); };
   LoopInstants instants(loop_, id, extra(), comes_true);
   auto found = find_standstill(zone, 0, instants);
   if (!found) return std::nullopt;
@@ -130,11 +160,7 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
                   faults_after(state, outcome),
                   state.discrete & (happened_bit | owed_bit),
                   {move, no_wait, outcome.same}};
-  if (fault_count(arrival.faults) > loop_.faults()) return;
-  if (query_.filter.only && outcome.faults > 0) {
-    if (is_filtered(from, outcome)) return;
-    arrival.phase |= happened_bit;
-  }
+  if (query_.filter.only && outcome.faults > 0) arrival.phase |= happened_bit;
   if (query_.aim == Query::Aim::undone) note_achieved(state, turn, outcome, arrival);
   // A program clock starts with the cycle, the clock of a component with its end.
   const std::size_t old = state.zone.clocks();
@@ -208,11 +234,11 @@ void ProgramSystem::choose_cells(const LoopState& state, std::vector<Cell>& chos
 void ProgramSystem::enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit) {
   const automata::Modes& modes = loop_[id].modes;
   Zone now = zone;
-  if (is_due(arrival.phase) && test(modes)) {
+  if (is_due(arrival.phase) && query_.test(modes)) {
     // The period that brings it may be the first one to end after the deadline: that is too late.
     if (!now.constrain(1, {query_.deadline, unbounded})) return;
   }
-  if (query_.aim == Query::Aim::missed && !owed(arrival.phase) && asks_in(modes) && !test(modes)) {
+  if (query_.aim == Query::Aim::missed && !owed(arrival.phase) && query_.asks(modes) && !query_.test(modes)) {
     // What is missed later on in the same modes is missed from here on too.
     std::vector<std::size_t> sources(now.clocks());
     std::iota(sources.begin(), sources.end(), std::size_t{1});
@@ -299,12 +325,12 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
              is_fresh(id);
     }
     case Query::Aim::holds:
-      return test(at.modes);
+      return query_.test(at.modes);
     case Query::Aim::late:
     case Query::Aim::missed:
       return is_due(state.discrete) && state.zone.upper(1) >= query_.deadline;
     case Query::Aim::ends_with:
-      return at.marking.empty() && test(at.modes);
+      return at.marking.empty() && query_.test(at.modes);
     case Query::Aim::happens:
       return true;
     case Query::Aim::undone:
@@ -318,14 +344,6 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
 }
 
 bool ProgramSystem::is_fresh(LoopStateId id) const { return !query_.fresh || query_.fresh(loop_[id], *loop_.turn(id)); }
-
-bool ProgramSystem::test(const automata::Modes& modes) const {
-  return answers_.find_or(modes, [&] { return query_.test(modes); });
-}
-
-bool ProgramSystem::asks_in(const automata::Modes& modes) const {
-  return asked_.find_or(modes, [&] { return query_.asks(modes); });
-}
 
 std::size_t ProgramSystem::clock_of(ComponentId component, const LoopState& state) const {
   const std::vector<ComponentId> live = loop_.live(state.modes);

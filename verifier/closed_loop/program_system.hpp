@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "base/bounded_cache.hpp"
 #include "verifier/closed_loop/loop.hpp"
+#include "verifier/closed_loop/step_memory.hpp"
 #include "verifier/plant/fault_sets.hpp"
 #include "verifier/property/fault.hpp"
 #include "verifier/search/passed.hpp"
@@ -69,6 +69,10 @@ class ProgramSystem : public TransitionSystem {
  public:
   /// Keeps references.
   ProgramSystem(Loop& loop, const std::vector<LoopState>& start, const Query& query);
+  /// From now on, what follows a state is looked up there. It is to be one that only searches have used which watch the
+  /// same clocks, have as many faults, and mark faults alike (`FaultFilter::only`). Not for *undone*, whose states name
+  /// what this system has numbered, nor where faults are told apart.
+  void remember_in(StepMemory& memory) { memory_ = &memory; }
 
   void initial(const Visit& visit) override;
   void successors(const SymbolicState& state, const Visit& visit) override;
@@ -137,6 +141,8 @@ class ProgramSystem : public TransitionSystem {
   void note_achieved(const SymbolicState& state, const Turn& turn, const Outcome& outcome, Arrival& arrival);
   [[nodiscard]] std::uint64_t number(const Achieved& achieved);
   [[nodiscard]] bool is_filtered(const LoopState& from, const Outcome& outcome) const;
+  void through(StepMemory::Move* known, base::FunctionRef<void(const Visit&)> work_out, const Visit& visit);
+  [[nodiscard]] bool is_allowed(const SymbolicState& state, const Outcome& outcome) const;
   void step(const SymbolicState& state, const Turn& turn, std::uint32_t move, const Visit& visit);
   /// Enters a state in every choice of cells; the zone is over the clocks of `state` as it stands.
   void choose_cells(const LoopState& state, std::vector<Cell>& chosen, const Zone& zone, const Arrival& arrival,
@@ -149,19 +155,16 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] std::optional<Standstill> stop_in(const Zone& zone, std::uint64_t discrete);
   void enter_end(const SymbolicState& state, const Visit& visit);
   [[nodiscard]] bool is_wanted(const SymbolicState& state) const;
-  [[nodiscard]] bool test(const automata::Modes& modes) const;
-  [[nodiscard]] bool asks_in(const automata::Modes& modes) const;
   [[nodiscard]] unsigned faults_after(const SymbolicState& state, const Outcome& outcome) const;
   [[nodiscard]] bool is_fresh(LoopStateId id) const;
 
   Loop& loop_;
   const std::vector<LoopState>& start_;
   const Query& query_;
-  mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> answers_{1u << 16};  ///< of `test`
-  mutable base::BoundedCache<automata::Modes, bool, automata::ModesHash> asked_{1u << 16};    ///< of `asks`
   std::map<Achieved, std::uint64_t> achieved_numbers_{{{}, 0}};
   std::vector<const Achieved*> achieved_{&achieved_numbers_.begin()->first};  ///< by number
   FaultSets* sets_ = nullptr;                                                 ///< none: faults are counted
+  StepMemory* memory_ = nullptr;                                              ///< none: all is worked out
   mutable CutOff cut_off_;
   mutable std::optional<SymbolicState> accepted_;
 };

@@ -32,8 +32,14 @@ class LoopTimetable {
  private:
   [[nodiscard]] LoopStateId id(std::size_t i) const { return ProgramSystem::loop_state(path_[i].discrete); }
   [[nodiscard]] const LoopState& state(std::size_t i) const { return loop_[id(i)]; }
+  /// Outcomes with fewer faults come first: no more are worked out than it takes.
   [[nodiscard]] Outcome outcome(std::size_t i) const {
-    return loop_.turn(id(i - 1), loop_.faults())->outcomes[path_[i].label.move];
+    const std::uint32_t move = path_[i].label.move;
+    for (unsigned faults = 0;; ++faults) {
+      CHECK(faults <= loop_.faults());
+      const auto turn = loop_.turn(id(i - 1), faults);
+      if (move < turn->outcomes.size()) return turn->outcomes[move];
+    }
   }
 
   void step(std::size_t i) {

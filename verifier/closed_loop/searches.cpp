@@ -1,0 +1,202 @@
+// Violations of properties of a program.
+// SPDX-License-Identifier: MIT
+#include "verifier/closed_loop/searches.hpp"
+
+#include "base/bounded_cache.hpp"
+#include "base/check.hpp"
+#include "verifier/plant/cut_sets.hpp"
+#include "verifier/property/initial_modes.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Formula;
+using automata::Modes;
+using automata::Ticks;
+using Aim = Query::Aim;
+using Kind = ProgramProperty::Kind;
+
+namespace {
+
+/// Modes whose answers about one formula are remembered.
+constexpr std::size_t answers_remembered = 1u << 16;
+
+std::vector<Ticks> times_of(const automata::Program& program, const std::vector<ProgramProperty>& properties) {
+  std::vector<Ticks> times = ClockCells(program).constants();
+  for (const ProgramProperty& property : properties) {
+    const auto add = [&](std::optional<Ticks> time) {
+      if (time && !time->is_infinite()) times.push_back(*time);
+    };
+    if (property.kind == Kind::eventually || property.kind == Kind::response) add(property.within);
+    add(property.window.not_before);
+    add(property.window.by);
+  }
+  return times;
+}
+
+}  // namespace
+
+std::vector<ProgramProperty> of_programs(const std::vector<Property>& properties) {
+  std::vector<ProgramProperty> result;
+  for (const Property& property : properties) {
+    const auto* asked = std::get_if<ProgramProperty>(&property);
+    if (asked == nullptr) throw base::InternalError(name_of(property) + " is asked of a plant alone");
+    result.push_back(*asked);
+  }
+  return result;
+}
+
+Searches::Searches(const automata::Program& program, automata::PlantStep& step,
+                   const std::vector<ProgramProperty>& properties, const CheckOptions& options, const Limits& limits)
+    : step_(step),
+      options_(options),
+      meter_(limits),
+      graph_(runtime::reconfiguration_graph(step.plant())),
+      reconfigurer_(runtime::make_reconfigurer(step, graph_)),
+      loop_(program, step, *reconfigurer_, TimeModel::of(options.period, step.plant(), times_of(program, properties)),
+            0, meter_),
+      evidence_(loop_, step, *reconfigurer_, graph_, options) {}
+
+void Searches::allow_faults(unsigned faults) {
+  loop_.allow_faults(faults);
+  memories_.clear();
+  room_ = StepMemory::Room();
+}
+
+const std::vector<LoopState>& Searches::start() {
+  if (start_) return *start_;
+  start_ = loop_.initial(options_.from);
+  if (start_->empty() && !options_.from.empty()) refuse_start();
+  return *start_;
+}
+
+bool Searches::startless() { return start().empty(); }
+
+void Searches::forget_seen() {
+  cut_off_ = {};
+  cut_sets_.clear();
+}
+
+void Searches::see(const ProgramSystem& system) {
+  cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
+  cut_off_.still = cut_off_.still || system.cut_off().still;
+}
+
+std::optional<Witness> Searches::violation(const ProgramProperty& property, const FaultFilter& only) {
+  const bool entailed = options_.entailed;
+  switch (property.kind) {
+    case Kind::goal_conflict:
+      return at_a_moment({.aim = Aim::goal_conflict, .filter = only}, property);
+    case Kind::no_plan:
+      return at_a_moment({.aim = Aim::no_plan, .filter = only}, property);
+    case Kind::endless_wait:
+      return at_a_moment({.aim = Aim::endless_wait, .filter = only}, property);
+    case Kind::termination: {
+      auto found = search({.aim = Aim::endless_wait, .filter = only}, &property);
+      if (!found) found = lasso(only, property);
+      return found ? std::move(found) : search({.aim = Aim::still, .filter = only}, &property);
+    }
+    case Kind::stuck:
+      return search({.aim = Aim::stop, .filter = only}, &property);
+    case Kind::undone:
+      return at_a_moment({.aim = Aim::undone, .filter = only}, property);
+    case Kind::never:
+      return at_a_moment({.aim = Aim::holds, .test = holds(property.formula, entailed), .filter = only}, property);
+    case Kind::eventually:
+      if (property.within.is_infinite()) return std::nullopt;
+      return search({.aim = Aim::late,
+                     .test = holds(property.formula, !entailed),
+                     .deadline = loop_.time().more_than(property.within),
+                     .filter = only},
+                    &property);
+    case Kind::response:
+      if (property.within.is_infinite()) return std::nullopt;
+      return search({.aim = Aim::missed,
+                     .test = holds(property.then, !entailed),
+                     .asks = holds(property.formula, entailed),
+                     .deadline = loop_.time().more_than(property.within),
+                     .filter = only},
+                    &property);
+    case Kind::finally: {
+      const auto right = holds(property.formula, !entailed);
+      const auto wrong = [right](const Modes& modes) { return !right(modes); };
+      return at_a_moment({.aim = Aim::ends_with, .test = wrong, .filter = only}, property);
+    }
+  }
+  return std::nullopt;
+}
+
+/// What is there at one time, within the window. Each round asks for less time than the best so far takes, where that
+/// is wanted, until there is none.
+std::optional<Witness> Searches::at_a_moment(Query query, const ProgramProperty& property) {
+  const TimeModel& time = loop_.time();
+  Interval window;
+  if (property.window.not_before) window.lower = time.at_least(*property.window.not_before);
+  if (property.window.by) window.upper = time.at_most(*property.window.by);
+  if (property.window.not_before || property.window.by) query.window = window;
+  std::optional<Witness> best = search(query, &property);
+  while (property.fastest && best && best->events.back().time > Ticks{0}) {
+    window.upper = time.at_most(best->events.back().time) - 1;
+    query.window = window;
+    std::optional<Witness> faster = search(query, &property);
+    if (!faster) break;
+    best = std::move(faster);
+  }
+  return best;
+}
+
+std::function<bool(const Modes&)> Searches::holds(const Formula& formula, bool certain) {
+  using Answers = base::BoundedCache<Modes, bool, automata::ModesHash>;
+  const automata::Theory::Handle handle = step_.theory().encode(formula);
+  const auto answers = std::make_shared<Answers>(answers_remembered);
+  return [this, handle, certain, answers](const Modes& modes) {
+    return answers->find_or(modes, [&] {
+      const std::vector<automata::Assignment> store = automata::assignments_of(step_.plant(), modes);
+      return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
+    });
+  };
+}
+
+/// Searches have a memory in common that watch the same clocks: all of them but those with a stopwatch, which have one
+/// with the other rows of a table for the same property, unless its window moves. The first of them remembers nothing:
+/// it may be the only one.
+void Searches::remember(ProgramSystem& system, const Query& query, const ProgramProperty* shown) {
+  if (query.aim == Aim::undone || options_.cut_sets) return;
+  const bool stopwatch = query.aim == Aim::late || query.aim == Aim::missed || query.window.has_value();
+  if (stopwatch && (shown == nullptr || shown->fastest)) return;
+  const bool progress = query.progress && loop_.time().is_dense();
+  const auto [at, first] = memories_.try_emplace({stopwatch ? shown : nullptr, query.filter.only, progress}, room_);
+  if (!first) system.remember_in(at->second);
+}
+
+std::optional<Witness> Searches::search(const Query& query, const ProgramProperty* shown) {
+  ProgramSystem system(loop_, start(), query);
+  if (options_.cut_sets && shown != nullptr) return search_cut_sets(system, query, shown);
+  remember(system, query, shown);
+  const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
+  see(system);
+  if (!path) return std::nullopt;
+  return evidence_.of(*path, system.accepted(), system, query, shown);
+}
+
+std::optional<Witness> Searches::search_cut_sets(ProgramSystem& system, const Query& query,
+                                                 const ProgramProperty* shown) {
+  FaultSets sets;
+  system.tell_faults_apart(sets);
+  cut_sets_.clear();
+  for (const CutPath& cut : minimal_cut_sets(system, sets, meter_)) {
+    cut_sets_.push_back({cut.set.faults, evidence_.of(cut.path, cut.end, system, query, shown)});
+  }
+  see(system);
+  return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
+}
+
+std::optional<Witness> Searches::lasso(const FaultFilter& only, const ProgramProperty& shown) {
+  const Query query{.filter = only, .progress = true};
+  ProgramSystem system(loop_, start(), query);
+  remember(system, query, nullptr);
+  const auto found = find_lasso(system, loop_, only.fault.has_value(), meter_);
+  if (!found) return std::nullopt;
+  return evidence_.of(*found, query, shown);
+}
+
+}  // namespace rmpl::verifier
