@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/bounded_cache.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/closed_loop.hpp"
 #include "verifier/closed_loop/check.hpp"
+#include "verifier/closed_loop/each_fault.hpp"
+#include "verifier/verdict/report.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -245,6 +248,49 @@ RC_GTEST_PROP(ClosedLoop, CutSetsAreTheSmallestThatLeadThere, ()) {
   RC_ASSERT(sets == expected);
   RC_ASSERT(found.witness.has_value() == !expected.empty());
   RC_TAG(expected.empty() ? "none" : expected.front().empty() ? "no fault needed" : "faults");
+}
+
+/// Everything that can be asked, of one formula.
+std::vector<verifier::Property> all_about(const automata::Formula& formula, Ticks within) {
+  std::vector<verifier::Property> result;
+  for (const Kind kind : {Kind::goal_conflict, Kind::no_plan, Kind::endless_wait, Kind::termination, Kind::stuck,
+                          Kind::undone, Kind::never, Kind::eventually, Kind::finally}) {
+    result.emplace_back(ProgramProperty{kind, formula, within});
+  }
+  result.emplace_back(ProgramProperty{.kind = Kind::response, .formula = formula, .within = within});
+  return result;
+}
+
+/// What a question was answered, but for what it has cost.
+std::string without_statistics(nlohmann::ordered_json json) {
+  json.erase("statistics");
+  return json.dump(1);
+}
+
+/// What one search leaves for the next changes no verdict, no witness and no number of states.
+RC_GTEST_PROP(ClosedLoop, WhatIsRememberedChangesNothing, ()) {
+  Model model = *models(small());
+  const RandomProgram program = *programs(model.plant);
+  draw_rewards(model.plant);
+  const verifier::Subject subject{model.plant, &program.program};
+  const auto properties = all_about(some_modes(model.plant, pick(model.plant.components)),
+                                    Ticks::of_seconds(static_cast<std::int64_t>(up_to(0, 4))));
+  verifier::CheckOptions options;
+  options.period = some_period();
+  options.faults = static_cast<unsigned>(up_to(0, 2));
+  options.fewest_faults = chance(50);
+  const auto ask = [&] {
+    automata::PlantStep step(model.plant);
+    const verifier::FaultTable table = verifier::check_each_fault(program.program, step, properties, options, {});
+    const auto answers = verifier::check(program.program, step, properties, options, {});
+    const verifier::ProgramQuestion question{properties, options};
+    return std::tuple(without_statistics(verifier::to_json(subject, question, table)), table.progress.states,
+                      without_statistics(verifier::to_json(subject, question, answers)),
+                      answers.back().progress.states);
+  };
+  const auto remembered = ask();
+  const base::WithoutCaches off;
+  RC_ASSERT(ask() == remembered);
 }
 
 }  // namespace

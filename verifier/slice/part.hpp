@@ -24,8 +24,6 @@ class Part {
   Part(const automata::Plant& whole, const Kept& kept);
 
   [[nodiscard]] const automata::Plant& plant() const { return plant_; }
-  /// Whether a variable of the whole is in the part.
-  [[nodiscard]] bool has(automata::VariableId variable) const { return own_[variable.index()].has_value(); }
 
   /// A formula over variables of the part, in its own terms.
   [[nodiscard]] automata::Formula into(const automata::Formula& formula) const;

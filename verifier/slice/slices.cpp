@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "automata/dependencies/dependencies.hpp"
 #include "automata/store/island_store.hpp"
 #include "automata/store/model.hpp"
 #include "automata/store/totality.hpp"
@@ -160,37 +159,6 @@ Part Slices::part(const Cone& cone, std::span<const Formula> formulas) {
   kept.interconnections.erase(std::unique(kept.interconnections.begin(), kept.interconnections.end()),
                               kept.interconnections.end());
   return {plant_, kept};
-}
-
-std::optional<Part> Slices::enclosure(std::span<const Formula> formulas,
-                                      base::FunctionRef<bool(ComponentId)> kept_for) {
-  const automata::Classes classes = automata::Dependencies(plant_).parts();
-  std::vector<bool> inside(classes.count, false);
-  const auto enter = [&](VariableId v) { inside[*classes[v]] = true; };
-  for (const Formula& formula : formulas) {
-    for (const VariableId v : automata::variables_of(formula)) enter(v);
-  }
-  for (const std::size_t i : sensitive()) {
-    const Island& island = locality_.islands()[i];
-    for (const VariableId v : island.attributes) enter(v);
-    for (const ComponentId c : island.support.components) enter(plant_[c].mode);
-    for (const std::size_t control : island.support.controls) enter(plant_.controls[control].variable);
-  }
-  for (std::size_t c = 0; c < plant_.components.size(); ++c) {
-    if (kept_for(ComponentId(c))) enter(plant_.components[c].mode);
-  }
-  Part::Kept kept{{}, std::vector<bool>(plant_.variables.size(), false), {}};
-  const auto is_inside = [&](VariableId v) { return inside[*classes[v]]; };
-  for (std::size_t v = 0; v < plant_.variables.size(); ++v) kept.variables[v] = is_inside(VariableId(v));
-  for (std::size_t c = 0; c < plant_.components.size(); ++c) {
-    if (is_inside(plant_.components[c].mode)) kept.components.emplace_back(c);
-  }
-  if (kept.components.size() == plant_.components.size()) return std::nullopt;
-  for (std::size_t q = 0; q < plant_.interconnections.size(); ++q) {
-    const auto variables = automata::variables_of(plant_.interconnections[q].constraint);
-    if (std::any_of(variables.begin(), variables.end(), is_inside)) kept.interconnections.push_back(q);
-  }
-  return Part(plant_, kept);
 }
 
 const std::optional<Modes>& Slices::start(const std::vector<Assignment>& from) {

@@ -15,7 +15,6 @@
 #include "automata/logic/theory.hpp"
 #include "automata/step/plant_step.hpp"
 #include "automata/store/support.hpp"
-#include "base/function_ref.hpp"
 #include "verifier/slice/part.hpp"
 
 namespace rmpl::verifier {
@@ -42,11 +41,6 @@ class Slices {
   Cone cone(std::span<const automata::Formula> formulas);
   /// A cone, what the formulas that it is of read, and what a control action could contradict, as a plant of its own.
   Part part(const Cone& cone, std::span<const automata::Formula> formulas);
-  /// What shares no constraint, guard or command with the rest of the plant: what the formulas read, what a control
-  /// action could contradict, the components for which `kept` holds, and all that hangs together with these. Nothing
-  /// where that is every component. Linear in the plant.
-  std::optional<Part> enclosure(std::span<const automata::Formula> formulas,
-                                base::FunctionRef<bool(automata::ComponentId)> kept);
   /// The first possible modes to start in, in the order of the components and of their modes, `from` in place of the
   /// initial distribution of those that it names. Nothing where there are none. The last answer is remembered.
   const std::optional<automata::Modes>& start(const std::vector<automata::Assignment>& from);
