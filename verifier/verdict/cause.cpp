@@ -54,12 +54,12 @@ std::string no_plan_text(const Subject& subject, const Witness& witness) {
 
 std::string waiting_text(const Subject& subject, const Witness& witness) {
   const Cycle& last = *witness.events.back().cycle;
-  std::string text = "nothing but a fault would change anything any more; the program waits at ";
+  std::string text = "nothing but a fault would change anything any more; the program waits";
   bool first = true;
   for (const LocationId id : last.marking) {
     const automata::Location& location = subject.program->locations[id.index()];
     if (location.composite) continue;
-    text += std::string(first ? "`" : ", `") + location.label + "`" + in_brackets(location.origin);
+    text += std::string(first ? " at `" : ", `") + location.label + "`" + in_brackets(location.origin);
     first = false;
   }
   if (last.outcome == runtime::Reconfiguration::Outcome::no_plan) return text + ": " + no_plan_text(subject, witness);
