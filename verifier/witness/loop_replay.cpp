@@ -187,8 +187,7 @@ class LoopReplay {
   /// One round of these cycles, in a wait that lasts up to a time.
   std::optional<std::string> go_round(Ticks now, Ticks to) {
     const Marking before = marking_;
-    const std::vector<bool> running = running_clocks();
-    std::set<std::pair<Marking, Readings>> met;
+    std::set<std::pair<Marking, Readings>> met;  // a clock may be forgotten, or started anew, in one marking of a round
     do {
       if (!met.insert({marking_, started_}).second) return "waiting leads elsewhere" + at(now);
       begin(now, seen(now));
@@ -197,15 +196,8 @@ class LoopReplay {
       if (!stays) return "nothing changing is not possible" + at(now);
       finish(now, modes());
       if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);
-    } while (marking_ != before || running_clocks() != running);
+    } while (marking_ != before);
     return std::nullopt;
-  }
-
-  /// By clock. A round can come through one marking with a clock running, and with the same clock forgotten.
-  [[nodiscard]] std::vector<bool> running_clocks() const {
-    std::vector<bool> result;
-    for (const auto& start : started_) result.push_back(start.has_value());
-    return result;
   }
 
   /// The begins of those cycles from `from` on, and before `to`, that tell of all: the first, the last, and those in
