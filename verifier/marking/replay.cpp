@@ -206,15 +206,7 @@ std::optional<Draws> draws_of_start(const ModelProgram& program, const Marking& 
 bool is_free(const ModelProgram& program, Commands commands, const automata::Command& command) {
   std::size_t off_idle = 0;
   for (std::size_t c = 0; c < command.size(); ++c) off_idle += command[c] != program.controls[c].idle ? 1 : 0;
-  switch (commands) {
-    case Commands::none:
-      return off_idle == 0;
-    case Commands::one:
-      return off_idle <= 1;
-    case Commands::any:
-      return true;
-  }
-  return false;
+  return permits(commands, off_idle);
 }
 
 std::vector<Assignment> known(const ModelProgram& program, const automata::Command& command) {

@@ -45,8 +45,7 @@ void for_each_action(const Plant& plant, Commands commands, base::FunctionRef<vo
   }
 }
 
-bool is_free(const Plant& plant, Commands commands, const ControlAction& action) {
-  const std::size_t off_idle = automata::commanded(plant, action).size();
+bool permits(Commands commands, std::size_t off_idle) {
   switch (commands) {
     case Commands::none:
       return off_idle == 0;
@@ -56,6 +55,10 @@ bool is_free(const Plant& plant, Commands commands, const ControlAction& action)
       return true;
   }
   return false;
+}
+
+bool is_free(const Plant& plant, Commands commands, const ControlAction& action) {
+  return permits(commands, automata::commanded(plant, action).size());
 }
 
 }  // namespace rmpl::verifier

@@ -13,6 +13,9 @@ enum class Commands {
   any    ///< every combination
 };
 
+/// Whether that many control variables may be off their idle values at once.
+bool permits(Commands commands, std::size_t off_idle);
+
 /// Every free control action, each once: first idle, then in declaration order of controls and values. One at a time,
 /// as `any` may be very many.
 void for_each_action(const automata::Plant& plant, Commands commands,
