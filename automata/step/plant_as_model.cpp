@@ -1,5 +1,6 @@
 // The moves of a mode depend on which guards hold, the draw does not: [0, 1] is cut where the moves under any guards
-// are cut, and each piece is a function with an arc for whatever the guards may say. SPDX-License-Identifier: MIT
+// are cut, and each piece is a function with an arc for whatever the guards may say.
+// SPDX-License-Identifier: MIT
 #include "automata/step/plant_as_model.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Fuzzes the language server in process: the bytes as a stream of frames, and as the text of a document that is asked
-// about. SPDX-License-Identifier: MIT
+// about.
+// SPDX-License-Identifier: MIT
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,6 @@
 // Model programs that say the same in other words mean the same: random texts, compiled, and all that can happen in a
-// few steps (semantics 8). SPDX-License-Identifier: MIT
+// few steps (semantics 8).
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

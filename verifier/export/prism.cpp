@@ -1,7 +1,8 @@
 // Plants in sampled time for PRISM: one module a component, synchronised on the control action of a period.
 //
 // Given modes, clocks and the control action components draw independently (verifier/markov), which is what
-// synchronised modules do. SPDX-License-Identifier: MIT
+// synchronised modules do.
+// SPDX-License-Identifier: MIT
 #include "verifier/export/prism.hpp"
 
 #include <algorithm>

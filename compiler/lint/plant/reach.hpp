@@ -1,5 +1,6 @@
 // The plant abstracted to what each component by itself can be in: which modes are ever entered, which guards ever
-// hold. SPDX-License-Identifier: MIT
+// hold.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>

@@ -2,7 +2,8 @@
 //
 // A search through the states of one part of the plant, that has nothing to do with the others, as semantics 7 has them
 // in sampled time: cycles of the greatest duration that divides all time bounds, commands free, no faults. What it
-// finds can happen; parts with too many states are left out. SPDX-License-Identifier: MIT
+// finds can happen; parts with too many states are left out.
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <numeric>
 #include <set>

@@ -2,7 +2,8 @@
 //
 // Each source has a bound of its own, but the targets at which these are met differ: where two sources differ by a
 // fault each, a target of both has both. The bound is looked for over the components whose best mode is not the same in
-// all sources, by branch and bound; the others are taken at their best. SPDX-License-Identifier: MIT
+// all sources, by branch and bound; the others are taken at their best.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // What most likely happened over the last updates of a model program: the k most likely trajectories, revised as
 // evidence comes. A trellis of each independent group of threads; the k best of all groups together are the best of the
-// product. SPDX-License-Identifier: MIT
+// product.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Campaigns: intervals against known values, draws that depend on seed and run alone, and what the counterfactual twin
-// sees. SPDX-License-Identifier: MIT
+// sees.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <set>
