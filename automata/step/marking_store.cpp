@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "automata/step/marking_store.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 
 namespace rmpl::automata {
@@ -21,6 +23,16 @@ Variables with_selectors(const ModelProgram& program, std::vector<std::optional<
 }
 
 }  // namespace
+
+Command command_from(const ModelProgram& program, std::span<const Assignment> assignments) {
+  Command command;
+  for (const CommandedVariable& control : program.controls) {
+    const auto given = std::find_if(assignments.begin(), assignments.end(),
+                                    [&](const Assignment& a) { return a.variable == control.variable; });
+    command.push_back(given == assignments.end() ? control.idle : std::optional(given->value));
+  }
+  return command;
+}
 
 MarkingStore::MarkingStore(const ModelProgram& program, std::span<const Condition> conditions)
     : program_(program), theory_(with_selectors(program, selectors_), Theory::Upkeep::maintained) {

@@ -17,6 +17,9 @@ namespace rmpl::automata {
 /// A value for each commanded variable of a model program, by position; nothing where it is unknown.
 using Command = std::vector<std::optional<ValueId>>;
 
+/// The command of some assignments of commanded variables; the others have their idle values.
+Command command_from(const ModelProgram& program, std::span<const Assignment> assignments);
+
 /// Asked about markings by their primitive locations; composites tell nothing. Not for two threads at once. Keeps a
 /// reference to the program, and remembers no answers: its theory maintains what follows from one question to the next.
 class MarkingStore {

@@ -141,11 +141,8 @@ void report(const Account& account, const Estimator& estimator, bool ranks, doub
 class Flight {
  public:
   Flight(const automata::Plant& plant, const Options& options)
-      : plant_(plant),
-        options_(options),
-        step_(plant),
-        estimator_(make_estimator(step_, options)),
-        live_(runtime::live_clocks(plant)) {
+      : plant_(plant), options_(options), step_(plant), estimator_(make_estimator(step_, options)) {
+    if (options.live_clocks) live_ = runtime::live_clocks(plant);
     if (!estimator_->estimate().consistent) {
       throw base::InputError(options.plant +
                              ": no initial state is possible: the initial modes contradict the interconnections");
@@ -158,7 +155,7 @@ class Flight {
   /// The answer to the next line; `name` is the log's, for messages. Nothing where an interruption came within it.
   std::optional<std::string> answer(const LogLine& line, const std::string& name) {
     Belief belief;
-    const bool start = !begun_ && line.time == automata::Ticks{} && (!line.commanded || line.cycle == 0);
+    const bool start = !begun_ && line.is_of_start();
     try {
       if (start) {
         take_in(line.observations);
@@ -190,7 +187,7 @@ class Flight {
     before_ = line;
     write(json_,
           {line, estimate, belief, options_.stats && !start ? &cost : nullptr, window_ ? &history_ : nullptr,
-           options_.live_clocks ? &live_ : nullptr, options_.ranks},
+           live_ ? &*live_ : nullptr, options_.ranks},
           plant_);
     return std::string(json_.text()) + "\n";
   }
@@ -237,7 +234,7 @@ class Flight {
   const Options& options_;
   automata::PlantStep step_;
   std::unique_ptr<Estimator> estimator_;
-  runtime::ClockTable live_;
+  std::optional<runtime::ClockTable> live_;  ///< with --live-clocks
   JsonLine json_;
   Account account_;
   bool begun_ = false;  ///< a step was taken

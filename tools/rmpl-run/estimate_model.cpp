@@ -173,7 +173,7 @@ class ModelFlight {
   std::optional<std::string> answer(const LogLine& line, const std::string& name) {
     Answer answer;
     try {
-      const bool start = !begun_ && line.timed && line.time == Ticks{} && (!line.commanded || line.cycle == 0);
+      const bool start = !begun_ && line.timed && line.is_of_start();
       if (start) {
         take_in(line.observations);
         estimator_->start(at_start_);
@@ -219,13 +219,7 @@ class ModelFlight {
  private:
   void update(const LogLine& told, Ticks time) {
     begun_ = true;
-    automata::Command command;
-    for (const automata::CommandedVariable& control : program_.controls) {
-      const auto given = std::find_if(told.command.begin(), told.command.end(),
-                                      [&](const auto& a) { return a.variable == control.variable; });
-      command.push_back(given == told.command.end() ? control.idle : std::optional(given->value));
-    }
-    estimator_->update(command, told.observations);
+    estimator_->update(automata::command_from(program_, told.command), told.observations);
     ++updates_;
     times_.push_back(time);
     if (times_.size() > options_.estimator.window + 1) times_.erase(times_.begin());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/rmpl-run/scenario_model.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "base/error.hpp"
@@ -29,10 +28,13 @@ class ModelFlight {
     tell({}, nullptr);
   }
 
-  /// A first line at time 0 without a command is the start, as in a log.
+  /// The start is told already. An interruption within the line ends it.
   void fly(const LogLine& line) {
-    if (!begun_ && line.time == Ticks{} && !line.commanded) return;
-    for (std::uint64_t i = 1; i <= line.unchanged && !interrupted(); ++i) step(before_, line.time_of_unchanged(i));
+    if (!begun_ && line.timed && line.is_of_start()) return;
+    for (std::uint64_t i = 1; i <= line.unchanged; ++i) {
+      if (interrupted()) return;
+      step(before_, line.time_of_unchanged(i));
+    }
     step(line, line.time);
     before_ = line;
   }
@@ -41,14 +43,8 @@ class ModelFlight {
 
  private:
   void step(const LogLine& told, Ticks time) {
-    automata::Command command;
-    for (const automata::CommandedVariable& control : program_.controls) {
-      const auto given = std::find_if(told.command.begin(), told.command.end(),
-                                      [&](const auto& a) { return a.variable == control.variable; });
-      command.push_back(given == told.command.end() ? control.idle : std::optional(given->value));
-    }
     begun_ = true;
-    plant_.step(command);
+    plant_.step(automata::command_from(program_, told.command));
     tell(time, &told);
   }
 

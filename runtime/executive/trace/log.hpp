@@ -30,6 +30,9 @@ struct LogLine {
   bool commanded = false;                                     ///< whether the line has a command, be it an empty one
   automata::Observation observations;
 
+  /// Whether it tells what is seen at the start, where no step was taken before it: at time 0, under no command, or as
+  /// the cycle 0 of a trace.
+  [[nodiscard]] bool is_of_start() const { return time == automata::Ticks{} && (!commanded || cycle == 0); }
   /// The time of a cycle that was left out, from 1 to `unchanged`: they lie evenly between `before` and `time`.
   [[nodiscard]] automata::Ticks time_of_unchanged(std::uint64_t cycle_left_out) const;
 };
