@@ -45,8 +45,8 @@ std::optional<CampaignRun> fly_run(const automata::Document& document, const aut
   result.seed = seed_of_run(plan, run);
   automata::Scenario flown = scenario;
   const auto faults = injections(plan, plant, scenario.cycle, run);
-  if (plan.unmodelled) flown.forced.insert(flown.forced.end(), faults.begin(), faults.end());
-  if (!plan.unmodelled) options.awaited = faults;
+  auto& happening = plan.unmodelled ? flown.forced : options.awaited;
+  happening.insert(happening.end(), faults.begin(), faults.end());
   options.seed = result.seed;
   CampaignWatch watch(plant, faults);
   try {

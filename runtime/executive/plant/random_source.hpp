@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace rmpl::runtime {
 
@@ -22,5 +23,19 @@ class RandomSource {
  private:
   std::uint64_t state_;
 };
+
+/// One of some weighed things, at least one, by a number in [0, 1); weights need not sum to 1. The last where rounding
+/// leaves nothing.
+template <class Weighed>
+const Weighed& drawn(const std::vector<Weighed>& from, double at) {
+  double total = 0;
+  for (const Weighed& one : from) total += one.probability;
+  double left = at * total;
+  for (const Weighed& one : from) {
+    left -= one.probability;
+    if (left < 0) return one;
+  }
+  return from.back();
+}
 
 }  // namespace rmpl::runtime

@@ -20,19 +20,6 @@ namespace {
 
 constexpr std::size_t most_tries = std::size_t{1} << 16;
 
-/// One of some weighed things; the last where rounding leaves nothing.
-template <class Weighed>
-const Weighed& drawn(const std::vector<Weighed>& from, double at) {
-  double sum = 0;
-  for (const Weighed& one : from) sum += one.probability;
-  double before = 0;
-  for (const Weighed& one : from) {
-    before += one.probability;
-    if (at * sum < before) return one;
-  }
-  return from.back();
-}
-
 }  // namespace
 
 SimulatedModel::SimulatedModel(const automata::ModelProgram& program, std::uint64_t seed)

@@ -17,16 +17,9 @@ constexpr int draws_limit = 100'000;
 constexpr std::uint64_t state_stream = 1;
 constexpr std::uint64_t sensor_stream = 2;
 
+/// What is certain costs no draw.
 automata::ModeId choose(const std::vector<automata::Move>& moves, RandomSource& random) {
-  if (moves.size() == 1) return moves.front().mode;
-  double total = 0;
-  for (const automata::Move& move : moves) total += move.probability;
-  double left = random.uniform() * total;
-  for (const automata::Move& move : moves) {
-    left -= move.probability;
-    if (left < 0) return move.mode;
-  }
-  return moves.back().mode;
+  return moves.size() == 1 ? moves.front().mode : drawn(moves, random.uniform()).mode;
 }
 
 }  // namespace
@@ -59,15 +52,13 @@ void SimulatedPlant::issue(const automata::ControlAction& action, automata::Tick
 }
 
 void SimulatedPlant::release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
-  const auto due = [&](const automata::ForcedMode& fault) {
-    const auto& open = moves[fault.component.index()];
-    return fault.at <= now && state_.modes[fault.component.index()] != fault.mode &&
-           std::any_of(open.begin(), open.end(), [&](const automata::Move& move) { return move.mode == fault.mode; });
-  };
   std::erase_if(awaited_, [&](const automata::ForcedMode& fault) {
-    const bool now_due = due(fault);
-    if (now_due) force(moves[fault.component.index()], fault);
-    return now_due;
+    auto& open = moves[fault.component.index()];
+    const bool due =
+        fault.at <= now && state_.modes[fault.component.index()] != fault.mode &&
+        std::any_of(open.begin(), open.end(), [&](const automata::Move& move) { return move.mode == fault.mode; });
+    if (due) force(open, fault);
+    return due;
   });
 }
 
