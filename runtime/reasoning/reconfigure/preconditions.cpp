@@ -57,6 +57,25 @@ Preconditions::Preconditions(const Plant& plant)
       has_states_(!relevance_.excludes() || automata::model_theory(plant).consistent({})),
       number_(plant.variables.size()) {}
 
+VariableId Preconditions::local(VariableId variable) const { return VariableId(number_[variable.index()]); }
+
+Assignment Preconditions::local(const Assignment& assignment) const {
+  return {local(assignment.variable), assignment.value};
+}
+
+Formula Preconditions::local(const Formula& formula) const {
+  return renamed(
+      formula, [&](VariableId v) { return local(v); }, [](VariableId, ValueId value) { return value; });
+}
+
+/// A question about a part, given one of its modes. Numbers its variables.
+Preconditions::Key Preconditions::question_about(const automata::Relevance::Part& part, Assignment mode) {
+  for (std::uint32_t i = 0; i < part.variables.size(); ++i) number_[part.variables[i].index()] = i;
+  Key question = key(part);
+  question.push_back(std::uint64_t{local(mode).variable.value} << 32 | mode.value.value);
+  return question;
+}
+
 /// What makes a difference to an answer: the variables' domains, which are modes, and which controls with what idle
 /// values, and the constraints. Names and weights do not.
 Preconditions::Key Preconditions::key(const automata::Relevance::Part& part) const {
@@ -77,7 +96,6 @@ Preconditions::Key Preconditions::key(const automata::Relevance::Part& part) con
 
 /// The part as a plant of its own; variables stand as `number_` says. It has no transitions.
 Plant Preconditions::plant_of(const automata::Relevance::Part& part) const {
-  const auto local = [&](VariableId v) { return VariableId(number_[v.index()]); };
   Plant own;
   std::vector<std::vector<std::vector<Formula>>> told;  // per component, per mode
   std::vector<std::size_t> component_of(part.variables.size());
@@ -96,7 +114,7 @@ Plant Preconditions::plant_of(const automata::Relevance::Part& part) const {
   }
   for (const std::size_t position : part.constraints) {
     const Constraint& constraint = relevance_.constraints()[position];
-    Formula formula = renamed(constraint.formula, local, [](VariableId, ValueId value) { return value; });
+    Formula formula = local(constraint.formula);
     if (constraint.under) {
       const std::size_t c = component_of[local(constraint.under->variable).index()];
       told[c][constraint.under->value.index()].push_back(std::move(formula));
@@ -118,17 +136,13 @@ std::vector<Precondition> Preconditions::of(ComponentId component, TransitionId 
   std::vector<VariableId> about = variables_of(t.guard);
   about.push_back(plant_[component].mode);
   const automata::Relevance::Part part = relevance_.part(about);
-  for (std::uint32_t i = 0; i < part.variables.size(); ++i) number_[part.variables[i].index()] = i;
-  const Assignment source{VariableId(number_[plant_[component].mode.index()]), ValueId(t.from.index())};
-  Key question = key(part);
-  question.push_back(std::uint64_t{source.variable.value} << 32 | source.value.value);
+  const Assignment source{plant_[component].mode, ValueId(t.from.index())};
+  Key question = question_about(part, source);
   write(question, t.guard, number_);
   const std::vector<Precondition>* known = found_.find(question);
   if (known == nullptr) {
-    const Formula guard = renamed(
-        t.guard, [&](VariableId v) { return VariableId(number_[v.index()]); },
-        [](VariableId, ValueId value) { return value; });
-    known = &found_.add(std::move(question), PreconditionFinder(plant_of(part), source, guard).preconditions());
+    known = &found_.add(std::move(question),
+                        PreconditionFinder(plant_of(part), local(source), local(t.guard)).preconditions());
   }
   // Numbers ascend with variables, so what was sorted stays sorted.
   std::vector<Precondition> result = *known;
@@ -143,13 +157,12 @@ bool Preconditions::possible(ComponentId component, ModeId mode) {
   const VariableId variable = plant_[component].mode;
   const automata::Relevance::Part part = relevance_.part({variable});
   if (part.constraints.empty()) return true;
-  for (std::uint32_t i = 0; i < part.variables.size(); ++i) number_[part.variables[i].index()] = i;
-  const Assignment asked{VariableId(number_[variable.index()]), ValueId(mode.index())};
-  Key question = key(part);
-  question.push_back(std::uint64_t{asked.variable.value} << 32 | asked.value.value);
+  const Assignment asked{variable, ValueId(mode.index())};
+  Key question = question_about(part, asked);
   const bool* known = possible_.find(question);
   if (known == nullptr) {
-    known = &possible_.add(std::move(question), automata::model_theory(plant_of(part)).consistent({&asked, 1}));
+    const Assignment own = local(asked);
+    known = &possible_.add(std::move(question), automata::model_theory(plant_of(part)).consistent({&own, 1}));
   }
   return *known;
 }

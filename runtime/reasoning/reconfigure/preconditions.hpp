@@ -29,6 +29,11 @@ class Preconditions {
 
  private:
   using Key = std::vector<std::uint64_t>;
+  // As they stand in the part that is asked about.
+  [[nodiscard]] automata::VariableId local(automata::VariableId variable) const;
+  [[nodiscard]] automata::Assignment local(const automata::Assignment& assignment) const;
+  [[nodiscard]] automata::Formula local(const automata::Formula& formula) const;
+  Key question_about(const automata::Relevance::Part& part, automata::Assignment mode);
   [[nodiscard]] Key key(const automata::Relevance::Part& part) const;
   [[nodiscard]] automata::Plant plant_of(const automata::Relevance::Part& part) const;
 
