@@ -1,0 +1,45 @@
+// A subcommand for a formula and the times at which it counts.
+// SPDX-License-Identifier: MIT
+#include "tools/tcca-check/formula_check.hpp"
+
+#include <memory>
+#include <string>
+
+#include "tools/shared/models.hpp"
+#include "tools/tcca-check/model_check.hpp"
+#include "tools/tcca-check/property_check.hpp"
+
+namespace rmpl::tools {
+namespace {
+
+struct Options : PropertyOptions, WindowOptions {
+  std::string formula;
+};
+
+ExitStatus run(const FormulaCheck& check, const Options& options, const Common& common) {
+  const FormulaAsked asked{check.kind, options.formula, check.option, options.window};
+  return check_property(
+      options, common, std::string(check.name) + " " + options.formula,
+      [&](const automata::Plant& plant) -> verifier::Property {
+        auto formula = formula_option(options.formula, plant, check.option, common);
+        if (check.kind == verifier::MarkingQuestion::Kind::safety) {
+          return verifier::Safety{std::move(formula), options.window, options.fastest};
+        }
+        return verifier::Reachability{std::move(formula), options.window, options.fastest};
+      },
+      &asked);
+}
+
+}  // namespace
+
+void add_formula_check(Program& program, const FormulaCheck& check) {
+  CLI::App* command = program.app().add_subcommand(check.name, check.description);
+  const auto options = std::make_shared<Options>();
+  add_text(*command, check.option, options->formula, "FORMULA", check.meaning)->required();
+  add_window(*command, *options);
+  add_property_options(*command, *options, program.common());
+  command->footer(std::string(model_notes) + "\n\n" + command->get_footer());
+  program.add({command, [check, options, &common = program.common()] { return run(check, *options, common); }});
+}
+
+}  // namespace rmpl::tools
