@@ -135,7 +135,9 @@ class Check {
       const PlantSystem::Observe observer = observe(arena);
       PlantSystem system(arena.situations(), observer, arena.symmetry(), arena.start());
       const auto fewer = fewer_steps(arena);
-      if (find_corridor(system, meter_)) return false;
+      const bool reached = options_.merge ? find_corridor(system, meter_).has_value()
+                                          : find_path(system, SearchOrder::covering, 1, meter_).has_value();
+      if (reached) return false;
       const CutOff& cut_off = system.cut_off();
       return !cut_off.stuck && !cut_off.still;
     });
