@@ -103,6 +103,7 @@ class Search {
 
   static std::vector<ModeId> targets(const std::vector<Move>& moves) {
     std::vector<ModeId> result;
+    result.reserve(moves.size());
     for (const Move& move : moves) result.push_back(move.mode);
     return result;
   }
