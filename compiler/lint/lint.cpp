@@ -86,9 +86,16 @@ Diagnostics lint(const Compilation& compilation, const LintSettings& settings) {
   Diagnostics found = compilation.findings().diagnostics;
   const NameIndex names = compilation.names();
   const Places places(sources, compilation.files());
-  const LintInput input{sources, compilation.files(),  compilation.document(), compilation.properties(), names,
-                        places,  compilation.places(), settings.cycle};
-  for (const auto passes : {plant_passes(), program_passes()}) {
+  const LintInput input{sources,
+                        compilation.files(),
+                        compilation.document(),
+                        compilation.properties(),
+                        names,
+                        places,
+                        compilation.places(),
+                        compilation.model_places(),
+                        settings.cycle};
+  for (const auto passes : {plant_passes(), model_program_passes(), program_passes()}) {
     for (const LintPass pass : passes) pass(input, found);
   }
   return at_levels(without_allowed(found, sources, compilation.files()), settings);

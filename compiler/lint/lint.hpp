@@ -31,6 +31,7 @@ struct LintInput {
   const NameIndex& names;
   const Places& places;
   std::span<const ProgramPlaces> programs;  ///< per program of the document; empty for one that came compiled
+  std::span<const ProgramPlaces> models;    ///< per model program, likewise; empty for a plant that holds some, too
   automata::Ticks cycle;                    ///< of the executive, where no scenario says it
 };
 
@@ -57,7 +58,9 @@ struct LintCode {
   grammar::Severity level;
 };
 
-/// The passes and codes of lint, by subject: plants; programs, scenarios and properties.
+/// The passes and codes of lint, by subject: plants; model programs; programs, scenarios and properties. What is found
+/// in model programs has codes of the others.
+std::span<const LintPass> model_program_passes();
 std::span<const LintPass> plant_passes();
 std::span<const LintCode> plant_lint_codes();
 std::span<const LintPass> program_passes();

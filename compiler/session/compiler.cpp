@@ -20,7 +20,7 @@ struct Compilation::Result {
   grammar::Findings findings;
   automata::Document document;
   std::vector<automata::PlantProperty> properties;
-  std::vector<ProgramPlaces> places;
+  std::vector<ProgramPlaces> places, model_places;
   std::vector<File> files;
 };
 
@@ -46,6 +46,11 @@ std::span<const ProgramPlaces> Compilation::places() const {
   return result_->places;
 }
 
+std::span<const ProgramPlaces> Compilation::model_places() const {
+  CHECK(ok() && "a compilation with errors has no model programs");
+  return result_->model_places;
+}
+
 const grammar::Findings& Compilation::findings() const { return result_->findings; }
 
 std::span<const File> Compilation::files() const { return result_->files; }
@@ -67,6 +72,7 @@ Compilation compile(std::span<const std::string> paths, const Options& options, 
   result->document = inputs.compile(paths, options);
   result->properties = inputs.take_properties();
   result->places = inputs.take_places();
+  result->model_places = inputs.take_model_places();
   result->files = inputs.take_files();
   return Compilation(std::move(result));
 }

@@ -43,6 +43,8 @@ class Compilation {
   [[nodiscard]] const std::vector<automata::PlantProperty>& properties() const;
   /// Where the programs of the document stand, one by one (`compiler/lower/program_places.hpp`). Only where `ok()`.
   [[nodiscard]] std::span<const ProgramPlaces> places() const;
+  /// The same of its model programs.
+  [[nodiscard]] std::span<const ProgramPlaces> model_places() const;
   /// All that was read, with or without errors, by index.
   [[nodiscard]] std::span<const File> files() const;
   /// Every diagnostic, warnings too, and the texts that they speak of.

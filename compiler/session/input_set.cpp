@@ -83,6 +83,7 @@ void InputSet::adopt(const File& file) {
     adopted_.push_back({file.index, 0, 0});
   }
   document_.models.insert(document_.models.end(), more.models.begin(), more.models.end());
+  model_places_.resize(document_.models.size());
   for (const automata::Scenario& scenario : more.scenarios) {
     automata::Scenario& copy = document_.scenarios.emplace_back(scenario);
     copy.plant += plants;
@@ -117,6 +118,7 @@ InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
   if (part && !part->models.empty()) {
     result.model = true;
     if (auto program = in_steps(*part)) document_.models.push_back(std::move(*program));
+    model_places_.resize(document_.models.size());
   } else if (part) {
     document_.plants.push_back(part->plant);
     result.part = &parts_.emplace_back(std::move(*part));
@@ -212,6 +214,7 @@ InputSet::Program InputSet::program(const Roots& roots, const Entry& entry, cons
   } else if (lowered.model) {
     result.model = true;
     document_.models.push_back(std::move(*lowered.model));
+    model_places_.push_back(std::move(lowered.model_places));
   }
   programs_.emplace(key, result);
   return result;
@@ -267,6 +270,7 @@ InputSet::Lowered InputSet::lower_definitions(const std::vector<ProgramSource>& 
     entries.push_back(*start);
     if (declared) {
       result.model = model_program(lowered, *declared, diagnostics_);
+      result.model_places = std::move(lowered.places);
     } else {
       result.program = std::move(lowered);
     }

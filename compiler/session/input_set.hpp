@@ -35,6 +35,8 @@ class InputSet {
   std::vector<automata::PlantProperty> take_properties() { return std::move(properties_); }
   /// Where the programs of the document stand, once all is compiled.
   std::vector<ProgramPlaces> take_places() { return std::move(places_); }
+  /// The same of its model programs.
+  std::vector<ProgramPlaces> take_model_places() { return std::move(model_places_); }
   /// What was read, once all is compiled.
   std::vector<File> take_files() { return files_.take(); }
 
@@ -73,10 +75,11 @@ class InputSet {
     bool model = false;
   };
   Program program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
-  /// The program with its places, or the model program; neither where there are errors.
+  /// The program, or the model program with its places; neither where there are errors.
   struct Lowered {
     std::optional<LoweredProgram> program;
     std::optional<automata::ModelProgram> model;
+    ProgramPlaces model_places = {};
   };
   Lowered lower_program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
   /// The same from sources that are read; `plant` as above.
@@ -95,7 +98,8 @@ class InputSet {
   bool types_suffice_ = false;   ///< a plant that is asked for may be made of types alone
   bool entry_optional_ = false;  ///< as in the options
   automata::Document document_;
-  std::vector<ProgramPlaces> places_;  ///< per program of the document
+  std::vector<ProgramPlaces> places_;        ///< per program of the document
+  std::vector<ProgramPlaces> model_places_;  ///< per model program of the document
   std::vector<automata::PlantProperty> properties_;
   std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document
   std::deque<Part> parts_;              ///< of plants without errors; a deque, for they are referred to

@@ -40,12 +40,14 @@ plant Tap {
         Code::condition_never_holds, "condition never holds",
         "No state of the plant satisfies the condition: the domains, the mode constraints and the interconnections "
         "contradict it. A wait for it never ends, a step that depends on it is never reached, and a watch for it "
-        "watches nothing.",
+        "watches nothing. In a model program a condition holds where what is told entails it: this one follows from "
+        "nothing that is told anywhere the program can come to, whatever is commanded. What is seen is not told.",
         "P() :: {\n  when engine = on & engine = off donext valve = open\n}",
         "P() :: {\n  when engine = on donext valve = open\n}"},
     CodeInfo{
         Code::condition_always_holds, "condition always holds",
-        "Every state of the plant satisfies the condition, so it decides nothing. One who means that writes `true`.",
+        "Every state of the plant satisfies the condition, or the constraints of a model program entail it, so it "
+        "decides nothing. One who means that writes `true`.",
         "P() :: {\n  if engine = on | engine != on thennext valve = open\n}",
         "P() :: {\n  if engine = on thennext valve = open\n}"},
     CodeInfo{Code::condition_out_of_reach, "condition speaks of what the plant cannot reach",
@@ -92,7 +94,8 @@ plant Sink {
     CodeInfo{Code::contradicting_goals, "goals contradict each other",
              "Two threads ask for different modes of one component in the same cycle. Such a cycle commands nothing. "
              "The notes show where the two goals stand, and when they meet. Where the second goal can also come first, "
-             "so that it takes a plant that does this and not that, the finding is a note.",
+             "so that it takes a plant that does this and not that, the finding is a note. In a model program: two "
+             "constraints begin to be told together and contradict each other, so that it never comes to that.",
              "P() :: {\n  engine = on,\n  engine = off\n}", "P() :: {\n  engine = on;\n  engine = off\n}"},
     CodeInfo{Code::step_never_reached, "step is never reached",
              "What comes before the step never ends: `always`, `whenever`, or a wait for what cannot be.",

@@ -181,7 +181,8 @@ plant Feed {
 })"},
     CodeInfo{Code::no_initial_state, "initial modes that contradict each other",
              "The initial modes of the components contradict the interconnections, whichever are drawn: the "
-             "plant has no state to begin with, and nothing can be reached.",
+             "plant has no state to begin with, and nothing can be reached. Likewise a model program that tells a "
+             "contradiction at once, or one against its constraints.",
              R"(component Door {
   input  cmd  : { none, open };
   output seen : { shut, wide };
@@ -214,7 +215,7 @@ plant House {
     CodeInfo{Code::impossible_initial_mode, "initial mode that is never the first",
              "The mode has an initial probability, but contradicts the interconnections in whatever initial "
              "modes the other components are. Its probability is dropped, and the rest counts for more than "
-             "was written.",
+             "was written. Likewise a branch of a draw before the start of a model program.",
              R"(component Door {
   input  cmd  : { none, open };
   output seen : { shut, wide };

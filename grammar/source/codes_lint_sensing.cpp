@@ -245,7 +245,7 @@ plant Feed {
     CodeInfo{Code::unused_attribute, "attribute that nothing mentions",
              "No mode constraint, guard or interconnection mentions the attribute, and it is neither "
              "commanded nor observed; or it is an input of a component that none of its own guards and mode "
-             "constraints reads.",
+             "constraints reads; or it is a variable of a model program that no constraint and no condition speaks of.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };

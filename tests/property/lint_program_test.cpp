@@ -90,11 +90,12 @@ RC_GTEST_PROP(LintOfPrograms, CallsOnlyThatUnreachableWhichIsNeverMarked, ()) {
   if (!slow) return;
   compiler::Possibilities possible(program.variables, &plant);
   if (!possible.consistent()) return;
-  const compiler::ReachableLocations reach(program, [&](const automata::Condition& condition) -> compiler::Freedom {
+  const auto freedom = [&](const automata::Condition& condition) -> compiler::Freedom {
     compiler::Freedom free{possible.can_hold(condition.constraint), possible.can_fail(condition.constraint)};
     if (!condition.entailed) std::swap(free.may_hold, free.may_fail);
     return free;
-  });
+  };
+  const compiler::ReachableLocations reach(compiler::flow_of(program, freedom));
   for (const automata::LocationId marked : slow->marked) RC_ASSERT(reach.reached(marked));
 }
 

@@ -115,9 +115,9 @@ void check(const LintInput& input, const BoundProgram& bound, std::set<grammar::
     if (repeats(locations[l], LocationId(l))) repeating.emplace_back(l);
   }
   if (starts.empty()) return;
-  const ReachableLocations reach(bound.program, [](const automata::Condition& condition) -> Freedom {
+  const ReachableLocations reach(flow_of(bound.program, [](const automata::Condition& condition) -> Freedom {
     return {true, !condition.is_trivial()};
-  });
+  }));
   const auto clock_of = [&](LocationId start) { return *locations[start.index()].clock_start; };
   for (const LocationId first : starts) {
     Onward onward(bound.program, reach, clock_of(first));

@@ -9,6 +9,7 @@
 #include "automata/assignment_text.hpp"
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/program/bound_programs.hpp"
+#include "compiler/lint/program/consequences.hpp"
 #include "compiler/lint/program/passes.hpp"
 #include "compiler/lint/program/possibilities.hpp"
 #include "compiler/lint/program/reachable_modes.hpp"
@@ -30,16 +31,6 @@ struct Judged {
   std::vector<automata::Origin> blamed;
   std::string unreached;
 };
-
-/// What a construct does where its condition never holds, and where it always does.
-std::pair<const char*, const char*> consequences(const std::string& construct) {
-  if (construct == "watching") return {"nothing is watched for", "what is inside never runs"};
-  if (construct == "maintaining") return {"what is inside never runs", "nothing is maintained"};
-  if (construct == "when") return {"the wait never ends", "there is no wait"};
-  if (construct == "whenever") return {"what follows never runs", "what follows runs in every cycle"};
-  if (construct == "unless") return {"what follows always runs", "what follows never runs"};
-  return {"what follows `thennext` never runs", "what follows `elsenext` never runs"};
-}
 
 class Judge {
  public:
@@ -87,7 +78,7 @@ class Judge {
 };
 
 void report(const LintInput& input, grammar::Span span, const Judged& judged, grammar::Diagnostics& found) {
-  const auto& [never, always] = consequences(judged.condition->construct);
+  const auto [never, always] = consequences_of(judged.condition->construct);
   const std::string text = backquoted(input.sources.text(span));
   if (judged.verdict == Verdict::out_of_reach) {
     auto& finding = add_finding(found, Code::condition_out_of_reach, span,

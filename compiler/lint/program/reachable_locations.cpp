@@ -3,94 +3,112 @@
 #include "compiler/lint/program/reachable_locations.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rmpl::compiler {
 
-using automata::Arc;
-using automata::Condition;
-using automata::Location;
+using automata::LocationId;
 
-ReachableLocations::ReachableLocations(const automata::Program& program, const FreedomOf& freedom)
-    : program_(program),
-      starts_(program.locations.size()),
-      entries_(program.locations.size()),
-      vanishes_(program.locations.size(), false),
-      reached_(program.locations.size(), false) {
-  const auto& locations = program.locations;
-  for (std::size_t l = 0; l < locations.size(); ++l) {
-    auto& guards = guards_.emplace_back();
-    for (const Arc& arc : locations[l].arcs) {
-      guards.push_back(freedom(arc.guard));
-      add_entries(l, arc.target.index());
+Flow flow_of(const automata::Program& program, const FreedomOf& freedom) {
+  Flow flow;
+  for (const automata::Location& location : program.locations) {
+    FlowLocation& made = flow.emplace_back();
+    made.composite = location.composite;
+    made.start = location.start;
+    made.parent = location.parent;
+    made.may_be_left = freedom(location.maintenance).may_fail;
+    made.may_go_on =
+        location.goal.empty() || made.may_be_left || freedom({true, conjunction_of(location.goal)}).may_hold;
+    auto& arcs = made.draws.emplace_back();
+    for (const automata::Arc& arc : location.arcs) arcs.push_back({arc.target, freedom(arc.guard), &arc.guard});
+  }
+  return flow;
+}
+
+ReachableLocations::ReachableLocations(Flow flow, const std::vector<LocationId>& starts)
+    : flow_(std::move(flow)),
+      starts_(flow_.size()),
+      entries_(flow_.size()),
+      vanishes_(flow_.size(), false),
+      reached_(flow_.size(), false) {
+  for (std::size_t l = 0; l < flow_.size(); ++l) {
+    for (const auto& arcs : flow_[l].draws) {
+      for (const FlowArc& arc : arcs) add_entries(l, arc.target.index());
     }
-    maintenance_.push_back(freedom(locations[l].maintenance));
-    goals_.push_back(freedom({true, conjunction_of(locations[l].goal)}));
-    if (locations[l].parent && locations[l].start) starts_[locations[l].parent->index()].push_back(l);
+    if (flow_[l].parent && flow_[l].start) starts_[flow_[l].parent->index()].push_back(l);
+  }
+  for (LocationId start : starts) {
+    for (auto parent = flow_[start.index()].parent; parent; parent = flow_[parent->index()].parent) {
+      entries_[parent->index()].push_back(start.index());
+      start = *parent;
+    }
   }
   // Children and what follows stand behind, so going backwards settles nearly all in the first round.
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t l = locations.size(); l-- > 0;) changed = update_vanishing(l) || changed;
+    for (std::size_t l = flow_.size(); l-- > 0;) changed = update_vanishing(l) || changed;
   }
-  if (!locations.empty()) mark(0);
+  if (!flow_.empty()) mark(0);
+  for (const LocationId start : starts) mark(start.index());
   while (!pending_.empty()) {
     const std::size_t l = pending_.back();
     pending_.pop_back();
     for (const std::size_t start : starts_[l]) mark(start);
     if (!may_leave(l)) continue;
-    for (std::size_t a = 0; a < locations[l].arcs.size(); ++a) {
-      if (guards_[l][a].may_hold) mark(locations[l].arcs[a].target.index());
+    for (const LocationId passed : flow_[l].passed) mark(passed.index());
+    for (const auto& arcs : flow_[l].draws) {
+      for (const FlowArc& arc : arcs) {
+        if (arc.guard.may_hold) mark(arc.target.index());
+      }
     }
   }
 }
 
 /// An arc into the inside of composites that its source is not in marks them with nothing else.
 void ReachableLocations::add_entries(std::size_t source, std::size_t target) {
-  const auto& locations = program_.locations;
   const auto holds_source = [&](std::size_t composite) {
-    for (auto parent = locations[source].parent; parent; parent = locations[parent->index()].parent) {
+    for (auto parent = flow_[source].parent; parent; parent = flow_[parent->index()].parent) {
       if (parent->index() == composite) return true;
     }
     return false;
   };
-  for (auto parent = locations[target].parent; parent; parent = locations[parent->index()].parent) {
+  for (auto parent = flow_[target].parent; parent; parent = flow_[parent->index()].parent) {
     if (holds_source(parent->index())) return;
     entries_[parent->index()].push_back(target);
     target = parent->index();
   }
 }
 
-bool ReachableLocations::may_end(automata::LocationId composite) const {
+bool ReachableLocations::may_end(LocationId composite) const {
   const auto& starts = starts_[composite.index()];
   const auto& entries = entries_[composite.index()];
   return std::any_of(entries.begin(), entries.end(), [&](std::size_t entry) { return vanishes_[entry]; }) ||
-         maintenance_[composite.index()].may_fail ||
+         flow_[composite.index()].may_be_left ||
          std::all_of(starts.begin(), starts.end(), [&](std::size_t start) { return vanishes_[start]; });
 }
 
 /// Whether the arcs of a location may be looked at: a composite has ended, a goal is achieved.
 bool ReachableLocations::may_leave(std::size_t location) const {
-  const Location& l = program_.locations[location];
-  if (l.composite) return may_end(automata::LocationId(location));
-  return l.goal.empty() || goals_[location].may_hold || maintenance_[location].may_fail;
+  return flow_[location].composite ? may_end(LocationId(location)) : flow_[location].may_go_on;
 }
 
 bool ReachableLocations::update_vanishing(std::size_t location) {
   if (vanishes_[location] || !may_leave(location)) return false;
-  vanishes_[location] = arcs_may_vanish(location);
+  const auto& draws = flow_[location].draws;
+  vanishes_[location] = std::any_of(draws.begin(), draws.end(), [&](const auto& arcs) { return may_vanish(arcs); });
   return vanishes_[location];
 }
 
 /// Whether for some truth of the guards all targets of enabled arcs may vanish.
-bool ReachableLocations::arcs_may_vanish(std::size_t location) const {
-  const std::vector<Arc>& arcs = program_.locations[location].arcs;
+bool ReachableLocations::may_vanish(const std::vector<FlowArc>& arcs) const {
   // Each arc to what lasts has to be shut. Guards over the same constraint are of one mind; others are free.
-  for (std::size_t a = 0; a < arcs.size(); ++a) {
-    if (vanishes_[arcs[a].target.index()]) continue;
-    if (!guards_[location][a].may_fail) return false;
-    const auto opposite = [&](const Arc& other) {
-      return !vanishes_[other.target.index()] && other.guard.constraint == arcs[a].guard.constraint &&
-             other.guard.entailed != arcs[a].guard.entailed;
+  for (const FlowArc& arc : arcs) {
+    if (vanishes_[arc.target.index()]) continue;
+    if (!arc.guard.may_fail) return false;
+    const auto opposite = [&](const FlowArc& other) {
+      return !vanishes_[other.target.index()] && arc.condition != nullptr && other.condition != nullptr &&
+             other.condition->constraint == arc.condition->constraint &&
+             other.condition->entailed != arc.condition->entailed;
     };
     if (std::any_of(arcs.begin(), arcs.end(), opposite)) return false;
   }
@@ -101,7 +119,7 @@ void ReachableLocations::mark(std::size_t location) {
   if (reached_[location]) return;
   reached_[location] = true;
   pending_.push_back(location);
-  if (program_.locations[location].parent) mark(program_.locations[location].parent->index());
+  if (flow_[location].parent) mark(flow_[location].parent->index());
 }
 
 }  // namespace rmpl::compiler

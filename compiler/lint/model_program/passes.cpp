@@ -1,0 +1,33 @@
+// What lint looks for in model programs: all findings about one share what may be told and marked.
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "compiler/lint/lint.hpp"
+#include "compiler/lint/model_program/report.hpp"
+
+namespace rmpl::compiler {
+
+namespace {
+
+void lint_model_programs(const LintInput& input, grammar::Diagnostics& found) {
+  MarkedSpans marked;
+  for (std::size_t m = 0; m < input.document.models.size(); ++m) {
+    ModelReport report(input, input.document.models[m], input.models[m], found);
+    if (!report.name()) continue;
+    if (!report_start(report) || report.places().locations.empty()) continue;
+    report_contradictions(report);
+    report_conditions(report);
+    report_unspoken(report);
+    add_marked(report, marked);
+  }
+  report_unreached_steps(input, marked, found);
+}
+
+}  // namespace
+
+std::span<const LintPass> model_program_passes() {
+  static constexpr std::array passes = {LintPass{lint_model_programs}};
+  return passes;
+}
+
+}  // namespace rmpl::compiler
