@@ -3,6 +3,7 @@
 #include "automata/json/parse.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -37,8 +38,7 @@ class Reader : public nlohmann::json_sax<Json> {
     const bool twice = known(members, name);
     if (twice || members.size() >= key_limit) {
       refuse(name, twice);
-      lost_ = Json();
-      slot_ = &lost_;
+      slot_ = &lost_.emplace_back();
       return true;
     }
     if (members.size() > few_keys) open_.back().keys.insert(name);
@@ -118,8 +118,8 @@ class Reader : public nlohmann::json_sax<Json> {
 
   Json root_;
   std::vector<Open> open_;
-  Json* slot_ = nullptr;  ///< of the last key
-  Json lost_;             ///< in place of what is refused
+  Json* slot_ = nullptr;   ///< of the last key
+  std::deque<Json> lost_;  ///< in place of what is refused, which may be refused within what is refused
   std::optional<JsonError> error_;
 };
 

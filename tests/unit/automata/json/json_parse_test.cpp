@@ -26,6 +26,15 @@ TEST(JsonParse, RefusesAKeyThatStandsTwice) {
   EXPECT_EQ(parse_json(R"({"a": {"a": [{"a": 1}, {"a": 2}]}})").size(), 1U);
 }
 
+TEST(JsonParse, KeysThatStandTwiceWithinOneThatDoes) {
+  try {
+    parse_json(R"({"a": 1, "a": {"b": [1], "b": {"c": [2, 3], "c": {"d": 4}}, "e": [5, {"f": 6}]}, "g": 7})");
+    FAIL();
+  } catch (const JsonError& error) {
+    EXPECT_STREQ(error.what(), "/a: the key 'a' stands twice in one object");
+  }
+}
+
 TEST(JsonParse, ASyntaxErrorComesFirst) { EXPECT_THROW(parse_json(R"({"a": 1, "a": 2)"), Json::parse_error); }
 
 TEST(JsonParse, EscapedSpellingsOfOneKeyAreTheSame) { EXPECT_THROW(parse_json(R"({"a": 1, "\u0061": 2})"), JsonError); }
