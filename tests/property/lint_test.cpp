@@ -6,11 +6,14 @@
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "compiler/lint/plant/alike.hpp"
 #include "compiler/lint/plant/findings.hpp"
+#include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/lint.hpp"
+#include "tests/reference/reachability.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -23,13 +26,28 @@ using compiler::PlantAnalysis;
 using reference::PlantLint;
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
-/// Small plants of all kinds: with open readings, with guards on other components, with modes that exclude each other.
+/// Two components that may be in some mode each only together, so that they have to enter it together.
+void couple(Plant& plant) {
+  const automata::Component& first = plant.components.front();
+  const automata::Component& last = plant.components.back();
+  const auto in = [](const automata::Component& component) {
+    return automata::is(component.mode, automata::ValueId(up_to(0, component.modes.size() - 1)));
+  };
+  plant.interconnections.emplace_back(equivalence(in(first), in(last)));
+}
+
+/// Small plants of all kinds: with open readings, with guards on other components, with modes that exclude each other,
+/// or only come together.
 Model any_plant() {
   Shape shape;
   shape.open = *rc::gen::arbitrary<bool>();
   shape.tangled = *rc::gen::arbitrary<bool>();
   shape.max_components = 2 + *rc::gen::inRange<std::size_t>(0, 2);
-  return *models(shape);
+  const Model model = *models(shape);
+  if (!chance(40)) return model;
+  Model coupled = model;
+  couple(coupled.plant);
+  return PlantLint(coupled.plant).initial().empty() ? model : coupled;
 }
 
 Pairs of_modes(const std::vector<compiler::PlantMode>& found) {
@@ -62,6 +80,43 @@ RC_GTEST_PROP(PlantLint, ModesAreThoseOfTheEnumeration, ()) {
               return model.plant.components[mode.first].initial[mode.second] > 0 && slow.possible().contains(mode) &&
                      !slow.initial().contains(mode);
             }));
+}
+
+/// Whether no command contradicts any modes that are possible: such a command enables every guard (semantics 3), and
+/// lint leaves it out.
+bool commands_contradict_nothing(const Plant& plant) {
+  const reference::Models models(plant);
+  std::vector<std::size_t> modes, values;
+  for (const automata::Component& component : plant.components) modes.push_back(component.modes.size());
+  for (const automata::Control& control : plant.controls) {
+    values.push_back(plant.variables[control.variable].values.size());
+  }
+  for (const auto& of_components : reference::tuples(modes)) {
+    automata::Modes all;
+    for (const std::size_t m : of_components) all.emplace_back(m);
+    if (!models.consistent(reference::assumptions_of(plant, all))) continue;
+    for (const auto& of_controls : reference::tuples(values)) {
+      automata::ControlAction action;
+      for (const std::size_t v : of_controls) action.emplace_back(v);
+      if (!models.consistent(reference::assumptions_of(plant, all, action))) return false;
+    }
+  }
+  return true;
+}
+
+/// What really happens, by the semantics: steps of a second, everything may fail, any commands.
+RC_GTEST_PROP(PlantLint, WhatIsReachedIsNotCalledNeverEntered, ()) {
+  const Model model = any_plant();
+  RC_PRE(commands_contradict_nothing(model.plant));
+  const PlantAnalysis analysis(model.plant);
+  const reference::Step step(model.plant);
+  for (const compiler::PlantMode& mode : find_unreachable_modes(analysis)) {
+    reference::Question question;
+    question.target = automata::is(model.plant[mode.component].mode, automata::ValueId(mode.mode.index()));
+    question.faults = 8;
+    question.commands = reference::Question::Commands::any;
+    RC_ASSERT(!reference::fewest_steps_sampled(step, question, automata::Ticks::of_seconds(1)));
+  }
 }
 
 RC_GTEST_PROP(PlantLint, GuardsThatNeverHoldAreThoseOfTheEnumeration, ()) {

@@ -57,7 +57,7 @@ void PlantLint::find_starts() {
   reached_ = initial_.empty() ? with_probability : initial_;
 }
 
-/// Everything that one more step of one component adds. Whether anything was new.
+/// Everything that one more step adds, of one component or of several together. Whether anything was new.
 bool PlantLint::grow() {
   const std::size_t before = reached_.size() + enabled_.size();
   for_each_situation([&](const Modes& modes, const ControlAction& action) {
@@ -70,12 +70,11 @@ bool PlantLint::grow() {
       }
     }
   });
-  for (const auto& [c, t] : enabled_) {
-    const std::size_t to = plant_.components[c].transitions[t].to.index();
-    const bool enters = std::any_of(modes_.begin(), modes_.end(), [&, c = c](const Modes& modes) {
-      return modes[c].index() == to && within(modes, reached_, c) && possible(modes);
-    });
-    if (enters) reached_.emplace(c, to);
+  ModeSet next = reached_;
+  for (const auto& [c, t] : enabled_) next.emplace(c, plant_.components[c].transitions[t].to.index());
+  for (const Modes& modes : modes_) {
+    if (!within(modes, next, modes.size()) || !possible(modes)) continue;
+    for (std::size_t c = 0; c < modes.size(); ++c) reached_.emplace(c, modes[c].index());
   }
   return reached_.size() + enabled_.size() > before;
 }

@@ -24,7 +24,7 @@ class PlantLint {
   [[nodiscard]] const ModeSet& possible() const { return possible_; }
   /// Modes that some initial state has.
   [[nodiscard]] const ModeSet& initial() const { return initial_; }
-  /// Modes that are reached where each component may at any time be in any mode that it has reached.
+  /// Modes that are reached where each component may at any time be in any mode that it has reached, or may enter.
   [[nodiscard]] const ModeSet& reached() const { return reached_; }
   /// Transitions from modes that are reached whose guards follow from some modes that are reached and some command.
   [[nodiscard]] const TransitionSet& enabled() const { return enabled_; }

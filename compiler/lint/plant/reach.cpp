@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "automata/step/transition_rules.hpp"
@@ -30,11 +31,13 @@ class Search {
   Reach run() {
     find_possible();
     find_initial();
-    while (!open_.empty()) {
-      const auto [component, transition] = open_.front();
-      open_.pop_front();
-      look_at(component, transition);
-    }
+    do {
+      while (!open_.empty()) {
+        const auto [component, transition] = open_.front();
+        open_.pop_front();
+        look_at(component, transition);
+      }
+    } while (enter_together());
     return std::move(reach_);
   }
 
@@ -114,7 +117,32 @@ class Search {
     if (has_reached(component, transition.to)) return;
     const Assignment target = in(component, transition.to.index());
     if (questions_.possible({&target, 1})) return enter(component, transition.to);
+    barred_.emplace(component, transition.to);
     wait({component, id}, questions_.due_to());
+  }
+
+  /// Components that the interconnections bind together may only move together: each mode that is barred is let in,
+  /// those that even so no state has are shut out again, and what is left is entered. Whether anything was.
+  bool enter_together() {
+    std::erase_if(barred_, [&](const auto& mode) { return has_reached(mode.first, mode.second); });
+    std::set<std::pair<ComponentId, ModeId>> together = barred_;
+    for (std::size_t before = 0; before != together.size();) {
+      before = together.size();
+      let_in(together);
+      std::erase_if(together, [&](const auto& mode) {
+        const Assignment target = in(mode.first, mode.second.index());
+        return !questions_.possible({&target, 1});
+      });
+    }
+    let_in({});
+    for (const auto& [component, mode] : together) enter(component, mode);
+    return !together.empty();
+  }
+
+  /// From here on questions are about what is reached, and these.
+  void let_in(const std::set<std::pair<ComponentId, ModeId>>& modes) {
+    questions_.keep_to(reach_.reached);
+    for (const auto& [component, mode] : modes) questions_.allow(component, mode);
   }
 
   [[nodiscard]] bool has_reached(ComponentId component, ModeId mode) const {
@@ -129,6 +157,8 @@ class Search {
   const Plant& plant_;
   Reach reach_;
   std::deque<Exit> open_;
+  std::set<std::pair<ComponentId, ModeId>>
+      barred_;  ///< modes that a transition may lead to, and that contradict all that is reached
   std::map<Assignment, std::vector<Exit>> waiting_;  ///< by the mode that might change the answer
 };
 

@@ -11,8 +11,8 @@ namespace rmpl::compiler {
 
 /// The least abstraction that holds all that happens: a component starts in an initial mode that some initial state
 /// has, and takes any transition whose guard can follow, into a mode that is possible, while each of the others is in
-/// any mode that it may have reached. Time and what goes before what are left out, so more may be reached than is; what
-/// is not reached is not.
+/// any mode that it may have reached, or enters one at the same time. Time and what goes before what are left out, so
+/// more may be reached than is; what is not reached is not.
 struct Reach {
   bool has_initial_state = true;  ///< else all modes with an initial probability count as initial
   ModeSets possible;              ///< whether some state has the mode at all, reached or not
