@@ -21,10 +21,13 @@ using grammar::Span;
 
 namespace {
 
-/// When the goals meet: `in cycle 3, where … holds in cycle 1`.
-std::string meeting(const GoalClash& clash) {
-  std::string text = clash.cycle == 1 ? "they meet at once, in the first cycle"
-                                      : "they meet in cycle " + std::to_string(clash.cycle) + " at the earliest";
+/// When the goals meet: `in cycle 3, where … holds in cycle 1`. Clocks run on by any amount in a cycle there, so with
+/// clocks it may be later.
+std::string meeting(const GoalClash& clash, bool clocks) {
+  std::string text = clash.cycle == 1
+                         ? "they meet at once, in the first cycle"
+                         : "they meet in cycle " + std::to_string(clash.cycle) +
+                               (clocks ? " at the earliest, or when clocks have come so far" : " at the earliest");
   const char* separator = ": where ";
   for (std::size_t cycle = 0; cycle < clash.history.size(); ++cycle) {
     if (clash.history[cycle].empty()) continue;
@@ -50,10 +53,11 @@ void report(const LintInput& input, const BoundProgram& bound, const GoalClash& 
   auto& finding = add_finding(found, grammar::Code::contradicting_goals, second,
                               text(asked) + (clash.certain ? " is" : " can be") + " asked for together with " +
                                   text(other) + ": such a cycle commands nothing");
+  if (clash.certain && clash.cycle > 1) finding.message += "; one of the two is never asked for otherwise";
   // Where it takes a plant that does this and not that, it may be one that nobody has.
   if (!clash.certain) finding.severity = grammar::Severity::note;
   finding.notes.push_back({first, text(other) + " is asked for here"});
-  finding.suggestion = meeting(clash);
+  finding.suggestion = meeting(clash, !bound.program.clocks.empty());
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ using automata::Component;
 using automata::Formula;
 using automata::ValueId;
 
-ReachableModes::ReachableModes(const automata::Plant& plant, const std::vector<Assignment>& also) : plant_(plant) {
+ReachableModes::ReachableModes(const automata::Plant& plant, const std::vector<Assignment>& also, MayHappen may)
+    : plant_(plant), may_(may) {
   start(also);
   while (grow()) {
   }
@@ -53,11 +54,15 @@ bool ReachableModes::grow() {
   // A theory of its own for each round, that holds what is reached so far.
   automata::Theory theory = automata::model_theory(plant_, automata::Theory::Upkeep::searched);
   theory.tell(formula());
+  for (const automata::Control& control : plant_.controls) {
+    if (!may_.commands) theory.tell(is(control.variable, control.idle));
+  }
   bool grown = false;
   for (std::size_t c = 0; c < reached_.size(); ++c) {
     const Component& component = plant_.components[c];
     for (const automata::Transition& transition : component.transitions) {
       if (!reached_[c][transition.from.index()] || reached_[c][transition.to.index()]) continue;
+      if (!may_.faults && component.is_fault(transition)) continue;
       const std::array from{Assignment{component.mode, ValueId(transition.from.index())}};
       if (!theory.allows(from, theory.encode(transition.guard))) continue;
       reached_[c][transition.to.index()] = true;

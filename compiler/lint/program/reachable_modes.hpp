@@ -9,13 +9,19 @@
 
 namespace rmpl::compiler {
 
+/// What may happen beside nominal transitions.
+struct MayHappen {
+  bool faults = true;
+  bool commands = true;  ///< else all controls are idle
+};
+
 /// Per component and mode, whether it may be reached: from the modes that have a probability at the start and those
 /// in `also`, by transitions whose guards can hold while every component is in one of its reached modes. What is not
 /// reached by this is never reached; what is reached may still not be, as commands and times are taken to be free.
 class ReachableModes {
  public:
   /// Refers to the plant.
-  ReachableModes(const automata::Plant& plant, const std::vector<automata::Assignment>& also);
+  ReachableModes(const automata::Plant& plant, const std::vector<automata::Assignment>& also, MayHappen may = {});
 
   [[nodiscard]] bool reached(automata::Assignment mode) const;
   /// All components in one of their reached modes.
@@ -26,6 +32,7 @@ class ReachableModes {
   bool grow();
 
   const automata::Plant& plant_;
+  MayHappen may_;
   std::vector<std::vector<bool>> reached_;
 };
 

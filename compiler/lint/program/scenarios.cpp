@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,6 +72,19 @@ class FineTimes {
     }
   }
 
+  /// A mode that is over within a cycle is none that the executive sees, which may be what it is there for.
+  void plant(const automata::Plant& plant, Ticks cycle) {
+    for (const automata::Component& component : plant.components) {
+      for (const automata::Transition& transition : component.transitions) {
+        const grammar::Span span = input_.places.at(transition.origin);
+        if (!transition.timing || transition.timing->upper == Ticks{0} || transition.timing->upper >= cycle) continue;
+        if (!input_.places.has(transition.origin) || !told_.insert(span).second) continue;
+        report(transition.timing->upper, cycle, span, "it is over when the plant is looked at again").severity =
+            grammar::Severity::note;
+      }
+    }
+  }
+
   void program(const BoundProgram& bound) {
     for (const PlacedCondition& condition : bound.places.conditions) {
       std::vector<Ticks> fine;
@@ -84,13 +98,14 @@ class FineTimes {
   void check(Ticks time, Ticks cycle, const automata::Origin& origin, const char* consequence) {
     if (time > Ticks{0} && time < cycle) report(time, cycle, input_.places.at(origin), consequence);
   }
-  void report(Ticks time, Ticks cycle, grammar::Span span, const char* consequence) {
-    add_finding(found_, Code::finer_than_cycle, span,
-                seconds(time) + " is less than the cycle, " + seconds(cycle) + ": " + consequence);
+  grammar::Diagnostic& report(Ticks time, Ticks cycle, grammar::Span span, const char* consequence) {
+    return add_finding(found_, Code::finer_than_cycle, span,
+                       seconds(time) + " is less than the cycle, " + seconds(cycle) + ": " + consequence);
   }
 
   const LintInput& input_;
   grammar::Diagnostics& found_;
+  std::set<grammar::Span> told_;  ///< transitions, which instances of a type share
 };
 
 }  // namespace
@@ -112,7 +127,10 @@ void lint_rules(const LintInput& input, grammar::Diagnostics& found) {
 
 void lint_fine_times(const LintInput& input, grammar::Diagnostics& found) {
   FineTimes times(input, found);
-  for (const Scenario& scenario : input.document.scenarios) times.scenario(scenario);
+  for (const Scenario& scenario : input.document.scenarios) {
+    times.scenario(scenario);
+    times.plant(input.document.plants[scenario.plant], scenario.cycle);
+  }
   for (const BoundProgram& bound : bound_programs(input)) times.program(bound);
 }
 

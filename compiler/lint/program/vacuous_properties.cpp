@@ -56,9 +56,12 @@ class Judge {
       return {"what it waits for is an answer already",
               automata::conjunction({property.formula, negation(property.then)})};
     }
-    const ReachableModes reach(plant_, property.from);
+    const MayHappen may{property.faults > 0, property.commands != PlantProperty::Commands::none || property.of_program};
+    const ReachableModes reach(plant_, property.from, may);
     if (!possible_.can_hold(automata::conjunction({property.formula, reach.formula()}))) {
-      return {"the plant never gets to what it waits for", automata::constant(true)};
+      return {std::string("the plant never gets to what it waits for") + (may.faults ? "" : " without a fault") +
+                  (may.faults || may.commands ? "" : " and") + (may.commands ? "" : " without a command"),
+              automata::constant(true)};
     }
     return {};
   }
