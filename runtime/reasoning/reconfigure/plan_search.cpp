@@ -19,6 +19,7 @@ namespace {
 struct Path {
   Distance distance;
   std::size_t first;  ///< position among the first steps; `none` for the start
+  Modes state;
   bool settled = false;
 };
 constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -27,23 +28,22 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 struct Entry {
   Distance distance;
   std::size_t found;
-  const Modes* modes;
+  Path* path;
   bool operator>(const Entry& other) const { return std::tie(distance, found) > std::tie(other.distance, other.found); }
 };
 
 }  // namespace
 
-std::vector<Planner::OffIdle> Planner::promising(const Modes& modes, const Objective& objective) {
-  std::vector<bool> involved(modes.size());
-  std::vector<bool> useful(nominal_.plant().variables.size());
+Planner::Upstream Planner::upstream(const Modes& modes, const Objective& objective, bool achieved) {
+  Upstream found{std::vector<bool>(modes.size()), std::vector<bool>(nominal_.plant().variables.size())};
   std::vector<automata::ComponentId> open;
   const auto involve = [&](automata::ComponentId c) {
-    if (involved[c.index()]) return;
-    involved[c.index()] = true;
+    if (found.components[c.index()]) return;
+    found.components[c.index()] = true;
     open.push_back(c);
   };
   for (const automata::ComponentId c : parts_.components(objective.part)) {
-    if (astray(modes, objective, c)) involve(c);
+    if (astray(modes, objective, c) || (achieved && objective.wanted[c.index()])) involve(c);
   }
   while (!open.empty()) {
     const automata::ComponentId c = open.back();
@@ -51,12 +51,17 @@ std::vector<Planner::OffIdle> Planner::promising(const Modes& modes, const Objec
     for (const NominalTransition& t : graph_.transitions(c)) {
       for (const Precondition& precondition : t.preconditions) {
         for (const Requirement& r : precondition) {
-          useful[r.variable.index()] = true;
+          found.variables[r.variable.index()] = true;
           if (const auto upstream = index_.component_of(r.variable)) involve(*upstream);
         }
       }
     }
   }
+  return found;
+}
+
+std::vector<Planner::OffIdle> Planner::promising(const Modes& modes, const Objective& objective) {
+  const std::vector<bool> useful = upstream(modes, objective, false).variables;
   std::vector<OffIdle> some;
   const auto& controls = nominal_.plant().controls;
   const auto& all = actions(objective.part);
@@ -67,19 +72,29 @@ std::vector<Planner::OffIdle> Planner::promising(const Modes& modes, const Objec
   return some;
 }
 
-/// Promising actions first; where they do not get there, all.
+/// Promising actions first; where they do not get there, all. Where the budget ends that, the promising ones again,
+/// with states taken for one that differ in what has no part in the goal.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits) {
   const auto& all = actions(objective.part);
   const std::vector<OffIdle> some = promising(modes, objective);
-  Found found = search(modes, objective, otherwise, waits, some);
-  if (std::holds_alternative<PlannedStep>(found.first) || some.size() == all.size()) return found;
-  return search(modes, objective, otherwise, waits, all);
+  const std::vector<bool> everything(modes.size(), true);
+  Found found = search(modes, objective, otherwise, waits, {some, everything, tried_});
+  if (std::holds_alternative<PlannedStep>(found.first)) return found;
+  if (!found.given_up && some.size() != all.size()) {
+    found = search(modes, objective, otherwise, waits, {all, everything, tried_});
+    if (std::holds_alternative<PlannedStep>(found.first)) return found;
+  }
+  if (!found.given_up) return found;
+  const std::vector<bool> involved = upstream(modes, objective, true).components;
+  Found likely = search(modes, objective, otherwise, waits, {some, involved, tried_alike_});
+  return std::holds_alternative<PlannedStep>(likely.first) ? likely : found;
 }
 
 /// Uniform-cost search over the nominal successors of the whole part: fewest irreversible steps, then fewest steps.
-/// The same rules on irreversible steps hold; what is achieved may be undone on the path.
+/// The same rules on irreversible steps hold; what is achieved may be undone on the path. Each path is one that can be
+/// gone, whatever is taken for one.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
-                               std::span<const OffIdle> actions) {
+                               const SearchSpace& space) {
   const auto& components = ordered_[objective.part];
   const automata::ComponentId served =
       *std::find_if(components.begin(), components.end(), [&](auto c) { return astray(modes, objective, c); });
@@ -90,27 +105,30 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
   std::size_t found = 0;
   std::size_t settled = 0;
   const auto offer = [&](const Modes& state, Distance distance, std::size_t first) {
-    const auto [at, fresh] = paths.try_emplace(state, Path{distance, first});
+    Modes alike = state;
+    for (std::size_t c = 0; c < alike.size(); ++c) {
+      if (!space.told_apart[c]) alike[c] = modes[c];
+    }
+    const auto [at, fresh] = paths.try_emplace(std::move(alike), Path{distance, first, state});
     if (!fresh && (at->second.settled || at->second.distance <= distance)) return;
-    at->second = Path{distance, first};
-    open.push({distance, found++, &at->first});
+    at->second = Path{distance, first, state};
+    open.push({distance, found++, &at->second});
   };
   offer(modes, {}, none);
   while (!open.empty()) {
     const Entry entry = open.top();
     open.pop();
-    Path& path = paths.at(*entry.modes);
-    if (path.settled) continue;
-    path.settled = true;
-    const Modes current = *entry.modes;
-    const Path reached = path;
+    if (entry.path->settled) continue;
+    entry.path->settled = true;
+    const Path reached = *entry.path;
+    const Modes& current = reached.state;
     if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded, current};
-    if (++settled > search_limit || tried_ > trial_limit) {
+    if (++settled > search_limit || space.tried > trial_limit) {
       otherwise.reason += "; the search for another way was given up after " + std::to_string(settled - 1) + " states";
-      return {std::move(otherwise), excluded, {}};
+      return {std::move(otherwise), excluded, {}, true};
     }
-    tried_ += actions.size();
-    for (const OffIdle& off : actions) {
+    space.tried += space.actions.size();
+    for (const OffIdle& off : space.actions) {
       automata::ControlAction action = idle_;
       for (const auto& [control, value] : off) action[control] = value;
       for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.part, objective.permitted)) {

@@ -71,7 +71,7 @@ class Planner {
   /// plan ends.
   std::variant<IslandPlan, Impasse> next(const automata::Modes& modes, const Objective& objective);
   /// The searches of one answer share a budget; this renews it.
-  void renew_budget(std::size_t trials = trial_limit) { tried_ = trial_limit - trials; }
+  void renew_budget(std::size_t trials = trial_limit) { tried_ = tried_alike_ = trial_limit - trials; }
   /// All controls idle, or what the model tolerates that is nearest to it and, if possible, changes nothing.
   std::optional<automata::ControlAction> resting_action(const automata::Modes& modes) {
     return nominal_.resting_action(modes);
@@ -107,6 +107,7 @@ class Planner {
     NextStep first;
     bool excluded;
     automata::Modes end;
+    bool given_up = false;
   };
   std::variant<IslandPlan, Impasse> planned(const automata::Modes& modes, const Objective& objective);
   [[nodiscard]] static bool astray(const automata::Modes& modes, const Objective& objective, automata::ComponentId c) {
@@ -132,9 +133,21 @@ class Planner {
   /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
   /// upstream of it. It can take others, to bring a component out of the way that is where it should be in the end.
   std::vector<OffIdle> promising(const automata::Modes& modes, const Objective& objective);
+  /// What the ways of the components that are astray can have to do with, or of all that are wanted: components, and
+  /// all variables that some transition of them needs.
+  struct Upstream {
+    std::vector<bool> components, variables;
+  };
+  Upstream upstream(const automata::Modes& modes, const Objective& objective, bool achieved);
+  /// The actions that a search tries, the components that it tells states apart by, and what it counts its trials in.
+  struct SearchSpace {
+    std::span<const OffIdle> actions;
+    const std::vector<bool>& told_apart;
+    std::size_t& tried;
+  };
   Found search(const automata::Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits);
   Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
-               std::span<const OffIdle> actions);
+               const SearchSpace& space);
 
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
@@ -180,6 +193,7 @@ class Planner {
   Ways ways_;
   NominalStep nominal_;
   std::size_t tried_ = 0;
+  std::size_t tried_alike_ = 0;  ///< by searches that take states for one
   automata::ControlAction idle_;
   automata::PlantIndex index_;
   std::vector<std::vector<automata::ComponentId>> ordered_;   ///< per part, downstream first
