@@ -78,7 +78,7 @@ PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph
         const bool uncommanded = std::find(next->silent.begin(), next->silent.end(), true) != next->silent.end();
         entry.kind = uncommanded ? PolicyEntry::Kind::wait : PolicyEntry::Kind::command;
         entry.transition = next->id;
-        entry.irreversible = !next->reversible;
+        entry.irreversible = !NominalGraph::harmless(*next);
         entry.preconditions = next->preconditions;
       }
     }
