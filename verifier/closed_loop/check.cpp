@@ -120,8 +120,11 @@ class ProgramCheck {
     }
   }
 
-  /// Whether no state at all satisfies what is never to hold, or no run asks for a response.
+  /// Whether no state at all satisfies what is never to hold, no run asks for a response, or none ends.
   bool is_vacuous(const ProgramProperty& property) {
+    if (property.kind == Kind::finally) {
+      return !searches_.search({.aim = Aim::ends_with, .test = [](const automata::Modes&) { return true; }});
+    }
     if (property.kind == Kind::response) {
       return !searches_.search({.aim = Aim::holds, .test = searches_.holds(property.formula, options_.entailed)});
     }

@@ -138,6 +138,7 @@ std::string reason(const Answer& answer) {
 
 std::string vacuity(const Property& property) {
   const auto* asked = std::get_if<ProgramProperty>(&property);
+  if (asked != nullptr && asked->kind == Kind::finally) return "it never ends";
   const bool response = asked != nullptr && asked->kind == Kind::response;
   return response || std::holds_alternative<Response>(property) ? "what asks for it never happens"
                                                                 : "no state whatever satisfies it";
