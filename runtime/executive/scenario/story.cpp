@@ -24,6 +24,15 @@ std::string padded(std::string_view text, std::size_t width) {
   return result;
 }
 
+/// Of the mode by itself, whatever the other components are in; at least so much, where the belief keeps few states.
+double probability_of(const Estimator& estimator, automata::ComponentId component, automata::ModeId mode) {
+  double sum = 0;
+  for (const BeliefEntry& entry : estimator.belief()) {
+    if (entry.state.modes[component.index()] == mode) sum += entry.probability;
+  }
+  return sum;
+}
+
 /// A probability with three significant digits; `1` only where it is 1.
 std::string three_digits(double probability) {
   if (probability < 1 && probability > 0.9995) return ">0.999";
@@ -189,7 +198,8 @@ void Story::tell_estimate(const CycleRecord& record) {
     const automata::ComponentId about(c);
     if (to.fault) {
       line(record.time, "fault",
-           painter_.bad(change) + " (diagnosed with probability " + three_digits(record.probability) + ")" +
+           painter_.bad(change) + " (diagnosed with probability " +
+               three_digits(probability_of(*record.estimator, about, record.estimate[c])) + ")" +
                why_diagnosed(record, about),
            about);
     } else {
