@@ -68,6 +68,8 @@ const automata::Scenario& selected(const automata::Document& document, const Opt
   const auto found = std::find(names.begin(), names.end(), options.only);
   const bool given = !options.only.empty();
   if (!given && names.size() == 1) return document.scenarios.front();
+  if (names.empty())
+    throw base::InputError(options.file + ": there is no scenario, and a campaign flies one of a .scn file");
   if (!given) {
     throw base::InputError(options.file + ": expected one scenario, and there are " + std::to_string(names.size()) +
                            "; choose one with --only");
