@@ -30,8 +30,12 @@ class Onward {
     leave(location.index());
     return followed();
   }
-  /// The same after what a location that repeats for ever starts each time.
+  /// The same after what a location that repeats for ever starts each time. What the location is in ends once, and it
+  /// with that.
   const std::vector<bool>& started_by(LocationId repeating) {
+    for (auto in = program_.locations[repeating.index()].parent; in; in = program_.locations[in->index()].parent) {
+      left_.insert(in->index());
+    }
     for (const automata::Arc& arc : program_.locations[repeating.index()].arcs) {
       if (arc.target != repeating) enter(arc.target.index());
     }
