@@ -96,7 +96,7 @@ SEEDED = [
     ("a goal on a fault", 506, ("{ tap = closed,", "{ tap = leaky,")),
     ("a goal that nothing takes back", 507, ("  on  -> off when cmd = off;\n", ""), ("Stop(pump)", "Stop(tap)"), ("pump = off }", "tap = open }"), ("device = off", "device = closed")),
     ("a clock that is started again as it runs", 508, ("  do always tap", "  t = 0;\n  do always tap")),
-    ("a definition that nothing calls", 509, ("Stop(device) ::", "Halt(device) :: { device = off; when device.power = nominal donext Halt(device) }\nStop(device) ::")),
+    ("a definition that nothing calls", 509, ("Stop(device) ::", "Halt(device) :: { device = off; when device.power = nominal donext Halt(device) }\nStop(device) ::"), ('  program "main.rmpl";', '  program "main.rmpl" main Main;')),
     ("a parameter that is never used", 510, ("  device = off", "  pump = off")),
     ("a clock that is never read", 511, ("  pump = on;\n", "  u = 0;\n  pump = on;\n")),
     ("a clock that is declared and never read", 511, ("  clock t;", "  clock t, u;")),
@@ -110,7 +110,7 @@ SEEDED = [
     ("a property that the constraints decide", 516, ("reach tap = leaky", "reach tap = leaky -> tap.flow = low")),
     ("a response to what cannot be", 516, ("after tap = leaky within", "after tap = leaky & tap.flow = high within")),
     ("a response to a fault without faults", 516, ("tap = closed; faults 1;", "tap = closed; faults 0;")),
-    ("a rule for what never is", 517, ("when command tap.cmd = close", "when truth tap = open & tap = closed")),
+    ("a rule for what never is", 517, ("when command tap.cmd = close", "when estimate tap = open & tap = closed")),
     ("an allowance that allows nothing", 518, ("  t = 0;", "  t = 0;  // lint: allow RMPL0511 because it is read elsewhere")),
     ("an allowance without a reason", 519, ("  t = 0;", "  t = 0;  // lint: allow RMPL0511")),
 ]
@@ -118,11 +118,11 @@ SEEDED = [
 # What is none.
 CLEAN = [
     ("the flight as it is",),
-    ("a transition between the same modes with another guard", ("  leaky  -> closed when cmd = close;", "  leaky  -> closed when cmd = close;\n  closed -> open   when cmd = none & flow = high;")),
+    ("a transition between the same modes with another guard", ("  leaky  -> closed when cmd = close;", "  leaky  -> closed when cmd = close;\n  closed -> open   when cmd = open & flow = none;")),
     ("a wait for a fault", ("when (t >= 10 s) donext", "when tap = leaky donext")),
     ("goals for one mode in two threads", ("  pump = on;\n", "  { pump = on, pump = on };\n")),
     ("the contrary after the end of the thread that asked", ("watching (t >= 5 s);", "watching (t >= 5 s);\n  do always tap = closed watching (t >= 6 s);")),
-    ("a step behind one that a watch ends", ("device = off", "do always device = off watching device.power = zero")),
+    ("a step behind one that a watch ends", ("device = off", "do always device = off watching pump.power = zero")),
     ("a clock that is started again when what has it starts again", ("  clock t;", "  clock t;\n  Wait();"), ("Stop(device) ::", "Wait() :: { clock w; w = 0; when (w >= 1 s) donext pump = on }\nStop(device) ::")),
     ("a parameter that is only passed on", ("donext Stop(pump)", "donext Hand(pump)"), ("Stop(device) ::", "Hand(device) :: { Stop(device) }\nStop(device) ::")),
     ("a reading for just a cycle", ("for 1 s", "for 500 ms")),

@@ -137,6 +137,7 @@ SEEDED = [
     ("an attribute that nothing mentions", 546, ("  output temp  :", "  output drain : { no, yes };\n  output temp  :")),
     ("an input that its component does not read", 546, ("  output temp  :", "  input  feed  : Pressure;\n  output temp  :"), ("  control driver", "  heater.feed = tank.gauge;\n  control driver")),
     ("a transition that is given twice", 500, ("hot     -> off     when cmd = off;", "hot     -> off     when cmd = off;\n  hot     -> off     when cmd = off;")),
+    ("a fault among the outcomes of a transition that takes time", 547, ("heating -> hot     when cmd != off in [30 s, 60 s];", "heating -> { hot with 0.9, broken with 0.1 } when cmd != off in [30 s, 60 s];")),
 ]
 
 # What looks like a fault, and is none.

@@ -121,6 +121,7 @@ enum class Code : std::uint16_t {
   unconnected_input = 544,
   unread_command = 545,
   unused_attribute = 546,
+  timed_fault = 547,
   // Compiled documents.
   document_schema = 600,
   // Properties.

@@ -340,6 +340,39 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
+    CodeInfo{
+        Code::timed_fault, "fault with time bounds",
+        "A fault is drawn anew in each step; with time bounds, in each step at whose end the clock is within them. "
+        "In how many steps that is depends on the cycle, a step over all of the bounds draws it never, and once "
+        "they have passed it cannot happen any more. What is meant by a fault among the outcomes of a transition "
+        "that takes time is a mode of its own, from which without bounds the outcome is drawn. A fault with bounds "
+        "by itself is a note.",
+        R"(component Latch {
+  output seen : { moving, locked, jammed };
+  initial moving;
+  mode  moving { seen = moving };
+  mode  locked { seen = locked };
+  fault jammed { seen = jammed };
+  moving -> { locked with 0.98, jammed with 0.02 } in [1 s, 2 s];
+}
+plant Door {
+  latch : Latch;
+  observe latch.seen;
+})",
+        R"(component Latch {
+  output seen : { moving, there, locked, jammed };
+  initial moving;
+  mode  moving { seen = moving };
+  mode  there  { seen = there };
+  mode  locked { seen = locked };
+  fault jammed { seen = jammed };
+  moving -> there in [1 s, 2 s];
+  there  -> { locked with 0.98, jammed with 0.02 };
+}
+plant Door {
+  latch : Latch;
+  observe latch.seen;
+})"},
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ void lint_plant(const LintInput& input, const automata::Plant& plant, grammar::D
   report_modes(report);
   if (!report.analysis().reach().has_initial_state) return report_initial_state(report);
   report_guards(report);
+  report_timed_faults(report);
   report_commands(report);
   report_sensing(report);
   report_stuck(report);
@@ -58,6 +59,7 @@ std::span<const LintCode> plant_lint_codes() {
       LintCode{Code::unconnected_input, LintGroup::suspicious, Severity::warning},
       LintCode{Code::unread_command, LintGroup::unused, Severity::warning},
       LintCode{Code::unused_attribute, LintGroup::unused, Severity::warning},
+      LintCode{Code::timed_fault, LintGroup::timing, Severity::warning},
   };
   return codes;
 }

@@ -65,6 +65,7 @@ std::string enumerated(const std::vector<std::string>& names, std::size_t limit)
 // A function a file; each tells of its findings.
 void report_modes(PlantReport& report);
 void report_guards(PlantReport& report);
+void report_timed_faults(PlantReport& report);
 void report_commands(PlantReport& report);
 void report_sensing(PlantReport& report);
 void report_attributes(PlantReport& report);
