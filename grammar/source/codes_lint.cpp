@@ -44,12 +44,11 @@ plant Tap {
         "nothing that is told anywhere the program can come to, whatever is commanded. What is seen is not told.",
         "P() :: {\n  when engine = on & engine = off donext valve = open\n}",
         "P() :: {\n  when engine = on donext valve = open\n}"},
-    CodeInfo{
-        Code::condition_always_holds, "condition always holds",
-        "Every state of the plant satisfies the condition, or the constraints of a model program entail it, so it "
-        "decides nothing. One who means that writes `true`.",
-        "P() :: {\n  if engine = on | engine != on thennext valve = open\n}",
-        "P() :: {\n  if engine = on thennext valve = open\n}"},
+    CodeInfo{Code::condition_always_holds, "condition always holds",
+             "Every state of the plant satisfies the condition, or the constraints of a model program entail it, so it "
+             "decides nothing. One who means that writes `true`.",
+             "P() :: {\n  if engine = on | engine != on thennext valve = open\n}",
+             "P() :: {\n  if engine = on thennext valve = open\n}"},
     CodeInfo{Code::condition_out_of_reach, "condition speaks of what the plant cannot reach",
              "States of the plant satisfy the condition, but from its initial modes none of them can be reached, "
              "whatever is commanded and whatever fails.",
