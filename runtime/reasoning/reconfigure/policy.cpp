@@ -79,7 +79,9 @@ PolicyTable policy_table(const automata::Plant& plant, const NominalGraph& graph
         entry.kind = uncommanded ? PolicyEntry::Kind::wait : PolicyEntry::Kind::command;
         entry.transition = next->id;
         entry.irreversible = !NominalGraph::harmless(*next);
-        entry.preconditions = next->preconditions;
+        for (std::size_t p = 0; p < next->preconditions.size(); ++p) {
+          if (!uncommanded || next->silent[p]) entry.preconditions.push_back(next->preconditions[p]);
+        }
       }
     }
   }

@@ -67,7 +67,7 @@ class Policies {
 struct PolicyEntry {
   enum class Kind {
     arrived,  ///< current and target are the same: stay idle
-    wait,     ///< idle: the transition is a matter of time, or happens of itself
+    wait,     ///< idle, the modes of one of `preconditions` achieved: then it is a matter of time, or happens of itself
     command,  ///< achieve one of `preconditions`, its modes before its control values
     failure   ///< no nominal way leads there
   };
