@@ -11,6 +11,7 @@
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/reconfigure/one_step.hpp"
 #include "runtime/reasoning/reconfigure/plan.hpp"
+#include "runtime/reasoning/reconfigure/plan_risks.hpp"
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/policy_report.hpp"
 #include "tools/shared/models.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 using runtime::JsonLine;
 using runtime::Plan;
+using runtime::PlanRisk;
 
 struct Options {
   std::string plant;
@@ -76,7 +78,19 @@ automata::Modes modes_from(const automata::Plant& plant, const std::vector<autom
   return modes;
 }
 
-void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan) {
+void write_risks(JsonLine& json, const automata::Plant& plant, const std::vector<PlanRisk>& risks) {
+  json.key("risks").open('[');
+  for (const PlanRisk& risk : risks) {
+    const automata::Component& component = plant[risk.leaving.component];
+    const automata::Transition& leaving = component.transitions[risk.leaving.transition.index()];
+    json.open('{').key("wait").number(risk.wait + 1).key("component").string(component.name);
+    json.key("from").string(component.modes[leaving.from.index()].name);
+    json.key("to").string(component.modes[leaving.to.index()].name).close('}');
+  }
+  json.close(']');
+}
+
+void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan, const std::vector<PlanRisk>& risks) {
   json.open('{');
   json.key("goal_state").modes(plan.goal_state.value_or(automata::Modes{}), plant);
   json.key("commands").open('[');
@@ -84,6 +98,7 @@ void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan) 
     json.assignments(automata::commanded(plant, action), plant.variables);
   }
   json.close(']').key("outcome").string(name_of(plan.outcome));
+  if (!risks.empty()) write_risks(json, plant, risks);
   if (plan.component) json.key("component").string(plant[*plan.component].name);
   if (!plan.reason.empty()) json.key("reason").string(plan.reason);
   if (const std::string would = runtime::remedy(plan.why, plant); !would.empty()) json.key("remedy").string(would);
@@ -96,6 +111,19 @@ std::string hint(const automata::Plant& plant, const runtime::Reason& why) {
   const std::string would = runtime::remedy(why, plant);
   if (would.empty()) return "";
   return "  " + (origin.line == 0 ? "" : short_place(origin) + ": ") + would + "\n";
+}
+
+std::string text_of(const automata::Plant& plant, const std::vector<PlanRisk>& risks) {
+  std::string text;
+  for (const PlanRisk& risk : risks) {
+    const automata::Component& component = plant[risk.leaving.component];
+    const automata::Transition& leaving = component.transitions[risk.leaving.transition.index()];
+    text += "step " + std::to_string(risk.wait + 1) + " waits, and meanwhile '" + component.name + "' may go from '" +
+            component.modes[leaving.from.index()].name + "' to '" + component.modes[leaving.to.index()].name +
+            "' by itself" + (leaving.origin.line == 0 ? "" : " (" + short_place(leaving.origin) + ")") +
+            ": how long each takes is not compared\n";
+  }
+  return text;
 }
 
 std::string text_of(const automata::Plant& plant, const Plan& plan) {
@@ -168,12 +196,13 @@ ExitStatus run(const Options& options, const Common& common) {
       options.one_step ? runtime::make_one_step_reconfigurer(step) : runtime::make_reconfigurer(step);
   const Plan plan = options.one_step ? runtime::make_one_step_plan(*reconfigurer, modes, goal)
                                      : runtime::make_plan(*reconfigurer, modes, goal);
+  const std::vector<PlanRisk> risks = runtime::risks_of(plan, step);
   if (common.format == Format::json) {
     JsonLine json;
-    write_json(json, plant, plan);
+    write_json(json, plant, plan, risks);
     print(std::string(json.text()) + "\n");
   } else {
-    print(text_of(plant, plan));
+    print(text_of(plant, plan) + text_of(plant, risks));
   }
   return plan.outcome == Plan::Outcome::no_plan ? ExitStatus::violated : ExitStatus::done;
 }

@@ -17,6 +17,7 @@ Plan no_plan(Reconfiguration answer) {
   return {.outcome = Plan::Outcome::no_plan,
           .goal_state = std::move(answer.goal_state),
           .commands = {},
+          .states = {},
           .component = answer.component,
           .reason = std::move(answer.reason),
           .why = answer.why};
@@ -33,6 +34,7 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
     switch (answer.outcome) {
       case Reconfiguration::Outcome::nothing_to_do:
         plan.outcome = plan.commands.empty() ? Plan::Outcome::nothing_to_do : Plan::Outcome::plan;
+        plan.states.push_back(current);
         if (!plan.goal_state) plan.goal_state = std::move(current);
         return plan;
       case Reconfiguration::Outcome::no_plan:
@@ -44,9 +46,13 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
         // The goal is achieved, and the model asks for an action all the same.
         if (*answer.expected == current) {
           plan.outcome = Plan::Outcome::plan;
-          if (plan.commands.empty()) plan.commands.push_back(std::move(answer.action));
+          plan.states.push_back(current);
+          if (!plan.commands.empty()) return plan;
+          plan.commands.push_back(std::move(answer.action));
+          plan.states.push_back(current);
           return plan;
         }
+        plan.states.push_back(current);
         plan.commands.push_back(std::move(answer.action));
         current = std::move(*answer.expected);
         break;
@@ -55,6 +61,7 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
   return {.outcome = Plan::Outcome::no_plan,
           .goal_state = std::move(plan.goal_state),
           .commands = {},
+          .states = {},
           .component = std::nullopt,
           .reason = "the commands towards the goal lead in a circle",
           .why = {.purpose = Reason::Purpose::goal, .obstacle = Reason::Obstacle::not_found}};
@@ -72,6 +79,7 @@ Plan make_one_step_plan(Reconfigurer& reconfigurer, const Modes& modes, const au
     case Reconfiguration::Outcome::command:
     case Reconfiguration::Outcome::wait:
       plan.outcome = Plan::Outcome::plan;
+      plan.states = {modes, *answer.expected};
       plan.goal_state = std::move(answer.expected);
       plan.commands.push_back(std::move(answer.action));
       break;

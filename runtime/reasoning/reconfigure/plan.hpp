@@ -19,6 +19,7 @@ struct Plan {
   /// any.
   std::optional<automata::Modes> goal_state;
   std::vector<automata::ControlAction> commands;   ///< with `plan`: at least one; idle means to wait
+  std::vector<automata::Modes> states;             ///< with `plan`: before each command, and in the end
   std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one
   std::string reason;                              ///< with `no_plan`: in words
   Reason why;                                      ///< with `no_plan`: as data

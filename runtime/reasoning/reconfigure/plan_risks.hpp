@@ -1,0 +1,24 @@
+// Where time may undo a plan before it is done.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/plan.hpp"
+#include "runtime/reasoning/reconfigure/reason.hpp"
+
+namespace rmpl::runtime {
+
+/// A wait, and a component that may leave meanwhile, by a timed transition with an upper bound, a mode that the plan
+/// took it to and has it keep to the end. Whether it is in time depends on durations, which no plan compares.
+struct PlanRisk {
+  std::size_t wait;  ///< position among the commands
+  TransitionOf leaving;
+};
+
+/// In order of waits, then components; of each component the first such transition.
+std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step);
+
+}  // namespace rmpl::runtime
