@@ -55,6 +55,7 @@ class GoalInterpreter {
   [[nodiscard]] bool is_local(const Goal& goal) const;
   Impasse out_of_reach(const automata::Modes& modes, const Prospects& prospects, automata::ComponentId component,
                        std::vector<bool> asked);
+  std::optional<Impasse> barred_mode(const automata::Modes& modes, const Goal& goal, const Prospects& prospects);
   Impasse impasse(const automata::Modes& modes, const Goal& goal, const Prospects& prospects);
 
   automata::PlantStep& step_;
