@@ -68,11 +68,14 @@ bool has_start(const automata::ModelProgram& program) {
 bool report_start(ModelReport& report) {
   const Together together = started_together(report.program());
   const std::vector<LocationId> told = certain(report.program(), together);
+  if (const auto blamed = report.stores().contradiction()) {
+    report.blame(report_no_start(report, "its constraints contradict each other"), *blamed);
+    return false;
+  }
   if (const auto blamed = report.stores().contradiction(told)) {
     auto& finding =
-        report_no_start(report, blamed->told.empty()       ? "its constraints contradict each other"
-                                : blamed->standing.empty() ? "what it tells at once is a contradiction"
-                                                           : "what it tells at once contradicts its constraints");
+        report_no_start(report, blamed->standing.empty() ? "what it tells at once is a contradiction"
+                                                         : "what it tells at once contradicts its constraints");
     report.blame(finding, *blamed);
     return false;
   }

@@ -54,7 +54,7 @@ ToldStores::ToldStores(const ModelProgram& program)
       free_(free_variables(program)),
       spoken_of_(program.variables.size(), false),
       parts_(program.variables.size()),
-      together_(with_selectors(program, selectors_, standing_)) {
+      together_(with_selectors(program, selectors_, standing_), automata::Theory::Upkeep::maintained) {
   const auto join = [&](const Formula& formula) {
     const std::vector<VariableId> variables = variables_of(formula);
     for (const VariableId v : variables) {
@@ -72,16 +72,46 @@ ToldStores::ToldStores(const ModelProgram& program)
     join(program.locations[l].told);
     together_.tell_if({*selectors_[l], is_told}, program.locations[l].told);
   }
+  list_members();
+}
+
+void ToldStores::list_members() {
+  const auto members_of = [&](const Formula& formula) -> Members* {
+    const auto variables = variables_of(formula);
+    return variables.empty() ? nullptr : &members_[parts_.root(variables.front().index())];
+  };
+  for (std::size_t v = 0; v < program_.variables.size(); ++v) members_[parts_.root(v)].variables.emplace_back(v);
+  for (const VariableId v : free_) members_[parts_.root(v.index())].free.push_back(v);
+  for (std::size_t c = 0; c < standing_.size(); ++c) {
+    if (Members* const part = members_of(program_.constraints[c].constraint)) part->standing.push_back(c);
+  }
+  for (std::size_t l = 0; l < selectors_.size(); ++l) {
+    if (!selectors_[l]) continue;
+    if (Members* const part = members_of(program_.locations[l].told)) part->told.emplace_back(l);
+  }
 }
 
 bool ToldStores::is_spoken_of(VariableId variable) { return spoken_of_[variable.index()]; }
 
+std::optional<Contradiction> ToldStores::contradiction() { return contradiction_in(standing_); }
+
 std::optional<Contradiction> ToldStores::contradiction(const std::vector<LocationId>& together) {
-  std::vector<Assignment> told = standing_;
+  std::set<std::size_t> beside;  // what stands over other variables has no part in it
+  std::vector<Assignment> told;
   for (const LocationId l : together) {
-    if (selectors_[l.index()]) told.push_back({*selectors_[l.index()], is_told});
+    if (!selectors_[l.index()]) continue;
+    told.push_back({*selectors_[l.index()], is_told});
+    for (const VariableId v : variables_of(program_.locations[l.index()].told)) {
+      const auto& standing = members_[parts_.root(v.index())].standing;
+      beside.insert(standing.begin(), standing.end());
+    }
   }
-  if (together_.consistent(told)) return std::nullopt;
+  for (const std::size_t c : beside) told.push_back(standing_[c]);
+  return contradiction_in(told);
+}
+
+std::optional<Contradiction> ToldStores::contradiction_in(const std::vector<Assignment>& selected) {
+  if (together_.consistent(selected)) return std::nullopt;
   Contradiction blamed;
   for (const Assignment& one : together_.minimal_conflict(together_.conflict())) {
     const auto standing = std::find(standing_.begin(), standing_.end(), one);
@@ -103,27 +133,17 @@ Entailment& ToldStores::entailment_of(const Formula& formula) {
   std::set<std::size_t> roots;
   for (const VariableId v : variables_of(formula)) roots.insert(parts_.root(v.index()));
   StorePart part;
-  std::vector<VariableId> renaming(program_.variables.size());
-  for (std::size_t v = 0; v < program_.variables.size(); ++v) {
-    if (roots.count(parts_.root(v)) > 0) renaming[v] = part.variables.add(program_.variables[VariableId(v)]);
-  }
-  const auto is_part = [&](const Formula& one) {
-    const auto variables = variables_of(one);
-    return !variables.empty() && roots.count(parts_.root(variables.front().index())) > 0;
-  };
+  std::map<VariableId, VariableId> renaming;
   const auto rename = [&](const Formula& one) {
     return renamed(
-        one, [&](VariableId v) { return renaming[v.index()]; }, [](VariableId, ValueId value) { return value; });
+        one, [&](VariableId v) { return renaming.at(v); }, [](VariableId, ValueId value) { return value; });
   };
-  for (const automata::Interconnection& standing : program_.constraints) {
-    if (is_part(standing.constraint)) part.standing.push_back(rename(standing.constraint));
-  }
-  for (std::size_t l = 0; l < program_.locations.size(); ++l) {
-    if (!selectors_[l] || !is_part(program_.locations[l].told)) continue;
-    part.tellable.emplace_back(LocationId(l), rename(program_.locations[l].told));
-  }
-  for (const VariableId v : free_) {
-    if (roots.count(parts_.root(v.index())) > 0) part.free.push_back(renaming[v.index()]);
+  for (const std::size_t root : roots) {
+    const Members& members = members_[root];
+    for (const VariableId v : members.variables) renaming[v] = part.variables.add(program_.variables[v]);
+    for (const VariableId v : members.free) part.free.push_back(renaming[v]);
+    for (const std::size_t c : members.standing) part.standing.push_back(rename(program_.constraints[c].constraint));
+    for (const LocationId l : members.told) part.tellable.emplace_back(l, rename(program_.locations[l.index()].told));
   }
   known = std::make_unique<Entailment>(std::move(part), rename(formula));
   return *known;

@@ -31,19 +31,30 @@ class ToldStores {
 
   /// What a condition may be, where only these locations are ever marked.
   Freedom freedom(const automata::Condition& condition, const std::vector<bool>& marked);
+  /// What of the constraints that stand is a contradiction; nothing where they can hold.
+  std::optional<Contradiction> contradiction();
   /// Of locations that are marked together, what of them and of what stands is a contradiction; nothing where they can
-  /// hold.
+  /// hold. Where what stands is none by itself.
   std::optional<Contradiction> contradiction(const std::vector<automata::LocationId>& together);
   /// Whether anything that is told, commanded or stands speaks of the variable, or of one that it is bound to.
   bool is_spoken_of(automata::VariableId variable);
 
  private:
+  /// What belongs to a part of the variables.
+  struct Members {
+    std::vector<automata::VariableId> variables, free;
+    std::vector<std::size_t> standing;  ///< constraints, by position
+    std::vector<automata::LocationId> told;
+  };
+  void list_members();
+  std::optional<Contradiction> contradiction_in(const std::vector<automata::Assignment>& selected);
   Entailment& entailment_of(const automata::Formula& formula);
 
   const automata::ModelProgram& program_;
   std::vector<automata::VariableId> free_;                          ///< that anything may be told of
   std::vector<bool> spoken_of_;                                     ///< per variable: something speaks of it itself
   base::Partition parts_;                                           ///< of the variables, by what is told and stands
+  std::map<std::size_t, Members> members_;                          ///< by the part's root
   std::vector<std::optional<automata::VariableId>> selectors_;      ///< per location: under which it is told
   std::vector<automata::Assignment> standing_;                      ///< per constraint: its selector, selected
   automata::Theory together_;                                       ///< all that stands and is told, under selectors
