@@ -71,6 +71,32 @@ std::vector<Declared> by_declaration(PlantReport& report, const std::set<Variabl
   return list;
 }
 
+/// The inputs of modules that an undriven input of a component is joined with.
+class OpenPorts {
+ public:
+  explicit OpenPorts(const PlantReport& report) : plant_(report.plant()), joined_(plant_.variables.size()) {
+    for (const automata::Interconnection& q : plant_.interconnections) {
+      if (q.constraint.kind == Formula::Kind::equality)
+        joined_.join(q.constraint.variable.index(), q.constraint.other.index());
+    }
+    for (const PlantAttribute& attribute : report.declarations().attributes) {
+      const auto variable = plant_.variables.find(attribute.name);
+      if (!variable || attribute.of_component || !report.undriven().contains(*variable)) continue;
+      ports_.emplace(joined_.root(variable->index()), &attribute);
+    }
+  }
+  /// The first declared; null where there is none.
+  const PlantAttribute* of(const PlantAttribute& attribute) {
+    const auto port = ports_.find(joined_.root(plant_.variables.find(attribute.name)->index()));
+    return port == ports_.end() ? nullptr : port->second;
+  }
+
+ private:
+  const Plant& plant_;
+  base::Partition joined_;
+  std::map<std::size_t, const PlantAttribute*> ports_;  ///< by the root of what is joined
+};
+
 /// What guards and mode constraints read, and what the rest reads.
 std::pair<std::set<VariableId>, std::set<VariableId>> mentions(const Plant& plant) {
   std::set<VariableId> own, others(plant.observables.begin(), plant.observables.end());
@@ -101,6 +127,7 @@ void report_unused(PlantReport& report, const Declared& declared) {
 
 void report_attributes(PlantReport& report) {
   const auto [own, others] = mentions(report.plant());
+  OpenPorts ports(report);
   for (const Declared& declared : by_declaration(report, own, others)) {
     const PlantAttribute& attribute = *declared.attribute;
     report_unused(report, declared);
@@ -111,7 +138,11 @@ void report_attributes(PlantReport& report) {
                                          backquoted(attribute.type) + " is neither connected nor commanded"
                                    : enumerated(declared.names, 3) + (declared.names.size() == 1 ? " is" : " are") +
                                          " neither connected nor commanded");
+    const PlantAttribute* const port = ports.of(attribute);
     finding.suggestion = "connect it, or declare it with `control`";
+    if (port == nullptr) continue;
+    finding.notes.push_back({port->span, "it comes from this input of " + backquoted(port->type) +
+                                             ", which is neither connected nor commanded"});
   }
 }
 
