@@ -416,6 +416,8 @@ def completing(program, folder):
         assert label in found, (label, found)
     same(offered("engine.tcca", ENGINE[: ENGINE.index("on  when")], ";\n}\n"), ["broken", "off", "on", "after", "in", "when"])
     same(offered("engine.tcca", ENGINE[: ENGINE.index("Level;")], ";\n}\n"), ["Level"])
+    mode = ENGINE.index("temp = low")
+    same(offered("engine.tcca", ENGINE[:mode] + "temp = ", ENGINE[mode + len("temp = low") :]), ["high", "low", "false", "true"])
     client.change("engine.tcca", ENGINE)
     same(offered("ship.tcca", PLANT[: PLANT.index("Engine;")], ";\n}\n"), ["Engine", "model"])
     same(offered("ship.tcca", PLANT[: PLANT.index("none;")], ";\n}\n"), ["none", "off", "on", "false", "true"])

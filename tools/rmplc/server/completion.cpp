@@ -83,13 +83,13 @@ struct Before {
   }
 };
 
-/// The text without the statement that is being written, up to the end of its line.
+/// The text without the statement that is being written, up to the end of its line, or of the braces that it stands in.
 std::string without_statement(std::string_view text, const Before& before, std::uint32_t offset) {
   const auto brace = std::find(before.tokens.rbegin(), before.tokens.rend(), "{");
   const char* begin = brace == before.tokens.rbegin() ? before.word.data() : (*brace.base()).data();
   if (brace == before.tokens.rend() && !before.tokens.empty()) begin = before.tokens.front().data();
   std::string rest(text);
-  const std::size_t end = std::min(text.find('\n', offset), text.size());
+  const std::size_t end = std::min(text.find_first_of("\n}", offset), text.size());
   for (auto at = static_cast<std::size_t>(begin - text.data()); at < end; ++at)
     if (rest[at] != '\n') rest[at] = ' ';
   return rest;
