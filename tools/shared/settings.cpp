@@ -60,8 +60,10 @@ class Reader {
       for (const auto& option : parsed.options) {
         found.emplace_back(option.string_key, option.value.empty() ? "" : option.value.front());
       }
-    } catch (const options::error& error) {
-      throw base::InputError(settings_.path + ": expected lines 'key = value' and '[section]', " + error.what());
+    } catch (const options::invalid_config_file_syntax& error) {
+      // Not what(): it fills in the line again and again where the line has the name of its own placeholder.
+      throw base::InputError(settings_.path + ": expected lines 'key = value' and '[section]', found '" +
+                             error.tokens() + "'");
     }
     return found;
   }

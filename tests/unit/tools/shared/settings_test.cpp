@@ -42,6 +42,8 @@ TEST(Settings, SayWhereTheyAreWrong) {
   EXPECT_EQ(refusal("[lint]\n\nunused = loud\n"),
             "rmpl.ini:3: 'lint.unused' is off, note, warning or error, not 'loud'");
   EXPECT_EQ(refusal("[lint]\nstyle = off\nstyle = note\n"), "rmpl.ini:3: 'lint.style' is given twice");
+  EXPECT_EQ(refusal("no key %invalid_line%"),
+            "rmpl.ini: expected lines 'key = value' and '[section]', found 'no key %invalid_line%'");
   EXPECT_EQ(refusal("[lint]\nlevel = off\n"), "rmpl.ini:2: 'lint.level' is note, warning or error");
   for (const char* text : {"[lint]\nRMPL0100 = off\n", "[lint]\n514 = off\n", "[lint]\ncycle = 0\n", "colour = auto\n",
                            "[lint\nx", "just a word\n", "[other]\ncolor = never\n"}) {
