@@ -4,10 +4,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include "compiler/session/compiler.hpp"
+#include "compiler/session/provider.hpp"
 #include "grammar/source/render.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/models.hpp"
@@ -17,10 +16,10 @@ namespace {
 
 /// Compiles a text as the file of a program.
 compiler::Compilation compile(const std::string& text) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "property.rmpl";
-  std::ofstream(path) << text;
-  const std::string name = path.string();
-  return compiler::compile({&name, 1}, {.main = reference::name_of_definition(0)});
+  const std::string name = "program.rmpl";
+  compiler::Memory texts;
+  texts.put(name, text);
+  return compiler::compile({&name, 1}, {.main = reference::name_of_definition(0)}, texts);
 }
 
 void same_arcs(std::vector<automata::Arc> found, const std::vector<automata::Arc>& expected) {

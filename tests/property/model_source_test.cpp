@@ -5,8 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -14,6 +12,7 @@
 
 #include "automata/step/marking_step.hpp"
 #include "compiler/session/compiler.hpp"
+#include "compiler/session/provider.hpp"
 #include "grammar/source/render.hpp"
 #include "tests/property/draw.hpp"
 
@@ -75,11 +74,11 @@ std::string step(int depth) {
 /// What is known of the variables, step by step, with its probability.
 using Histories = std::map<std::vector<std::vector<Assignment>>, double>;
 
-Histories histories(const std::string& body, const std::string& name) {
-  const auto path = std::filesystem::path(testing::TempDir()) / name;
-  std::ofstream(path) << "variable x, y : { a, b };\nmodel Main() :: { " << body << " }\n";
-  const std::string file = path.string();
-  const compiler::Compilation compiled = compiler::compile({&file, 1});
+Histories histories(const std::string& body) {
+  const std::string file = "model.rmpl";
+  compiler::Memory texts;
+  texts.put(file, "variable x, y : { a, b };\nmodel Main() :: { " + body + " }\n");
+  const compiler::Compilation compiled = compiler::compile({&file, 1}, {}, texts);
   RC_LOG() << body << '\n' << grammar::render_text(compiled.findings(), false);
   RC_ASSERT(compiled.ok());
   MarkingStep steps(compiled.document().models.front());
@@ -108,8 +107,8 @@ Histories histories(const std::string& body, const std::string& name) {
 }
 
 void same(const std::string& one, const std::string& other) {
-  const Histories found = histories(one, "model_source_one.rmpl");
-  const Histories expected = histories(other, "model_source_other.rmpl");
+  const Histories found = histories(one);
+  const Histories expected = histories(other);
   RC_ASSERT(found.size() == expected.size());
   for (const auto& [history, probability] : expected) {
     const auto at = found.find(history);
@@ -140,12 +139,10 @@ RC_GTEST_PROP(ModelSource, AChoiceBesideAnotherThreadOfItsBranch, ()) {
 
 RC_GTEST_PROP(ModelSource, WhatIsDrawnBeforeTheStartMayTellAtOnce, ()) {
   const std::string a = step(2), b = step(2);
-  const Histories both = histories("choose { " + a + " with 0.25, " + b + " with 0.75 }", "model_source_one.rmpl");
+  const Histories both = histories("choose { " + a + " with 0.25, " + b + " with 0.75 }");
   Histories expected;
-  for (const auto& [history, probability] : histories(a, "model_source_other.rmpl"))
-    expected[history] += 0.25 * probability;
-  for (const auto& [history, probability] : histories(b, "model_source_other.rmpl"))
-    expected[history] += 0.75 * probability;
+  for (const auto& [history, probability] : histories(a)) expected[history] += 0.25 * probability;
+  for (const auto& [history, probability] : histories(b)) expected[history] += 0.75 * probability;
   RC_ASSERT(both.size() == expected.size());
   for (const auto& [history, probability] : expected) RC_ASSERT(std::abs(both.at(history) - probability) < 1e-12);
 }

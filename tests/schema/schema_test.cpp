@@ -1,6 +1,7 @@
 // Every JSON that the programs print, validated against its schema in grammar/schema.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -67,12 +68,17 @@ std::string run(std::string command) {
   const std::string place = "{examples}";
   for (std::size_t at; (at = command.find(place)) != std::string::npos;)
     command.replace(at, place.size(), rmpl::paths::source() + "/examples");
-  command = "cd '" + testing::TempDir() + "' && PATH='" + rmpl::paths::programs() + "':$PATH && " + command;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  // A folder of its own: the tests run beside each other.
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("rmpl-schema-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  command = "cd '" + folder.string() + "' && PATH='" + rmpl::paths::programs() + "':$PATH && " + command;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   std::array<char, 4096> buffer{};
   for (std::size_t read; (read = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) > 0;)
     text.append(buffer.data(), read);
+  pipe.reset();
+  std::filesystem::remove_all(folder);
   return text;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -112,7 +113,8 @@ constexpr Ticks a_second = Ticks::of_seconds(1);
 std::string day(std::uint64_t seed, LiveOptions::Time time, Ticks duration, Auditor* auditor, MadPlant& plant) {
   const Program program = heater::program(true);
   const Plant model = heater::plant();
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("day" + std::to_string(seed));
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                                     ("rmpl-day-" + std::to_string(::getpid()) + "-" + std::to_string(seed));
   LiveRun run;
   run.cycle = a_second;
   run.duration = duration;
