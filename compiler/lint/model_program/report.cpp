@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "compiler/check/vocabulary.hpp"
-#include "compiler/lint/model_program/reachable_markings.hpp"
 
 namespace rmpl::compiler {
 

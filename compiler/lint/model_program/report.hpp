@@ -7,6 +7,7 @@
 
 #include "automata/phca.hpp"
 #include "compiler/lint/lint.hpp"
+#include "compiler/lint/model_program/reachable_markings.hpp"
 #include "compiler/lint/model_program/told_stores.hpp"
 #include "compiler/lint/program/unreached_steps.hpp"
 
@@ -17,7 +18,12 @@ class ModelReport {
  public:
   ModelReport(const LintInput& input, const automata::ModelProgram& program, const ProgramPlaces& places,
               grammar::Diagnostics& found)
-      : input_(input), program_(program), places_(places), found_(found), stores_(program) {}
+      : input_(input),
+        program_(program),
+        places_(places),
+        found_(found),
+        stores_(program),
+        together_(started_together(program)) {}
 
   [[nodiscard]] const LintInput& input() const { return input_; }
   [[nodiscard]] const automata::ModelProgram& program() const { return program_; }
@@ -26,6 +32,8 @@ class ModelReport {
   ToldStores& stores() { return stores_; }
   /// The locations that may be marked.
   const std::vector<bool>& reachable();
+  /// As `started_together`.
+  [[nodiscard]] const std::vector<std::vector<automata::LocationId>>& together() const { return together_; }
 
   [[nodiscard]] grammar::Span span_of(automata::LocationId location) const;
   /// The name of the definition that starts, or of the plant; nothing of what came compiled.
@@ -40,6 +48,7 @@ class ModelReport {
   const ProgramPlaces& places_;
   grammar::Diagnostics& found_;
   ToldStores stores_;
+  std::vector<std::vector<automata::LocationId>> together_;
   std::vector<bool> reachable_;  ///< empty: not asked for yet
 };
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "compiler/check/vocabulary.hpp"
-#include "compiler/lint/model_program/reachable_markings.hpp"
 #include "compiler/lint/model_program/report.hpp"
 
 namespace rmpl::compiler {
@@ -32,7 +31,7 @@ void report_contradiction(ModelReport& report, Contradiction blamed) {
 
 void report_contradictions(ModelReport& report) {
   const automata::ModelProgram& program = report.program();
-  const auto together = started_together(program);
+  const auto& together = report.together();
   std::vector<bool> within(program.locations.size(), false);  // something inside is told of already
   std::set<grammar::Span> reported;
   for (std::size_t l = program.locations.size(); l-- > 0;) {  // children stand behind their parents

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "automata/step/marking_step.hpp"
-#include "compiler/lint/model_program/reachable_markings.hpp"
 #include "compiler/lint/model_program/report.hpp"
 
 namespace rmpl::compiler {
@@ -66,7 +65,7 @@ bool has_start(const automata::ModelProgram& program) {
 }  // namespace
 
 bool report_start(ModelReport& report) {
-  const Together together = started_together(report.program());
+  const Together& together = report.together();
   const std::vector<LocationId> told = certain(report.program(), together);
   if (const auto blamed = report.stores().contradiction()) {
     report.blame(report_no_start(report, "its constraints contradict each other"), *blamed);

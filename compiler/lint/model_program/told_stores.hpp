@@ -36,7 +36,7 @@ class ToldStores {
   /// Of locations that are marked together, what of them and of what stands is a contradiction; nothing where they can
   /// hold. Where what stands is none by itself.
   std::optional<Contradiction> contradiction(const std::vector<automata::LocationId>& together);
-  /// Whether anything that is told, commanded or stands speaks of the variable, or of one that it is bound to.
+  /// Whether anything that is told or stands speaks of the variable, or it may be told as it comes.
   bool is_spoken_of(automata::VariableId variable);
 
  private:
