@@ -4,12 +4,9 @@
 # SPDX-License-Identifier: MIT
 """lint_flights.py RMPLC: lints a clean flight, then one for each edit of the lists below."""
 
-import concurrent.futures
-import pathlib
-import re
-import subprocess
 import sys
-import tempfile
+
+import lint_planted
 
 FLIGHT = {
     "tap.tcca": """\
@@ -131,46 +128,5 @@ CLEAN = [
 ]
 
 
-def edited(edits: tuple[tuple[str, str], ...]) -> dict[str, str]:
-    flight = dict(FLIGHT)
-    for old, new in edits:
-        places = [name for name, text in flight.items() for _ in range(text.count(old))]
-        if len(places) != 1:
-            raise SystemExit(f"the flight has {len(places)} times, expected once:\n{old}")
-        flight[places[0]] = flight[places[0]].replace(old, new)
-    return flight
-
-
-def lint(rmplc: str, flight: dict[str, str]) -> tuple[set[int], str]:
-    """The codes that lint finds, notes too, and what it says."""
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in flight.items():
-            (pathlib.Path(folder) / name).write_text(text, encoding="utf-8")
-        run = subprocess.run([rmplc, "lint", "--level", "note", "test.scn", "tap.props"], cwd=folder, capture_output=True,
-                             text=True, timeout=60, check=False)
-    said = run.stdout + run.stderr
-    if run.returncode not in (0, 1):
-        raise SystemExit(f"rmplc lint ended with {run.returncode}:\n{said}")
-    return {int(code) for code in re.findall(r"^(?:warning|note)\[RMPL(\d{4})\]", said, re.MULTILINE)}, said
-
-
-def main() -> int:
-    rmplc = str(pathlib.Path(sys.argv[1]).resolve())
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        seeded = list(pool.map(lambda seed: lint(rmplc, edited(seed[2:])), SEEDED))
-        clean = list(pool.map(lambda near: lint(rmplc, edited(near[1:])), CLEAN))
-    failures = 0
-    for (what, code, *_), (codes, said) in zip(SEEDED, seeded):
-        if code not in codes:
-            failures += 1
-            print(f"missed: {what}: expected RMPL{code:04}, found {sorted(codes)}\n{said}")
-    for (what, *_), (codes, said) in zip(CLEAN, clean):
-        if codes:
-            failures += 1
-            print(f"reported in vain: {what}: {sorted(codes)}\n{said}")
-    print(f"{len(SEEDED)} faults planted, {len(CLEAN)} near misses, {failures} failures")
-    return 1 if failures else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(lint_planted.main(FLIGHT, ["test.scn", "tap.props"], SEEDED, CLEAN))

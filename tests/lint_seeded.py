@@ -3,12 +3,9 @@
 # SPDX-License-Identifier: MIT
 """lint_seeded.py RMPLC: lints a clean plant, then one for each edit of the lists below."""
 
-import concurrent.futures
-import pathlib
-import re
-import subprocess
 import sys
-import tempfile
+
+import lint_planted
 
 PLANT = """\
 domain Pressure = { low, high };
@@ -161,44 +158,5 @@ CLEAN = [
 ]
 
 
-def edited(edits: tuple[tuple[str, str], ...]) -> str:
-    text = PLANT
-    for old, new in edits:
-        if text.count(old) != 1:
-            raise SystemExit(f"the plant has {text.count(old)} times, expected once:\n{old}")
-        text = text.replace(old, new)
-    return text
-
-
-def lint(rmplc: str, text: str) -> tuple[set[int], str]:
-    """The codes that lint finds, notes too, and what it says."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "feed.tcca"
-        path.write_text(text, encoding="utf-8")
-        run = subprocess.run([rmplc, "lint", "--level", "note", str(path)], capture_output=True, text=True, timeout=60)
-    said = run.stdout + run.stderr
-    if run.returncode not in (0, 1):
-        raise SystemExit(f"rmplc lint ended with {run.returncode}:\n{said}")
-    return {int(code) for code in re.findall(r"^(?:warning|note)\[RMPL(\d{4})\]", said, re.MULTILINE)}, said
-
-
-def main() -> int:
-    rmplc = sys.argv[1]
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        seeded = list(pool.map(lambda seed: lint(rmplc, edited(seed[2:])), SEEDED))
-        clean = list(pool.map(lambda near: lint(rmplc, edited(near[1:])), CLEAN))
-    failures = 0
-    for (what, code, *_), (codes, said) in zip(SEEDED, seeded):
-        if code not in codes:
-            failures += 1
-            print(f"missed: {what}: expected RMPL{code:04}, found {sorted(codes)}\n{said}")
-    for (what, *_), (codes, said) in zip(CLEAN, clean):
-        if codes:
-            failures += 1
-            print(f"reported in vain: {what}: {sorted(codes)}\n{said}")
-    print(f"{len(SEEDED)} faults planted, {len(CLEAN)} near misses, {failures} failures")
-    return 1 if failures else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(lint_planted.main({"feed.tcca": PLANT}, ["feed.tcca"], SEEDED, CLEAN))
