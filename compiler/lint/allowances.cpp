@@ -10,6 +10,7 @@
 
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/lint.hpp"
+#include "compiler/lint/removal.hpp"
 
 namespace rmpl::compiler {
 
@@ -19,30 +20,7 @@ using grammar::Span;
 
 namespace {
 
-constexpr std::string_view blank = " \t\r";
-
-/// The byte behind a string literal or a block comment that begins at `at`.
-std::size_t behind(std::string_view text, std::size_t at) {
-  if (text[at] == '/') return std::min(text.size(), text.find("*/", at + 2)) + 2;
-  for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at) {
-    if (text[at] == '\\') ++at;
-  }
-  return at + 1;
-}
-
-/// Calls `visit(begin, end)` for each comment from `//` to the end of its line.
-void for_each_line_comment(std::string_view text, const auto& visit) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view two = text.substr(at, 2);
-    if (two == "//") {
-      const std::size_t end = std::min(text.size(), text.find('\n', at));
-      visit(at, end);
-      at = end;
-    } else {
-      at = two == "/*" || two.front() == '"' ? behind(text, at) : at + 1;
-    }
-  }
-}
+constexpr std::string_view blank = " \t\r\n";
 
 /// Reads the words of one comment.
 class Reader {
@@ -88,29 +66,43 @@ std::string read(Reader& words, std::vector<std::pair<std::size_t, std::string_v
   return "";
 }
 
-/// The line that a comment speaks of: its own where code stands before it, else the first below that is more than a
-/// comment.
-std::uint32_t line_of(const grammar::SourceFile& file, std::size_t begin) {
-  std::uint32_t line = file.place(static_cast<std::uint32_t>(begin)).line;
-  const auto code_of = [&](std::uint32_t number) {
-    const std::string_view text = file.line(number);
-    const std::size_t first = text.find_first_not_of(blank);
-    return first == std::string_view::npos ? std::string_view() : text.substr(first);
-  };
-  if (!code_of(line).starts_with("//")) return line;
-  do ++line;
-  while (line <= file.line_count() && code_of(line).starts_with("//"));
-  return line;
+/// The line that a comment before a token speaks of: where code stands before or behind it, its own, else the first
+/// below that is more than a comment.
+std::uint32_t line_of(const grammar::SourceFile& file, const Tokens& tokens, std::size_t token, std::size_t comment) {
+  const auto comments = tokens.comments_before(token);
+  const auto line_at = [&](std::size_t byte) { return file.place(static_cast<std::uint32_t>(byte)).line; };
+  std::uint32_t line = line_at(comments[comment].begin);
+  if (!comments[comment].starts_line) return line;
+  for (;; ++comment) {
+    line = line_at(comments[comment].begin + comments[comment].text.size());
+    const bool last = comment + 1 == comments.size();
+    const bool blank_line = last ? tokens[token].behind_blank_line : comments[comment + 1].behind_blank_line;
+    if (blank_line) return line + 1;
+    if (last) return line_at(tokens[token].begin);
+  }
 }
 
 /// Takes a comment away: with its line, where nothing else stands on it.
-grammar::Edit removal_of(const grammar::SourceFile& file, Span comment) {
+grammar::Edit removal_of_comment(const grammar::SourceFile& file, Span comment) {
   const std::string_view text = file.text();
   std::size_t begin = comment.begin;
   while (begin > 0 && blank.find(text[begin - 1]) != std::string_view::npos) --begin;
   const bool alone = begin == 0 || text[begin - 1] == '\n';
-  const std::size_t end = alone && comment.end < text.size() ? comment.end + 1 : comment.end;
+  std::size_t end = std::min(text.find_first_not_of(" \t\r", comment.end), text.size());
+  if (end < text.size() && text[end] == '\n') end += alone ? 1 : 0;
   return {{comment.file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}, ""};
+}
+
+/// Takes a code out of its comment, with a comma; the comment, where it allows nothing else.
+grammar::Edit removal_of(const grammar::SourceFile& file, const std::vector<Allowance>& all, const Allowance& one) {
+  const Allowance* before = nullptr;
+  for (const Allowance& other : all) {
+    if (other.comment != one.comment || other.span == one.span) continue;
+    if (one.span < other.span && before == nullptr) return {{one.span.file, one.span.begin, other.span.begin}, ""};
+    if (other.span < one.span) before = &other;
+  }
+  if (before == nullptr) return removal_of_comment(file, one.comment);
+  return {{one.span.file, before->span.end, one.span.end}, ""};
 }
 
 }  // namespace
@@ -121,22 +113,31 @@ std::vector<Allowance> allowances_in(const grammar::Sources& sources, std::uint3
   const auto span_of = [&](std::size_t begin, std::size_t end) {
     return Span{file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
   };
-  for_each_line_comment(source.text(), [&](std::size_t begin, std::size_t end) {
-    Reader words(source.text(), begin + 2, end);
-    if (!words.take("lint:")) return;
+  const auto look_at = [&](const Comment& comment, const auto& line) {
+    if (!speaks_to_lint(comment.text)) return;
+    const std::size_t end = comment.begin + comment.text.size();
+    Reader words(source.text(), comment.begin + 2, comment.to_end_of_line ? end : end - 2);
+    words.take("lint:");
     std::vector<std::pair<std::size_t, std::string_view>> codes;
     const std::string wrong = read(words, codes);
     if (!wrong.empty()) {
-      auto& finding =
-          add_finding(found, Code::allowance_without_reason, span_of(begin, end), "this allows nothing: " + wrong);
+      auto& finding = add_finding(found, Code::allowance_without_reason, span_of(comment.begin, end),
+                                  "this allows nothing: " + wrong);
       finding.suggestion = "write `// lint: allow RMPL0514 because …`";
       return;
     }
-    const std::uint32_t line = line_of(source, begin);
     for (const auto& [at, code] : codes) {
-      allowances.push_back({*grammar::find_code(code), span_of(at, at + code.size()), span_of(begin, end), line});
+      allowances.push_back(
+          {*grammar::find_code(code), span_of(at, at + code.size()), span_of(comment.begin, end), line()});
     }
-  });
+  };
+  const Tokens tokens(source.text());
+  for (std::size_t t = 0; t < tokens.count(); ++t) {
+    const auto comments = tokens.comments_before(t);
+    for (std::size_t c = 0; c < comments.size(); ++c) {
+      look_at(comments[c], [&] { return line_of(source, tokens, t, c); });
+    }
+  }
   return allowances;
 }
 
@@ -165,10 +166,8 @@ grammar::Diagnostics without_allowed(const grammar::Diagnostics& found, const gr
     if (allowed.at({one.span.file, one.line, one.code})) continue;
     auto& finding = add_finding(left, Code::unused_allowance, one.span,
                                 to_string(one.code) + " is not found on the line that this speaks of");
-    const auto same_comment = [&](const Allowance& other) { return other.comment == one.comment; };
-    if (std::count_if(allowances.begin(), allowances.end(), same_comment) > 1) continue;
     finding.suggestion = "take it out";
-    finding.fix.push_back(removal_of(sources[one.comment.file], one.comment));
+    finding.fix.push_back(removal_of(sources[one.comment.file], allowances, one));
   }
   return left;
 }

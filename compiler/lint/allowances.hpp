@@ -1,4 +1,4 @@
-// Comments that allow a finding: `// lint: allow RMPL0514 because …`.
+// Comments that allow a finding: `// lint: allow RMPL0514 because …`, or the same between `/*` and `*/`.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,7 +17,7 @@ namespace rmpl::compiler {
 struct Allowance {
   grammar::Code code;
   grammar::Span span;     ///< of the code
-  grammar::Span comment;  ///< all of it, up to the end of its line
+  grammar::Span comment;  ///< all of it
   std::uint32_t line;     ///< of the finding: that of the comment, or where nothing else stands on it, the next
 };
 

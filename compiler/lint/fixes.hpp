@@ -20,7 +20,8 @@ struct Fixed {
   std::size_t count = 0;                       ///< findings that are fixed
 };
 
-/// Takes the fixes in order; one that overlaps with one before it is left for the next run.
+/// Takes the fixes in order; one that overlaps with one before it is left for the next run. A text that was laid out as
+/// `format` does is so afterwards.
 Fixed apply_fixes(std::span<const grammar::Diagnostic> found, const grammar::Sources& sources);
 
 }  // namespace rmpl::compiler

@@ -3,6 +3,7 @@
 #include "compiler/lint/lint.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/check.hpp"
@@ -63,6 +64,19 @@ grammar::Diagnostic& add_finding(Diagnostics& found, grammar::Code code, grammar
 
 namespace {
 
+/// A pass may tell a finding once more, with the fix that it found: that one stays.
+Diagnostics without_poorer(const Diagnostics& found) {
+  std::set<std::pair<grammar::Span, grammar::Code>> richer;
+  for (const grammar::Diagnostic& finding : found.all()) {
+    if (!finding.fix.empty()) richer.emplace(finding.span, finding.code);
+  }
+  Diagnostics result;
+  for (const grammar::Diagnostic& finding : found.all()) {
+    if (!finding.fix.empty() || !richer.contains({finding.span, finding.code})) result.add(finding);
+  }
+  return result;
+}
+
 /// The findings at the levels that were asked for.
 Diagnostics at_levels(const Diagnostics& found, const LintSettings& settings) {
   Diagnostics result;
@@ -98,7 +112,7 @@ Diagnostics lint(const Compilation& compilation, const LintSettings& settings) {
   for (const auto passes : {plant_passes(), model_program_passes(), program_passes()}) {
     for (const LintPass pass : passes) pass(input, found);
   }
-  return at_levels(without_allowed(found, sources, compilation.files()), settings);
+  return at_levels(without_allowed(without_poorer(found), sources, compilation.files()), settings);
 }
 
 }  // namespace rmpl::compiler

@@ -1,12 +1,17 @@
 // rmplc lint, rmplc check: what compiles, and is most likely meant otherwise.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "base/check.hpp"
 #include "base/rewrite_file.hpp"
 #include "compiler/lint/fixes.hpp"
 #include "compiler/lint/lint.hpp"
+#include "compiler/session/files.hpp"
+#include "compiler/session/provider.hpp"
 #include "grammar/source/render.hpp"
 #include "tools/rmplc/commands.hpp"
 #include "tools/shared/models.hpp"
@@ -79,38 +84,64 @@ std::vector<Diagnostic> found_in(const compiler::Compilation& compilation, const
   return found;
 }
 
-/// Rewrites the files that sure fixes change, and leaves what is then still to be told. Standard input is left as it
-/// is.
-std::vector<Diagnostic> fix(const std::vector<Diagnostic>& found, const Sources& sources, const Common& common) {
-  std::vector<Diagnostic> left;
-  std::vector<Diagnostic> on_disk;
-  for (const Diagnostic& finding : found) {
-    (sources[finding.span.file].name() == "<stdin>" ? left : on_disk).push_back(finding);
-  }
+/// An input set with its findings, and what fixes make of it.
+struct Mending {
+  compiler::Compilation compilation;
+  std::vector<Diagnostic> found;
+  std::map<std::string, std::string> texts;  ///< by name of a file, those that changed
+  std::size_t count = 0;                     ///< findings that are fixed
+};
+
+bool is_standard_input(const Sources& sources, std::uint32_t file) { return sources[file].name() == "<stdin>"; }
+
+/// One round of fixes, in memory. Standard input is left as it is. Whether there was any.
+bool mend(Mending& mending, compiler::Overlay& texts, const Options& options, const Settings& settings) {
+  const Sources& sources = mending.compilation.findings().sources;
+  std::vector<Diagnostic> on_disk = mending.found;
+  std::erase_if(on_disk, [&](const Diagnostic& one) { return is_standard_input(sources, one.span.file); });
   const compiler::Fixed fixed = compiler::apply_fixes(on_disk, sources);
-  for (const auto& [file, text] : fixed.texts) base::rewrite_file(sources[file].name(), text);
-  if (!common.quiet && fixed.count > 0) {
-    print_error(std::to_string(fixed.count) + (fixed.count == 1 ? " finding" : " findings") + " fixed in " +
-                std::to_string(fixed.texts.size()) + (fixed.texts.size() == 1 ? " file\n" : " files\n"));
+  if (fixed.count == 0) return false;
+  mending.count += fixed.count;
+  for (const compiler::File& file : mending.compilation.files()) {
+    if (is_standard_input(sources, file.index)) texts.put("-", std::string(sources[file.index].text()));
   }
-  left.insert(left.end(), fixed.left.begin(), fixed.left.end());
-  return left;
+  for (const auto& [file, text] : fixed.texts) {
+    texts.put(sources[file].name(), text);
+    mending.texts[sources[file].name()] = text;
+  }
+  mending.compilation = compiler::compile(options.files, {options.main, true}, texts);
+  CHECK(mending.compilation.ok() && "a fix that is sure leaves what compiles");
+  mending.found = found_in(mending.compilation, options, settings);
+  return true;
+}
+
+/// Fixes until there is nothing left to fix, as one may bring another, and then rewrites the files.
+void fix(Mending& mending, const Options& options, const Common& common, const Settings& settings) {
+  compiler::Disk disk;
+  compiler::Overlay texts(disk);
+  constexpr std::size_t most = 100;
+  for (std::size_t round = 0; round < most && mend(mending, texts, options, settings); ++round) continue;
+  for (const auto& [name, text] : mending.texts) base::rewrite_file(name, text);
+  if (common.quiet || mending.count == 0) return;
+  print_error(std::to_string(mending.count) + (mending.count == 1 ? " finding" : " findings") + " fixed in " +
+              std::to_string(mending.texts.size()) + (mending.texts.size() == 1 ? " file\n" : " files\n"));
 }
 
 ExitStatus run_lint(const Options& options, const Common& common, const Settings& settings) {
-  const compiler::Compilation compilation = compiled(options);
-  const Sources& sources = compilation.findings().sources;
+  compiler::Compilation compilation = compiled(options);
   std::vector<Diagnostic> found = found_in(compilation, options, settings);
   if (!compilation.ok()) {
     // For programs the errors are the result; people find them where all errors are.
     const bool to_people = options.form == Form::text;
     const bool color = to_people && error_painter(common.color).color;
-    (to_people ? print_error : print)(rendered(options.form, found, sources, color));
+    (to_people ? print_error : print)(rendered(options.form, found, compilation.findings().sources, color));
     throw Rejected{};
   }
-  if (options.fix) found = fix(found, sources, common);
-  print(rendered(options.form, found, sources, output_painter(common.color).color));
-  return found.empty() ? ExitStatus::done : ExitStatus::violated;
+  Mending mending{std::move(compilation), std::move(found), {}, 0};
+  if (options.fix) fix(mending, options, common, settings);
+  const Sources& sources = mending.compilation.findings().sources;
+  print(rendered(options.form, mending.found, sources, output_painter(common.color).color));
+  return mending.found.empty() ? ExitStatus::done : ExitStatus::violated;
 }
 
 ExitStatus run_check(const Options& options, const Common& common, const Settings& settings) {

@@ -20,6 +20,7 @@ void lint_plant(const LintInput& input, const automata::Plant& plant, grammar::D
   report_modes(report);
   if (!report.analysis().reach().has_initial_state) return report_initial_state(report);
   report_guards(report);
+  report_duplicates(report);
   report_timed_faults(report);
   report_commands(report);
   report_sensing(report);

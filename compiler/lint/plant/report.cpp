@@ -24,7 +24,8 @@ PlantReport::PlantReport(const LintInput& input, const automata::Plant& plant, g
       found_(found),
       analysis_(plant),
       declarations_(declarations_of(input, plant)),
-      undriven_(undriven_inputs(plant, declarations_)) {}
+      undriven_(undriven_inputs(plant, declarations_)),
+      removals_(input.sources) {}
 
 grammar::Span PlantReport::at(PlantMode mode) const {
   return at(plant_[mode.component].modes[mode.mode.index()].origin);

@@ -13,6 +13,7 @@
 #include "compiler/lint/lint.hpp"
 #include "compiler/lint/plant/declarations.hpp"
 #include "compiler/lint/plant/findings.hpp"
+#include "compiler/lint/removal.hpp"
 
 namespace rmpl::compiler {
 
@@ -21,6 +22,7 @@ class PlantReport {
  public:
   PlantReport(const LintInput& input, const automata::Plant& plant, grammar::Diagnostics& found);
 
+  [[nodiscard]] const LintInput& input() const { return input_; }
   [[nodiscard]] const automata::Plant& plant() const { return plant_; }
   [[nodiscard]] PlantAnalysis& analysis() { return analysis_; }
   [[nodiscard]] const PlantDeclarations& declarations() const { return declarations_; }
@@ -30,6 +32,13 @@ class PlantReport {
   grammar::Diagnostic& add(grammar::Code code, grammar::Span span, std::string message) {
     return add_finding(found_, code, span, std::move(message));
   }
+  /// A finding that was told already, with more to it: it takes the place of what was told.
+  void add(grammar::Diagnostic finding) { found_.add(std::move(finding)); }
+  /// What the compiler and other passes have told.
+  [[nodiscard]] const std::vector<grammar::Diagnostic>& told() const { return found_.all(); }
+  [[nodiscard]] Removals& removals() { return removals_; }
+  /// Whether a place is in the file that holds the plant: what other files hold, other plants may use in other ways.
+  [[nodiscard]] bool is_beside_plant(grammar::Span place) const { return place.file == declarations_.plant.file; }
   [[nodiscard]] grammar::Span at(const automata::Origin& origin) const { return input_.places.at(origin); }
   [[nodiscard]] grammar::Span at(PlantMode mode) const;
   [[nodiscard]] grammar::Span at(PlantTransition transition) const;
@@ -54,6 +63,7 @@ class PlantReport {
   PlantAnalysis analysis_;
   PlantDeclarations declarations_;
   std::set<automata::VariableId> undriven_;
+  Removals removals_;
 };
 
 /// The inputs that nothing drives: only other inputs are joined with them, none of which is commanded or observed.
@@ -65,6 +75,7 @@ std::string enumerated(const std::vector<std::string>& names, std::size_t limit)
 // A function a file; each tells of its findings.
 void report_modes(PlantReport& report);
 void report_guards(PlantReport& report);
+void report_duplicates(PlantReport& report);
 void report_timed_faults(PlantReport& report);
 void report_commands(PlantReport& report);
 void report_sensing(PlantReport& report);

@@ -116,7 +116,9 @@ void report_unused(PlantReport& report, const Declared& declared) {
   const PlantAttribute& attribute = *declared.attribute;
   const std::string what = backquoted(attribute.attribute) + " of " + backquoted(attribute.type);
   if (!declared.mentioned) {
-    report.add(Code::unused_attribute, attribute.span, "nothing mentions the attribute " + what);
+    auto& finding = report.add(Code::unused_attribute, attribute.span, "nothing mentions the attribute " + what);
+    const bool here = report.is_beside_plant(attribute.span) && report.input().names.of(attribute.span).size() == 1;
+    if (here) propose(finding, report.removals().of_name(attribute.span));
   } else if (attribute.of_component && attribute.direction == Direction::input && !declared.read &&
              !declared.observed) {
     report.add(Code::unused_attribute, attribute.span, "no guard and no mode constraint reads the input " + what);

@@ -120,12 +120,26 @@ void report_overlaps(PlantReport& report) {
   }
 }
 
+/// Whether wherever the one would be taken, another has taken the component to the same mode.
+bool is_redundant(PlantReport& report, PlantTransition late, const std::vector<TransitionId>& by) {
+  if (report[late].weight.kind != automata::Weight::Kind::none) return false;
+  return std::all_of(by.begin(), by.end(), [&](TransitionId early) {
+    const automata::Transition& other = report[PlantTransition{late.component, early}];
+    return other.to == report[late].to && !report.plant()[late.component].is_fault(other);
+  });
+}
+
 void report_shadows(PlantReport& report) {
   std::vector<PlantTransition> found;
   std::map<PlantTransition, std::vector<TransitionId>> by;
   for (Shadow& shadow : find_shadowed_transitions(report.analysis())) {
     found.push_back({shadow.component, shadow.transition});
     by[found.back()] = std::move(shadow.by);
+  }
+  std::set<grammar::Span> redundant;
+  for (const auto& [late, early] : by) redundant.insert(report.at(late));
+  for (const auto& [late, early] : by) {
+    if (!is_redundant(report, late, early)) redundant.erase(report.at(late));
   }
   for (const Written& written : as_written(report, found)) {
     auto& finding = report.add(Code::shadowed_transition, report.at(written.first),
@@ -138,6 +152,9 @@ void report_shadows(PlantReport& report) {
       finding.notes.push_back({report.at(one), fault ? "this fault is certain wherever its guard holds"
                                                      : "this one has no time bounds, and holds wherever it does"});
     }
+    const grammar::Span span = finding.span;
+    if (report.all(written.instances) && redundant.contains(span) && report.is_beside_plant(span))
+      propose(finding, report.removals().of_statement(span));
   }
 }
 

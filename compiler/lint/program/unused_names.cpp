@@ -12,6 +12,7 @@
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/program/bound_programs.hpp"
 #include "compiler/lint/program/passes.hpp"
+#include "compiler/lint/removal.hpp"
 #include "compiler/lint/tree_walk.hpp"
 
 namespace rmpl::compiler {
@@ -86,9 +87,9 @@ bool is_among(const std::vector<Name>& names, std::string_view text) {
   return std::any_of(names.begin(), names.end(), [&](const Name& name) { return name.text == text; });
 }
 
-void report_clock(const Name& name, const char* what, grammar::Diagnostics& found) {
-  add_finding(found, Code::unused_clock, name.span,
-              "clock " + backquoted(name.text) + " is " + what + " and never read");
+grammar::Diagnostic& report_clock(const Name& name, const char* what, grammar::Diagnostics& found) {
+  return add_finding(found, Code::unused_clock, name.span,
+                     "clock " + backquoted(name.text) + " is " + what + " and never read");
 }
 
 /// Component and module types that a plant uses, by way of others too.
@@ -185,11 +186,14 @@ void lint_unused_parameters(const LintInput& input, grammar::Diagnostics& found)
 void lint_unused_clocks(const LintInput& input, grammar::Diagnostics& found) {
   std::set<std::string_view> read;  // clocks of the program, in any definition
   std::vector<Name> started;
+  Removals removals(input.sources);
   for_each_definition(input, [&](const Definition& definition) {
     const ClockUse use = clocks_in(definition);
     for (const Name& own : definition.clocks) {
       const bool starts = is_among(use.starts, own.text);
-      if (!use.reads.count(own.text)) report_clock(own, starts ? "started" : "declared", found);
+      if (use.reads.count(own.text)) continue;
+      auto& finding = report_clock(own, starts ? "started" : "declared", found);
+      if (!starts) propose(finding, removals.of_name(own.span));
     }
     for (const std::string_view name : use.reads) {
       if (!is_among(definition.clocks, name)) read.insert(name);
@@ -208,13 +212,15 @@ void lint_unused_clocks(const LintInput& input, grammar::Diagnostics& found) {
 
 void lint_unused_domains(const LintInput& input, grammar::Diagnostics& found) {
   const auto mentions = mentions_of(input);
+  Removals removals(input.sources);
   for (const File& file : input.files) {
     if (!has_plant(file)) continue;
     for (const grammar::PlantItem& item : file.plant->items) {
       const auto* domain = std::get_if<grammar::Domain>(&item);
       if (domain == nullptr || mentions.at(domain->name.span) > 1) continue;
-      add_finding(found, Code::unused_domain, domain->name.span,
-                  "no variable has the domain " + backquoted(domain->name.text));
+      propose(add_finding(found, Code::unused_domain, domain->name.span,
+                          "no variable has the domain " + backquoted(domain->name.text)),
+              removals.of_statement(domain->span));
     }
   }
 }

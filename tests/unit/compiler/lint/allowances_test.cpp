@@ -28,6 +28,20 @@ TEST(Allowances, SpeakOfTheirLineOrOfTheNextOne) {
             (Lines{4, 4, 4}));
   EXPECT_EQ(lines("/* // lint: allow RMPL0514 because of it */ \"// lint: allow\" // plain\n"), Lines{});
   EXPECT_EQ(lines("\"a\\\"// lint: x\" /* */ // lint: allow RMPL0514 because of it"), Lines{1});
+  EXPECT_EQ(lines("// lint: allow RMPL0514 because of it\n\nx"), Lines{2});
+}
+
+TEST(Allowances, StandInEitherKindOfComment) {
+  using Lines = std::vector<std::uint32_t>;
+  EXPECT_EQ(lines("x /* lint: allow RMPL0514 because of it */\ny"), Lines{1});
+  EXPECT_EQ(lines("/* lint: allow RMPL0514 because of it */ x\ny"), Lines{1});
+  EXPECT_EQ(lines("/* lint: allow RMPL0514\n   because of it */\nx"), Lines{3});
+  EXPECT_EQ(lines("/* lint: allow RMPL0514 because of it */\n/* and\n more */\n// of it\nx"), Lines{5});
+  EXPECT_EQ(lines("/* lint: allow RMPL0514 because of it */\n/* and\n\n more */ x"), Lines{4});
+  EXPECT_EQ(lines("/*lint:allow RMPL0514,RMPL0504 because so*/\nx"), (Lines{2, 2}));
+  EXPECT_TRUE(lines("/* lint: allow RMPL0514 */", 1).empty());
+  EXPECT_TRUE(lines("/* lint: allow RMPL0514 because */", 1).empty());
+  EXPECT_TRUE(lines("/* lint: allow RMPL0514 because it is not closed").empty());
 }
 
 TEST(Allowances, NeedACodeOfLintAndAReason) {

@@ -36,5 +36,27 @@ TEST(Fixes, ThatMeetAreLeftForTheNextTime) {
   EXPECT_EQ(fixed.texts.at(0), "one 2 three");
 }
 
+TEST(Fixes, ThatTakeOutWhatTouchesGoTogether) {
+  grammar::Sources sources;
+  sources.add("a", "one two three");
+  const std::vector<grammar::Diagnostic> found{finding({{{0, 0, 4}, ""}}), finding({{{0, 4, 8}, ""}}),
+                                               finding({{{0, 7, 9}, ""}})};
+  const Fixed fixed = apply_fixes(found, sources);
+  EXPECT_EQ(fixed.count, 2);
+  EXPECT_EQ(fixed.texts.at(0), "three");
+}
+
+TEST(Fixes, KeepTheOneStyleWhereItWasThere) {
+  const auto fixed = [](const std::string& text) {
+    grammar::Sources sources;
+    sources.add("a.rmpl", text);
+    const auto begin = static_cast<std::uint32_t>(text.find('\n') + 1);
+    const auto end = static_cast<std::uint32_t>(text.find(';') + 1);
+    return apply_fixes(std::vector{finding({{{0, begin, end}, ""}})}, sources).texts.at(0);
+  };
+  EXPECT_EQ(fixed("P() :: {\n  clock t;\n  tap = open\n}\n"), "P() :: {\n  tap = open\n}\n");
+  EXPECT_EQ(fixed("P()  :: {\n  clock t;\n  tap = open\n}\n"), "P()  :: {\n\n  tap = open\n}\n");
+}
+
 }  // namespace
 }  // namespace rmpl::compiler
