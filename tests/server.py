@@ -418,7 +418,13 @@ def completing(program, folder):
     same(offered("engine.tcca", ENGINE[: ENGINE.index("Level;")], ";\n}\n"), ["Level"])
     mode = ENGINE.index("temp = low")
     same(offered("engine.tcca", ENGINE[:mode] + "temp = ", ENGINE[mode + len("temp = low") :]), ["high", "low", "false", "true"])
+    for rest in (ENGINE[mode + len("temp = low") :], " } " + ENGINE[mode + len("temp = low") :], ""):  # nothing is closed yet
+        same(offered("engine.tcca", ENGINE[:mode] + "temp in { ", rest), ["high", "low", "false", "true"])
+    same(offered("engine.tcca", ENGINE[:mode] + "temp = "), ["high", "low", "false", "true"])
+    assert "min" in offered("engine.tcca", ENGINE[: ENGINE.index("0.001")] + "rate 1e-6 / ", ";\n}\n")
     client.change("engine.tcca", ENGINE)
+    for rest in (" }; }", ""):
+        same(offered("ship.tcca", PLANT[: PLANT.index(";\n  control")] + " { initial ", rest), ["broken", "off", "on"])
     same(offered("ship.tcca", PLANT[: PLANT.index("Engine;")], ";\n}\n"), ["Engine", "model"])
     same(offered("ship.tcca", PLANT[: PLANT.index("none;")], ";\n}\n"), ["none", "off", "on", "false", "true"])
     same(offered("ship.tcca", PLANT[: PLANT.index("engine.temp")] + "engine.", ";\n}\n"), ["engine.cmd", "engine.temp"])
@@ -428,6 +434,11 @@ def completing(program, folder):
     client.open("start.scn")
     same(offered("start.scn", SCENARIO[: SCENARIO.index("on within")], ";\n}\n"), ["broken", "off", "on", "false", "true"])
     assert "min" in offered("start.scn", 'scenario "s" { cycle 1 ')
+    named = 'scenario "s" {\n  program "start.rmpl" main '
+    client.change("start.rmpl", PROGRAM)
+    for text, rest in ((named, ""), (named, ";\n}\n"), (named + "St", "\n}\n"), (named, ';\n  plant "ship.tcca";\n}\n')):
+        same(offered("start.scn", text, rest), ["Start"])  # Stop takes a parameter
+    same(offered("start.scn", named.replace("start.rmpl", "none.rmpl")), [])
     assert {"expect", "at", "when", "seed", "truth"} <= set(offered("start.scn", 'scenario "s" { cycle 1 s; '))
     client.end()
 

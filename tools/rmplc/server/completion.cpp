@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "grammar/editor/expectation.hpp"
 #include "grammar/editor/tokens.hpp"
@@ -83,16 +84,44 @@ struct Before {
   }
 };
 
-/// The text without the statement that is being written, up to the end of its line, or of the braces that it stands in.
-std::string without_statement(std::string_view text, const Before& before, std::uint32_t offset) {
-  const auto brace = std::find(before.tokens.rbegin(), before.tokens.rend(), "{");
-  const char* begin = brace == before.tokens.rbegin() ? before.word.data() : (*brace.base()).data();
-  if (brace == before.tokens.rend() && !before.tokens.empty()) begin = before.tokens.front().data();
+/// The text with blanks in the place of what stands from `begin` up to the end of the line of `offset`, or of the
+/// braces that hold it all: those that open in between, `inner` of them, may close there.
+std::string blanked(std::string_view text, std::size_t begin, std::uint32_t offset, std::size_t inner) {
   std::string rest(text);
-  const std::size_t end = std::min(text.find_first_of("\n}", offset), text.size());
-  for (auto at = static_cast<std::size_t>(begin - text.data()); at < end; ++at)
+  std::size_t end = offset;
+  for (; end < text.size() && text[end] != '\n' && (text[end] != '}' || inner > 0); ++end) {
+    if (text[end] == '}') --inner;
+  }
+  for (std::size_t at = begin; at < end; ++at) {
     if (rest[at] != '\n') rest[at] = ' ';
+  }
   return rest;
+}
+
+/// The text without the statement that is being written: what holds it in braces may be no statement without it, so
+/// innermost first, what might be meant; each also with what is open closed at the end, where all is yet to be written.
+std::vector<std::string> without_statement(std::string_view text, const Before& before, std::uint32_t offset) {
+  const auto place = [&](std::string_view token) { return static_cast<std::size_t>(token.data() - text.data()); };
+  auto open = static_cast<std::size_t>(std::count(before.tokens.begin(), before.tokens.end(), "{"));
+  std::vector<std::string> result;
+  const auto add = [&](std::string rest) {
+    result.push_back(rest);
+    if (open > 0) result.push_back(std::move(rest) + '\n' + std::string(open, '}'));
+  };
+  if (before.back(0) == "main") {  // the program that it starts in has been named
+    std::string rest = blanked(text, place(before.back(0)), offset, 0);
+    rest[place(before.back(0))] = ';';
+    add(std::move(rest));
+  }
+  std::size_t begin = place(before.word);
+  std::size_t inner = 0;
+  for (std::size_t n = before.tokens.size(); n-- > 0; begin = place(before.tokens[n])) {
+    if (before.tokens[n] != "{") continue;
+    add(blanked(text, begin, offset, inner++));
+    --open;
+  }
+  add(blanked(text, begin, offset, inner));
+  return result;
 }
 
 class Completing {
@@ -130,17 +159,23 @@ class Completing {
     if (spot.analysis->file(spot.file).whole) return nullptr;
     compiler::Provider& texts = workspace.texts();
     compiler::Overlay changed(texts);
-    changed.put(spot.source().name(), without_statement(spot.source().text(), before, spot.offset));
-    return std::make_unique<Analysis>(spot.analysis->unit(), changed);
+    std::unique_ptr<Analysis> first;
+    for (std::string& text : without_statement(spot.source().text(), before, spot.offset)) {
+      changed.put(spot.source().name(), std::move(text));
+      auto analysis = std::make_unique<Analysis>(spot.analysis->unit(), changed);
+      if (analysis->file(spot.file).whole) return analysis;
+      if (!first) first = std::move(analysis);
+    }
+    return first;
   }
 
-  /// A word of the grammar; a unit only right behind a number.
+  /// A word of the grammar; a unit only right behind a number, or where a rate is given by it.
   void keyword(const std::string& word) {
     const auto& list = grammar::keywords(language_);
     const auto known = list.find(word);
     if (known == list.end()) return;
     const bool unit = known->second.kind == "unit";
-    if (unit && !is_number(before_.back(0))) return;
+    if (unit && !is_number(before_.back(0)) && before_.back(0) != "/") return;
     add(word, ItemKind::keyword, std::string(known->second.meaning), unit ? '1' : '3');
   }
 
@@ -180,11 +215,29 @@ class Completing {
     if (rule == "atom" || rule == "argument" || rule == "assignment" || rule == "observe" || rule == "control")
       return variables();
     if (rule == "goal" || rule == "clock-start") return clocks();
-    if (rule == "call" || rule == "item") return add_all(scopes_.definitions(), "", '2');
+    if (rule == "item") return starts();
+    if (rule == "call") return add_all(scopes_.definitions(), "", '2');
     if (rule == "sources" || rule == "plain" || rule == "branch") return modes_of(enclosing_type());
     if (rule == "initial-mode") return modes_of(type_of_initial());
     if (rule == "instance" && behind_colon()) return types();
     if ((rule == "attribute" || rule == "variable") && behind_colon()) return add_all(scopes_.domains(), "", '1');
+  }
+  /// The definitions that the program of a scenario may start with: `program "main.rmpl" main`.
+  void starts() {
+    const Analysis& analysis = mended_ ? *mended_ : *spot_.analysis;
+    std::string_view program = before_.back(1);
+    if (program.size() < 2) return;
+    program = program.substr(1, program.size() - 2);
+    const auto folder = std::filesystem::path(spot_.source().name()).parent_path();
+    for (const compiler::File& file : analysis.files()) {
+      const std::filesystem::path path(analysis.sources()[file.index].name());
+      if (!file.program || path.lexically_normal() != (folder / program).lexically_normal()) continue;
+      for (const grammar::ProgramItem& item : file.program->items) {
+        const auto* definition = std::get_if<grammar::Definition>(&item);
+        if (definition != nullptr && definition->parameters.empty() && !definition->model)
+          add(definition->name.text, kind_of(NameKind::definition), std::string(name_of(NameKind::definition)), '2');
+      }
+    }
   }
   void types() {
     for (const auto& [name, declared] : scopes_.types()) {
