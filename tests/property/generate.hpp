@@ -82,6 +82,10 @@ void showValue(const Log& log, std::ostream& out);
 /// Logs of a plant: mostly what a random run of it shows, with a wild observation now and then.
 rc::Gen<Log> logs(const automata::Plant& plant, std::size_t max_length);
 
+/// The same with lines that come again, up to `most` times each: the command and the readings of the line before, after
+/// as long a time.
+rc::Gen<Log> resting_logs(const automata::Plant& plant, std::size_t max_length, std::size_t most);
+
 /// A program over a plant's variables, as automata: any tree of locations, any arcs, whatever the compiler would emit.
 struct RandomProgram {
   automata::Program program;

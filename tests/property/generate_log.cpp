@@ -102,4 +102,23 @@ rc::Gen<Log> logs(const Plant& plant, std::size_t max_length) {
   });
 }
 
+rc::Gen<Log> resting_logs(const Plant& plant, std::size_t max_length, std::size_t most) {
+  return rc::gen::exec([plant, max_length, most] {
+    const Log drawn = *logs(plant, max_length);
+    Log log;
+    Ticks before;
+    Ticks later;  // how much the lines that came again put off the others
+    for (const LogLine& line : drawn.lines) {
+      const Ticks step = line.time - before;
+      before = line.time;
+      const std::size_t times = 1 + (chance(60) ? up_to(1, most) : 0);
+      for (std::size_t i = 0; i < times; ++i) {
+        if (i > 0) later += step;
+        log.lines.push_back({line.time + later, line.action, line.observation});
+      }
+    }
+    return log;
+  });
+}
+
 }  // namespace rmpl::property

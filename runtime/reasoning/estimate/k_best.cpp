@@ -1,14 +1,16 @@
 // The k-best estimator: TimedME of thesis Fig. 6-11 with the corrections of 6.2.3.
 //
 // The extensions of a source depend on its modes, the control action, the length of the step and the readings of the
-// clocks that matter. Where no clock matters they are remembered from cycle to cycle, so that a plant at rest costs no
-// search; where one runs, no reading comes twice, and they are worked out anew in the memory of the last cycle.
+// clocks that matter. Where no clock matters they are remembered from cycle to cycle; where one runs, no reading comes
+// twice, and they are worked out anew in the memory of the last cycle. Where none matters in any source, and the
+// sources are those of the last cycle, only what they weigh is new: a plant at rest costs no search.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -70,6 +72,13 @@ struct Context {
   std::unordered_map<SourceKey, Extensions, SourceKeyHash> extensions;
 };
 
+/// What a search over remembered extensions was about, beside the states that it went out from.
+struct Rest {
+  const Context* context;
+  ControlAction action;
+  Ticks step;
+};
+
 class KBest final : public ListedFilter {
  public:
   KBest(automata::PlantStep& step, const EstimatorOptions& options)
@@ -111,8 +120,15 @@ class KBest final : public ListedFilter {
     table_.forget_timed();
     estimate_.checked = 0;
     Context& seen = context(input.observation);
-    const auto all = sources(seen, input.action, input.now);
-    explained_ = search(all, {}, input.now, options_.k, input.deadline);
+    if (at_rest(seen, input)) {
+      for (std::size_t i = 0; i < sources_.size(); ++i) {
+        sources_[i] = {&belief_[i].state, belief_[i].probability, sources_[i].extensions};
+      }
+      search_.run_again(sources_, input.now, input.deadline);
+      explained_ = found();
+    } else {
+      explained_ = search(sources(seen, input.action, input.now), {}, input.now, options_.k, input.deadline);
+    }
     return explained_;
   }
 
@@ -165,9 +181,18 @@ class KBest final : public ListedFilter {
     const std::size_t sources = std::max(memory_limit / (step_.plant().components.size() + 1), 8 * options_.k);
     if (remembered_ < sources && table_.size() < memory_limit && lasting_.conflicts().size() < conflict_limit) return;
     retired_ = std::exchange(contexts_, {});
+    rest_.reset();
     remembered_ = 0;
     table_.forget();
     if (lasting_.conflicts().size() >= conflict_limit) lasting_ = {};
+  }
+
+  /// Whether the step goes out from the states of the last one, in their order, by the same extensions.
+  [[nodiscard]] bool at_rest(const Context& context, const StepInput& input) const {
+    return rest_ && rest_->context == &context && rest_->step == input.now - last_ && rest_->action == input.action &&
+           search_.repeatable(options_.k) &&
+           std::equal(belief_.begin(), belief_.end(), before_.begin(), before_.end(),
+                      [](const BeliefEntry& a, const BeliefEntry& b) { return a.state == b.state; });
   }
 
   /// The states of the belief with their extensions under one observation. Valid until the next call.
@@ -179,6 +204,8 @@ class KBest final : public ListedFilter {
       if (extensions == nullptr) extensions = worked_out(transient++, context);
       sources_.push_back({&entry.state, entry.probability, extensions});
     }
+    rest_.reset();
+    if (transient == 0 && now > last_) rest_ = {&context, action, now - last_};
     return sources_;
   }
 
@@ -210,6 +237,10 @@ class KBest final : public ListedFilter {
   bool search(std::span<const Source> sources, std::span<const Source> obligatory, Ticks now, std::size_t k,
               const Deadline& deadline) {
     search_.run(sources, obligatory, now, k, deadline);
+    return found();
+  }
+
+  bool found() {
     estimate_.checked += search_.checked();
     estimate_.cut = search_.cut();
     return !search_.kept().empty();
@@ -300,6 +331,7 @@ class KBest final : public ListedFilter {
   SourceKey key_;
   std::vector<std::unique_ptr<Extensions>> transient_;  ///< of sources with a running clock; reused
   std::vector<Source> sources_;
+  std::optional<Rest> rest_;  ///< of `sources_`, where no clock matters in any of them
   TrajectorySearch search_;
   std::size_t inconsistent_cycles_ = 0;
   bool explained_ = true;     ///< by what `condition` found last

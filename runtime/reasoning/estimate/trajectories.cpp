@@ -18,6 +18,9 @@ constexpr double stop_margin = 1e-9;
 
 constexpr std::size_t least_index = 256;
 
+/// A search that is taken up again and again begins anew once it has so many times the targets that it needs.
+constexpr std::size_t outgrown = 2;
+
 /// A run whose unexplored mass is more than this share of what it found takes the observation factor into its bounds.
 constexpr double noticeable = 0.01;
 
@@ -30,13 +33,19 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
   std::size_t slots = least_index;
   while (slots < 4 * count_) slots *= 2;
   index_.assign(slots, 0);
+  indexed_ = true;
   count_ = 0;
-  best_.clear();
   ways_.clear();
-  explored_ = dropped_ = unexplored_ = 0;
-  checked_ = 0;
-  cut_ = false;
-  enumerate(sources, now, k, deadline);
+  cursors_.assign(sources.size(), 0);
+  barriers_.assign(sources.size(), 0);
+  begin(k);
+  now_ = now;
+  line_up(sources);
+  if (may_tighten() && long_) tighten(sources);
+  enumerate(sources, now, deadline);
+  needed_ = count_;
+  repeatable_ =
+      options_.merge_trajectories && !options_.ranks && obligatory.empty() && !cut_ && tight_ != may_tighten();
   for (const Source& source : obligatory) {
     for (std::size_t i = 0; source.extensions->bound(i) > 0;) {
       if (i == source.extensions->found().size()) {
@@ -45,32 +54,65 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
       }
       const Extension& extension = source.extensions->found()[i++];
       const auto [target, fresh] = reach(source, extension, now);
-      if (fresh) weigh(*target, extension.factor, sources, now);
+      if (fresh) find_ways(*target, sources, now);
       target->obligatory = true;
     }
     checked_ += source.extensions->checked();
   }
-  keep(k);
+  keep();
 }
 
-void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k,
-                                 const Deadline& deadline) {
-  cursors_.assign(sources.size(), 0);
-  barriers_.assign(sources.size(), 0);
+void TrajectorySearch::run_again(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline) {
+  CHECK(repeatable_ && sources.size() == cursors_.size() && now > now_);
+  begin(k_);
+  take_up(sources, now);
   line_up(sources);
+  enumerate(sources, now, deadline);
+  repeatable_ = !cut_ && tight_ != may_tighten() && count_ <= outgrown * (needed_ + k_);
+  keep();
+}
+
+/// What every run begins with, whatever it knows of its targets.
+void TrajectorySearch::begin(std::size_t k) {
+  k_ = k;
+  best_.clear();
+  explored_ = dropped_ = unexplored_ = 0;
+  checked_ = 0;
+  cut_ = false;
   joint_known_ = false;
   next_look_ = 0;
-  const bool may_tighten = options_.merge_trajectories && options_.observation_factor;
-  tight_ = !may_tighten;
-  if (may_tighten && long_) tighten(sources);
+  tight_ = !may_tighten();
+}
 
+/// Moves the known targets on to `now`, and weighs them. What was entered as the step ended then is entered as it ends
+/// now: clocks of the sources started earlier, so that no other two targets become one.
+void TrajectorySearch::take_up(std::span<const Source> sources, automata::Ticks now) {
+  auto ways = ways_.cbegin();
+  for (std::uint32_t t = 0; t < count_; ++t) {
+    Target& target = targets_[t];
+    for (automata::Ticks& start : target.state.clock_starts) {
+      if (start != now_) continue;
+      start = now;
+      indexed_ = false;
+    }
+    auto end = ways;
+    while (end != ways_.cend() && end->target == t) ++end;
+    weigh(target, {ways, end}, sources);
+    ways = end;
+    note(target.worth);
+    explored_ += target.prior;
+  }
+  now_ = now;
+}
+
+void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline) {
   while (!fronts_.empty()) {
     if (!tight_ && checked_ >= options_.patience) tighten(sources);
     if (deadline && count_ > 0 && std::chrono::steady_clock::now() >= *deadline) {
       cut_ = true;
       break;
     }
-    if (best_.size() == k && enough_found(sources)) break;
+    if (best_.size() == k_ && enough_found(sources)) break;
     std::pop_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
     const std::uint32_t s = fronts_.back().source;
     fronts_.pop_back();
@@ -88,8 +130,8 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
       const Extension& extension = source.extensions->found()[cursors_[s]++];
       const auto [target, fresh] = reach(source, extension, now);
       if (fresh) {
-        weigh(*target, extension.factor, sources, now);
-        note(target->worth, k);
+        find_ways(*target, sources, now);
+        note(target->worth);
         if (options_.merge_trajectories) explored_ += target->prior;
       }
       if (!options_.merge_trajectories) {
@@ -104,7 +146,7 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
       std::push_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
     }
   }
-  long_ = may_tighten && tight_ && checked_ >= options_.patience / 2;
+  long_ = may_tighten() && tight_ && checked_ >= options_.patience / 2;
   unexplored_ = fronts_.empty() ? 0.0 : unexplored(sources);
 }
 
@@ -162,7 +204,8 @@ double TrajectorySearch::unexplored(std::span<const Source> sources) {
   for (const Source& source : sources) mass += source.weight * source.extensions->mass();
   double explored = 0;
   for (const Way& way : ways_) {
-    explored += sources[way.source].extensions->share(targets_[way.target].state.modes, way.probability);
+    const Source& source = sources[way.source];
+    explored += source.extensions->share(targets_[way.target].state.modes, source.weight * way.chance);
   }
   return std::max(0.0, mass - explored) + rounding * mass;
 }
@@ -170,7 +213,9 @@ double TrajectorySearch::unexplored(std::span<const Source> sources) {
 /// The target of an extension, and whether it is new; then it has no worth yet. Valid until the next call.
 std::pair<TrajectorySearch::Target*, bool> TrajectorySearch::reach(const Source& source, const Extension& extension,
                                                                    automata::Ticks now) {
-  if (2 * (count_ + 1) > index_.size()) grow_index();
+  if (!indexed_ || 2 * (count_ + 1) > index_.size()) {
+    rebuild_index(2 * (count_ + 1) > index_.size() ? 2 * index_.size() : index_.size());
+  }
   if (count_ == targets_.size()) targets_.emplace_back();
   Target& fresh = targets_[count_];
   fresh.state.modes = extension.modes;
@@ -187,32 +232,40 @@ std::pair<TrajectorySearch::Target*, bool> TrajectorySearch::reach(const Source&
   }
   index_[slot] = static_cast<std::uint32_t>(++count_);
   fresh.obligatory = false;
+  fresh.factor = options_.observation_factor ? extension.factor : 1.0;
   return {&fresh, true};
 }
 
-/// Sums, or without merging takes the greatest of, the trajectories into a target.
-void TrajectorySearch::weigh(Target& target, double factor, std::span<const Source> sources, automata::Ticks now) {
+/// The ways into a target that is new, and what it is worth by them.
+void TrajectorySearch::find_ways(Target& target, std::span<const Source> sources, automata::Ticks now) {
   const auto number = static_cast<std::uint32_t>(&target - targets_.data());
+  const auto before = static_cast<std::ptrdiff_t>(ways_.size());
+  for (std::uint32_t s = 0; s < sources.size(); ++s) {
+    const double way = chance(s, sources[s], target, now);
+    if (way > 0) ways_.push_back({number, s, way});
+  }
+  weigh(target, {ways_.cbegin() + before, ways_.cend()}, sources);
+}
+
+/// Sums, or without merging takes the greatest of, the trajectories into a target.
+void TrajectorySearch::weigh(Target& target, std::span<const Way> ways, std::span<const Source> sources) const {
   double sum = 0;
   double greatest = 0;
   target.leading = 0;
-  for (std::uint32_t s = 0; s < sources.size(); ++s) {
-    const double probability = trajectory(s, sources[s], target, now);
-    if (probability == 0) continue;
-    ways_.push_back({number, s, probability});
+  for (const Way& way : ways) {
+    const double probability = sources[way.source].weight * way.chance;
     sum += probability;
     if (probability > greatest) {
       greatest = probability;
-      target.leading = s;
+      target.leading = way.source;
     }
   }
   target.prior = options_.merge_trajectories ? sum : greatest;
-  target.worth = target.prior * (options_.observation_factor ? factor : 1.0);
+  target.worth = target.prior * target.factor;
 }
 
-/// The probability of being in the source and going to exactly this target, clocks included.
-double TrajectorySearch::trajectory(std::uint32_t number, const Source& source, const Target& target,
-                                    automata::Ticks now) {
+/// The probability of going from the source to exactly this target, clocks included.
+double TrajectorySearch::chance(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now) {
   const automata::SystemState& from = *source.state;
   const automata::SystemState& to = target.state;
   const auto move = [&](std::size_t c) {
@@ -231,11 +284,11 @@ double TrajectorySearch::trajectory(std::uint32_t number, const Source& source, 
     }
     product *= prior;
   }
-  return source.weight * product;
+  return product;
 }
 
-void TrajectorySearch::note(double worth, std::size_t k) {
-  if (best_.size() == k) {
+void TrajectorySearch::note(double worth) {
+  if (best_.size() == k_) {
     if (worth <= best_.front()) return;
     std::pop_heap(best_.begin(), best_.end(), std::greater<>{});
     best_.pop_back();
@@ -244,23 +297,29 @@ void TrajectorySearch::note(double worth, std::size_t k) {
   std::push_heap(best_.begin(), best_.end(), std::greater<>{});
 }
 
-void TrajectorySearch::keep(std::size_t k) {
-  kept_.clear();
+void TrajectorySearch::keep() {
+  // Into the states of an earlier belief, as far as there are any: their memory serves again.
+  std::size_t kept = 0;
   double lost = dropped_;
   Belief obligatory;
   // Ties with the k-th best are told apart by state.
-  const double least = best_.size() < k ? 0.0 : best_.front() * (1 - stop_margin);
+  const double least = best_.size() < k_ ? 0.0 : best_.front() * (1 - stop_margin);
   for (std::size_t i = 0; i < count_; ++i) {
     const Target& target = targets_[i];
-    if (target.obligatory || target.worth >= least) {
-      (target.obligatory ? obligatory : kept_).push_back({target.state, target.worth});
+    if (target.obligatory) {
+      obligatory.push_back({target.state, target.worth});
+    } else if (target.worth >= least) {
+      if (kept == kept_.size()) kept_.emplace_back();
+      kept_[kept].state = target.state;
+      kept_[kept++].probability = target.worth;
     } else {
       lost += target.worth;
     }
   }
+  kept_.resize(kept);
   put_in_order(kept_);
   // Whole sets of equal rank are kept.
-  for (; !options_.ranks && kept_.size() > k; kept_.pop_back()) lost += kept_.back().probability;
+  for (; !options_.ranks && kept_.size() > k_; kept_.pop_back()) lost += kept_.back().probability;
   if (!obligatory.empty()) {
     kept_.insert(kept_.end(), std::make_move_iterator(obligatory.begin()), std::make_move_iterator(obligatory.end()));
     put_in_order(kept_);
@@ -268,8 +327,9 @@ void TrajectorySearch::keep(std::size_t k) {
   lost_ = lost + unexplored_;
 }
 
-void TrajectorySearch::grow_index() {
-  index_.assign(index_.size() * 2, 0);
+void TrajectorySearch::rebuild_index(std::size_t slots) {
+  index_.assign(slots, 0);
+  indexed_ = true;
   const std::size_t mask = index_.size() - 1;
   for (std::size_t i = 0; i < count_; ++i) {
     std::size_t slot = SystemStateHash{}(targets_[i].state) & mask;

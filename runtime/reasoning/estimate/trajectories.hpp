@@ -29,6 +29,14 @@ class TrajectorySearch {
   void run(std::span<const Source> sources, std::span<const Source> obligatory, automata::Ticks now, std::size_t k,
            const Deadline& deadline);
 
+  /// Whether `run_again` may be asked for: the last run went to its end, in the order of priors and without obligatory
+  /// sources, and did not grow out of what it needs.
+  [[nodiscard]] bool repeatable(std::size_t k) const { return repeatable_ && k == k_; }
+  /// The same as `run` from the sources of the last one, which may weigh something else now and step to a later time,
+  /// after a time that is not 0; their extensions have not begun anew since. What was found stays, and is weighed anew;
+  /// the search goes on from there where that is not enough. Costs a product for each known way from source to target.
+  void run_again(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline);
+
   /// What was kept, in order, not normalised; the caller may take it away.
   [[nodiscard]] Belief& kept() { return kept_; }
   /// An upper bound of the worth of all consistent trajectories that are not in `kept`.
@@ -41,6 +49,7 @@ class TrajectorySearch {
   /// A target state; `worth` is its posterior before normalisation.
   struct Target {
     automata::SystemState state;
+    double factor = 1;  ///< of the observation; 1 where it is not applied
     double prior = 0;
     double worth = 0;
     std::uint32_t leading = 0;  ///< the source of its best trajectory
@@ -57,36 +66,46 @@ class TrajectorySearch {
       }
     };
   };
-  /// One way into a target, that is possible before the observation.
+  /// One way into a target, that is possible before the observation; `chance` is the product of the moves' priors.
   struct Way {
     std::uint32_t target, source;
-    double probability;
+    double chance;
   };
 
   void line_up(std::span<const Source> sources);
+  /// Whether bounds may take the observation factor into account once a search is long.
+  [[nodiscard]] bool may_tighten() const { return options_.merge_trajectories && options_.observation_factor; }
   bool enough_found(std::span<const Source> sources);
   void tighten(std::span<const Source> sources);
   double unexplored(std::span<const Source> sources);
-  void enumerate(std::span<const Source> sources, automata::Ticks now, std::size_t k, const Deadline& deadline);
+  void begin(std::size_t k);
+  void take_up(std::span<const Source> sources, automata::Ticks now);
+  void enumerate(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline);
   std::pair<Target*, bool> reach(const Source& source, const Extension& extension, automata::Ticks now);
-  void weigh(Target& target, double factor, std::span<const Source> sources, automata::Ticks now);
-  double trajectory(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now);
-  void note(double worth, std::size_t k);
-  void keep(std::size_t k);
-  void grow_index();
+  void find_ways(Target& target, std::span<const Source> sources, automata::Ticks now);
+  void weigh(Target& target, std::span<const Way> ways, std::span<const Source> sources) const;
+  double chance(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now);
+  void note(double worth);
+  void keep();
+  void rebuild_index(std::size_t slots);
 
   const Clocks& clocks_;
   const EstimatorOptions& options_;
   std::vector<Target> targets_;  ///< the first `count_` are of this run; the rest is storage
   std::size_t count_ = 0;
-  std::vector<Way> ways_;             ///< into the targets
+  std::vector<Way> ways_;             ///< into the targets, those of one side by side, in order of source
   std::vector<std::uint32_t> index_;  ///< open addressing: position in `targets_` + 1, or 0; size a power of two
   std::vector<Front> fronts_;         ///< a heap
   std::vector<std::size_t> cursors_;  ///< per source, the next extension to look at
   /// Per source, the component that kept it from the last target that it does not lead to: most often, as for the one
   /// fault that sets it apart, the next target fails there as well.
   std::vector<std::size_t> barriers_;
+  std::size_t k_ = 0;
   std::vector<double> best_;  ///< a heap: the k best worths, the least on top
+  automata::Ticks now_;       ///< the time of the targets
+  bool indexed_ = true;       ///< `index_` knows the targets as they are
+  bool repeatable_ = false;
+  std::size_t needed_ = 0;  ///< targets of the last run that began anew
   JointBound joint_;
   bool joint_known_ = false;   ///< `joint_` has looked at the sources as they are
   std::size_t next_look_ = 0;  ///< how many candidates are checked before it is asked again
@@ -96,8 +115,8 @@ class TrajectorySearch {
   double unexplored_ = 0;      ///< upper bound of the mass that was not looked at
   std::size_t checked_ = 0;
   bool cut_ = false;
-  bool long_ =
-      false;  ///< the last run was long, so that the next one takes the observation factor into account at once
+  /// The last run was long, so that the next one takes the observation factor into account at once.
+  bool long_ = false;
   bool tight_ = false;  ///< the sources were told to take the observation factor into account, or need not
   Belief kept_;
   double lost_ = 0;

@@ -141,6 +141,46 @@ TEST(KBest, KeepsTheBestOfWhatFollowsFromItsBelief) {
   }
 }
 
+/// The belief is at rest for three steps, as only its weights change. Then a state that was known all along, as it is
+/// likelier than each single way into c and d, is among the best: entered as the last of these steps ended.
+TEST(KBest, WhatIsEnteredAfterARestIsEnteredThen) {
+  PlantWriter w;
+  w.observable("light", {"no", "yes"});
+  const auto dark = w.is("light", "no");
+  const auto x = w.component("x", {{"a", false, dark},
+                                   {"b", false, dark},
+                                   {"c", false, dark},
+                                   {"d", false, dark},
+                                   {"lit", true, w.is("light", "yes")}});
+  w.plant.components[x.index()].initial = {5.0 / 7, 0, 1.0 / 7, 1.0 / 7, 0};
+  const auto branch = [&](const std::string& from, const std::string& to, double probability) {
+    w.transition(x, from, to).weight = {automata::Weight::Kind::probability, probability};
+  };
+  branch("a", "a", 0.9);
+  branch("a", "b", 0.1);
+  for (const std::string from : {"c", "d"}) {
+    branch(from, "c", 0.4);
+    branch(from, "d", 0.4);
+    branch(from, "lit", 0.2);
+  }
+  w.transition(x, "b", "a").timing = uniform(100, 200);
+  PlantStep step(w.plant);
+  EstimatorOptions options;
+  options.k = 3;
+  options.live_clocks_only = true;
+  const auto k_best = make_k_best_estimator(step, options);
+  const Observation seen = {w.assignment("light", "no")};
+  for (int cycle = 1; cycle <= 6; ++cycle) {
+    k_best->update({}, seen, at(cycle));
+    const auto entered = std::find_if(k_best->belief().begin(), k_best->belief().end(),
+                                      [&](const BeliefEntry& entry) { return entry.state.modes[0] == w.mode(x, "b"); });
+    ASSERT_EQ(entered != k_best->belief().end(), cycle >= 5) << "cycle " << cycle;
+    if (cycle == 5) {
+      EXPECT_EQ(entered->state.clock_starts[0], at(5));
+    }
+  }
+}
+
 TEST(KBest, TheThesisNumbersAreTheBestTrajectories) {
   PlantWriter w = engine();
   PlantStep step(w.plant);
