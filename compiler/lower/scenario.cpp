@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/overloaded.hpp"
+#include "compiler/check/mention.hpp"
 #include "compiler/check/resolve.hpp"
 #include "compiler/lower/timing.hpp"
 
@@ -147,7 +148,7 @@ class ScenarioLowering {
     const auto length = text.duration ? ticks_of(*text.duration, diagnostics_) : Ticks::infinite();
     const auto trigger = condition(text.trigger);
     const auto reading = reading_of(text.reading);
-    if (trigger) check_trigger(*trigger, command, text.trigger.span);
+    if (trigger) check_trigger(*trigger, command, text.trigger);
     if (!length || !trigger || !reading) return;
     rule.trigger = *trigger;
     rule.reading = *reading;
@@ -242,13 +243,14 @@ class ScenarioLowering {
   }
 
   /// A command is judged by control variables, an estimate by modes.
-  void check_trigger(const Formula& trigger, bool command, grammar::Span span) {
+  void check_trigger(const Formula& trigger, bool command, const grammar::Constraint& text) {
     for (const VariableId id : automata::variables_of(trigger)) {
       if (command ? controls_.count(id) != 0 : components_.count(id) != 0) continue;
-      auto& error = diagnostics_.error(command ? Code::scenario_not_a_command : Code::scenario_not_a_mode, span,
-                                       backquoted(plant_->plant.variables.name(id)) + " is no " +
-                                           (command ? "control variable" : "component") + " of plant " +
-                                           backquoted(plant_->plant.name));
+      const std::string& name = plant_->plant.variables.name(id);
+      auto& error =
+          diagnostics_.error(command ? Code::scenario_not_a_command : Code::scenario_not_a_mode, mention_of(name, text),
+                             backquoted(name) + " is no " + (command ? "control variable" : "component") +
+                                 " of plant " + backquoted(plant_->plant.name));
       note_domain(error, id);
     }
   }

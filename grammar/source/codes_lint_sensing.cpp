@@ -127,9 +127,12 @@ plant Supply {
   observe tank.level, tank.flow;
 })"},
     CodeInfo{Code::indistinguishable_modes, "nominal modes that no sensor tells apart",
-             "All that is observed reads the same in these nominal modes, whatever the other components do. "
-             "Which of them the component is in is known by dead reckoning only: a transition that fails to "
-             "happen is not seen.",
+             "All that is observed reads the same in these nominal modes, wherever the other components are in "
+             "the same modes. Which of them the component is in is known by dead reckoning only: a transition "
+             "that fails to happen is not seen. This is told also where dead reckoning cannot fail in the model, "
+             "as below, where no fault keeps the valve from moving: a sensor, or that fault, is what is missing. "
+             "Nothing is told of modes that are never entered, nor of two that no modes of the other components "
+             "go with both: what is seen of those may tell these apart.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -161,7 +164,8 @@ plant Feed {
     CodeInfo{Code::unconnected_input, "input that is neither connected nor commanded",
              "No interconnection leads from a component's output, a mode or a control variable to this input, "
              "and it is not observed either: its value is open for ever, and a guard that reads it does not "
-             "follow from anything.",
+             "follow from anything. Where it gets its value from an input of the module that it is in, the "
+             "outermost of these is told of: that one is to be connected.",
              R"(component Lamp {
   input  power : { zero, nominal };
   output light : { dark, bright };

@@ -208,6 +208,8 @@ RC_GTEST_PROP(PlantLint, ModesThatLookAlikeAreThoseOfTheEnumeration, ()) {
         const std::optional<bool> alike = questions.look_alike(ModeId(a), ModeId(b));
         if (alike) RC_ASSERT(*alike == slow.look_alike(c, a, b));
         if (questions.mean_alike(ModeId(a), ModeId(b))) RC_ASSERT(slow.mean_alike(c, a, b));
+        const std::optional<bool> together = questions.go_with_the_same(ModeId(a), ModeId(b));
+        if (together) RC_ASSERT(*together == slow.go_with_the_same(c, a, b));
       }
     }
   }

@@ -172,6 +172,10 @@ bool PlantLint::look_alike(std::size_t component, std::size_t a, std::size_t b) 
   });
 }
 
+bool PlantLint::go_with_the_same(std::size_t component, std::size_t a, std::size_t b) const {
+  return !same_in_both(component, a, b, [](const Modes&, const Modes&, const ControlAction&) { return false; });
+}
+
 /// Of the transitions of the other components from the modes that they are in.
 std::vector<bool> PlantLint::implied_by_others(std::size_t component, const Modes& modes,
                                                const ControlAction& action) const {

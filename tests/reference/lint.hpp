@@ -38,6 +38,8 @@ class PlantLint {
   /// Whether in all modes of the others that are reached, and under all commands, that leave both modes possible, the
   /// same observations are possible.
   [[nodiscard]] bool look_alike(std::size_t component, std::size_t a, std::size_t b) const;
+  /// Whether there are such modes of the others, and such a command.
+  [[nodiscard]] bool go_with_the_same(std::size_t component, std::size_t a, std::size_t b) const;
   /// Whether then the same guards of other components are implied.
   [[nodiscard]] bool mean_alike(std::size_t component, std::size_t a, std::size_t b) const;
   /// Whether a command has the effect of the idle value, on guards and on what is observed, in all modes.

@@ -79,10 +79,26 @@ std::optional<bool> AlikeQuestions::look_alike(ModeId a, ModeId b) {
   return true;
 }
 
+std::optional<bool> AlikeQuestions::go_with_the_same(ModeId a, ModeId b) {
+  bool large = false;
+  bool alike = true;
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    large = large || is_large(i);
+    alike = alike && reads_alike(i, a, b);
+  }
+  if (alike) return true;  // both are reached, and what holds of the others is the same
+  if (large) return std::nullopt;
+  return whole().go_with_the_same(a, b);
+}
+
 bool AlikeQuestions::mean_alike(ModeId a, ModeId b) {
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     if (is_large(i)) return false;
   }
+  return whole().mean_alike(a, b);
+}
+
+PlantCopies& AlikeQuestions::whole() {
   if (!whole_) {
     std::set<PlantTransition> readers;
     const auto add = [&](VariableId v) {
@@ -100,7 +116,7 @@ bool AlikeQuestions::mean_alike(ModeId a, ModeId b) {
     }
     whole_ = std::make_unique<PlantCopies>(analysis_, component_, islands_, std::move(guards));
   }
-  return whole_->mean_alike(a, b);
+  return *whole_;
 }
 
 std::vector<VariableId> AlikeQuestions::would_tell(ModeId a, ModeId b) {

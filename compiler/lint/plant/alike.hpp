@@ -19,6 +19,9 @@ class AlikeQuestions {
   /// Whether in the same modes of the others (reached ones, possible with either mode) and under the same command the
   /// same observations are possible in both modes. Nothing where too many had to be looked at.
   std::optional<bool> look_alike(automata::ModeId a, automata::ModeId b);
+  /// Whether there are such modes of the others, and such a command: where there are none, what is seen of the others
+  /// may well tell the modes apart. Nothing where too many had to be looked at.
+  std::optional<bool> go_with_the_same(automata::ModeId a, automata::ModeId b);
   /// Whether it is proved that then also guards of other components hold in both modes or in neither.
   bool mean_alike(automata::ModeId a, automata::ModeId b);
   /// Attributes of the component that are not observed, and differ wherever the modes do.
@@ -29,6 +32,7 @@ class AlikeQuestions {
   [[nodiscard]] bool is_large(std::size_t number) const;
   [[nodiscard]] bool reads_alike(std::size_t number, automata::ModeId a, automata::ModeId b) const;
   PlantCopies& copies(std::size_t number);
+  PlantCopies& whole();
 
   PlantAnalysis& analysis_;
   automata::ComponentId component_;

@@ -205,6 +205,19 @@ std::optional<bool> PlantCopies::is_state(ModeId a, ModeId b, std::vector<Assign
   return std::nullopt;
 }
 
+std::optional<bool> PlantCopies::go_with_the_same(ModeId a, ModeId b) {
+  constexpr std::size_t patience = 64;
+  std::vector<Formula> parts;
+  for (std::size_t tried = 0; tried < patience; ++tried) {
+    if (!allows(in(a, b), conjunction(parts))) return false;
+    const std::vector<Assignment> shared = context();
+    const std::optional<bool> state = is_state(a, b, shared);
+    if (state != false) return state;
+    parts.push_back(negation(conjunction_of(shared)));
+  }
+  return std::nullopt;
+}
+
 /// Whether some reading is possible in the first mode, and never in the second: most sensors tell by that.
 bool PlantCopies::value_tells(ModeId a, ModeId b) {
   const VariableId mode = plant_[component_].mode;

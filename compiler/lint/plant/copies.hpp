@@ -22,6 +22,9 @@ class PlantCopies {
   /// Whether in the same modes of the others (reached ones, possible with either mode) and under the same command the
   /// same observations of these islands are possible in both modes. Nothing where too many had to be looked at.
   std::optional<bool> look_alike(automata::ModeId a, automata::ModeId b);
+  /// Whether there are such modes of the others and such a command. Of all islands that the component's mode has a part
+  /// in. Nothing where too many had to be looked at.
+  std::optional<bool> go_with_the_same(automata::ModeId a, automata::ModeId b);
   /// Whether it is proved that then also each guard holds in both modes or in neither.
   bool mean_alike(automata::ModeId a, automata::ModeId b);
   /// Attributes among these that are not observed, and differ wherever the modes do.

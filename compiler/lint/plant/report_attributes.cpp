@@ -46,7 +46,7 @@ namespace {
 /// Instances of one attribute, as it is declared.
 struct Declared {
   const PlantAttribute* attribute;
-  std::vector<std::string> names;  ///< of those that something is told of
+  std::vector<const PlantAttribute*> undriven;
   std::size_t instances = 0;
   bool read = false;       ///< by the component itself, in some instance
   bool mentioned = false;  ///< by anything, in some instance
@@ -64,14 +64,14 @@ std::vector<Declared> by_declaration(PlantReport& report, const std::set<Variabl
     declared.read = declared.read || own.contains(*variable);
     declared.mentioned = declared.mentioned || own.contains(*variable) || others.contains(*variable);
     declared.observed = declared.observed || report.analysis().observed(*variable);
-    if (report.undriven().contains(*variable)) declared.names.push_back(backquoted(attribute.name));
+    if (report.undriven().contains(*variable)) declared.undriven.push_back(&attribute);
   }
   std::vector<Declared> list;
   for (auto& [span, declared] : result) list.push_back(std::move(declared));
   return list;
 }
 
-/// The inputs of modules that an undriven input of a component is joined with.
+/// The inputs of modules that undriven inputs of components are joined with.
 class OpenPorts {
  public:
   explicit OpenPorts(const PlantReport& report) : plant_(report.plant()), joined_(plant_.variables.size()) {
@@ -82,16 +82,21 @@ class OpenPorts {
     for (const PlantAttribute& attribute : report.declarations().attributes) {
       const auto variable = plant_.variables.find(attribute.name);
       if (!variable || attribute.of_component || !report.undriven().contains(*variable)) continue;
-      ports_.emplace(joined_.root(variable->index()), &attribute);
+      const PlantAttribute*& port = ports_.try_emplace(joined_.root(variable->index()), &attribute).first->second;
+      if (depth(attribute) < depth(*port)) port = &attribute;
     }
   }
-  /// The first declared; null where there is none.
+  /// The outermost one, the first of several: that is what can be connected. Null where there is none.
   const PlantAttribute* of(const PlantAttribute& attribute) {
     const auto port = ports_.find(joined_.root(plant_.variables.find(attribute.name)->index()));
     return port == ports_.end() ? nullptr : port->second;
   }
 
  private:
+  static std::ptrdiff_t depth(const PlantAttribute& attribute) {
+    return std::count(attribute.name.begin(), attribute.name.end(), '.');
+  }
+
   const Plant& plant_;
   base::Partition joined_;
   std::map<std::size_t, const PlantAttribute*> ports_;  ///< by the root of what is joined
@@ -125,27 +130,56 @@ void report_unused(PlantReport& report, const Declared& declared) {
   }
 }
 
+/// Inputs of one declaration that nothing drives, with the inputs within that they lead to.
+void report_undriven(PlantReport& report, const Declared& declared, const std::vector<const PlantAttribute*>& undriven,
+                     const std::set<grammar::Span>& inside) {
+  const PlantAttribute& attribute = *declared.attribute;
+  std::vector<std::string> names;
+  for (const PlantAttribute* one : undriven) names.push_back(backquoted(one->name));
+  auto& finding = report.add(
+      Code::unconnected_input, attribute.span,
+      undriven.size() == declared.instances
+          ? "the input " + backquoted(attribute.attribute) + " of " + backquoted(attribute.type) +
+                " is neither connected nor commanded"
+          : enumerated(names, 3) + (names.size() == 1 ? " is" : " are") + " neither connected nor commanded");
+  for (const grammar::Span& within : inside) finding.notes.push_back({within, "it leads to this input"});
+  finding.suggestion = "connect " + (names.size() == 1 ? names.front() + ", or declare it" : "them, or declare them") +
+                       " with `control`";
+}
+
+void report_undriven(PlantReport& report, const std::vector<Declared>& all) {
+  OpenPorts ports(report);
+  std::map<const PlantAttribute*, std::set<grammar::Span>> inside;  // by port, the inputs of components that read it
+  for (const Declared& declared : all) {
+    if (!declared.attribute->of_component || !declared.read) continue;
+    std::vector<const PlantAttribute*> own;
+    for (const PlantAttribute* one : declared.undriven) {
+      const PlantAttribute* const port = ports.of(*one);
+      if (port == nullptr) own.push_back(one);
+      if (port != nullptr) inside[port].insert(one->span);
+    }
+    if (!own.empty()) report_undriven(report, declared, own, {});
+  }
+  for (const Declared& declared : all) {
+    std::vector<const PlantAttribute*> own;
+    std::set<grammar::Span> within;
+    for (const PlantAttribute* one : declared.undriven) {
+      const auto known = inside.find(one);
+      if (known == inside.end()) continue;
+      own.push_back(one);
+      within.insert(known->second.begin(), known->second.end());
+    }
+    if (!own.empty()) report_undriven(report, declared, own, within);
+  }
+}
+
 }  // namespace
 
 void report_attributes(PlantReport& report) {
   const auto [own, others] = mentions(report.plant());
-  OpenPorts ports(report);
-  for (const Declared& declared : by_declaration(report, own, others)) {
-    const PlantAttribute& attribute = *declared.attribute;
-    report_unused(report, declared);
-    if (declared.names.empty() || !attribute.of_component || !declared.read) continue;
-    const bool all = declared.names.size() == declared.instances;
-    auto& finding = report.add(Code::unconnected_input, attribute.span,
-                               all ? "the input " + backquoted(attribute.attribute) + " of " +
-                                         backquoted(attribute.type) + " is neither connected nor commanded"
-                                   : enumerated(declared.names, 3) + (declared.names.size() == 1 ? " is" : " are") +
-                                         " neither connected nor commanded");
-    const PlantAttribute* const port = ports.of(attribute);
-    finding.suggestion = "connect it, or declare it with `control`";
-    if (port == nullptr) continue;
-    finding.notes.push_back({port->span, "it comes from this input of " + backquoted(port->type) +
-                                             ", which is neither connected nor commanded"});
-  }
+  const std::vector<Declared> all = by_declaration(report, own, others);
+  for (const Declared& declared : all) report_unused(report, declared);
+  report_undriven(report, all);
 }
 
 }  // namespace rmpl::compiler

@@ -65,7 +65,9 @@ Indistinguishable find_indistinguishable(PlantAnalysis& analysis) {
     const std::vector<ModeId> faults = reached_modes(analysis, id, true);
     if (nominal.size() + faults.size() < 2) continue;
     AlikeQuestions questions(analysis, id);
-    const auto looks = [&](ModeId a, ModeId b) { return questions.look_alike(a, b) == true; };
+    const auto looks = [&](ModeId a, ModeId b) {
+      return questions.look_alike(a, b) == true && questions.go_with_the_same(a, b) == true;
+    };
     const auto is = [&](ModeId a, ModeId b) { return looks(a, b) && questions.mean_alike(a, b); };
     add_pairs(questions, id, nominal, looks, found.modes);
     const auto same_fault = [&](ModeId a, ModeId b) { return left_alike(analysis.plant()[id], a, b) && is(a, b); };

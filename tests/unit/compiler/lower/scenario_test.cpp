@@ -105,6 +105,10 @@ TEST_F(Scenarios, References) {
               ElementsAre("RMPL0404 s.scn:3:14"));
   EXPECT_THAT(in("when estimate engine.cmd = on after 1 cycles observe engine.temp = low;"),
               ElementsAre("RMPL0402 s.scn:3:15"));
+  EXPECT_THAT(in("when command engine.cmd = on & !(false | engine = on) observe engine.temp = low;"),
+              ElementsAre("RMPL0404 s.scn:3:42"));
+  EXPECT_THAT(in("when estimate engine = on -> engine.temp in { low } observe engine.temp = low;"),
+              ElementsAre("RMPL0402 s.scn:3:30"));
   EXPECT_THAT(in("expect engine = onn;"), ElementsAre("RMPL0102 s.scn:3:17"));
   EXPECT_THAT(in("expect t > 3 s;"), ElementsAre("RMPL0206 s.scn:3:8"));
   EXPECT_THAT(in("cycle 0 s;"), ElementsAre("RMPL0406 s.scn:3:7"));
