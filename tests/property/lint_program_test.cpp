@@ -13,6 +13,7 @@
 #include "compiler/lint/program/meeting_goals.hpp"
 #include "compiler/lint/program/possibilities.hpp"
 #include "compiler/lint/program/reachable_locations.hpp"
+#include "compiler/lint/program/reachable_modes.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/markings.hpp"
 #include "tests/reference/models.hpp"
@@ -67,6 +68,18 @@ RC_GTEST_PROP(LintOfPrograms, FindsContradictingGoalsWhereThereAreSome, ()) {
   const std::vector<bool> all(program.locations.size(), true);
   compiler::FreeConditions conditions(program, &plant);
   RC_ASSERT(first_cycle(compiler::find_goal_clashes(program, conditions, all, wide)) == slow->contradiction);
+}
+
+RC_GTEST_PROP(LintOfPrograms, FollowsThePlantFromItsStart, ()) {
+  const auto [plant, program] = small_case();
+  const auto stages = reference::modes_by_cycle(plant);
+  const auto slow = reference::all_markings(program, plant, all_readings(), 1'500, stages);
+  if (!slow) return;
+  const std::vector<bool> all(program.locations.size(), true);
+  compiler::FreeConditions conditions(program, &plant, compiler::ReachableModes::by_cycle(plant, {}));
+  RC_ASSERT(first_cycle(compiler::find_goal_clashes(program, conditions, all, wide)) == slow->contradiction);
+  const auto free = twin(plant, program);
+  if (free) RC_TAG(free->contradiction == slow->contradiction ? "as of any plant" : "later, or never");
 }
 
 RC_GTEST_PROP(LintOfPrograms, LeavesOutOnlyWhatDecidesNothing, ()) {

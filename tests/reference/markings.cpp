@@ -20,13 +20,14 @@ namespace {
 
 using Known = std::vector<Assignment>;
 using Readings = std::map<ClockId, std::size_t>;
-/// Marking, what is known, what the clocks read.
-using Start = std::tuple<std::set<LocationId>, std::size_t, Readings>;
+/// Marking, what is known, what the clocks read; the stage.
+using Start = std::tuple<std::set<LocationId>, std::size_t, Readings, std::size_t>;
 
 class Explorer {
  public:
-  Explorer(const automata::Program& program, const automata::Plant& plant, const std::vector<Ticks>& readings)
-      : models_(plant), sequencer_(program, models_), readings_(readings) {
+  Explorer(const automata::Program& program, const automata::Plant& plant, const std::vector<Ticks>& readings,
+           const std::vector<ModesByComponent>& stages)
+      : plant_(plant), models_(plant), sequencer_(program, models_), readings_(readings), stages_(stages) {
     for (const World* world : models_.matching({})) {
       Known known;
       for (std::size_t v = 0; v < world->size(); ++v) known.push_back({automata::VariableId(v), (*world)[v]});
@@ -35,7 +36,9 @@ class Explorer {
   }
 
   std::optional<MarkingsFound> run(std::size_t limit) {
-    for (std::size_t k = 0; k < known_.size(); ++k) add({sequencer_.marking(), k, {}}, 1);
+    for (std::size_t k = 0; k < known_.size(); ++k) {
+      if (may_be(k, 0)) add({sequencer_.marking(), k, {}, 0}, 1);
+    }
     while (!pending_.empty()) {
       if (seen_.size() > limit) return std::nullopt;
       const auto [start, cycle] = pending_.front();
@@ -46,6 +49,15 @@ class Explorer {
   }
 
  private:
+  bool may_be(std::size_t known, std::size_t stage) const {
+    if (stages_.empty()) return true;
+    for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+      const auto mode = known_[known][plant_.components[c].mode.index()].value;
+      if (!stages_[stage][c].count(automata::ModeId(mode.index()))) return false;
+    }
+    return true;
+  }
+
   static constexpr Ticks now() { return Ticks::of_seconds(1000); }
 
   void add(Start start, std::size_t cycle) {
@@ -62,7 +74,9 @@ class Explorer {
 
   void follow(const Start& start, std::size_t cycle) {
     if (begin(start).contradictory && !found_.contradiction) found_.contradiction = cycle;
+    const std::size_t next = std::get<3>(start) + 1 < stages_.size() ? std::get<3>(start) + 1 : std::get<3>(start);
     for (std::size_t k = 0; k < known_.size(); ++k) {
+      if (!may_be(k, next)) continue;
       begin(start);
       sequencer_.finish(known_[k]);
       Readings least;
@@ -70,7 +84,7 @@ class Explorer {
         const auto before = std::get<2>(start).find(clock);
         least[clock] = when == now() || before == std::get<2>(start).end() ? 0 : before->second;
       }
-      add_readings({sequencer_.marking(), k, least}, least.begin(), least, cycle + 1);
+      add_readings({sequencer_.marking(), k, least, next}, least.begin(), least, cycle + 1);
     }
   }
 
@@ -82,9 +96,11 @@ class Explorer {
     }
   }
 
+  const automata::Plant& plant_;
   Models models_;
   Sequencer sequencer_;
   const std::vector<Ticks>& readings_;
+  const std::vector<ModesByComponent>& stages_;
   std::vector<Known> known_;
   std::set<Start> seen_;
   std::deque<std::pair<Start, std::size_t>> pending_;
@@ -94,8 +110,49 @@ class Explorer {
 }  // namespace
 
 std::optional<MarkingsFound> all_markings(const automata::Program& program, const automata::Plant& plant,
-                                          const std::vector<Ticks>& readings, std::size_t limit) {
-  return Explorer(program, plant, readings).run(limit);
+                                          const std::vector<Ticks>& readings, std::size_t limit,
+                                          const std::vector<ModesByComponent>& stages) {
+  return Explorer(program, plant, readings, stages).run(limit);
+}
+
+namespace {
+
+/// With what is reached in one step more.
+ModesByComponent grown(const automata::Plant& plant, const Models& models, const ModesByComponent& before) {
+  std::vector<automata::Formula> among;
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    std::vector<automata::Formula> modes;
+    for (const automata::ModeId m : before[c])
+      modes.push_back(is(plant.components[c].mode, automata::ValueId(m.index())));
+    among.push_back(automata::disjunction(std::move(modes)));
+  }
+  ModesByComponent after = before;
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    for (const automata::Transition& transition : plant.components[c].transitions) {
+      if (!before[c].count(transition.from)) continue;
+      const Assignment from{plant.components[c].mode, automata::ValueId(transition.from.index())};
+      std::vector<automata::Formula> parts = among;
+      parts.push_back(transition.guard);
+      if (models.allows({from}, automata::conjunction(std::move(parts)))) after[c].insert(transition.to);
+    }
+  }
+  return after;
+}
+
+}  // namespace
+
+std::vector<ModesByComponent> modes_by_cycle(const automata::Plant& plant) {
+  const Models models(plant);
+  ModesByComponent modes(plant.components.size());
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
+      if (plant.components[c].initial[m] > 0) modes[c].insert(automata::ModeId(m));
+    }
+  }
+  std::vector<ModesByComponent> result{modes, grown(plant, models, modes)};
+  for (ModesByComponent more = result.back(); more != modes; more = grown(plant, models, modes)) modes = more;
+  result.push_back(modes);
+  return result;
 }
 
 }  // namespace rmpl::reference

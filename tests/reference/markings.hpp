@@ -18,10 +18,19 @@ struct MarkingsFound {
   std::optional<std::size_t> contradiction;  ///< the first cycle, from 1, whose goals contradict each other
 };
 
+/// Per component, the modes that it may be in.
+using ModesByComponent = std::vector<std::set<automata::ModeId>>;
+
+/// The modes at the start; what transitions whose guards are satisfiable lead to from these in one step; and what they
+/// lead to in any number of steps.
+std::vector<ModesByComponent> modes_by_cycle(const automata::Plant& plant);
+
 /// In each cycle modes and all attributes have any values that the plant permits, all of them known; a running clock
 /// reads any of the readings that is not less than what it read before. Nothing where there are more than `limit`
-/// different starts of cycles.
+/// different starts of cycles. `stages`: the modes of the first state, of the second and so on, and of all from the
+/// last on; any modes where there are none.
 std::optional<MarkingsFound> all_markings(const automata::Program& program, const automata::Plant& plant,
-                                          const std::vector<automata::Ticks>& readings, std::size_t limit);
+                                          const std::vector<automata::Ticks>& readings, std::size_t limit,
+                                          const std::vector<ModesByComponent>& stages = {});
 
 }  // namespace rmpl::reference

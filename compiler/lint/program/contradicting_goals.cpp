@@ -13,6 +13,7 @@
 #include "compiler/lint/program/marking_search.hpp"
 #include "compiler/lint/program/meeting_goals.hpp"
 #include "compiler/lint/program/passes.hpp"
+#include "compiler/lint/program/reachable_modes.hpp"
 
 namespace rmpl::compiler {
 
@@ -72,7 +73,9 @@ void lint_contradicting_goals(const LintInput& input, grammar::Diagnostics& foun
     SearchLimits limits;
     limits.states = std::max<std::size_t>(200, limits.states / components.size());
     limits.steps = std::min(limits.steps, work / bound.program.locations.size()) / components.size();
-    FreeConditions conditions(bound.program, bound.plant);
+    std::vector<automata::Formula> stages;
+    if (bound.plant != nullptr) stages = ReachableModes::by_cycle(*bound.plant, bound.also);
+    FreeConditions conditions(bound.program, bound.plant, std::move(stages));
     for (const automata::VariableId component : components) {
       const auto relevant = goal_threads(bound.program, component);
       for (const GoalClash& clash : find_goal_clashes(bound.program, conditions, relevant, limits)) {

@@ -3,6 +3,7 @@
 #include "compiler/lint/program/free_conditions.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/check/vocabulary.hpp"
 
@@ -11,10 +12,13 @@ namespace rmpl::compiler {
 using automata::Formula;
 using automata::VariableId;
 
-FreeConditions::FreeConditions(const automata::Program& program, const automata::Plant* plant)
+FreeConditions::FreeConditions(const automata::Program& program, const automata::Plant* plant,
+                               std::vector<Formula> stages)
     : variables_(program.variables),
       visible_(program.variables.size(), plant == nullptr),
-      possibilities_(program.variables, plant) {
+      possibilities_(program.variables, plant),
+      stages_(std::move(stages)) {
+  if (stages_.empty()) stages_.push_back(automata::constant(true));
   if (plant == nullptr) return;
   for (const automata::Component& component : plant->components) visible_[component.mode.index()] = true;
   for (const VariableId observable : plant->observables) visible_[observable.index()] = true;
@@ -38,28 +42,28 @@ bool FreeConditions::holds(const Formula& formula, const Truths& truths) {
   return asked ? truths.at(*asked) : formula.truth;
 }
 
-void FreeConditions::for_each(const std::vector<std::size_t>& questions, const Truths& given,
+void FreeConditions::for_each(const std::vector<std::size_t>& questions, const Truths& given, std::size_t stage,
                               const std::function<bool(const Truths&)>& visit) {
   Truths truths = given;
-  answer(questions, 0, truths, visit);
+  answer(questions, 0, truths, stage, visit);
 }
 
 bool FreeConditions::answer(const std::vector<std::size_t>& questions, std::size_t next, Truths& truths,
-                            const std::function<bool(const Truths&)>& visit) {
+                            std::size_t stage, const std::function<bool(const Truths&)>& visit) {
   if (next == questions.size()) return visit(truths);
-  if (truths.count(questions[next]) > 0) return answer(questions, next + 1, truths, visit);
+  if (truths.count(questions[next]) > 0) return answer(questions, next + 1, truths, stage, visit);
   for (const bool truth : {true, false}) {
     truths[questions[next]] = truth;
-    if (possible(truths) && !answer(questions, next + 1, truths, visit)) return false;
+    if (possible(truths, stage) && !answer(questions, next + 1, truths, stage, visit)) return false;
   }
   truths.erase(questions[next]);
   return true;
 }
 
-bool FreeConditions::possible(const Truths& truths) {
-  const auto [known, fresh] = known_.emplace(truths, true);
+bool FreeConditions::possible(const Truths& truths, std::size_t stage) {
+  const auto [known, fresh] = known_.emplace(std::pair(stage, truths), true);
   if (!fresh) return known->second;
-  std::vector<Formula> together;
+  std::vector<Formula> together{stages_[stage]};
   for (const auto& [number, truth] : truths) {
     const Question& question = questions_[number];
     // What is hidden may be unknown, so that it is entailed no more than its negation.
@@ -67,7 +71,7 @@ bool FreeConditions::possible(const Truths& truths) {
       together.push_back(question.formula);
     } else if (question.visible) {
       together.push_back(negation(question.formula));
-    } else if (!possibilities_.can_fail(question.formula)) {
+    } else if (!possibilities_.can_hold(automata::conjunction({stages_[stage], negation(question.formula)}))) {
       return known->second = false;
     }
   }

@@ -30,7 +30,8 @@ struct Start {
   Marking marking;
   std::vector<bool> violated;  ///< per marked location: its maintenance condition fails
   std::vector<std::optional<std::size_t>>
-      clocks;  ///< per clock: which of its cuts it reads, or is past; none: inactive
+      clocks;             ///< per clock: which of its cuts it reads, or is past; none: inactive
+  std::size_t stage = 0;  ///< of the state of the plant
   auto operator<=>(const Start&) const = default;
 };
 
@@ -79,7 +80,7 @@ class Search {
 
   std::vector<GoalClash> run() {
     const ClockTimes inactive(program_.clocks.size());
-    enter(rules_.initial(), inactive, Indices(program_.clocks.size()), {}, 0, 1);
+    enter(rules_.initial(), inactive, {{}, {}, Indices(program_.clocks.size()), 0}, {}, 0, 1);
     for (std::size_t next = 0; next < nodes_.size() && steps_ < limits_.steps; ++next) follow(next);
     complete_ = complete_ && steps_ < limits_.steps;
     judge_certainty();
@@ -119,7 +120,8 @@ class Search {
       complete_ = false;
       return;
     }
-    conditions_.for_each(*open, {}, [&](const Truths& truths) {
+    const std::size_t stage = conditions_.after(start.stage);
+    conditions_.for_each(*open, {}, stage, [&](const Truths& truths) {
       if (++steps_ > limits_.steps) return false;
       const Chosen::Judge judge = [&](const Condition& condition) {
         if (condition.is_trivial()) return true;
@@ -128,7 +130,7 @@ class Search {
       Chosen answers(program_, violated, judge);
       ClockTimes after = started;
       Marking next = rules_.finish(half, answers, after);
-      enter(std::move(next), after, start.clocks, truths, number, nodes_[number].depth + 1);
+      enter(std::move(next), after, {{}, {}, start.clocks, stage}, truths, number, nodes_[number].depth + 1);
       return true;
     });
   }
@@ -174,13 +176,13 @@ class Search {
   }
 
   /// A marking that was come to, with each way that its clocks can read and its maintenance conditions can be.
-  void enter(Marking marking, const ClockTimes& started, const Indices& before, const Truths& truths, std::size_t from,
+  void enter(Marking marking, const ClockTimes& started, Start before, const Truths& truths, std::size_t from,
              std::size_t depth) {
     std::erase_if(marking, [&](LocationId location) { return !relevant_[location.index()]; });
     if (marking.empty()) return;
-    Start start{std::move(marking), {}, Indices(started.size())};
+    Start start{std::move(marking), {}, Indices(started.size()), before.stage};
     for (std::size_t c = 0; c < started.size(); ++c) {
-      if (started[c]) start.clocks[c] = before[c] ? *before[c] : 0;
+      if (started[c]) start.clocks[c] = before.clocks[c].value_or(0);
     }
     const std::vector<std::size_t> seen = clocks_read_by(start);
     choose_readings(start, seen, 0, truths, from, depth);
@@ -220,7 +222,7 @@ class Search {
       complete_ = false;
       return;
     }
-    conditions_.for_each({open.begin(), open.end()}, truths, [&](const Truths& all) {
+    conditions_.for_each({open.begin(), open.end()}, truths, start.stage, [&](const Truths& all) {
       start.violated.clear();
       for (const LocationId id : start.marking) {
         const Condition& condition = program_.locations[id.index()].maintenance;

@@ -50,6 +50,17 @@ Formula ReachableModes::formula() const {
   return conjunction(std::move(conjuncts));
 }
 
+std::vector<Formula> ReachableModes::by_cycle(const automata::Plant& plant, const std::vector<Assignment>& also) {
+  ReachableModes modes(plant);
+  modes.start(also);
+  std::vector<Formula> result{modes.formula()};
+  bool grows = modes.grow();
+  result.push_back(modes.formula());
+  while (grows) grows = modes.grow();
+  result.push_back(modes.formula());
+  return result;
+}
+
 bool ReachableModes::grow() {
   // A theory of its own for each round, that holds what is reached so far.
   automata::Theory theory = automata::model_theory(plant_, automata::Theory::Upkeep::searched);
@@ -58,10 +69,11 @@ bool ReachableModes::grow() {
     if (!may_.commands) theory.tell(is(control.variable, control.idle));
   }
   bool grown = false;
+  const std::vector<std::vector<bool>> before = reached_;
   for (std::size_t c = 0; c < reached_.size(); ++c) {
     const Component& component = plant_.components[c];
     for (const automata::Transition& transition : component.transitions) {
-      if (!reached_[c][transition.from.index()] || reached_[c][transition.to.index()]) continue;
+      if (!before[c][transition.from.index()] || reached_[c][transition.to.index()]) continue;
       if (!may_.faults && component.is_fault(transition)) continue;
       const std::array from{Assignment{component.mode, ValueId(transition.from.index())}};
       if (!theory.allows(from, theory.encode(transition.guard))) continue;

@@ -27,8 +27,15 @@ class ReachableModes {
   /// All components in one of their reached modes.
   [[nodiscard]] automata::Formula formula() const;
 
+  /// What is so at the start, at the end of the first cycle, in which a component takes one transition at most, and
+  /// then for ever: each as `formula`.
+  static std::vector<automata::Formula> by_cycle(const automata::Plant& plant,
+                                                 const std::vector<automata::Assignment>& also);
+
  private:
+  explicit ReachableModes(const automata::Plant& plant) : plant_(plant) {}
   void start(const std::vector<automata::Assignment>& also);
+  /// By one transition of each component. Whether anything is new.
   bool grow();
 
   const automata::Plant& plant_;
