@@ -51,13 +51,14 @@ Trajectories extended(const reference::Step& step, const Trajectories& all, cons
   return standing;
 }
 
-RC_GTEST_PROP(PlantWindow, IsTheBestOfAllTrajectories, ()) {
+/// Over random logs; a group is searched where it has more than `ways` to go on.
+void is_the_best_of_all(std::size_t ways) {
   const Model model = *models({.max_components = 2, .max_attributes = 4});
   const Log log = *logs(model.plant, 4);
   const std::size_t updates = up_to(1, 3);
   const std::size_t k = up_to(1, 5);
   const reference::Step slow(model.plant);
-  runtime::PlantWindow window(model.plant, {.k = k}, true, updates);
+  runtime::PlantWindow window(model.plant, {.k = k}, true, updates, ways);
   std::vector<reference::Belief> beliefs{reference::initial_belief(slow)};
   double sum = 0;
   for (const auto& [state, probability] : beliefs[0]) sum += probability;
@@ -80,13 +81,20 @@ RC_GTEST_PROP(PlantWindow, IsTheBestOfAllTrajectories, ()) {
     std::sort(probabilities.begin(), probabilities.end(), std::greater<>());
     const auto found = window.trajectories();
     RC_ASSERT(found.size() == std::min(k, all.size()));
+    RC_ASSERT(window.searched() == (ways == 0));
+    RC_ASSERT(!window.cut());
+    // A group that is searched is normalised over its best: ratios are the same.
     for (std::size_t t = 0; t < found.size(); ++t) {
       RC_ASSERT(all.contains(found[t].states));
-      RC_ASSERT(std::abs(all.at(found[t].states) - found[t].probability) < 1e-9);
-      RC_ASSERT(std::abs(probabilities[t] - found[t].probability) < 1e-9);
+      const double scale = ways > 0 ? 1 : found.front().probability / probabilities.front();
+      RC_ASSERT(std::abs(all.at(found[t].states) * scale - found[t].probability) < 1e-9);
+      RC_ASSERT(std::abs(probabilities[t] * scale - found[t].probability) < 1e-9);
     }
   }
 }
+
+RC_GTEST_PROP(PlantWindow, IsTheBestOfAllTrajectories, ()) { is_the_best_of_all(runtime::PlantWindow::most_ways); }
+RC_GTEST_PROP(PlantWindow, IsSearchedToTheSameEnd, ()) { is_the_best_of_all(0); }
 
 }  // namespace
 }  // namespace rmpl::property

@@ -34,6 +34,7 @@ void write(JsonLine& json, const PlantHistory& history, const automata::Plant& p
     json.key("modes").modes(revision.now, plant).close('}');
   }
   json.close(']');
+  if (history.cut) json.key("history_cut").boolean(true);
 }
 
 }  // namespace

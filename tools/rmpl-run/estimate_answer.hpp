@@ -32,6 +32,7 @@ struct PlantHistory {
     automata::Modes before, now;
   };
   std::vector<Revision> revised;
+  bool cut = false;  ///< the search for them ended early
 };
 
 /// What is told of a line.

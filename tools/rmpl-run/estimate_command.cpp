@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
@@ -160,14 +161,17 @@ class Flight {
       if (start) {
         take_in(line.observations);
         estimator_->start(at_start_);
-        if (window_) window_->start(at_start_);
+        if (window_) {
+          window_->start(at_start_);
+          found_ = window_->trajectories();
+        }
       } else {
         // Cycles that were left out went as the line before says.
         for (std::uint64_t i = 1; i <= line.unchanged; ++i) {
           if (interrupted()) return std::nullopt;
-          update(before_, line.time_of_unchanged(i));
+          update(before_, line.time_of_unchanged(i), false);
         }
-        update(line, line.time);
+        update(line, line.time, true);
       }
       belief = listed(estimator_->belief(), options_);
       if (window_) tell_history();
@@ -193,16 +197,23 @@ class Flight {
   }
 
   [[nodiscard]] bool cut() const { return cut_; }
+  /// Of the window: whether a group was searched, and whether that ended early.
+  [[nodiscard]] bool searched() const { return searched_; }
+  [[nodiscard]] bool history_cut() const { return history_cut_; }
   [[nodiscard]] const Account& account() const { return account_; }
   [[nodiscard]] const Estimator& estimator() const { return *estimator_; }
 
  private:
-  void update(const LogLine& told, automata::Ticks time) {
+  /// `answered`: what most likely happened is told after it.
+  void update(const LogLine& told, automata::Ticks time, bool answered) {
     begun_ = true;
     const automata::ControlAction action = automata::action_from(plant_, told.command);
     const runtime::Stopwatch stopwatch;
     estimator_->update(action, told.observations, time);
-    if (window_) window_->update(action, told.observations, time);
+    if (window_) {
+      window_->update(action, told.observations, time);
+      if (answered) found_ = window_->trajectories();
+    }
     account_.latency.add(stopwatch.seconds());
     ++updates_;
     times_.push_back(time);
@@ -210,7 +221,9 @@ class Flight {
   }
 
   void tell_history() {
-    PlantHistory next{times_, window_->trajectories(), updates_ + 1 - times_.size(), {}};
+    PlantHistory next{times_, std::move(found_), updates_ + 1 - times_.size(), {}, window_->cut()};
+    searched_ = searched_ || window_->searched();
+    history_cut_ = history_cut_ || next.cut;
     for (std::size_t t = 0; !history_.trajectories.empty() && t < times_.size(); ++t) {
       const auto& last = history_.trajectories.front().states;
       if (next.first + t < history_.first || next.first + t >= history_.first + last.size()) continue;
@@ -238,10 +251,11 @@ class Flight {
   JsonLine json_;
   Account account_;
   bool begun_ = false;  ///< a step was taken
-  bool cut_ = false;
+  bool cut_ = false, searched_ = false, history_cut_ = false;
   automata::Observation at_start_;
   LogLine before_;
   std::optional<runtime::PlantWindow> window_;
+  std::vector<runtime::PlantTrajectory> found_;  ///< by it, after the last line
   PlantHistory history_;
   std::size_t updates_ = 0;
   std::vector<automata::Ticks> times_{automata::Ticks{}};  ///< of what the window sets out from, and of updates since
@@ -287,6 +301,9 @@ ExitStatus run(const Options& options, const Common& common) {
     return flight.answer(line, name);
   });
   if (flight.cut()) tell("a search was cut short; a belief may lack states");
+  if (flight.searched())
+    tell("a group of components has too many histories to weigh them all: probabilities are shares of the best");
+  if (flight.history_cut()) tell("a search for histories was cut short; the best are told, but fewer than wanted");
   if (options.stats || common.verbose) {
     report(flight.account(), flight.estimator(), options.ranks, seconds_since(begin));
   }

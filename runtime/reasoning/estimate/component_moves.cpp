@@ -49,7 +49,7 @@ bool MoveTable::depends_on_clock(std::size_t component, const automata::Enabled&
 
 void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& state,
                         const automata::ControlAction& action, automata::Ticks before, automata::Ticks now,
-                        Moves& moves) {
+                        Passing& passing, Moves& moves) {
   const automata::AllEnabled& enabled = step.enabled(state.modes, action);
   moves.clear();
   timed_ = false;
@@ -58,7 +58,7 @@ void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& 
   for (std::size_t c = 0; c < enabled.size(); ++c) {
     const bool timed = depends_on_clock(c, enabled[c]);
     timed_ = timed_ || timed;
-    Table& table = timed ? passing_ : lasting_;
+    Table& table = timed ? passing : lasting_;
     const Key key{&enabled[c], timed ? state.clock_starts[c].count : 0, (now - before).count};
     auto at = table.find(key);
     if (at == table.end()) {

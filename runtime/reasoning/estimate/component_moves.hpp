@@ -34,15 +34,34 @@ class ComponentMoves {
 /// What the components of a state may do in a step, worked out once for all states that agree on a component: its mode,
 /// what is enabled, the length of the step, and its clock where that matters.
 class MoveTable {
+  /// What is enabled tells component and mode, too.
+  struct Key {
+    const automata::Enabled* enabled;
+    std::int64_t clock_start;  ///< 0 where it does not matter
+    std::int64_t step;
+    bool operator==(const Key&) const = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const noexcept;
+  };
+  using Table = std::unordered_map<Key, ComponentMoves, KeyHash>;
+
  public:
   using Moves = std::vector<const ComponentMoves*>;  ///< by component
+  /// What rests on readings of clocks in one update.
+  using Passing = Table;
 
   /// `ranks`: probabilities as powers of ten.
   explicit MoveTable(const automata::Plant& plant, bool ranks = false) : plant_(plant), ranks_(ranks) {}
 
   /// For each component; valid until what it rests on is forgotten.
   void look_up(automata::PlantStep& step, const automata::SystemState& state, const automata::ControlAction& action,
-               automata::Ticks before, automata::Ticks now, Moves& moves);
+               automata::Ticks before, automata::Ticks now, Moves& moves) {
+    look_up(step, state, action, before, now, passing_, moves);
+  }
+  /// The same, where what rests on readings of clocks belongs to the caller: to be asked about one update alone.
+  void look_up(automata::PlantStep& step, const automata::SystemState& state, const automata::ControlAction& action,
+               automata::Ticks before, automata::Ticks now, Passing& passing, Moves& moves);
   /// Whether clocks took part in the last answer.
   [[nodiscard]] bool timed() const { return timed_; }
 
@@ -56,18 +75,6 @@ class MoveTable {
   [[nodiscard]] std::size_t size() const { return lasting_.size(); }
 
  private:
-  /// What is enabled tells component and mode, too.
-  struct Key {
-    const automata::Enabled* enabled;
-    std::int64_t clock_start;  ///< 0 where it does not matter
-    std::int64_t step;
-    bool operator==(const Key&) const = default;
-  };
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const noexcept;
-  };
-  using Table = std::unordered_map<Key, ComponentMoves, KeyHash>;
-
   [[nodiscard]] bool depends_on_clock(std::size_t component, const automata::Enabled& enabled) const;
 
   const automata::Plant& plant_;

@@ -19,17 +19,17 @@ automata::Modes modes_of(std::span<const std::uint32_t> candidate) {
 
 }  // namespace
 
-Evidence::Evidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting,
-                   OpenReadings* open)
+ReadingEvidence::ReadingEvidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting,
+                                 OpenReadings* open)
     : step_(step),
       observation_(std::move(observation)),
       lasting_(lasting),
       open_(open),
       conflicts_(std::make_shared<ConflictSet>(lasting)) {}
 
-double Evidence::factor(const automata::Modes& modes) { return step_.observation_factor(modes, observation_); }
+double ReadingEvidence::factor(const automata::Modes& modes) { return step_.observation_factor(modes, observation_); }
 
-Conflict Evidence::blame(const automata::Modes& modes) {
+Conflict ReadingEvidence::blame(const automata::Modes& modes) {
   const automata::Refutation refutation = step_.refutation(modes, observation_);
   Conflict conflict;
   for (const automata::ComponentId c : refutation.components) conflict.push_back({c.value, modes[c.index()].value});
@@ -38,7 +38,7 @@ Conflict Evidence::blame(const automata::Modes& modes) {
 }
 
 /// Each reading that the base leaves open stays open until one of the components that this rests on changes.
-FactorBound Evidence::factor_bound(const automata::Modes& base) const {
+FactorBound ReadingEvidence::factor_bound(const automata::Modes& base) const {
   FactorBound bound{1, std::vector<double>(base.size(), 1.0)};
   for (const automata::Assignment& reading : observation_) {
     const std::vector<automata::ComponentId>* components = open_->components(base, reading);
@@ -50,14 +50,40 @@ FactorBound Evidence::factor_bound(const automata::Modes& base) const {
   return bound;
 }
 
-Extensions::Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
+NearbyFactors ReadingEvidence::nearby_factors(const automata::Modes& base) const {
+  const FactorBound bound = factor_bound(base);
+  NearbyFactors result{bound.most, {}};
+  for (std::size_t c = 0; c < base.size(); ++c) {
+    if (bound.gains[c] == 1) continue;
+    const automata::ComponentId own(c);
+    std::vector<double>& gains =
+        result.gains.try_emplace(c, step_.plant()[own].modes.size(), bound.gains[c]).first->second;
+    gains[base[c].index()] = 1;
+    automata::Modes modes = base;
+    for (const automata::Assignment& reading : observation_) {
+      const std::vector<automata::ComponentId>* rests_on = open_->components(base, reading);
+      if (rests_on == nullptr || std::find(rests_on->begin(), rests_on->end(), own) == rests_on->end()) continue;
+      for (std::size_t m = 0; m < gains.size(); ++m) {
+        modes[c] = automata::ModeId(m);
+        if (modes[c] == base[c]) continue;
+        const std::vector<automata::ComponentId>* still = open_->components(modes, reading);
+        const bool by_itself =
+            still != nullptr && std::all_of(still->begin(), still->end(), [&](auto d) { return d == own; });
+        if (by_itself) gains[m] /= static_cast<double>(step_.plant().variables[reading.variable].values.size());
+      }
+    }
+  }
+  return result;
+}
+
+Extensions::Extensions(ReadingEvidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
   own_.reserve(moves.size());
   std::vector<const ComponentMoves*> all;
   for (const auto& component : moves) all.push_back(&own_.emplace_back(component));
   restart(evidence, all);
 }
 
-void Extensions::restart(Evidence& evidence, const std::vector<const ComponentMoves*>& moves) {
+void Extensions::restart(ReadingEvidence& evidence, const std::vector<const ComponentMoves*>& moves) {
   evidence_ = &evidence;
   moves_ = moves;
   found_.clear();

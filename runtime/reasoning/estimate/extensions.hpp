@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,19 +26,28 @@ struct FactorBound {
   std::vector<double> gains;
 };
 
+/// The same, by the modes of those components that gain anything: a mode that leaves the readings open by itself gains
+/// nothing.
+struct NearbyFactors {
+  double most = 1;
+  std::map<std::size_t, std::vector<double>> gains;
+};
+
 /// What one observation says of candidate states. Decision variables are components, their values modes, so that what
 /// is learnt about one source state holds for all.
-class Evidence {
+class ReadingEvidence {
  public:
   /// `lasting` holds the conflicts that need no observation; those found here are added to it.
   /// `open`, what is known of open readings, is null where the factor is not applied.
-  Evidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting, OpenReadings* open);
+  ReadingEvidence(automata::PlantStep& step, automata::Observation observation, ConflictSet& lasting,
+                  OpenReadings* open);
 
   /// The observation factor of semantics 4; 0 where modes and observation are jointly inconsistent.
   double factor(const automata::Modes& modes);
   /// The mode assignments to blame for a factor of 0.
   Conflict blame(const automata::Modes& modes);
   [[nodiscard]] FactorBound factor_bound(const automata::Modes& base) const;
+  [[nodiscard]] NearbyFactors nearby_factors(const automata::Modes& base) const;
   /// Whether it says more than that no factor is above 1.
   [[nodiscard]] bool bounds_factors() const { return open_ != nullptr && !observation_.empty(); }
   /// All that is known to be inconsistent with this observation.
@@ -66,11 +76,11 @@ struct Extension {
 class Extensions {
  public:
   /// `moves`: per component. Evidence and moves must outlive this.
-  Extensions(Evidence& evidence, const std::vector<const ComponentMoves*>& moves) { restart(evidence, moves); }
+  Extensions(ReadingEvidence& evidence, const std::vector<const ComponentMoves*>& moves) { restart(evidence, moves); }
   /// The same with moves of its own, as PlantStep gives them.
-  Extensions(Evidence& evidence, const std::vector<std::vector<automata::Move>>& moves);
+  Extensions(ReadingEvidence& evidence, const std::vector<std::vector<automata::Move>>& moves);
   /// Begins anew with other moves, in the memory of the last.
-  void restart(Evidence& evidence, const std::vector<const ComponentMoves*>& moves);
+  void restart(ReadingEvidence& evidence, const std::vector<const ComponentMoves*>& moves);
 
   /// Those found so far.
   [[nodiscard]] const std::vector<Extension>& found() const { return found_; }
@@ -116,7 +126,7 @@ class Extensions {
   void adjust(std::vector<const OptimalSearch::Domain*>& domains);
   [[nodiscard]] double bound_of(double cost) const;
 
-  Evidence* evidence_ = nullptr;
+  ReadingEvidence* evidence_ = nullptr;
   std::vector<const ComponentMoves*> moves_;  ///< by component
   std::vector<ComponentMoves> own_;           ///< where nobody else has them
   double best_ = 1;                           ///< the product of the greatest priors

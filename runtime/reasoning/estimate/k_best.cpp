@@ -18,6 +18,7 @@
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/listed_filter.hpp"
 #include "runtime/reasoning/estimate/rank.hpp"
+#include "runtime/reasoning/estimate/source_key.hpp"
 #include "runtime/reasoning/estimate/trajectories.hpp"
 
 namespace rmpl::runtime {
@@ -46,29 +47,11 @@ constexpr std::size_t exact_limit = 4096;
 /// Unnormalised probabilities sink from cycle to cycle; below this they are scaled up before they vanish.
 constexpr double least_scale = 1e-200;
 
-/// What the moves of a source depend on where no clock matters.
-struct SourceKey {
-  Modes modes;
-  ControlAction action;
-  Ticks step;
-  bool operator==(const SourceKey&) const = default;
-};
-
-struct SourceKeyHash {
-  std::size_t operator()(const SourceKey& key) const noexcept {
-    std::size_t hash = automata::ModesHash{}(key.modes);
-    const auto combine = [&hash](std::size_t value) { hash = (hash ^ value) * 0x100000001b3u; };
-    for (const automata::ValueId value : key.action) combine(value.value);
-    combine(static_cast<std::size_t>(key.step.count));
-    return hash ^ (hash >> 32);
-  }
-};
-
 /// What is remembered for one observation.
 struct Context {
   Context(automata::PlantStep& step, const Observation& observation, ConflictSet& lasting, OpenReadings* open)
       : evidence(step, observation, lasting, open) {}
-  Evidence evidence;
+  ReadingEvidence evidence;
   std::unordered_map<SourceKey, Extensions, SourceKeyHash> extensions;
 };
 
@@ -270,7 +253,7 @@ class KBest final : public ListedFilter {
   /// What is left where no extension explains the observation: the last belief predicted forward, wider in each
   /// inconsistent cycle on end; from the second on, exact on the components that the conflicts name, each of the others
   /// taking its likeliest move. Where no successor is possible at all, the belief stays.
-  bool widen(Evidence& evidence, const StepInput& input) {
+  bool widen(ReadingEvidence& evidence, const StepInput& input) {
     ++inconsistent_cycles_;
     const std::vector<bool> blamed = components_in(evidence.conflicts()->conflicts());
     Context& unseen = context({});
