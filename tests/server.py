@@ -294,6 +294,13 @@ def lints(program, folder):
     actions = client.get("textDocument/codeAction", textDocument={"uri": client.uri("start.rmpl")},
                          range={"start": place(7, 0), "end": place(7, 60)}, context={"diagnostics": []})
     same([edit["newText"] for edit in actions[0]["edit"]["changes"][client.uri("start.rmpl")]], ["{ ", " }"])
+    client.change("start.rmpl", PROGRAM.replace("  engine = on;", "  clock idle;\n  engine = on;", 1).replace("{ engine", "{ what"))
+    wait_for(["RMPL0511 2:8"])
+    actions = client.get("textDocument/codeAction", textDocument={"uri": client.uri("start.rmpl")},
+                         range={"start": place(2, 9), "end": place(2, 9)}, context={"diagnostics": []})
+    same(actions[0]["title"], "take it out")
+    same(actions[0]["edit"]["changes"][client.uri("start.rmpl")],
+         [{"range": {"start": place(2, 0), "end": place(3, 0)}, "newText": ""}])
     (folder / "rmpl.ini").write_text("[lint]\nunused = of\n", encoding="utf-8")
     client.change("start.rmpl", PROGRAM)
     while not any("not linted" in told["params"].get("message", "") for told in client.told):
