@@ -94,8 +94,8 @@ plant Sink {
              "Two threads ask for different modes of one component in the same cycle. Such a cycle commands nothing. "
              "The notes show where the two goals stand, and when they meet. Where the second goal can also come first, "
              "so that it takes a plant that does this and not that, the finding is a note. The plant is in modes that "
-             "it can have at the start, come to in the first cycle, and ever come to; clocks run on from cycle to cycle "
-             "by any time. In a model program: two "
+             "it can have at the start, come to in the first cycle, and ever come to; from cycle to cycle any time "
+             "passes, the same for all clocks. In a model program: two "
              "constraints begin to be told together and contradict each other, so that it never comes to that.",
              "P() :: {\n  engine = on,\n  engine = off\n}", "P() :: {\n  engine = on;\n  engine = off\n}"},
     CodeInfo{Code::step_never_reached, "step is never reached",

@@ -20,8 +20,8 @@ namespace {
 
 using Known = std::vector<Assignment>;
 using Readings = std::map<ClockId, std::size_t>;
-/// Marking, what is known, what the clocks read; the stage.
-using Start = std::tuple<std::set<LocationId>, std::size_t, Readings, std::size_t>;
+/// Marking, what is known, what the clocks read; the stage; the groups of clocks that were started together, in order.
+using Start = std::tuple<std::set<LocationId>, std::size_t, Readings, std::size_t, std::vector<std::set<ClockId>>>;
 
 class Explorer {
  public:
@@ -37,7 +37,7 @@ class Explorer {
 
   std::optional<MarkingsFound> run(std::size_t limit) {
     for (std::size_t k = 0; k < known_.size(); ++k) {
-      if (may_be(k, 0)) add({sequencer_.marking(), k, {}, 0}, 1);
+      if (may_be(k, 0)) add({sequencer_.marking(), k, {}, 0, {}}, 1);
     }
     while (!pending_.empty()) {
       if (seen_.size() > limit) return std::nullopt;
@@ -84,12 +84,50 @@ class Explorer {
         const auto before = std::get<2>(start).find(clock);
         least[clock] = when == now() || before == std::get<2>(start).end() ? 0 : before->second;
       }
-      add_readings({sequencer_.marking(), k, least, next}, least.begin(), least, cycle + 1);
+      add_readings({sequencer_.marking(), k, least, next, by_start(std::get<4>(start))}, least.begin(), least,
+                   cycle + 1);
     }
   }
 
+  std::vector<std::set<ClockId>> by_start(const std::vector<std::set<ClockId>>& before) const {
+    std::vector<std::set<ClockId>> after;
+    std::set<ClockId> fresh;
+    for (const auto& [clock, when] : sequencer_.started()) {
+      if (when == now()) fresh.insert(clock);
+    }
+    for (const std::set<ClockId>& group : before) {
+      std::set<ClockId> left;
+      for (const ClockId clock : group) {
+        if (sequencer_.started().count(clock) && !fresh.count(clock)) left.insert(clock);
+      }
+      if (!left.empty()) after.push_back(left);
+    }
+    if (!fresh.empty()) after.push_back(fresh);
+    return after;
+  }
+
+  /// Clocks that were started together read the same, those that were started earlier more; a reading between two whole
+  /// seconds stands for all of these.
+  bool can_be_read(const Readings& read, const std::vector<std::set<ClockId>>& groups) const {
+    const auto whole = [&](std::size_t r) { return readings_[r].count % Ticks::per_second == 0; };
+    for (std::size_t early = 0; early < groups.size(); ++early) {
+      for (std::size_t late = early; late < groups.size(); ++late) {
+        for (const ClockId a : groups[early]) {
+          for (const ClockId b : groups[late]) {
+            const std::size_t x = read.at(a), y = read.at(b);
+            if (early == late ? x != y : x < y || (x == y && whole(x))) return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
   void add_readings(Start start, Readings::const_iterator next, const Readings& least, std::size_t cycle) {
-    if (next == least.end()) return add(std::move(start), cycle);
+    if (next == least.end()) {
+      if (can_be_read(std::get<2>(start), std::get<4>(start))) add(std::move(start), cycle);
+      return;
+    }
     for (std::size_t r = next->second; r < readings_.size(); ++r) {
       std::get<2>(start)[next->first] = r;
       add_readings(start, std::next(next), least, cycle);

@@ -26,9 +26,10 @@ using ModesByComponent = std::vector<std::set<automata::ModeId>>;
 std::vector<ModesByComponent> modes_by_cycle(const automata::Plant& plant);
 
 /// In each cycle modes and all attributes have any values that the plant permits, all of them known; a running clock
-/// reads any of the readings that is not less than what it read before. Nothing where there are more than `limit`
-/// different starts of cycles. `stages`: the modes of the first state, of the second and so on, and of all from the
-/// last on; any modes where there are none.
+/// reads any of the readings, whole seconds and what stands for those between, that is not less than what it read
+/// before; clocks that were started together read the same, and one that was started earlier reads more. Nothing where
+/// there are more than `limit` different starts of cycles. `stages`: the modes of the first state, of the second and so
+/// on, and of all from the last on; any modes where there are none.
 std::optional<MarkingsFound> all_markings(const automata::Program& program, const automata::Plant& plant,
                                           const std::vector<automata::Ticks>& readings, std::size_t limit,
                                           const std::vector<ModesByComponent>& stages = {});

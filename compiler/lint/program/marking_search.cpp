@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "compiler/lint/program/clock_order.hpp"
+
 namespace rmpl::compiler {
 
 using automata::ClockId;
@@ -30,8 +32,9 @@ struct Start {
   Marking marking;
   std::vector<bool> violated;  ///< per marked location: its maintenance condition fails
   std::vector<std::optional<std::size_t>>
-      clocks;             ///< per clock: which of its cuts it reads, or is past; none: inactive
-  std::size_t stage = 0;  ///< of the state of the plant
+      clocks;                      ///< per clock: which of its cuts it reads, or is past; none: inactive
+  std::vector<std::size_t> ranks;  ///< per clock that runs and is compared with something: by its start; else 0
+  std::size_t stage = 0;           ///< of the state of the plant
   auto operator<=>(const Start&) const = default;
 };
 
@@ -69,18 +72,18 @@ class Search {
  public:
   Search(const Program& program, FreeConditions& conditions, const std::vector<bool>& relevant,
          const SearchLimits& limits)
-      : program_(program), relevant_(relevant), limits_(limits), rules_(program), conditions_(conditions) {
-    std::vector<const Formula*> read;
-    for (const Location& location : program.locations) {
-      read.push_back(&location.maintenance.constraint);
-      for (const automata::Arc& arc : location.arcs) read.push_back(&arc.guard.constraint);
-    }
-    cuts_ = cuts_of(read);
-  }
+      : program_(program),
+        relevant_(relevant),
+        limits_(limits),
+        rules_(program),
+        conditions_(conditions),
+        cuts_(cuts_of(conditions_in(program))),
+        order_(conditions_in(program)) {}
 
   std::vector<GoalClash> run() {
     const ClockTimes inactive(program_.clocks.size());
-    enter(rules_.initial(), inactive, {{}, {}, Indices(program_.clocks.size()), 0}, {}, 0, 1);
+    const std::size_t clocks = program_.clocks.size();
+    enter(rules_.initial(), inactive, {{}, {}, Indices(clocks), std::vector<std::size_t>(clocks), 0}, {}, 0, 1);
     for (std::size_t next = 0; next < nodes_.size() && steps_ < limits_.steps; ++next) follow(next);
     complete_ = complete_ && steps_ < limits_.steps;
     judge_certainty();
@@ -130,7 +133,8 @@ class Search {
       Chosen answers(program_, violated, judge);
       ClockTimes after = started;
       Marking next = rules_.finish(half, answers, after);
-      enter(std::move(next), after, {{}, {}, start.clocks, stage}, truths, number, nodes_[number].depth + 1);
+      enter(std::move(next), after, {{}, {}, start.clocks, start.ranks, stage}, truths, number,
+            nodes_[number].depth + 1);
       return true;
     });
   }
@@ -180,12 +184,59 @@ class Search {
              std::size_t depth) {
     std::erase_if(marking, [&](LocationId location) { return !relevant_[location.index()]; });
     if (marking.empty()) return;
-    Start start{std::move(marking), {}, Indices(started.size()), before.stage};
+    Start start{std::move(marking), {}, Indices(started.size()), {}, before.stage};
     for (std::size_t c = 0; c < started.size(); ++c) {
       if (started[c]) start.clocks[c] = before.clocks[c].value_or(0);
     }
+    start.ranks = ranks_of(start, before);
     const std::vector<std::size_t> seen = clocks_read_by(start);
     choose_readings(start, seen, 0, truths, from, depth);
+  }
+
+  /// Those that began to run in the cycle that is over come last.
+  [[nodiscard]] std::vector<std::size_t> ranks_of(const Start& start, const Start& before) const {
+    std::map<std::size_t, std::vector<std::size_t>> by_start;
+    for (const auto& [clock, readings] : cuts_) {
+      const std::size_t c = clock.index();
+      if (start.clocks[c]) by_start[before.clocks[c] ? before.ranks[c] : start.clocks.size()].push_back(c);
+    }
+    std::vector<std::size_t> ranks(start.clocks.size(), 0);
+    std::size_t rank = 0;
+    for (const auto& [old, clocks] : by_start) {
+      for (const std::size_t c : clocks) ranks[c] = rank;
+      ++rank;
+    }
+    return ranks;
+  }
+
+  /// Whether clocks can read at once what was chosen for those that are seen; the others then read no less than that
+  /// takes.
+  bool settle_readings(Start& start, const std::vector<std::size_t>& seen) const {
+    std::vector<RunningClock> clocks;
+    for (const auto& [clock, readings] : cuts_) {
+      if (!start.clocks[clock.index()]) continue;
+      const bool is_seen = std::find(seen.begin(), seen.end(), clock.index()) != seen.end();
+      clocks.push_back({clock, start.ranks[clock.index()], readings[*start.clocks[clock.index()]], !is_seen});
+    }
+    if (clocks.size() < 2) return true;
+    const std::vector<Ticks> least = order_.least(clocks);
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      if (!clocks[i].at_least) continue;
+      const std::vector<Ticks>& readings = cuts_.at(clocks[i].clock);
+      // Of the stretches that the readings stand for, the last that begins no later.
+      auto& index = *start.clocks[clocks[i].clock.index()];
+      while (index + 1 < readings.size() && order_.first(clocks[i].clock, readings[index + 1]) <= least[i]) ++index;
+    }
+    return !least.empty();
+  }
+
+  static std::vector<const Formula*> conditions_in(const Program& program) {
+    std::vector<const Formula*> read;
+    for (const Location& location : program.locations) {
+      read.push_back(&location.maintenance.constraint);
+      for (const automata::Arc& arc : location.arcs) read.push_back(&arc.guard.constraint);
+    }
+    return read;
   }
 
   [[nodiscard]] std::vector<std::size_t> clocks_read_by(const Start& start) const {
@@ -204,7 +255,11 @@ class Search {
 
   void choose_readings(Start& start, const std::vector<std::size_t>& seen, std::size_t next, const Truths& truths,
                        std::size_t from, std::size_t depth) {
-    if (next == seen.size()) return choose_maintenance(start, truths, from, depth);
+    if (next == seen.size()) {
+      Start settled = start;
+      if (settle_readings(settled, seen)) choose_maintenance(std::move(settled), truths, from, depth);
+      return;
+    }
     auto& index = start.clocks[seen[next]];
     const std::size_t least = *index;
     const std::size_t count = cuts_.at(ClockId(seen[next])).size();
@@ -265,7 +320,8 @@ class Search {
   const SearchLimits& limits_;
   const automata::ProgramRules rules_;
   FreeConditions& conditions_;
-  ClockCuts cuts_;
+  const ClockCuts cuts_;
+  const ClockOrder order_;
   std::vector<Node> nodes_;
   std::map<Start, std::size_t> known_;  ///< with their nodes
   std::set<std::pair<LocationId, LocationId>> clashing_;
