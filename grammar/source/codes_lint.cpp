@@ -295,7 +295,7 @@ plant Sink {
     CodeInfo{
         Code::vacuous_property, "property that says nothing",
         "The property holds or fails whatever the plant does: no state satisfies its formula, every state does, or "
-        "what it waits for never comes. Of `never`, what no state satisfies is a note: it checks the constraints.",
+        "what it waits for never comes. Of `never`, what only the constraints exclude is a note: it checks these.",
         R"($ rmplc lint plant.tcca plant.props
 // plant.props
 property "p" {

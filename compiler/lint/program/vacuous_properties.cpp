@@ -82,12 +82,12 @@ void lint_vacuous_properties(const LintInput& input, grammar::Diagnostics& found
     auto& finding =
         add_finding(found, grammar::Code::vacuous_property, input.places.at(property.origin),
                     "property \"" + property.name + "\" says nothing of what the plant does: " + vacuity.why);
-    // That the constraints alone exclude something may be what is to be checked.
-    const bool excluded = property.claim == PlantProperty::Claim::never && !judge.can_hold(property.formula);
-    if (excluded) finding.severity = grammar::Severity::note;
     if (vacuity.contradicted.is_true()) continue;
     constexpr std::size_t shown = 4;
     const auto blamed = judge.blame(vacuity.contradicted);
+    // That the constraints alone exclude something may be what is to be checked; what contradicts itself needs no check.
+    const bool excluded = property.claim == PlantProperty::Claim::never && !judge.can_hold(property.formula);
+    if (excluded && !blamed.empty()) finding.severity = grammar::Severity::note;
     for (std::size_t b = 0; b < std::min(shown, blamed.size()); ++b) {
       finding.notes.push_back({input.places.at(blamed[b]), "this decides it"});
     }
