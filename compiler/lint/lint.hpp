@@ -31,7 +31,7 @@ struct LintInput {
   const NameIndex& names;
   const Places& places;
   std::span<const ProgramPlaces> programs;  ///< per program of the document; empty for one that came compiled
-  std::span<const ProgramPlaces> models;    ///< per model program, likewise; empty for a plant that holds some, too
+  std::span<const ProgramPlaces> models;    ///< per model program, likewise; of a plant that holds some, conditions
   automata::Ticks cycle;                    ///< of the executive, where no scenario says it
 };
 

@@ -72,6 +72,7 @@ void instantiate(Part& whole, const std::string& instance, const Part& type) {
     ModelPart& copy = whole.models.emplace_back(model);
     copy.component.name = qualified(instance, model.component.name);
     shift(copy.component.program, offset);
+    for (PlacedCondition& condition : copy.conditions) shift(condition.formula, offset);
   }
   for (const std::string& name : type.broken) whole.broken.insert(qualified(instance, name));
   for (const VariableId observable : type.plant.observables) {

@@ -9,6 +9,7 @@
 
 #include "automata/plant.hpp"
 #include "automata/step/plant_as_model.hpp"
+#include "compiler/lower/program_places.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 #include "grammar/source/span.hpp"
@@ -19,6 +20,7 @@ namespace rmpl::compiler {
 struct ModelPart {
   automata::ModelComponent component;
   grammar::Span span;
+  std::vector<PlacedCondition> conditions = {};  ///< in its source, over these variables
 };
 
 /// A plant is its root module as a part. The mode variable and the component of a component type are named "", so that

@@ -117,8 +117,12 @@ InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
   auto part = lower_plant(roots, blame);
   if (part && !part->models.empty()) {
     result.model = true;
-    if (auto program = in_steps(*part)) document_.models.push_back(std::move(*program));
-    model_places_.resize(document_.models.size());
+    if (auto program = in_steps(*part)) {
+      document_.models.push_back(std::move(*program));
+      auto& conditions = model_places_.emplace_back().conditions;
+      for (const ModelPart& model : part->models)
+        conditions.insert(conditions.end(), model.conditions.begin(), model.conditions.end());
+    }
   } else if (part) {
     document_.plants.push_back(part->plant);
     result.part = &parts_.emplace_back(std::move(*part));
@@ -175,7 +179,8 @@ const Part* InputSet::model_type(const std::vector<const File*>& files, const gr
     part.declared.assign(part.plant.variables.size(), definition.span);
     for (const automata::ModelLocation& location : lowered.model->locations) part.size += 1 + location.functions.size();
     for (const automata::Variable& variable : part.plant.variables) part.size += variable.values.size();
-    part.models.push_back({{"", std::move(*lowered.model)}, definition.span});
+    part.models.push_back(
+        {{"", std::move(*lowered.model)}, definition.span, std::move(lowered.model_places.conditions)});
     return &part;
   }
   auto& error = diagnostics_.error(Code::unknown_name, definition.span,

@@ -14,9 +14,10 @@ void lint_model_programs(const LintInput& input, grammar::Diagnostics& found) {
   for (std::size_t m = 0; m < input.document.models.size(); ++m) {
     ModelReport report(input, input.document.models[m], input.models[m], found);
     if (!report.name()) continue;
-    if (!report_start(report) || report.places().locations.empty()) continue;
-    report_contradictions(report);
+    if (!report_start(report)) continue;
     report_conditions(report);
+    if (report.places().locations.empty()) continue;  // a plant
+    report_contradictions(report);
     report_unspoken(report);
     add_marked(report, marked);
   }

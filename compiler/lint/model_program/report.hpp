@@ -27,7 +27,7 @@ class ModelReport {
 
   [[nodiscard]] const LintInput& input() const { return input_; }
   [[nodiscard]] const automata::ModelProgram& program() const { return program_; }
-  /// Empty for a plant that holds model programs.
+  /// Without locations for a plant that holds model programs.
   [[nodiscard]] const ProgramPlaces& places() const { return places_; }
   ToldStores& stores() { return stores_; }
   /// The locations that may be marked.

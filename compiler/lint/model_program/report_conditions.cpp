@@ -27,15 +27,14 @@ struct Judged {
 
 /// Whether the construct that a condition belongs to, the closest one around it, may be marked.
 bool is_reached(ModelReport& report, Span condition) {
-  const auto& spans = report.places().locations;
   std::optional<Span> closest;
   bool reached = false;
-  for (std::size_t l = 0; l < spans.size(); ++l) {
-    const bool around =
-        spans[l].file == condition.file && spans[l].begin <= condition.begin && spans[l].end >= condition.end;
-    if (!around || (closest && spans[l].end - spans[l].begin > closest->end - closest->begin)) continue;
-    if (spans[l] != closest) reached = false;
-    closest = spans[l];
+  for (std::size_t l = 0; l < report.program().locations.size(); ++l) {
+    const Span span = report.span_of(LocationId(l));
+    const bool around = span.file == condition.file && span.begin <= condition.begin && span.end >= condition.end;
+    if (!around || (closest && span.end - span.begin > closest->end - closest->begin)) continue;
+    if (span != closest) reached = false;
+    closest = span;
     reached = reached || report.reachable()[l];
   }
   return reached || !closest;
