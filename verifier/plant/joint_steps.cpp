@@ -39,30 +39,25 @@ void JointSteps::use_as(const JointSteps& other) {
 void JointSteps::enumerate(const Modes& modes, const Late& late, const ControlAction& action,
                            const std::vector<BehaviourId>& idling, const std::vector<BehaviourId>& here,
                            const Visit& visit) {
-  modes_ = modes;
-  late_.assign(modes.size(), false);
-  for (const ComponentId c : late) late_[c.index()] = true;
-  action_ = action;
-  idling_ = idling;
-  here_ = here;
+  const At at{modes, late, action, idling, here};
   ahead_ = {modes, std::vector<bool>(modes.size(), true)};
-  return steps_ == Steps::all ? all(visit) : irreducible(visit);
+  return steps_ == Steps::all ? all(at, visit) : irreducible(at, visit);
 }
 
 /// Equal options in equal modes that have no clock: where an automorphism exchanges the two components
 /// and leaves all else as it is, it takes a step in which they have done the one thing and the other to that in which
 /// they have done it the other way round, and the present state to itself.
-std::vector<std::size_t> JointSteps::likes(const Options& options) const {
+std::vector<std::size_t> JointSteps::likes(const At& at, const Options& options) const {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < options.size(); ++i) {
     result.push_back(i);
     if (symmetry_ == nullptr) continue;
     const auto component = [&](std::size_t k) { return options[k].front().component; };
     const ComponentId own(component(i));
-    if (behaviours_.step().plant().has_timed_exit(own, modes_[own.index()])) continue;
+    if (behaviours_.step().plant().has_timed_exit(own, at.modes[own.index()])) continue;
     const auto alike = [](const Option& a, const Option& b) { return *a.choice == *b.choice; };
     for (std::size_t k = i; k-- > 0 && result[i] == i;) {
-      if (here_[component(k)] == here_[component(i)] && modes_[component(k)] == modes_[component(i)] &&
+      if (at.here[component(k)] == at.here[component(i)] && at.modes[component(k)] == at.modes[component(i)] &&
           std::equal(options[k].begin(), options[k].end(), options[i].begin(), options[i].end(), alike) &&
           symmetry_->exchanges(ComponentId(component(k)), own)) {
         result[i] = k;
@@ -73,8 +68,9 @@ std::vector<std::size_t> JointSteps::likes(const Options& options) const {
 }
 
 template <class Leaf>
-void JointSteps::product(const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf) {
-  const std::vector<std::size_t> like = likes(options);
+void JointSteps::product(const At& at, const Options& options, unsigned faults, std::vector<Option>& taken,
+                         const Leaf& leaf) {
+  const std::vector<std::size_t> like = likes(at, options);
   std::vector<std::size_t> chosen(options.size());
   unsigned so_far = faults;
   base::multiply_out(
@@ -84,7 +80,7 @@ void JointSteps::product(const Options& options, unsigned faults, std::vector<Op
         if (like[position] != position && i < chosen[like[position]]) return false;
         const Option& option = options[position][i];
         if (so_far + option.choice->faults > faults_) return false;
-        ahead_.modes[option.component] = option.choice == &stays ? modes_[option.component] : option.choice->mode;
+        ahead_.modes[option.component] = option.choice == &stays ? at.modes[option.component] : option.choice->mode;
         if (nogoods_.refutes(ahead_, ComponentId(option.component))) return false;
         chosen[position] = i;
         ahead_.decided[option.component] = true;
@@ -104,8 +100,8 @@ void JointSteps::product(const Options& options, unsigned faults, std::vector<Op
       });
 }
 
-const Modes& JointSteps::after(const std::vector<Option>& taken) {
-  next_ = modes_;
+const Modes& JointSteps::after(const At& at, const std::vector<Option>& taken) {
+  next_ = at.modes;
   for (const Option& option : taken) next_[option.component] = option.choice->mode;
   return next_;
 }
@@ -116,8 +112,8 @@ unsigned JointSteps::faults_of(const std::vector<Option>& taken) {
   return faults;
 }
 
-void JointSteps::emit(const std::vector<Option>& taken, const Visit& visit) {
-  if (after(taken) == modes_ || !nogoods_.possible(next_)) return;
+void JointSteps::emit(const At& at, const std::vector<Option>& taken, const Visit& visit) {
+  if (after(at, taken) == at.modes || !nogoods_.possible(next_)) return;
   box_.clear();
   for (const Option& option : taken) {
     if (!option.choice->clock.is_trivial()) box_.push_back({ComponentId(option.component), option.choice->clock});
@@ -126,82 +122,83 @@ void JointSteps::emit(const std::vector<Option>& taken, const Visit& visit) {
   visit(next_, faults_of(taken), box_);
 }
 
-void JointSteps::all(const Visit& visit) {
+void JointSteps::all(const At& at, const Visit& visit) {
   Options options;
-  for (std::size_t c = 0; c < modes_.size(); ++c) {
-    const Behaviour& behaviour = behaviours_[here_[c]];
+  for (std::size_t c = 0; c < at.modes.size(); ++c) {
+    const Behaviour& behaviour = behaviours_[at.here[c]];
     if (!behaviour.changes && behaviour.free_to_stay()) continue;
     auto& own = options.emplace_back();
     for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
     ahead_.decided[c] = false;
   }
   std::vector<Option> taken;
-  product(options, 0, taken, [&] { emit(taken, visit); });
+  product(at, options, 0, taken, [&] { emit(at, taken, visit); });
 }
 
-bool JointSteps::calm(const Modes& modes) {
+bool JointSteps::calm(const At& at, const Modes& modes) {
   if (!behaviours_.step().possible(modes) || !behaviours_.step().consistent(modes, idle_)) return false;
   behaviours_.read(modes, idle_, there_);
   for (std::size_t c = 0; c < modes.size(); ++c) {
-    if (!may_stay(c, there_[c], modes)) return false;
+    if (!may_stay(at, c, there_[c], modes)) return false;
   }
   return true;
 }
 
 /// Whether a component may stay in `modes` with this behaviour: a step away at most, so that its clock has started anew
 /// or reads what it reads here.
-bool JointSteps::may_stay(std::size_t component, BehaviourId behaviour, const Modes& modes) const {
+bool JointSteps::may_stay(const At& at, std::size_t component, BehaviourId behaviour, const Modes& modes) const {
   const Behaviour& there = behaviours_[behaviour];
   if (there.free_to_stay() || there.stays_until < 0) return there.free_to_stay();
-  if (modes[component] != modes_[component]) return true;
-  return behaviour == idling_[component] && !late_[component];
+  if (modes[component] != at.modes[component]) return true;
+  return behaviour == at.idling[component] &&
+         std::find(at.late.begin(), at.late.end(), ComponentId(component)) == at.late.end();
 }
 
 /// Whether the change can be made a step earlier, under idle controls, and disturbs nothing of what remains: all others
 /// can do what they could, under idle controls and under the action, and all that cannot do a thing can still stay.
-bool JointSteps::goes_first(const Option& option) {
+bool JointSteps::goes_first(const At& at, const Option& option) {
   if (visible_[option.component]) return false;
-  const Modes next = after({option});
-  if (!calm(next) || !behaviours_.step().consistent(next, action_)) return false;
-  behaviours_.read(next, action_, there_commanded_);
+  const Modes next = after(at, {option});
+  if (!calm(at, next) || !behaviours_.step().consistent(next, at.action)) return false;
+  behaviours_.read(next, at.action, there_commanded_);
   for (std::size_t c = 0; c < next.size(); ++c) {
     const Behaviour& commanded = behaviours_[there_commanded_[c]];
     if (c == option.component) {
       if (commanded.stays_until < 0) return false;
       continue;
     }
-    const bool same = there_[c] == idling_[c] && there_commanded_[c] == here_[c];
-    const bool active = behaviours_[here_[c]].changes || !behaviours_[here_[c]].free_to_stay();
+    const bool same = there_[c] == at.idling[c] && there_commanded_[c] == at.here[c];
+    const bool active = behaviours_[at.here[c]].changes || !behaviours_[at.here[c]].free_to_stay();
     if (!same && (active || !commanded.free_to_stay())) return false;
   }
   return true;
 }
 
-void JointSteps::irreducible(const Visit& visit) {
-  const bool is_idle = action_ == idle_;
-  calm_ = calm(modes_);
+void JointSteps::irreducible(const At& at, const Visit& visit) {
+  const bool is_idle = at.action == idle_;
+  calm_ = calm(at, at.modes);
   // The core takes part in every step: what the command concerns, and what cannot simply stay.
   Options core;
-  Options changes(modes_.size());  // of those that may stay and that the command does not concern
-  for (std::size_t c = 0; c < modes_.size(); ++c) {
-    const Behaviour& behaviour = behaviours_[here_[c]];
-    const bool concerned = here_[c] != idling_[c];
-    if (concerned || !may_stay(c, here_[c], modes_)) {
+  Options changes(at.modes.size());  // of those that may stay and that the command does not concern
+  for (std::size_t c = 0; c < at.modes.size(); ++c) {
+    const Behaviour& behaviour = behaviours_[at.here[c]];
+    const bool concerned = at.here[c] != at.idling[c];
+    if (concerned || !may_stay(at, c, at.here[c], at.modes)) {
       auto& own = core.emplace_back();
       for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
       ahead_.decided[c] = false;
       continue;
     }
     for (const Choice& choice : behaviour.choices) {
-      if (choice.mode != modes_[c]) changes[c].push_back({c, &choice});
+      if (choice.mode != at.modes[c]) changes[c].push_back({c, &choice});
     }
   }
   if (calm_) {
     for (auto& own : changes) {
       if (is_idle) {
-        for (const Option& option : own) emit({option}, visit);
+        for (const Option& option : own) emit(at, {option}, visit);
       }
-      std::erase_if(own, [&](const Option& option) { return goes_first(option); });
+      std::erase_if(own, [&](const Option& option) { return goes_first(at, option); });
     }
   }
   Options free;
@@ -211,23 +208,23 @@ void JointSteps::irreducible(const Visit& visit) {
     free.push_back(std::move(own));
   }
   std::vector<Option> taken;
-  product(core, 0, taken, [&] {
+  product(at, core, 0, taken, [&] {
     // Where the core stays as it is, a step of the others is one under idle controls too.
-    if (!calm_ || is_idle || after(taken) != modes_) rest(taken, free, visit);
+    if (!calm_ || is_idle || after(at, taken) != at.modes) rest(at, taken, free, visit);
   });
 }
 
 /// The steps in which these changes are made, alone or together with others that are free to be made.
-void JointSteps::rest(const std::vector<Option>& core, const Options& free, const Visit& visit) {
-  emit(core, visit);
-  const bool still = after(core) == modes_;
+void JointSteps::rest(const At& at, const std::vector<Option>& core, const Options& free, const Visit& visit) {
+  emit(at, core, visit);
+  const bool still = after(at, core) == at.modes;
   Options now = free;
   Options later;
-  if (!still && calm(next_)) {
+  if (!still && calm(at, next_)) {
     // What the core leaves alone can follow a step later; what it touches cannot wait.
     const auto waits = [&](const std::vector<Option>& own) {
       const std::size_t c = own.front().component;
-      return !visible_[c] && there_[c] == here_[c];
+      return !visible_[c] && there_[c] == at.here[c];
     };
     const auto middle = std::stable_partition(now.begin(), now.end(), [&](const auto& own) { return !waits(own); });
     later.assign(middle, now.end());
@@ -237,7 +234,7 @@ void JointSteps::rest(const std::vector<Option>& core, const Options& free, cons
   for (auto& own : now) own.insert(own.begin(), Option{own.front().component, &stays});
 
   std::vector<Option> others;
-  product(now, faults_of(core), others, [&] {
+  product(at, now, faults_of(core), others, [&] {
     std::vector<Option> taken = core;
     for (const Option& option : others) {
       if (option.choice != &stays) taken.push_back(option);
@@ -246,9 +243,9 @@ void JointSteps::rest(const std::vector<Option>& core, const Options& free, cons
     // One change alone, where all may stay, has been visited.
     if (more == 0 || (more == 1 && still && calm_)) return;
     if (later.empty()) {
-      emit(taken, visit);
+      emit(at, taken, visit);
     } else {
-      rest(taken, later, visit);
+      rest(at, taken, later, visit);
     }
   });
 }

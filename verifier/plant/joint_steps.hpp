@@ -61,23 +61,32 @@ class JointSteps {
     const Choice* choice;
   };
   using Options = std::vector<std::vector<Option>>;  ///< of several components, one of each list is taken
+  /// Where steps are enumerated from: the arguments of `enumerate`.
+  struct At {
+    const automata::Modes& modes;
+    const Late& late;
+    const automata::ControlAction& action;
+    const std::vector<BehaviourId>& idling;  ///< with idle controls
+    const std::vector<BehaviourId>& here;    ///< under the action
+  };
 
-  void all(const Visit& visit);
-  void irreducible(const Visit& visit);
-  void rest(const std::vector<Option>& core, const Options& free, const Visit& visit);
+  void all(const At& at, const Visit& visit);
+  void irreducible(const At& at, const Visit& visit);
+  void rest(const At& at, const std::vector<Option>& core, const Options& free, const Visit& visit);
   [[nodiscard]] static unsigned faults_of(const std::vector<Option>& taken);
   /// Calls `leaf` for every way of taking one of each list, within the faults that are left after `faults`.
   template <class Leaf>
-  void product(const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf);
+  void product(const At& at, const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf);
   /// For each list the last one before it whose component can be exchanged with its own, or itself.
-  [[nodiscard]] std::vector<std::size_t> likes(const Options& options) const;
-  void emit(const std::vector<Option>& taken, const Visit& visit);
-  [[nodiscard]] const automata::Modes& after(const std::vector<Option>& taken);
+  [[nodiscard]] std::vector<std::size_t> likes(const At& at, const Options& options) const;
+  void emit(const At& at, const std::vector<Option>& taken, const Visit& visit);
+  [[nodiscard]] const automata::Modes& after(const At& at, const std::vector<Option>& taken);
   /// Whether the modes are possible and let every component stay where it is with idle controls; their behaviours with
   /// idle controls are then in `there_`.
-  [[nodiscard]] bool calm(const automata::Modes& modes);
-  [[nodiscard]] bool may_stay(std::size_t component, BehaviourId behaviour, const automata::Modes& modes) const;
-  [[nodiscard]] bool goes_first(const Option& option);
+  [[nodiscard]] bool calm(const At& at, const automata::Modes& modes);
+  [[nodiscard]] bool may_stay(const At& at, std::size_t component, BehaviourId behaviour,
+                              const automata::Modes& modes) const;
+  [[nodiscard]] bool goes_first(const At& at, const Option& option);
 
   Behaviours& behaviours_;
   Nogoods nogoods_;
@@ -87,14 +96,10 @@ class JointSteps {
   std::vector<bool> visible_;  ///< by component
   Meter& meter_;
 
-  // Of the step at hand:
-  automata::Modes modes_;
-  automata::ControlAction action_;
   automata::ControlAction idle_;
-  std::vector<BehaviourId> idling_;  ///< with idle controls
-  std::vector<BehaviourId> here_;    ///< under the action
-  std::vector<bool> late_;           ///< by component
-  bool calm_ = false;
+
+  // Of the step at hand; their memory serves the next:
+  bool calm_ = false;   ///< whether every component may stay where steps are enumerated from
   PartialModes ahead_;  ///< what is decided of the modes that a step leads to
   automata::Modes next_;
   std::vector<BehaviourId> there_, there_commanded_;
