@@ -104,19 +104,23 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
             assert spread.returncode == 0 and spread.stdout == alone.stdout, spread
             assert bench.csv("spread") == bench.csv("alone")
             once(bench, "spread")
-            # A rank dies, and mpirun ends the others; the same command goes on.
-            with subprocess.Popen([*world, *bench.words("rank", *same, "--jobs", "1")], stdout=subprocess.DEVNULL,
-                                  stderr=subprocess.DEVNULL) as run:
-                time.sleep(1)
-                ranks = subprocess.run(["pgrep", "-f", "--", f"campaign .*{folder}/rank.sqlite"], capture_output=True,
-                                       text=True, check=False).stdout.split()
-                ranks = [int(rank) for rank in ranks if int(rank) != run.pid]
-                if ranks:
-                    os.kill(ranks[-1], signal.SIGKILL)
-                run.wait(timeout=120)
-            again = bench.run("rank", *same, "--jobs", "1", before=world)
-            assert again.returncode == 0 and again.stdout == alone.stdout, again
-            once(bench, "rank")
+            # A rank dies: the other does all of it, if mpirun lets it; if not, the same command goes on.
+            for name, more in (("recovered", ["--enable-recovery"]), ("ended", [])):
+                words = bench.words(name, "--csv", bench.folder / f"{name}.csv", *same, "--jobs", "1")
+                with subprocess.Popen([*world, *more, *words], stdout=subprocess.DEVNULL,
+                                      stderr=subprocess.DEVNULL) as run:
+                    time.sleep(1)
+                    ranks = subprocess.run(["pgrep", "-f", "--", f"campaign .*{folder}/{name}.sqlite"],
+                                           capture_output=True, text=True, check=False).stdout.split()
+                    ranks = [int(rank) for rank in ranks if int(rank) != run.pid]
+                    if ranks:
+                        os.kill(ranks[-1], signal.SIGKILL)
+                    run.wait(timeout=120)
+                if more:
+                    assert bench.csv(name) == bench.csv("alone"), "what the dead rank had begun is not done"
+                again = bench.run(name, *same, "--jobs", "1", before=world)
+                assert again.returncode == 0 and again.stdout == alone.stdout, again
+                once(bench, name)
         print(alone.stdout)
     return 0
 

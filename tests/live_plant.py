@@ -58,11 +58,11 @@ def sane_and_dead(bench: Bench) -> None:
 
 
 def mad(bench: Bench) -> None:
-    """The same seed is the same trace, whatever the machine does meanwhile."""
+    """A day of it; and the same seed is the same trace, whatever the machine does meanwhile."""
     traces = []
-    for seed in (1, 1, 2):
-        done = bench.run("--exec", f"{bench.mad} {seed}", "--clock", "lock-step", "--cycle", "10s", "--duration", "8h",
-                         "--trace-detail", "cycles", "--patience", "30s")
+    for seed, duration in ((1, "2h"), (1, "2h"), (2, "24h")):
+        done = bench.run("--exec", f"{bench.mad} {seed}", "--clock", "lock-step", "--cycle", "10s", "--duration",
+                         duration, "--trace-detail", "cycles", "--patience", "30s", timeout=240)
         assert done.returncode in (EXIT_DONE,), done
         traces.append(bench.trace.read_bytes())
         events = bench.events()
@@ -126,6 +126,36 @@ def tokens(bench: Bench) -> None:
     assert "showed a wrong token" in errors, errors
 
 
+def strangers(bench: Bench) -> None:
+    """Who connects and says nothing keeps nobody out, be it one or more than may wait."""
+    token = bench.folder / "token"
+    token.write_text("a token that nobody guesses\n", encoding="utf-8")
+    for count in (1, 100):
+        with bench.launch("--listen", "tcp:127.0.0.1:0", "--token", token, "--clock", "lock-step", "--duration", "50") as run:
+            address = run.stderr.readline().split()[-1]
+            port = int(address.rpartition(":")[2])
+            silent = [socket.create_connection(("127.0.0.1", port), timeout=10) for _ in range(count)]
+            begin = time.monotonic()
+            subprocess.run([*bench.lander.split(), "--connect", address, "--token", token], timeout=30, check=True)
+            output, errors = run.communicate(timeout=30)
+            assert time.monotonic() - begin < 4, "a stranger was waited for"
+            for link in silent:
+                link.close()
+        assert run.returncode == EXIT_DONE and "100 of 100" in output, (output, errors)
+
+
+def nobody(bench: Bench) -> None:
+    """No plant ever comes; ports that are none."""
+    bench.trace.unlink(missing_ok=True)
+    done = bench.run("--listen", f"unix:{bench.folder}/socket", "--give-up", "1", "--format", "json")
+    assert done.returncode == EXIT_UNDECIDED, done
+    assert json.loads(done.stdout) == {"end": "abandoned", "cycles": 0, "acknowledged": 0, "time": 0}, done
+    assert not bench.trace.exists(), "there was nothing to trace"
+    for port in ("65536", "99999999999", "-1", "80x"):
+        done = bench.run("--listen", f"tcp:127.0.0.1:{port}")
+        assert done.returncode == EXIT_WRONG and "is no port" in done.stderr, done
+
+
 def signals(bench: Bench) -> None:
     with bench.launch("--exec", bench.lander, "--cycle", "10ms") as run:
         time.sleep(1)
@@ -144,7 +174,8 @@ def signals(bench: Bench) -> None:
 def main(root: pathlib.Path, programs: pathlib.Path) -> int:
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(root.resolve(), programs.resolve(), folder)
-        for test in (sane_and_dead, mad, slow_reader, flood, reconnect, tokens, signals):
+        for test in (sane_and_dead, mad, slow_reader, flood, reconnect, tokens, strangers,
+                     nobody, signals):
             begin = time.monotonic()
             test(bench)
             print(f"{test.__name__}: {time.monotonic() - begin:.1f} s", flush=True)

@@ -162,6 +162,10 @@ const std::vector<Output> outputs = {
      "lock-step --cycle 10s --duration 3h --exec 'python3 {examples}/../tests/torture/mad_plant.py 1' --trace "
      "live.jsonl --trace-detail cycles > summary.txt; cat live.jsonl",
      "trace", true},
+    {"ResultOfALivePlant",
+     "rmpl-run execute {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca --clock lock-step "
+     "--duration 60 --exec 'python3 -u {examples}/live/lander.py' --format json",
+     "live_result"},
     {"CommandsToALivePlant",
      "rmpl-run execute {examples}/mars-entry/mars_entry.rmpl {examples}/mars-entry/mars_lander.tcca -q --clock "
      "lock-step --duration 60 --exec 'tee commands.jsonl | python3 -u {examples}/live/lander.py' > summary.txt; cat "

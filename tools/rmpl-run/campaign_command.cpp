@@ -60,7 +60,7 @@ exit code: 0 done, whatever the runs came to; 2 an input is wrong; 3 interrupted
 examples:
   rmpl-run campaign landing.scn --runs 1000 --faults 1 --db landing.sqlite --report landing.html
   rmpl-run campaign landing.scn --enumerate --at 10s --at 4.5h --db each.sqlite --csv each.csv
-  mpirun -n 8 rmpl-run campaign landing.scn --runs 10000 --faults 2 --jobs 1 --db landing.sqlite)";
+  mpirun --enable-recovery -n 8 rmpl-run campaign landing.scn --runs 10000 --jobs 1 --db landing.sqlite)";
 
 const automata::Scenario& selected(const automata::Document& document, const Options& options) {
   std::vector<std::string_view> names;

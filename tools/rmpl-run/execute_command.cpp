@@ -70,7 +70,7 @@ std::unique_ptr<runtime::Channel> make_channel(const Options& options) {
   const std::string token = options.token.empty() ? "" : read_token(options.token);
   auto channel = std::make_unique<ListeningPlant>(options.address, options.remote, token, interrupted);
   tell("waiting for a plant at " + channel->address());
-  channel->await_first();
+  channel->await_first(options.run.give_up);
   return channel;
 }
 
@@ -100,15 +100,21 @@ ExitStatus run(const Options& options, const Common& common) {
                                      exact ? options.run.cycle : automata::Ticks{1});
   runtime::Story story(plant, program, column, output_painter(common.color), {},
                        [](const std::string& line) { print(line + "\n"); });
-  if (!common.quiet) observers.push_back(&story);
+  const bool for_programs = common.format == Format::json;
+  if (!common.quiet && !for_programs) observers.push_back(&story);
 
   watch_for_interruption();
   runtime::LiveRun live = options.run;
   live.plant.interrupted = interrupted;
   const auto channel = make_channel(options);
-  const LiveResult result = runtime::run_live(program, plant, *channel, live, observers);
-  if (trace) trace->keep();
-  print(runtime::summary(result, live.give_up));
+  LiveResult result;
+  if (options.address.empty() || channel->connected()) {
+    result = runtime::run_live(program, plant, *channel, live, observers);
+    if (trace) trace->keep();
+  } else {
+    result.end = interrupted() ? LiveResult::End::interrupted : LiveResult::End::abandoned;
+  }
+  print(for_programs ? runtime::to_json(result) : runtime::summary(result, live.give_up));
   return status_of(result.end);
 }
 
@@ -160,6 +166,7 @@ void add_execute(Program& program) {
       "what the trace tells: cycles in which something changes, every cycle,\n"
       "or every cycle with all states that are tracked (default: changes)");
   add_engines(*command, options->run.engines);
+  add_format(*command, program.common());
   command->add_option("--main", options->main, "the definition to run, where several are called by no other")
       ->option_text("NAME");
   command->footer(footer);

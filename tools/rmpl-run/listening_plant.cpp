@@ -11,9 +11,12 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <thread>
@@ -27,6 +30,7 @@ namespace {
 
 constexpr automata::Ticks patience_with_token = automata::Ticks::of_seconds(5);
 constexpr std::size_t longest_token = 4096;
+constexpr std::size_t most_candidates = 64;
 
 [[noreturn]] void fail(const std::string& address, const std::string& what) {
   throw base::InputError("--listen: " + address + ": " + what);
@@ -107,6 +111,11 @@ void ListeningPlant::listen_on_path(const std::string& path) {
 }
 
 void ListeningPlant::listen_on_network(const std::string& host, const std::string& port, bool remote) {
+  std::uint16_t number = 0;
+  const auto [end, problem] = std::from_chars(port.data(), port.data() + port.size(), number);
+  if (problem != std::errc{} || end != port.data() + port.size()) {
+    fail(address_, "'" + port + "' is no port; expected a number from 0 to 65535");
+  }
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
@@ -126,9 +135,12 @@ void ListeningPlant::listen_on_network(const std::string& host, const std::strin
   address_ += port_of(listener_.number());
 }
 
-void ListeningPlant::await_first() {
+void ListeningPlant::await_first(automata::Ticks patience) {
   std::string nothing;
-  while (!connected() && !interrupted()) wait(now() + automata::Ticks::of_seconds(1), false, nothing);
+  restart_clock();
+  while (!connected() && !interrupted() && now() < patience) {
+    wait(std::min(patience, now() + automata::Ticks::of_seconds(1)), false, nothing);
+  }
   restart_clock();
 }
 
@@ -137,49 +149,69 @@ void ListeningPlant::revive(std::uint64_t /*cycles*/, automata::Ticks until) {
   wait(until, false, nothing);
 }
 
-int ListeningPlant::awaited() {
-  if (candidate_.open() && now() >= candidate_until_) turn_away("showed no token in time");
-  return candidate_.open() ? candidate_.number() : listener_.number();
+void ListeningPlant::await_also(std::vector<int>& descriptors) {
+  std::erase_if(candidates_, [&](const Candidate& candidate) {
+    const bool late = now() >= candidate.until;
+    if (late) turn_away("showed no token in time");
+    return late;
+  });
+  descriptors.push_back(listener_.number());
+  for (const Candidate& candidate : candidates_) descriptors.push_back(candidate.socket.number());
 }
 
 bool ListeningPlant::look_for_another() {
-  if (candidate_.open()) return admit();
-  Descriptor socket(accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
-  if (!socket.open()) return false;
-  if (token_.empty()) return take(std::move(socket));
-  candidate_ = std::move(socket);
-  candidate_until_ = now() + patience_with_token;
-  return false;
+  if (token_.empty()) {
+    Descriptor socket(accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    return socket.open() && take(std::move(socket));
+  }
+  accept_all();
+  bool came = false;
+  std::erase_if(candidates_, [&](Candidate& candidate) {
+    const Impression impression = came ? Impression::none : look_at(candidate);
+    if (impression == Impression::admitted) came = take(std::move(candidate.socket));
+    return impression != Impression::none;
+  });
+  // A first line that has begun to come can be read at any time: its rest is not waited for in haste.
+  if (!came && !candidates_.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return came;
+}
+
+void ListeningPlant::accept_all() {
+  for (std::size_t i = 0; i < most_candidates; ++i) {
+    Descriptor socket(accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    if (!socket.open()) return;
+    if (candidates_.size() == most_candidates) {
+      turn_away("showed no token before others came");
+      candidates_.erase(candidates_.begin());
+    }
+    candidates_.push_back({std::move(socket), now() + patience_with_token});
+  }
 }
 
 /// Looks at what the candidate sent, and takes no more of it than the first line.
-bool ListeningPlant::admit() {
+ListeningPlant::Impression ListeningPlant::look_at(Candidate& candidate) {
   std::array<char, longest_token + 2> buffer;
-  const ssize_t seen = recv(candidate_.number(), buffer.data(), buffer.size(), MSG_PEEK | MSG_DONTWAIT);
-  if (seen < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+  const int socket = candidate.socket.number();
+  const ssize_t seen = recv(socket, buffer.data(), buffer.size(), MSG_PEEK | MSG_DONTWAIT);
+  if (seen < 0 && (errno == EAGAIN || errno == EINTR)) return Impression::none;
   if (seen <= 0) {
     turn_away("showed no token");
-    return false;
+    return Impression::rejected;
   }
   std::string_view text(buffer.data(), static_cast<std::size_t>(seen));
   const std::size_t end = text.find('\n');
-  if (end == std::string_view::npos && text.size() < buffer.size()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the rest is under way
-    return false;
-  }
+  if (end == std::string_view::npos && text.size() < buffer.size()) return Impression::none;  // the rest is under way
   text = text.substr(0, end);
   if (text.ends_with('\r')) text.remove_suffix(1);
   if (!same(text, token_)) {
     turn_away("showed a wrong token");
-    return false;
+    return Impression::rejected;
   }
-  if (recv(candidate_.number(), buffer.data(), end + 1, MSG_DONTWAIT) < 0) return false;
-  return take(std::move(candidate_));
+  return recv(socket, buffer.data(), end + 1, MSG_DONTWAIT) < 0 ? Impression::none : Impression::admitted;
 }
 
 /// Told at the first, second, fourth, … time: who knocks on and on does not fill the log.
 void ListeningPlant::turn_away(const char* why) {
-  candidate_.close();
   ++turned_away_;
   if ((turned_away_ & (turned_away_ - 1)) != 0) return;
   tell("a connection " + std::string(why) + " and was closed; " + std::to_string(turned_away_) + " so far");

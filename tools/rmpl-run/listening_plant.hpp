@@ -3,13 +3,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tools/rmpl-run/live_socket.hpp"
 
 namespace rmpl::tools {
 
 /// One plant at a time; the newest takes the place of the one before. With a token, a connection is a plant once its
-/// first line is the token, which has five seconds to come.
+/// first line is the token, which has five seconds to come. Of those that have not shown one yet sixty-four may wait;
+/// one more takes the place of the first.
 class ListeningPlant final : public LiveSocket {
  public:
   /// `address` is `unix:PATH` or `tcp:HOST:PORT`; `token` is empty where none is wanted. Throws base::InputError where
@@ -19,8 +21,8 @@ class ListeningPlant final : public LiveSocket {
   ListeningPlant(const ListeningPlant&) = delete;
   ListeningPlant& operator=(const ListeningPlant&) = delete;
 
-  /// Waits for the first plant, with which time begins, or for an interruption.
-  void await_first();
+  /// Waits for the first plant, with which time begins, for `patience` at most or until an interruption.
+  void await_first(automata::Ticks patience);
   void revive(std::uint64_t cycles, automata::Ticks until) override;
   [[nodiscard]] std::string reason() const override { return reason_; }
   /// Where it listens: with the port that the system chose, if 0 was asked for.
@@ -31,8 +33,15 @@ class ListeningPlant final : public LiveSocket {
   void listen_on_network(const std::string& host, const std::string& port, bool remote);
   void on_gone() override { reason_ = "it closed the connection"; }
   bool look_for_another() override;
-  [[nodiscard]] int awaited() override;
-  bool admit();
+  void await_also(std::vector<int>& descriptors) override;
+  /// Who has connected, and has not shown its token yet.
+  struct Candidate {
+    Descriptor socket;
+    automata::Ticks until;
+  };
+  enum class Impression { none, admitted, rejected };
+  void accept_all();
+  Impression look_at(Candidate& candidate);
   void turn_away(const char* why);
   bool take(Descriptor socket);
 
@@ -41,8 +50,7 @@ class ListeningPlant final : public LiveSocket {
   std::string token_;
   std::string reason_;
   Descriptor listener_;
-  Descriptor candidate_;  ///< has not shown its token yet
-  automata::Ticks candidate_until_;
+  std::vector<Candidate> candidates_;  ///< in the order in which they came
   std::uint64_t turned_away_ = 0;
 };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/rmpl-run/live_socket.hpp"
 
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -65,20 +64,28 @@ LiveSocket::News LiveSocket::receive(std::string& bytes) {
   return News::gone;
 }
 
+void LiveSocket::gather(bool to_send) {
+  others_.clear();
+  await_also(others_);
+  awaited_.assign(1, {socket_.number(), static_cast<short>(to_send ? POLLIN | POLLOUT : POLLIN), 0});
+  for (const int other : others_) awaited_.push_back({other, POLLIN, 0});
+}
+
 /// The plant that is there comes first: what it sent, and its end, are news before another's arrival.
 LiveSocket::News LiveSocket::wait(automata::Ticks until, bool to_send, std::string& bytes) {
   do {
     const automata::Ticks patience = std::min(slice, until - now());
-    std::array<pollfd, 2> wanted{pollfd{socket_.number(), POLLIN, 0}, pollfd{awaited(), POLLIN, 0}};
-    if (to_send) wanted[0].events |= POLLOUT;
+    gather(to_send);
     const timespec time = time_of(std::max(patience, automata::Ticks{}));
-    if (ppoll(wanted.data(), wanted.size(), &time, nullptr) <= 0) continue;
-    if ((wanted[0].revents & (POLLIN | POLLHUP | POLLERR)) != 0) {
+    if (ppoll(awaited_.data(), awaited_.size(), &time, nullptr) <= 0) continue;
+    if ((awaited_[0].revents & (POLLIN | POLLHUP | POLLERR)) != 0) {
       const News news = receive(bytes);
       if (news != News::none) return news;
     }
-    if ((wanted[0].revents & POLLOUT) != 0) return News::sendable;
-    if (wanted[1].revents != 0 && look_for_another()) return News::connected;
+    if ((awaited_[0].revents & POLLOUT) != 0) return News::sendable;
+    const bool another =
+        std::any_of(awaited_.begin() + 1, awaited_.end(), [](const pollfd& other) { return other.revents != 0; });
+    if (another && look_for_another()) return News::connected;
   } while (now() < until && !interrupted());
   return News::none;
 }

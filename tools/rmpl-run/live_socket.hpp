@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <poll.h>
+
 #include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/executive/live/channel.hpp"
 
@@ -50,17 +53,20 @@ class LiveSocket : public runtime::Channel {
   virtual void on_gone() = 0;
   /// Another plant may have come: looks without waiting, and says whether it is connected now.
   virtual bool look_for_another() { return false; }
-  /// What to wait for besides the plant; -1 where there is nothing.
-  [[nodiscard]] virtual int awaited() { return -1; }
+  /// Adds what to wait for besides the plant.
+  virtual void await_also(std::vector<int>& /*descriptors*/) {}
   [[nodiscard]] bool interrupted() const { return interrupted_(); }
   [[nodiscard]] int socket() const { return socket_.number(); }
 
  private:
   News receive(std::string& bytes);
+  void gather(bool to_send);
 
   std::function<bool()> interrupted_;
   std::chrono::steady_clock::time_point start_;
   Descriptor socket_;
+  std::vector<int> others_;      ///< what is waited for besides it
+  std::vector<pollfd> awaited_;  ///< the socket, then the others
 };
 
 }  // namespace rmpl::tools

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/live/run.hpp"
 
+#include <array>
+
 #include "runtime/executive/cycle/executive.hpp"
 #include "runtime/executive/scenario/engines.hpp"
 #include "runtime/executive/scenario/moment.hpp"
+#include "runtime/executive/trace/json_line.hpp"
 
 namespace rmpl::runtime {
 
@@ -58,6 +61,15 @@ std::string summary(const LiveResult& result, automata::Ticks give_up) {
   }
   return text + moment(result.time) + "; " + std::to_string(result.acknowledged) + " of " +
          std::to_string(result.cycles) + " commands acknowledged\n";
+}
+
+std::string to_json(const LiveResult& result) {
+  static constexpr std::array<const char*, 4> ends{"program", "duration", "interrupted", "abandoned"};
+  JsonLine json;
+  json.open('{').key("end").string(ends.at(static_cast<std::size_t>(result.end)));
+  json.key("cycles").number(result.cycles).key("acknowledged").number(result.acknowledged);
+  json.key("time").seconds(result.time).close('}');
+  return json.text() + "\n";
 }
 
 }  // namespace rmpl::runtime

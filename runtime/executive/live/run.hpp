@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "automata/program.hpp"
@@ -37,5 +38,7 @@ LiveResult run_live(const automata::Program& program, const automata::Plant& mod
 
 /// How it ended, and what became of the commands; ends with a line feed.
 std::string summary(const LiveResult& result, automata::Ticks give_up);
+/// The same for programs (grammar/schema/live_result.schema.json).
+std::string to_json(const LiveResult& result);
 
 }  // namespace rmpl::runtime
