@@ -8,6 +8,7 @@
 
 #include "grammar/editor/expectation.hpp"
 #include "grammar/editor/tokens.hpp"
+#include "grammar/parse/parse.hpp"
 #include "tools/rmplc/server/declaration.hpp"
 #include "tools/rmplc/server/features.hpp"
 #include "tools/rmplc/server/language.hpp"
@@ -124,6 +125,39 @@ std::vector<std::string> without_statement(std::string_view text, const Before& 
   return result;
 }
 
+std::size_t errors_in(grammar::Language language, std::string text) {
+  grammar::Sources sources;
+  grammar::Diagnostics found;
+  const std::uint32_t file = sources.add("", std::move(text));
+  switch (language) {
+    case grammar::Language::rmpl:
+      parse_program(sources, file, found);
+      break;
+    case grammar::Language::tcca:
+      parse_plant(sources, file, found);
+      break;
+    case grammar::Language::scn:
+      parse_scenarios(sources, file, found);
+      break;
+    case grammar::Language::props:
+      parse_properties(sources, file, found);
+      break;
+  }
+  return found.error_count();
+}
+
+/// The first text with the fewest errors.
+std::size_t best_of(grammar::Language language, const std::vector<std::string>& texts) {
+  std::size_t best = 0;
+  std::size_t fewest = std::string::npos;
+  for (std::size_t t = 0; t < texts.size() && fewest > 0; ++t) {
+    const std::size_t errors = errors_in(language, texts[t]);
+    if (errors < fewest) best = t;
+    fewest = std::min(fewest, errors);
+  }
+  return best;
+}
+
 class Completing {
  public:
   Completing(Workspace& workspace, const Spot& spot, grammar::Language language)
@@ -131,7 +165,7 @@ class Completing {
         spot_(spot),
         language_(language),
         before_(spot.source().text().substr(0, spot.offset)),
-        mended_(mended(workspace, spot, before_)),
+        mended_(mended(workspace, spot, language, before_)),
         scopes_(mended_ ? mended_->scopes() : spot.analysis->scopes()) {}
 
   Json run() {
@@ -155,18 +189,14 @@ class Completing {
 
   /// Where the statement that is being written makes the text no text of the language, what is known without it: a
   /// compiler does not follow the imports of such a text.
-  static std::unique_ptr<Analysis> mended(Workspace& workspace, const Spot& spot, const Before& before) {
+  static std::unique_ptr<Analysis> mended(Workspace& workspace, const Spot& spot, grammar::Language language,
+                                          const Before& before) {
     if (spot.analysis->file(spot.file).whole) return nullptr;
     compiler::Provider& texts = workspace.texts();
     compiler::Overlay changed(texts);
-    std::unique_ptr<Analysis> first;
-    for (std::string& text : without_statement(spot.source().text(), before, spot.offset)) {
-      changed.put(spot.source().name(), std::move(text));
-      auto analysis = std::make_unique<Analysis>(spot.analysis->unit(), changed);
-      if (analysis->file(spot.file).whole) return analysis;
-      if (!first) first = std::move(analysis);
-    }
-    return first;
+    std::vector<std::string> texts_without = without_statement(spot.source().text(), before, spot.offset);
+    changed.put(spot.source().name(), std::move(texts_without[best_of(language, texts_without)]));
+    return std::make_unique<Analysis>(spot.analysis->unit(), changed);
   }
 
   /// A word of the grammar; a unit only right behind a number, or where a rate is given by it.
