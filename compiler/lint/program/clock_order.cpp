@@ -3,6 +3,7 @@
 #include "compiler/lint/program/clock_order.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace rmpl::compiler {
 

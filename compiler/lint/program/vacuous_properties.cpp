@@ -85,7 +85,8 @@ void lint_vacuous_properties(const LintInput& input, grammar::Diagnostics& found
     if (vacuity.contradicted.is_true()) continue;
     constexpr std::size_t shown = 4;
     const auto blamed = judge.blame(vacuity.contradicted);
-    // That the constraints alone exclude something may be what is to be checked; what contradicts itself needs no check.
+    // That the constraints alone exclude something may be what is to be checked; what contradicts itself needs no
+    // check.
     const bool excluded = property.claim == PlantProperty::Claim::never && !judge.can_hold(property.formula);
     if (excluded && !blamed.empty()) finding.severity = grammar::Severity::note;
     for (std::size_t b = 0; b < std::min(shown, blamed.size()); ++b) {
