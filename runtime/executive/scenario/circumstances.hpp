@@ -17,4 +17,8 @@ std::string circumstances(const automata::Formula& formula, const CycleRecord& r
 /// Where a program is: its marked primitive locations, no more than two. `when t >= 10 s (entry.rmpl:12)`.
 std::string places(const automata::Marking& marking, const automata::Program& program);
 
+/// What the executive did in a cycle, and why: `cycle 7: engine.cmd = standby for engine = standby, …`; or that it
+/// waited, or was without a plan; or its number alone. Empty for cycle 0.
+std::string deed(const CycleRecord& record, const automata::Plant& plant);
+
 }  // namespace rmpl::runtime

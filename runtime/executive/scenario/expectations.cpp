@@ -113,7 +113,9 @@ void Expectations::observe(const CycleRecord& record, bool ended) {
 }
 
 std::string Expectations::evidence(const Expectation& expectation, const CycleRecord& record) const {
-  return circumstances(expectation.condition, record, step_.plant(), expectation.truth);
+  const std::string what = circumstances(expectation.condition, record, step_.plant(), expectation.truth);
+  const std::string done = deed(record, step_.plant());
+  return what + (what.empty() || done.empty() ? "" : "; ") + done;
 }
 
 void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& record, bool ended) {
