@@ -387,11 +387,13 @@ plant Sink {
              "one before. What was allowed has been mended, or has moved.",
              "// lint: allow RMPL0514 because the threads are on lines of their own\nP() :: { valve = open }",
              "P() :: { valve = open }"},
-    CodeInfo{Code::allowance_without_reason, "allowance that is not understood",
-             "An allowance names codes that lint finds and gives its reason: `// lint: allow RMPL0514 because …`. "
-             "Another comment that begins with `lint:` allows nothing.",
-             "// lint: allow RMPL0514\nP() :: { engine = on; { valve = open, lamp = on } }",
-             "// lint: allow RMPL0514 because the engine comes first\nP() :: { engine = on; valve = open, lamp = on }"},
+    CodeInfo{
+        Code::allowance_without_reason, "allowance that is not understood",
+        "An allowance names codes that lint finds and gives its reason: `// lint: allow RMPL0514 because …`, or the "
+        "same between `/*` and `*/`. "
+        "Another comment that begins with `lint:` allows nothing.",
+        "// lint: allow RMPL0514\nP() :: { engine = on; { valve = open, lamp = on } }",
+        "// lint: allow RMPL0514 because the engine comes first\nP() :: { engine = on; valve = open, lamp = on }"},
 };
 
 }  // namespace
