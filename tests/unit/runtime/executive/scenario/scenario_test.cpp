@@ -219,8 +219,10 @@ TEST(Scenario, WhatFailsSaysWhatWasTheCase) {
                            expects(Kind::eventually, is(mode, ValueId(broken.index()))), expects(Kind::finished)};
   scenario.expectations[2].within = Ticks::of_seconds(1);
   const ScenarioResult result = fly(scenario);
-  EXPECT_EQ(result.judgements[0].evidence, "heater = heating, heater.temp = low");
-  EXPECT_EQ(result.judgements[1].evidence, "heater = on, heater.temp = high");
+  EXPECT_EQ(result.judgements[0].evidence,
+            "heater = heating, heater.temp = low; cycle 1: heater.cmd = on for heater = on, 'heater' to 'on': 'heater' "
+            "from 'off' to 'heating'");
+  EXPECT_EQ(result.judgements[1].evidence, "heater = on, heater.temp = high; cycle 40");
   EXPECT_EQ(result.judgements[2].reason, "not by 1 s");
 }
 
