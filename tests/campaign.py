@@ -55,6 +55,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
         assert [int(row["run"]) for row in rows] == list(range(RUNS)) and len({row["seed"] for row in rows}) == RUNS
         page = pathlib.Path(folder, "alone.html").read_text(encoding="utf-8")
         assert "http" not in page and len(page) < 100_000 and "By component" in page
+        assert "@media (prefers-color-scheme: dark)" in page
 
         several = bench.run("several", *same, "--jobs", "4")
         assert several.returncode == 0 and several.stdout == alone.stdout, several
@@ -104,6 +105,10 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
             assert spread.returncode == 0 and spread.stdout == alone.stdout, spread
             assert bench.csv("spread") == bench.csv("alone")
             once(bench, "spread")
+            # Its terminal is mpirun's, not the user's: no colour.
+            words = [word for word in bench.words("spread", *same, "--jobs", "1") if word not in ("--color", "never")]
+            piped = subprocess.run([*world, *words], capture_output=True, text=True, timeout=120, check=True)
+            assert "\x1b" not in piped.stdout, piped
             # A rank dies: the other does all of it, if mpirun lets it; if not, the same command goes on.
             for name, more in (("recovered", ["--enable-recovery"]), ("ended", [])):
                 words = bench.words(name, "--csv", bench.folder / f"{name}.csv", *same, "--jobs", "1")

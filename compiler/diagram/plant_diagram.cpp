@@ -22,13 +22,16 @@ using style::Align;
 using Side = Wiring::Side;
 
 constexpr std::size_t constraint_width = 44;  // characters of a line of a constraint
+constexpr std::size_t between_width = 30;     // likewise, where the constraint stands in a line between two blocks
 constexpr std::size_t name_size = 11;         // points
-constexpr std::size_t port_size = 9;
-constexpr std::size_t rest_size = 8;
+constexpr std::size_t port_size = 10;
+constexpr std::size_t rest_size = 9;
+constexpr std::size_t half_badge = 8;
+constexpr std::size_t badge_letter = 6;  // about as wide as any letter of a badge
 
 class PlantDiagram {
  public:
-  PlantDiagram(const Plant& plant, std::string_view inside, std::optional<std::size_t> depth);
+  PlantDiagram(const Plant& plant, std::string_view inside, std::optional<std::size_t> depth, Badges badges);
   std::string run();
 
  private:
@@ -37,9 +40,12 @@ class PlantDiagram {
   [[nodiscard]] std::string with_marks(VariableId variable, std::string_view name) const;
   [[nodiscard]] std::string port_rows(const Block& block) const;
   [[nodiscard]] std::string rest_of(const Block& block) const;
+  [[nodiscard]] std::string badge_row(const Block& block) const;
+  [[nodiscard]] std::vector<std::string> constraints_of(const Line& line) const;
   void draw_block(std::size_t position);
   void draw_ports_of(const std::string& module);
   void draw_notes_of(const std::string& module);
+  void draw_constraints_of(const std::string& module);
   void draw_module(const std::string& path, std::set<std::size_t>& drawn);
   void draw_outside();
   void draw_lines();
@@ -49,15 +55,17 @@ class PlantDiagram {
   Blocks blocks_;
   automata::Variables names_;
   Wiring wiring_;
+  Badges badges_;
   std::size_t modules_ = 0;  ///< drawn so far
   DotText dot_;
 };
 
-PlantDiagram::PlantDiagram(const Plant& plant, std::string_view inside, std::optional<std::size_t> depth)
+PlantDiagram::PlantDiagram(const Plant& plant, std::string_view inside, std::optional<std::size_t> depth, Badges badges)
     : plant_(plant),
       blocks_(plant, inside, depth),
       names_(own_names(plant, inside)),
       wiring_(wiring_of(plant, blocks_)),
+      badges_(badges),
       dot_(style::begin(inside.empty() ? std::string_view(plant.name) : inside, "LR")) {}
 
 std::string number(std::size_t position) { return std::to_string(position + 1); }
@@ -79,7 +87,12 @@ std::string PlantDiagram::run() {
   const bool module = !blocks_.inside().empty();
   style::caption(dot_, module ? blocks_.inside() : plant_.name,
                  std::string(module ? "module" : "plant") + " · ▸ commanded · ◉ observed");
-  dot_.set({{"nodesep", dot_value("0.25")}, {"ranksep", dot_value("0.7")}});
+  // What is connected is laid out by itself, one group below the other: Graphviz turns its rows to columns with `LR`.
+  const bool dense = 2 * wiring_.lines.size() > 3 * blocks_.all().size();  // lines side by side need room
+  dot_.set({{"nodesep", dot_value("0.2")},
+            {"ranksep", dot_value(dense ? "0.7" : "0.3")},
+            {"pack", dot_value("12")},
+            {"packmode", dot_value("array_c1")}});
   dot_.defaults("edge", {{"dir", dot_value("none")}});
   std::set<std::size_t> drawn;
   draw_module(blocks_.inside(), drawn);
@@ -89,7 +102,19 @@ std::string PlantDiagram::run() {
   return dot_.finish();
 }
 
-/// `open1 <-> open` where it is clear from the ports what has these values, else all of it.
+/// The formula over two variables alone, the ends of the line.
+Formula over_ends(Formula formula, const Line& line) {
+  const auto end = [&](VariableId variable) { return VariableId(variable == line.from ? 0 : 1); };
+  if (formula.kind == Formula::Kind::member || formula.kind == Formula::Kind::equality) {
+    formula.variable = end(formula.variable);
+  }
+  if (formula.kind == Formula::Kind::equality) formula.other = end(formula.other);
+  for (Formula& operand : formula.operands) operand = over_ends(std::move(operand), line);
+  return formula;
+}
+
+/// `open1 <-> open` where it is clear from the ports what has these values; else with the names of the ports, without
+/// the blocks' where that tells them apart.
 std::string PlantDiagram::text(const Formula& constraint, const Line& line) const {
   const auto is_assignment = [](const Formula& f) { return f.kind == Formula::Kind::member && f.values.size() == 1; };
   const auto& sides = constraint.operands;
@@ -98,7 +123,16 @@ std::string PlantDiagram::text(const Formula& constraint, const Line& line) cons
     const std::string second = names_.value({sides[1].variable, sides[1].values[0]});
     return sides[0].variable == line.from ? first + " <-> " + second : second + " <-> " + first;
   }
-  return to_text(constraint, names_);
+  automata::Variables ends;
+  for (const VariableId variable : {line.from, line.to}) {
+    automata::Variable end = plant_.variables[variable];
+    const auto block = blocks_.block_of(variable);
+    if (!block || !is_of(end.name, blocks_.all()[*block].path)) return to_text(constraint, names_);
+    end.name = within(end.name, blocks_.all()[*block].path);
+    if (ends.find(end.name)) return to_text(constraint, names_);
+    ends.add(std::move(end));
+  }
+  return to_text(over_ends(constraint, line), ends);
 }
 
 std::string PlantDiagram::with_marks(VariableId variable, std::string_view name) const {
@@ -141,6 +175,17 @@ std::string PlantDiagram::rest_of(const Block& block) const {
   return commands + (commands.empty() || readings.empty() ? "" : ", ") + readings;
 }
 
+/// Room for the upper half of a badge on the lower edge, as wide as the longest name of a mode.
+std::string PlantDiagram::badge_row(const Block& block) const {
+  if (badges_ == Badges::none) return {};
+  std::size_t letters = 0;
+  if (block.component != nullptr) {
+    for (const automata::Mode& mode : block.component->modes) letters = std::max(letters, mode.name.size());
+  }
+  return R"(<TR><TD COLSPAN="2" HEIGHT=")" + std::to_string(half_badge) + R"(" WIDTH=")" +
+         std::to_string((letters + 2) * badge_letter) + R"("></TD></TR>)";
+}
+
 void PlantDiagram::draw_block(std::size_t position) {
   const Block& block = blocks_.all()[position];
   const bool folded = block.component == nullptr;
@@ -152,6 +197,7 @@ void PlantDiagram::draw_block(std::size_t position) {
   if (const std::string rest = rest_of(block); !rest.empty()) {
     rows += R"(<TR><TD COLSPAN="2">)" + style::in_font(rest, style::faint, rest_size) + "</TD></TR>";
   }
+  rows += badge_row(block);
   const std::string table = std::string("<TABLE BORDER=\"") + (folded ? "2" : "1") +
                             R"(" CELLBORDER="0" CELLSPACING="0" CELLPADDING="3" STYLE="ROUNDED" COLOR=")" +
                             std::string(style::line) + "\" BGCOLOR=\"" +
@@ -198,10 +244,35 @@ void PlantDiagram::draw_notes_of(const std::string& module) {
   }
 }
 
+/// What a line says beside that its ends are equal.
+std::vector<std::string> PlantDiagram::constraints_of(const Line& line) const {
+  std::vector<std::string> texts;
+  for (const std::size_t q : line.interconnections) {
+    const Formula& constraint = plant_.interconnections[q].constraint;
+    if (constraint.kind == Formula::Kind::equality) continue;
+    for (std::string& part : style::wrapped(text(constraint, line), between_width)) texts.push_back(std::move(part));
+  }
+  return texts;
+}
+
+/// The constraints of lines stand in them, as nodes: labels beside them would lie under other lines.
+void PlantDiagram::draw_constraints_of(const std::string& module) {
+  for (const Line& line : wiring_.lines) {
+    if (blocks_.module_of({line.from, line.to}) != module) continue;
+    const std::vector<std::string> texts = constraints_of(line);
+    if (texts.empty()) continue;
+    dot_.node(id_of(line.interconnections),
+              {{"shape", dot_value("plain")},
+               {"fontsize", dot_value(std::to_string(port_size))},
+               {"label", dot_label(style::beside_arrow(style::lines(texts, Align::left)))}});
+  }
+}
+
 /// What is inside of a module: its ports, its blocks, and the modules in it that are open, each in a box.
 void PlantDiagram::draw_module(const std::string& path, std::set<std::size_t>& drawn) {
   draw_ports_of(path);
   draw_notes_of(path);
+  draw_constraints_of(path);
   for (std::size_t b = 0; b < blocks_.all().size(); ++b) {
     const std::string& block = blocks_.all()[b].path;
     if (drawn.contains(b) || !is_of(block, path)) continue;
@@ -243,19 +314,13 @@ std::string PlantDiagram::end_of(VariableId variable) const {
 
 void PlantDiagram::draw_lines() {
   for (const Line& line : wiring_.lines) {
-    std::vector<std::string> texts;
-    for (const std::size_t q : line.interconnections) {
-      const Formula& constraint = plant_.interconnections[q].constraint;
-      if (constraint.kind == Formula::Kind::equality) continue;
-      for (std::string& part : style::wrapped(text(constraint, line), constraint_width)) {
-        texts.push_back(std::move(part));
-      }
+    const std::string id = id_of(line.interconnections);
+    if (constraints_of(line).empty()) {
+      dot_.edge(end_of(line.from), end_of(line.to), {{"id", dot_value(id)}});
+    } else {
+      dot_.edge(end_of(line.from), id + ":w", {});
+      dot_.edge(id + ":e", end_of(line.to), {});
     }
-    DotAttributes attributes{{"id", dot_value(id_of(line.interconnections))}};
-    if (!texts.empty()) {
-      attributes.push_back({"label", dot_label(style::beside_arrow(style::lines(texts, Align::left)))});
-    }
-    dot_.edge(end_of(line.from), end_of(line.to), attributes);
   }
   for (const Note& note : wiring_.notes) {
     const std::string node = id_of(note.interconnections);
@@ -285,15 +350,17 @@ void PlantDiagram::line_up_the_unconnected() {
   std::size_t row = 1;
   while (row * row < alone.size()) ++row;
   for (std::size_t i = 1; i < alone.size(); ++i) {
-    if (i % row == 0) continue;
-    dot_.edge("b" + number(alone[i - 1]), "b" + number(alone[i]), {{"style", dot_value("invis")}});
+    DotAttributes attributes{{"style", dot_value("invis")}};
+    if (i % row == 0) attributes.push_back({"constraint", dot_value("false")});
+    dot_.edge("b" + number(alone[i % row == 0 ? i - row : i - 1]), "b" + number(alone[i]), attributes);
   }
 }
 
 }  // namespace
 
-std::string plant_diagram(const Plant& plant, std::string_view inside, std::optional<std::size_t> depth) {
-  return PlantDiagram(plant, inside, depth).run();
+std::string plant_diagram(const Plant& plant, std::string_view inside, std::optional<std::size_t> depth,
+                          Badges badges) {
+  return PlantDiagram(plant, inside, depth, badges).run();
 }
 
 }  // namespace rmpl::compiler

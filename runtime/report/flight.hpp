@@ -37,6 +37,7 @@ struct Happening {
   std::optional<automata::Ticks> to;  ///< exclusive; nothing where it is of a moment
   std::optional<automata::ComponentId> component;
   std::string text;
+  bool nominal = false;  ///< forced into a mode that is no fault
 };
 
 /// What was asked of the flight, and what came of it.

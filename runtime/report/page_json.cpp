@@ -110,7 +110,9 @@ void write_notes(JsonLine& json, const Flight& flight) {
     json.open('{').key("kind").string(happening.kind).key("from").seconds(happening.from);
     if (happening.to) json.key("to").seconds(*happening.to);
     if (happening.component) json.key("component").number(happening.component->index());
-    json.key("text").string(happening.text).close('}');
+    json.key("text").string(happening.text);
+    if (happening.nominal) json.key("nominal").boolean(true);
+    json.close('}');
   }
   json.close(']').key("asked").open('[');
   for (const Asked& asked : flight.asked) {

@@ -9,6 +9,7 @@
 #include "automata/place.hpp"
 #include "runtime/executive/scenario/moment.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
+#include "runtime/executive/trace/forced.hpp"
 #include "runtime/reasoning/reconfigure/outcome.hpp"
 
 namespace rmpl::runtime {
@@ -141,7 +142,8 @@ void Recorder::note_events(const CycleRecord& record) {
     }
     open_.emplace_back(event, flight_.happenings.size());
     flight_.happenings.push_back({std::string(runtime::name_of(event.kind)), at_start ? record.start : record.time,
-                                  std::nullopt, event.component, std::move(text)});
+                                  std::nullopt, event.component, std::move(text),
+                                  is_forced_as_nominal(event, record, plant_)});
   }
 }
 

@@ -135,6 +135,100 @@ def check_search(browser: webdriver.Browser) -> None:
     browser.run("globalThis.flightReport.search(''); document.activeElement.blur()")
 
 
+def written(browser: webdriver.Browser) -> list[dict]:
+    """What stands in the canvas of the rows, and where."""
+    return browser.run("""const r = globalThis.flightReport.timeline, pen = r.pen, texts = [];
+        pen.fillText = (text, x, y) => texts.push({text, x, y: y + r.scroll.scrollTop, room: r.labels + r.width - x});
+        r.draw(); delete pen.fillText; return texts""")
+
+
+def check_drawn(browser: webdriver.Browser, root: pathlib.Path, programs: pathlib.Path, folder: pathlib.Path) -> None:
+    """A landing in which the belief changes: labels of bars, busy, and the plant with its badges."""
+    page = folder / "drawn.html"
+    run([programs / "rmpl-run", "scenario", "-q", root / "examples/mars-edl/mars_edl.scn", "--only", "landing, drawn from the model",
+         "--report", page])
+    browser.open(page.as_uri())
+    browser.wait("document.documentElement.dataset.ready")
+    # The first cycle of the fault is believed less than the hours after it: one bar to the reader, one label.
+    assert sum(text["text"] == "resettable" for text in written(browser)) == 1
+    shares = browser.run("return globalThis.flightReport.timeline.shown.find(r => r.label === 'PDE').runs.map(r => r.spans.length)")
+    assert max(shares) > 1, shares
+    browser.press("b")
+    state = browser.run("const {cursor, view} = globalThis.flightReport; return [view.from, cursor, view.to]")
+    assert state == sorted(state), state
+    assert sum(text["text"] == "inertial" for text in written(browser)) == 1
+    # A cursor out of sight is pointed to.
+    axis = """const r = globalThis.flightReport, t = r.timeline, texts = []; r.setView(...arguments);
+        t.axisPen.fillText = text => texts.push(text); t.draw(); delete t.axisPen.fillText;
+        return texts.includes(document.getElementById('now').textContent)"""
+    assert browser.run(axis, 0, 60) and not browser.run(axis, 0, 17000)
+    browser.run("document.getElementById('tab-plant').click(); document.getElementById('whole').click()")
+    check_plant(browser)
+
+
+# What overlaps: badges with texts of ports, and texts that stand in lines with lines.
+OVERLAPS = """const drawing = globalThis.flightReport.drawings[1], apart = (a, b) =>
+  a.right <= b.left + 1 || b.right <= a.left + 1 || a.bottom <= b.top + 1 || b.bottom <= a.top + 1;
+const pane = drawing.pane.getBoundingClientRect(), bad = [];
+const texts = [...drawing.svg.querySelectorAll('g.node text')].filter(t => !t.closest('.badge'));
+for (const badge of drawing.svg.querySelectorAll('.badge')) {
+  const box = badge.getBoundingClientRect();
+  if (box.left < pane.left || box.right > pane.right || box.bottom > pane.bottom) bad.push('cut off: ' + badge.textContent);
+  for (const text of texts) if (!apart(box, text.getBoundingClientRect())) bad.push(badge.textContent + ' on ' + text.textContent);
+}
+for (const path of drawing.svg.querySelectorAll('g.edge path')) {
+  const matrix = path.getScreenCTM(), long = path.getTotalLength();
+  for (let at = 0; at <= long; at += 2) {
+    const p = path.getPointAtLength(at).matrixTransform(matrix);
+    for (const text of texts) {
+      const box = text.getBoundingClientRect();
+      if (p.x > box.left && p.x < box.right && p.y > box.top + 2 && p.y < box.bottom - 2) bad.push('a line through ' + text.textContent);
+    }
+  }
+}
+return bad"""
+
+
+def check_plant(browser: webdriver.Browser) -> None:
+    assert browser.run(OVERLAPS) == []
+    # Ports are of ten points: legible, where all of the plant is seen at once.
+    assert browser.run("return 10 / globalThis.flightReport.drawings[1].scale()") > 7
+    # Where the whole cannot be read, what is chosen is shown so that it can be.
+    browser.run("const d = globalThis.flightReport.drawings[1]; d.pane.style.maxHeight = '200px'; globalThis.flightReport.choose(-1);"
+                "globalThis.flightReport.choose(globalThis.flightReport.flight.model.components.findIndex(c => c.name === 'engine'))")
+    seen = browser.run("""const d = globalThis.flightReport.drawings[1], p = d.pane.getBoundingClientRect(),
+        b = d.badges.find(b => b.path === 'engine').group.getBoundingClientRect();
+        return [1 / d.scale(), b.left >= p.left && b.right <= p.right && b.top >= p.top && b.bottom <= p.bottom]""")
+    assert seen[0] > 0.8 and seen[1], seen
+
+
+def check_nominal(browser: webdriver.Browser, root: pathlib.Path, programs: pathlib.Path, folder: pathlib.Path) -> None:
+    """What is forced into a nominal mode is an event; names of flights and failed expectations are easy to find."""
+    scenario = root / "examples/spacecraft-deployment/deployment.scn"
+    page = folder / "deployment.html"
+    run([programs / "rmpl-run", "scenario", "-q", scenario, "--report", page])
+    browser.open(page.as_uri())
+    browser.wait("document.documentElement.dataset.ready")
+    events = browser.run("return globalThis.flightReport.events.filter(e => e.kind === 'forced').map(e => [e.text, e.severe])")
+    assert ["shuttle_signal = signalled", False] in events, events
+    assert browser.run("return globalThis.flightReport.events.filter(e => e.severe).length") == 0
+    assert browser.run("return globalThis.flightReport.cursor") == 0
+    # Nothing in the row or the overview is red.
+    used = browser.run("""const t = globalThis.flightReport.timeline, fault = t.color('fault'), used = [];
+        const color = t.color; t.color = n => (used.push(n), color(n)); const draw = t.draw;
+        t.drawRows(); t.drawOverview(); t.color = color; return used""")
+    assert "fault" not in used and "quiet" in used
+    story = subprocess.run([programs / "rmpl-run", "scenario", scenario, "--only", "antenna first, then the arrays", "--follow",
+                            "--color", "always"], capture_output=True, text=True, timeout=60, check=True).stdout
+    assert "plant     shuttle_signal = signalled" in story, story
+    names = browser.run("return globalThis.flightReport && [...document.querySelectorAll('#flight option')].map(o => o.textContent)")
+    for index in range(len(names)):
+        browser.run("globalThis.flightReport.open(arguments[0])", index)
+        name, title = browser.run("return [globalThis.flightReport.flight.name, document.getElementById('flight').title]")
+        assert name == title and names[index].endswith(name)
+    assert browser.complaints() == []
+
+
 def check_hostile(browser: webdriver.Browser, programs: pathlib.Path, folder: pathlib.Path) -> None:
     for name, text in HOSTILE.items():
         (folder / name).write_text(text)
@@ -146,7 +240,11 @@ def check_hostile(browser: webdriver.Browser, programs: pathlib.Path, folder: pa
     assert browser.run("return document.getElementById('name').textContent").startswith("</script>")
     assert "graphviz" in browser.run("return document.getElementById('pane-program').textContent")
     assert browser.run("return document.getElementById('verdict').textContent") == "failed"
-    # What failed is what is shown first.
+    # What failed is what is shown first, in the list too.
+    browser.run("const r = globalThis.flightReport; r.flight.asked.unshift({text: 'before', verdict: 'met', reason: '', evidence: ''});"
+                "r.panel.buildAsked()")
+    chips = browser.run("return [...document.querySelectorAll('#pane-asked .chip')].map(c => c.textContent)")
+    assert chips == ["failed", "met"], chips
     assert browser.run("return globalThis.flightReport.cursor") == 0.005
     assert browser.complaints() == []
 
@@ -179,6 +277,8 @@ def main() -> int:
         check_flight(browser, page, lines)
         check_hostile(browser, programs, folder)
         check_counterexample(browser, root, programs, folder)
+        check_drawn(browser, root, programs, folder)
+        check_nominal(browser, root, programs, folder)
     print("the report opens, says what the trace says, and the console is silent")
     return 0
 

@@ -199,12 +199,20 @@ std::string CampaignSummary::page(const std::string& heading) const {
 <meta name="color-scheme" content="light dark"><title>)" +
                      escaped(heading) + R"(</title>
 <style>
-body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em }
+:root { color-scheme: light; --paper: #fff; --ink: #1f2328; --quiet: #59636e; --edge: #d8dee4; --shade: #f6f8fa }
+@media (prefers-color-scheme: dark) {
+  :root { color-scheme: dark; --paper: #0f1318; --ink: #e6edf3; --quiet: #9198a1; --edge: #30363d; --shade: #161b22 }
+}
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
+  background: var(--paper); color: var(--ink) }
+h1 { font-size: 1.4em; overflow-wrap: anywhere }
 table { border-collapse: collapse; margin: 2em 0; font-variant-numeric: tabular-nums }
 caption { text-align: left; font-weight: 600; padding-bottom: .4em }
-th, td { text-align: left; font-weight: normal; padding: .25em 1.2em .25em 0; border-bottom: 1px solid #8884 }
+th, td { text-align: left; font-weight: normal; padding: .25em 1.2em .25em 0; border-bottom: 1px solid var(--edge) }
 td, th[scope=row] { white-space: nowrap }
-th[scope=col] { color: GrayText }
+th[scope=col] { color: var(--quiet) }
+tr:hover > * { background: var(--shade) }
+p { color: var(--quiet) }
 </style></head><body>
 <h1>)" + escaped(heading) +
                      "</h1>\n";

@@ -20,7 +20,7 @@ runtime::Drawings draw(const ReportFile::Subject& subject) {
     runtime::Drawings result;
     if (subject.program != nullptr)
       result.program = svg_of(compiler::program_diagram(*subject.program, std::nullopt), way_out);
-    result.plant = svg_of(compiler::plant_diagram(*subject.plant, {}, std::nullopt), way_out);
+    result.plant = svg_of(compiler::plant_diagram(*subject.plant, {}, std::nullopt, compiler::Badges::room), way_out);
     return result;
   } catch (const base::InputError& error) {
     return {{}, {}, error.what()};

@@ -20,6 +20,15 @@ std::string& program() {
   return name;
 }
 
+/// Whether somebody sees what is written there. Under mpirun standard output is a terminal of its own, from which all
+/// goes to wherever mpirun writes: a file, as it may be.
+bool is_seen(int descriptor) {
+  for (const char* rank : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}) {
+    if (std::getenv(rank) != nullptr) return false;
+  }
+  return isatty(descriptor) != 0;
+}
+
 base::Painter painter(Color color, int descriptor) {
   switch (color) {
     case Color::always:
@@ -28,7 +37,7 @@ base::Painter painter(Color color, int descriptor) {
       return {false};
     case Color::automatic: {
       const char* wish = std::getenv("NO_COLOR");
-      return {isatty(descriptor) != 0 && (wish == nullptr || *wish == '\0')};
+      return {is_seen(descriptor) && (wish == nullptr || *wish == '\0')};
     }
   }
   return {false};
@@ -50,7 +59,7 @@ int written(int descriptor, std::string_view text) {
 base::Painter output_painter(Color color) { return painter(color, STDOUT_FILENO); }
 base::Painter error_painter(Color color) { return painter(color, STDERR_FILENO); }
 
-bool output_is_seen() { return isatty(STDOUT_FILENO) != 0; }
+bool output_is_seen() { return is_seen(STDOUT_FILENO); }
 
 void print(std::string_view text) {
   erase_progress();

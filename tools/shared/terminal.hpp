@@ -11,14 +11,15 @@ namespace rmpl::tools {
 
 enum class Color { automatic, always, never };
 
-/// The colours of standard output and of standard error. `automatic` is colour on a terminal, unless NO_COLOR is set.
+/// The colours of standard output and of standard error. `automatic` is colour on a terminal, unless
+/// NO_COLOR is set or mpirun has made the terminal.
 base::Painter output_painter(Color color);
 base::Painter error_painter(Color color);
 
 /// To standard output, at once. Throws base::InputError with the reason where it does not get there in full.
 void print(std::string_view text);
 
-/// Whether standard output is a terminal.
+/// Whether standard output is a terminal that somebody sees, not one of mpirun.
 bool output_is_seen();
 
 /// To standard error, as it is.

@@ -10,6 +10,7 @@
 #include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
+#include "runtime/executive/trace/forced.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -152,7 +153,10 @@ void Story::tell_events(const CycleRecord& record) {
     if (std::find(events_.begin(), events_.end(), event) != events_.end()) continue;
     switch (event.kind) {
       case Event::Kind::forced:
-        line(record.time, "plant", painter_.bad(event.message) + " (the executive is not told)", event.component);
+        line(record.time, "plant",
+             (is_forced_as_nominal(event, record, plant_) ? event.message : painter_.bad(event.message)) +
+                 " (the executive is not told)",
+             event.component);
         break;
       case Event::Kind::goal_conflict:
         line(record.start, "conflict", painter_.bad(event.message), event.component);

@@ -15,7 +15,8 @@ class Drawing {
     const parsed = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
     this.svg = document.importNode(parsed, true);
     const box = this.svg.viewBox.baseVal;
-    this.whole = {x: box.x, y: box.y, width: box.width, height: box.height};
+    const margin = 8;  // a badge hangs over its block
+    this.whole = {x: box.x - margin / 2, y: box.y - margin / 2, width: box.width + margin, height: box.height + 2 * margin};
     this.svg.removeAttribute("width");
     this.svg.removeAttribute("height");
     this.svg.setAttribute("preserveAspectRatio", "xMidYMid meet");
@@ -84,11 +85,16 @@ class Drawing {
     return Math.max(this.box.width / Math.max(frame.width, 1), this.box.height / Math.max(frame.height, 1));
   }
 
+  /** Pixels for a point, at least, in what is followed. */
+  get legible() {
+    return 0.8;
+  }
+
   /** Brings groups into the middle, at a size that can be read, where the whole would be too small. */
   show(groups) {
     const frame = this.svg?.getBoundingClientRect();
     if (!groups.length || !frame?.width) return;
-    const legible = 0.8;  // pixels for a point, at least
+    const {legible} = this;
     if (Math.min(frame.width / this.whole.width, frame.height / this.whole.height) >= legible) return this.fit();
     const boxes = groups.map((group) => boxIn(this.svg, group));
     const left = Math.min(...boxes.map((b) => b.x)), right = Math.max(...boxes.map((b) => b.x + b.width));
@@ -138,19 +144,44 @@ class PlantDrawing extends Drawing {
     }
   }
 
-  mark(flight, time) {
+  mark(flight, time, follow, chosen) {
     if (!this.svg || !this.pane.offsetParent) return;
+    if (follow) this.follow(flight, time, chosen);
     for (const badge of this.badges) {
       const shown = badge.index >= 0 ? [badge.index] : this.model.components.map((c, i) => (c.name.startsWith(badge.path + ".") ? i : -1)).filter((i) => i >= 0);
       const modes = shown.map((c) => [this.model.components[c], flight.modes[c]?.at(time)]).filter(([, mode]) => mode !== undefined);
       const bad = modes.filter(([component, mode]) => isFault(component, mode));
-      const text = badge.index >= 0 ? modes.map(([component, mode]) => component.modes[mode]).join() : bad.map(([component, mode]) => component.name + " = " + component.modes[mode]).join(", ");
+      const text = badge.index >= 0 ? modes.map(([component, mode]) => component.modes[mode]).join() : this.faultsIn(badge.path, bad);
       const tone = bad.length ? "fault" : modes.length ? toneOf(...modes[0]) : "rest";
       if (badge.text === text && badge.tone === tone) continue;
       Object.assign(badge, {text, tone});
       badge.element?.remove();
       badge.element = text ? this.badge(badge.group, text, tone) : null;
     }
+  }
+
+  /** What is amiss in a folded module: its name where there is room for one. */
+  faultsIn(path, bad) {
+    if (bad.length > 1) return bad.length + " faults";
+    return bad.map(([component, mode]) => component.name.slice(path.length + 1) + " = " + component.modes[mode]).join();
+  }
+
+  get legible() {
+    return 0.85;  // its texts are smaller than a program's
+  }
+
+  /** Where to look: at what was chosen last, or what changed last. */
+  follow(flight, time, chosen) {
+    const since = Math.max(...flight.modes.map((track) => track.times[track.find(time)] ?? 0));
+    const changed = flight.modes.flatMap((track, c) => (since > 0 && track.times[track.find(time)] === since ? [c] : []));
+    const seen = chosen >= 0 && chosen !== this.chosen ? [chosen] : since !== this.marked ? changed : null;
+    [this.chosen, this.marked] = [chosen, since];
+    if (!seen) return;
+    const names = seen.map((c) => this.model.components[c].name);
+    const isSeen = (path) => names.some((name) => name === path || name.startsWith(path + "."));
+    const groups = this.badges.filter((badge) => isSeen(badge.path)).map((badge) => badge.group);
+    if (groups.length) this.show(groups);
+    else this.fit();
   }
 
   /** A mode on the lower edge of its block. */

@@ -1,20 +1,23 @@
 // What happens in a flight, in order: read off the tracks, so that nothing is told twice in the data.
 
 const severe = new Set(["fault", "forced", "no-plan", "goal-conflict", "inconsistent", "failed"]);
+/** Whether something is amiss; what a scenario forces into a nominal mode happens as planned. */
+const isSevere = (event) => severe.has(event.kind) && !event.nominal;
 const placeOf = (model, location) => model.locations?.[location]?.place ?? "";
 
-/** All events of a flight: {time, kind, text, component}. Kinds name what they are in the list. */
+/** All events of a flight: {time, kind, text, component, severe}. Kinds name what they are in the list. */
 function eventsOf(flight) {
   const events = [];
   const {model} = flight;
-  const add = (time, kind, text, component = -1) => events.push({time, kind, text, component, order: events.length});
+  const add = (time, kind, text, component = -1, nominal = false) =>
+    events.push({time, kind, text, component, severe: isSevere({kind, nominal}), order: events.length});
   addGoals(flight, add);
   addCommands(flight, add);
   const told = new Set();  // diagnoses that come with their evidence
   for (const event of flight.events) {
     if (event.kind === "irreversible") continue;
     if (event.kind === "fault") told.add(event.component + "@" + event.from);
-    add(event.from, event.kind, event.text, event.component ?? -1);
+    add(event.from, event.kind, event.text, event.component ?? -1, event.nominal);
   }
   flight.modes.forEach((track, c) => {
     const component = model.components[c];

@@ -18,7 +18,7 @@ class State {
     byId("theme").addEventListener("click", () => switchTheme(this));
     const select = byId("flight");
     select.hidden = report.flights.length < 2;
-    byId("name").hidden = report.flights.length > 1;
+    byId("name").classList.toggle("chosen", report.flights.length > 1);
     report.flights.forEach((flight, i) => {
       const option = make("option", "", (flight.verdict ? flight.verdict + ": " : "") + flight.name);
       option.value = i;
@@ -34,6 +34,7 @@ class State {
     this.rows = rowsOf(flight, this.events);
     this.chosen = -1;
     byId("flight").value = index;
+    byId("flight").title = flight.name;
     byId("name").textContent = flight.name;
     byId("verdict").textContent = flight.verdict;
     byId("verdict").className = "chip " + flight.verdict;
@@ -41,6 +42,7 @@ class State {
       flight.model.program ? "program " + flight.model.program : "", "plant " + flight.model.plant,
       flight.cycle > 0 ? "cycle " + clockText(flight.cycle) : "dense time, steps of one moment a nanosecond apart", flight.seed !== undefined ? "seed " + flight.seed : "",
     ].filter(Boolean).join(" \u00b7 ");
+    byId("facts").title = byId("facts").textContent;
     byId("ruler").setAttribute("aria-valuemax", flight.end);
     const {program, plant, missing} = flight.model.drawings;
     byId("tab-program").hidden = !flight.model.program;
@@ -57,7 +59,7 @@ class State {
     this.timeline.build();
     this.fit();
     // What a reviewer asks first: what failed; else what went wrong; else how it began.
-    const first = this.events.find((e) => e.kind === "failed") ?? this.events.find((e) => severe.has(e.kind)) ?? {time: 0};
+    const first = this.events.find((e) => e.kind === "failed") ?? this.events.find((e) => e.severe) ?? {time: 0};
     this.setCursor(first.time, true);
     const at = this.events.find((e) => e.time === first.time && e.component >= 0);
     if (at) this.choose(at.component);
@@ -90,8 +92,13 @@ class State {
     this.timeline.tell();
     this.timeline.draw();
     this.panel.tell();
+    this.mark();
+  }
+
+  mark() {
+    const {flight, cursor} = this;
     const follow = byId("follow").checked;
-    for (const drawing of this.drawings) drawing.mark(flight, cursor, follow);
+    for (const drawing of this.drawings) drawing.mark(flight, cursor, follow, this.chosen);
   }
 
   refollow() {
@@ -104,6 +111,7 @@ class State {
     if (component === this.chosen) return;
     this.chosen = component;
     this.panel.tellCursor();
+    this.mark();
   }
 
   setAll(all) {
@@ -126,7 +134,7 @@ class State {
     this.setView(-this.flight.end * 0.02, this.flight.end * 1.02);
   }
 
-  /** The shortest span in which seven of ten events are. */
+  /** The shortest span in which seven of ten events are, with the cursor in it. */
   fitBusy() {
     const times = this.events.map((event) => event.time);
     const wanted = Math.ceil(times.length * 0.7);
@@ -138,6 +146,7 @@ class State {
     const from = times[best], to = times[best + wanted - 1];
     const margin = Math.max((to - from) * 0.06, this.flight.cycle);
     this.setView(from - margin, to + margin);
+    if (this.cursor < this.view.from || this.cursor > this.view.to) this.setCursor(from);
   }
 
   /** Nearer with a factor below 1, around a time or the cursor. */

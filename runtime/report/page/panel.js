@@ -11,7 +11,7 @@ class Panel {
     const pane = byId("pane-events");
     const events = wanted ?? this.state.events;
     this.list = events.map((event) => {
-      const button = make("button", "event " + event.kind, make("time", "", clockText(event.time)), make("span", "kind", event.kind), make("span", "text", event.text));
+      const button = make("button", "event " + event.kind + (event.severe ? " severe" : ""), make("time", "", clockText(event.time)), make("span", "kind", event.kind), make("span", "text", event.text));
       button.addEventListener("click", () => this.state.goTo(event));
       return {event, button};
     });
@@ -20,10 +20,13 @@ class Panel {
     this.current = undefined;
   }
 
+  /** What was asked, what failed before what is undecided before what was met. */
   buildAsked() {
     const {flight} = this.state;
     const pane = byId("pane-asked");
-    pane.replaceChildren(make("p", "quiet", flight.summary), ...flight.asked.map((asked) => {
+    const rank = {failed: 0, undecided: 1, met: 2};
+    const inOrder = [...flight.asked].sort((a, b) => rank[a.verdict] - rank[b.verdict]);
+    pane.replaceChildren(make("p", "quiet", flight.summary), ...inOrder.map((asked) => {
       const at = asked.time === undefined ? null : make("button", "", clockText(asked.time));
       at?.addEventListener("click", () => this.state.goTo({time: asked.time}));
       const text = make("div", "", make("span", "", asked.text + " "), at);
@@ -101,7 +104,7 @@ class Panel {
       items.push(item);
     });
     for (const event of flight.events) {
-      if (event.to === undefined || event.from > cursor || event.to <= cursor || !severe.has(event.kind)) continue;
+      if (event.to === undefined || event.from > cursor || event.to <= cursor || !isSevere(event)) continue;
       items.push(make("li", "bad", event.kind + ": " + event.text));
     }
     return items.length ? items : [make("li", "quiet", "nothing")];

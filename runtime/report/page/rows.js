@@ -25,9 +25,22 @@ function spanAt(spans, time) {
   return null;
 }
 
+/** Spans that are one but for the belief: {from, to, spans}. */
+function runsOf(spans) {
+  const runs = [];
+  for (const span of spans) {
+    if (!span.goesOn) runs.push({from: span.from, spans: []});
+    const run = runs[runs.length - 1];
+    run.to = span.to;
+    run.spans.push(span);
+  }
+  return runs;
+}
+
 class Row {
   constructor(label, spans, more = {}) {
     Object.assign(this, {label, spans, component: -1, child: false, head: false, marks: null, under: null, children: [], open: false}, more);
+    this.runs = runsOf(spans);
   }
   at(time) {
     return spanAt(this.spans, time);
@@ -118,10 +131,10 @@ function commandsRow(flight) {
 /** All rows of a flight; `quiet` ones never change, and are shown on demand. */
 function rowsOf(flight, events) {
   const {model} = flight;
-  const marks = events.filter((e) => severe.has(e.kind) || e.kind === "met");
-  const spans = flight.events.filter((e) => e.to !== undefined && severe.has(e.kind))
+  const marks = events.filter((e) => e.severe || e.kind === "forced" || e.kind === "met");
+  const spans = flight.events.filter((e) => e.to !== undefined && isSevere(e))
     .map((e) => ({from: e.from, to: e.to, text: "", tone: "fault", share: 0.25, title: e.text}));
-  const rows = [new Row("faults and verdicts", spans, {head: true, marks})];
+  const rows = [new Row("events and verdicts", spans, {head: true, marks})];
   if (flight.goals.length) rows.push(goalsRow(flight));
   if (flight.commands.length) rows.push(commandsRow(flight));
   const goalOf = new Set(flight.goals.values.flat().map(([c]) => c));

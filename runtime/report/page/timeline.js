@@ -257,14 +257,28 @@ class Timeline {
       pen.fillText(clockText(tick, this.ticks.step), Math.min(x + 4, this.scroll.clientWidth - 54), 11);
     }
     const x = this.x(this.state.cursor);
-    if (x >= this.labels - 1) {
-      pen.fillStyle = this.color("accent");
-      pen.beginPath();
-      pen.moveTo(x - 6, 12);
-      pen.lineTo(x + 6, 12);
-      pen.lineTo(x, 23);
-      pen.fill();
-    }
+    pen.fillStyle = this.color("accent");
+    if (x < this.labels - 1 || x > this.labels + this.width + 1) return this.pointToCursor(x < this.labels);
+    pen.beginPath();
+    pen.moveTo(x - 6, 12);
+    pen.lineTo(x + 6, 12);
+    pen.lineTo(x, 23);
+    pen.fill();
+  }
+
+  /** A cursor out of sight: at the edge of the axis on its side, with its time. */
+  pointToCursor(left) {
+    const pen = this.axisPen, edge = left ? this.labels : this.labels + this.width, out = left ? -1 : 1;
+    const text = clockText(this.state.cursor);
+    const wide = pen.measureText(text).width + 22;
+    pen.fillRect(left ? edge : edge - wide, 3, wide, 17);
+    pen.fillStyle = this.color("paper");
+    pen.beginPath();
+    pen.moveTo(edge - out * 4, 11.5);
+    pen.lineTo(edge - out * 11, 6.5);
+    pen.lineTo(edge - out * 11, 16.5);
+    pen.fill();
+    pen.fillText(text, left ? edge + 16 : edge - wide + 6, 12);
   }
 
   drawRows() {
@@ -295,52 +309,54 @@ class Timeline {
   }
 
   drawSpans(row, top) {
-    const pen = this.pen;
     const high = row.height - 7 - (row.under ? 4 : 0);
-    let written = -1;  // the end of the text of spans that are one but for the belief
-    let drawnTo = -1;  // spans narrower than a pixel side by side are one
-    for (const span of row.spans) {
-      if (span.to < this.state.view.from || span.from > this.state.view.to) continue;
-      const left = Math.max(this.labels - 4, this.x(span.from));
-      const right = Math.min(this.labels + this.width + 4, this.x(span.to));
-      const wide = Math.max(right - left, span.tone === "rest" ? 0 : 3);
-      if (left + wide < drawnTo + 0.5 && wide <= 3) continue;
-      drawnTo = left + wide;
-      pen.globalAlpha = span.title ? span.share : 0.16 + 0.84 * span.share;
-      pen.fillStyle = this.color(span.tone);
-      pen.beginPath();
-      pen.roundRect(left, top + 3.5, Math.max(wide - 0.5, 0.5), high, Math.min(3, wide / 2));
-      pen.fill();
-      pen.globalAlpha = 1;
-      const start = Math.max(left, this.labels);
-      if (start < written) continue;
-      const end = this.endOf(row, span);
-      if (end - start > 26) this.write(span, start + 6, top + 3.5 + high / 2, end - 10);
-      written = end;
+    this.drawnTo = -1;  // spans narrower than a pixel side by side are one
+    for (const run of row.runs) {
+      if (run.to < this.state.view.from || run.from > this.state.view.to) continue;
+      let widest = null, most = -1;
+      for (const span of run.spans) {
+        if (span.to < this.state.view.from || span.from > this.state.view.to) continue;
+        const wide = this.drawSpan(span, top + 3.5, high);
+        if (wide > most) [widest, most] = [span, wide];
+      }
+      const start = Math.max(this.labels, this.x(run.from)), end = Math.min(this.labels + this.width, this.x(run.to));
+      if (widest && end - start > 26) this.write(widest, start + 6, top + 3.5 + high / 2, end - 6);
     }
     if (row.under) this.drawTruth(row, top + row.height - 6.5);
   }
 
-  /** Where the last of the spans ends that are one but for the belief. */
-  endOf(row, span) {
-    let to = span.to;
-    for (let i = row.spans.indexOf(span) + 1; i < row.spans.length && row.spans[i].goesOn; ++i) to = row.spans[i].to;
-    return Math.min(this.labels + this.width, this.x(to));
+  /** Gives how wide the span is on the screen. */
+  drawSpan(span, top, high) {
+    const pen = this.pen;
+    const left = Math.max(this.labels - 4, this.x(span.from));
+    const right = Math.min(this.labels + this.width + 4, this.x(span.to));
+    const wide = Math.max(right - left, span.tone === "rest" ? 0 : 3);
+    if (left + wide < this.drawnTo + 0.5 && wide <= 3) return right - left;
+    this.drawnTo = left + wide;
+    pen.globalAlpha = span.title ? span.share : 0.16 + 0.84 * span.share;
+    pen.fillStyle = this.color(span.tone);
+    pen.beginPath();
+    pen.roundRect(left, top, Math.max(wide - 0.5, 0.5), high, Math.min(3, wide / 2));
+    pen.fill();
+    pen.globalAlpha = 1;
+    return right - left;
   }
 
+  /** The text of a span between two places, shortened where it has to be. */
   write(span, x, y, end) {
     const pen = this.pen;
-    if (end - x < 16) return;
-    pen.save();
-    pen.beginPath();
-    pen.rect(x, y - 10, end - x + 6, 20);
-    pen.clip();
     pen.font = "11.5px " + this.color("font");
     pen.textBaseline = "middle";
+    let text = span.text, wide = pen.measureText(text).width;
+    while (wide > end - x) {
+      const kept = Math.min(text.length - 2, Math.floor((text.length * (end - x)) / wide));
+      if (kept < 3) return;
+      text = text.slice(0, kept).trimEnd() + "\u2026";
+      wide = pen.measureText(text).width;
+    }
     const ink = {fault: "fault-ink", rest: "rest-ink", accent: "paper", warn: "paper"}[span.tone] ?? "m-ink";
     pen.fillStyle = this.color(span.share < 0.4 ? "ink" : ink);
-    pen.fillText(span.text, x, y + 0.5);
-    pen.restore();
+    pen.fillText(text, x, y + 0.5);
   }
 
   /** The truth as a thin line below the estimate: bright where they differ. */
@@ -357,13 +373,13 @@ class Timeline {
 
   drawMarks(marks, y, height) {
     const pen = this.pen;
-    for (const mark of [...marks].sort((a, b) => severe.has(a.kind) - severe.has(b.kind))) {
+    for (const mark of [...marks].sort((a, b) => a.severe - b.severe)) {
       const x = this.x(mark.time);
       if (x < this.labels - 8 || x > this.labels + this.width + 8) continue;
       const good = mark.kind === "met";
-      pen.fillStyle = this.color(good ? "good" : "fault");
+      pen.fillStyle = this.color(good ? "good" : mark.severe ? "fault" : "quiet");
       pen.strokeStyle = pen.fillStyle;
-      if (!good) {
+      if (mark.severe) {
         pen.globalAlpha = 0.35;
         pen.setLineDash([3, 3]);
         pen.beginPath();
@@ -409,7 +425,7 @@ class Timeline {
     pen.fillStyle = this.color("quiet");
     pen.fillText(clockText(flight.end), 8, 17);
     for (const event of events) {
-      const bad = severe.has(event.kind);
+      const bad = event.severe;
       pen.fillStyle = this.color(bad ? "fault" : event.kind === "met" ? "good" : event.kind === "goal" ? "warn" : "quiet");
       pen.globalAlpha = bad ? 1 : 0.45;
       const high = bad ? 26 : event.kind === "goal" ? 18 : 12;
