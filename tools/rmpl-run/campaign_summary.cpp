@@ -89,7 +89,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string table(const std::string& caption, const std::vector<Row>& rows, bool head) {
-  std::string text = "<table><caption>" + escaped(caption) + "</caption>\n";
+  std::string text = "<div><table><caption>" + escaped(caption) + "</caption>\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
     text += "<tr>";
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
@@ -103,7 +103,7 @@ std::string table(const std::string& caption, const std::vector<Row>& rows, bool
     }
     text += "</tr>\n";
   }
-  return text + "</table>\n";
+  return text + "</table></div>\n";
 }
 
 std::string seconds(const std::optional<Ticks>& time) { return time ? automata::format_seconds(*time) : ""; }
@@ -211,6 +211,7 @@ caption { text-align: left; font-weight: 600; padding-bottom: .4em }
 th, td { text-align: left; font-weight: normal; padding: .25em 1.2em .25em 0; border-bottom: 1px solid var(--edge) }
 td, th[scope=row] { white-space: nowrap }
 th[scope=col] { color: var(--quiet) }
+div { overflow-x: auto }
 tr:hover > * { background: var(--shade) }
 p { color: var(--quiet) }
 </style></head><body>

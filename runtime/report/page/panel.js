@@ -26,7 +26,8 @@ class Panel {
     const pane = byId("pane-asked");
     const rank = {failed: 0, undecided: 1, met: 2};
     const inOrder = [...flight.asked].sort((a, b) => rank[a.verdict] - rank[b.verdict]);
-    pane.replaceChildren(make("p", "quiet", flight.summary), ...inOrder.map((asked) => {
+    const name = make("b", "", report.flights.length > 1 ? flight.name : "");
+    pane.replaceChildren(name, make("p", "quiet", flight.summary), ...inOrder.map((asked) => {
       const at = asked.time === undefined ? null : make("button", "", clockText(asked.time));
       at?.addEventListener("click", () => this.state.goTo({time: asked.time}));
       const text = make("div", "", make("span", "", asked.text + " "), at);
