@@ -110,13 +110,16 @@ CompiledFormula compile_formula(std::string_view text, const automata::ModelProg
   return formula_over(text, program, where);
 }
 
-CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where) {
+namespace {
+
+template <class Model>
+CompiledAssignments assignments_over(std::string_view text, const Model& model, std::string_view where) {
   CompiledAssignments result;
   auto& [sources, diagnostics] = result.findings;
   const std::uint32_t file = sources.add(std::string(where), std::string(text));
   const auto texts = grammar::parse_assignments(sources, file, diagnostics);
   if (texts.whole) {
-    Resolver resolver = resolver_of(plant.variables, owner(plant), result.findings);
+    Resolver resolver = resolver_of(model.variables, owner(model), result.findings);
     auto& assignments = result.assignments.emplace();
     for (const grammar::AssignmentText& one : texts.tree) {
       if (const auto assignment = resolver.assignment(one.variable, one.value)) assignments.push_back(*assignment);
@@ -124,6 +127,17 @@ CompiledAssignments compile_assignments(std::string_view text, const automata::P
   }
   if (diagnostics.has_errors()) result.assignments.reset();
   return result;
+}
+
+}  // namespace
+
+CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where) {
+  return assignments_over(text, plant, where);
+}
+
+CompiledAssignments compile_assignments(std::string_view text, const automata::ModelProgram& program,
+                                        std::string_view where) {
+  return assignments_over(text, program, where);
 }
 
 CompiledProperties compile_properties(const std::string& path, const automata::Plant& plant, bool under_program) {

@@ -84,6 +84,8 @@ struct CompiledAssignments {
   grammar::Findings findings;
 };
 CompiledAssignments compile_assignments(std::string_view text, const automata::Plant& plant, std::string_view where);
+CompiledAssignments compile_assignments(std::string_view text, const automata::ModelProgram& program,
+                                        std::string_view where);
 
 /// A file of properties (`.props`; `-` is standard input) over a plant, and over a program that controls it where there
 /// is one: `under_program`. Where it is wrong, `properties` is empty and `findings` says why. Throws base::InputError

@@ -152,6 +152,9 @@ const std::vector<Output> outputs = {
     {"Diagnoses",
      "rmpl-run diagnose {examples}/propulsion/propulsion.tcca --observe 'engine.thrust = zero' --format json",
      "diagnoses"},
+    {"DiagnosesOfAModel",
+     "rmpl-run diagnose {examples}/rover-camera/rover.tcca --observe 'power.current = none' --format json",
+     "diagnoses"},
     {"ScenarioResult", "rmpl-run scenario {examples}/propulsion/burn.scn --format json", "scenario_result"},
     {"Trace",
      "rmpl-run scenario {examples}/propulsion/burn.scn --only 'fire and stop' --trace trace.jsonl > story.txt; cat "

@@ -13,6 +13,7 @@
 #include "runtime/reasoning/diagnose/diagnose.hpp"
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/competition.hpp"
+#include "tools/rmpl-run/diagnose_model.hpp"
 #include "tools/shared/models.hpp"
 
 namespace rmpl::tools {
@@ -33,6 +34,9 @@ struct Options {
 constexpr const char* footer =
     R"(Every component is in some mode; a diagnosis names those that are in a fault mode, and all others are
 nominal. It is consistent with the observations and the model. Best first is by prior probability.
+Of a model program, or a plant that holds one, a diagnosis names what is marked in the threads that took
+an improbable draw: a branch that another one of its choose is likelier than, or a fault. The probability
+is that of these draws. Nothing is known of what was before; for that, use estimate --window.
 
 exit code: 0 done; 2 an input is wrong
 
@@ -95,9 +99,24 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
   return text;
 }
 
+/// A model program, or a plant that holds one, is diagnosed by its threads.
+ExitStatus run_model(const automata::ModelProgram& program, const Options& options, const Common& common) {
+  const runtime::DiagnoseOptions& search = options.search;
+  if (search.all_minimal || search.first || search.count_only || !options.scenario.empty()) {
+    throw base::InputError(options.plant +
+                           ": --all-minimal, --first, --count and --scenario are about plants of components, "
+                           "and this is, or holds, a model program");
+  }
+  return diagnose_model(program, options.plant, assignments_option(options.observe, program, "--observe", common),
+                        search.k, search.ratio, options.stats, common);
+}
+
 ExitStatus run(Options options, const Common& common) {
   check_standard_input({options.plant, options.scenario});
   const compiler::Compilation compilation = load({options.plant}, common);
+  if (is_model_program(compilation.document())) {
+    return run_model(only_model_program(compilation.document(), options.plant), options, common);
+  }
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   const auto observation = options.scenario.empty() ? assignments_option(options.observe, plant, "--observe", common)
                                                     : competition_observation(options.scenario, plant);
@@ -131,7 +150,8 @@ ExitStatus run(Options options, const Common& common) {
 void add_diagnose(Program& program) {
   CLI::App* command = program.app().add_subcommand("diagnose", "find the faults that explain one snapshot");
   const auto options = std::make_shared<Options>();
-  command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
+  command->add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
+      ->required();
   CLI::Option* observe = command->add_option("--observe", options->observe, "what is seen: attributes and their values")
                              ->option_text("'x = v, ...'");
   CLI::Option* readings =
@@ -155,7 +175,8 @@ void add_diagnose(Program& program) {
   add_format(*command, program.common());
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
   command->footer(footer);
-  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
+  program.add({command,
+               [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});
 }
 
 }  // namespace rmpl::tools

@@ -35,8 +35,8 @@ const auto& only(const Things& things, const automata::Document& document, const
   const std::string expected = std::string("expected one ") + what + ", as in a " + ending + " file";
   if (things.empty() && !document.models.empty()) {
     throw base::InputError(paths + ": " + expected + ", and '" + document.models.front().name +
-                           "' is, or holds, a model program, which rmpl-run estimate and scenario --commands, "
-                           "tcca-check reachability and safety take");
+                           "' is, or holds, a model program, which rmpl-run estimate, diagnose and scenario "
+                           "--commands, tcca-check reachability and safety take");
   }
   if (things.empty()) throw base::InputError(paths + ": " + expected + ", and there is none in it");
   throw base::InputError(paths + ": " + expected + ", and there are " + std::to_string(things.size()));
@@ -88,9 +88,12 @@ automata::Formula formula_option(const std::string& text, const automata::ModelP
   return formula_over(text, program, where, common);
 }
 
-std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::Plant& plant,
-                                                     std::string_view where, const Common& common) {
-  auto compiled = compiler::compile_assignments(text, plant, where);
+namespace {
+
+template <class Model>
+std::vector<automata::Assignment> assignments_over(const std::string& text, const Model& model, std::string_view where,
+                                                   const Common& common) {
+  auto compiled = compiler::compile_assignments(text, model, where);
   tell_findings(compiled.findings, common);
   if (!compiled.assignments) throw Rejected{};
   std::vector<automata::Assignment> assignments = std::move(*compiled.assignments);
@@ -99,11 +102,23 @@ std::vector<automata::Assignment> assignments_option(const std::string& text, co
   const auto twice = std::adjacent_find(assignments.begin(), assignments.end(),
                                         [](const auto& a, const auto& b) { return a.variable == b.variable; });
   if (twice != assignments.end()) {
-    throw base::InputError(std::string(where) + ": '" + plant.variables.name(twice->variable) +
-                           "' is given two values, '" + plant.variables.value(*twice) + "' and '" +
-                           plant.variables.value(*(twice + 1)) + "'");
+    throw base::InputError(std::string(where) + ": '" + model.variables.name(twice->variable) +
+                           "' is given two values, '" + model.variables.value(*twice) + "' and '" +
+                           model.variables.value(*(twice + 1)) + "'");
   }
   return assignments;
+}
+
+}  // namespace
+
+std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::Plant& plant,
+                                                     std::string_view where, const Common& common) {
+  return assignments_over(text, plant, where, common);
+}
+
+std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::ModelProgram& program,
+                                                     std::string_view where, const Common& common) {
+  return assignments_over(text, program, where, common);
 }
 
 void check_standard_input(const std::vector<std::string>& paths) {

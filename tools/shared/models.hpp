@@ -40,6 +40,8 @@ automata::Formula formula_option(const std::string& text, const automata::ModelP
                                  const Common& common);
 std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::Plant& plant,
                                                      std::string_view where, const Common& common);
+std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::ModelProgram& program,
+                                                     std::string_view where, const Common& common);
 
 /// Throws base::InputError where more than one of the paths is `-`: standard input can be read once.
 void check_standard_input(const std::vector<std::string>& paths);
