@@ -99,6 +99,9 @@ std::string blanked(std::string_view text, std::size_t begin, std::uint32_t offs
   return rest;
 }
 
+/// How many braces around it may belong to what is being written: each makes texts that are parsed.
+constexpr std::size_t most_levels = 8;
+
 /// The text without the statement that is being written: what holds it in braces may be no statement without it, so
 /// innermost first, what might be meant; each also with what is open closed at the end, where all is yet to be written.
 std::vector<std::string> without_statement(std::string_view text, const Before& before, std::uint32_t offset) {
@@ -118,7 +121,8 @@ std::vector<std::string> without_statement(std::string_view text, const Before& 
   std::size_t inner = 0;
   for (std::size_t n = before.tokens.size(); n-- > 0; begin = place(before.tokens[n])) {
     if (before.tokens[n] != "{") continue;
-    add(blanked(text, begin, offset, inner++));
+    if (inner < most_levels) add(blanked(text, begin, offset, inner));
+    ++inner;
     --open;
   }
   add(blanked(text, begin, offset, inner));
