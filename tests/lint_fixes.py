@@ -84,6 +84,8 @@ LEFT = [
      valve(before="// Of the tank.\ndomain Level = { low, high };\n")),
     ("a domain with a comment behind it", "plant.tcca", "RMPL0512",
      valve(before="domain Level = { low, high };  // of the tank\n")),
+    ("a clock of several, with a comment behind them", "main.rmpl", "RMPL0511",
+     own("  clock t, u;  // u is for the second try\n")),
     ("a clock that is started", "main.rmpl", "RMPL0511", own("  clock t, u;\n  u = 0;\n")),
     ("a transition given twice beside another one", "plant.tcca", "RMPL0500",
      valve(transitions=OPEN + OPEN + "  closed -> closed when cmd != none;\n" + CLOSE)),

@@ -25,8 +25,11 @@ class Statement {
     while (last_ + 1 < tokens_.count() && tokens_[last_].text != ";") ++last_;
   }
 
+  /// Whether no comment stands within, right above or right behind but such as go with the statement.
+  bool is_uncommented() { return tokens_[last_].text == ";" && settle_comments(); }
+
   std::vector<Edit> removal(std::uint32_t file) {
-    if (tokens_[last_].text != ";" || !settle_comments()) return {};
+    if (!is_uncommented()) return {};
     const bool alone = tokens_[first_].starts_line && tokens_[last_ + 1].starts_line && !next_on_line_;
     if (!alone && tokens_[first_].starts_line) return {{{file, tokens_[first_].begin, behind()}, ""}};
     if (!alone) return {{{file, end_of(tokens_[first_ - 1]), end_of(tokens_[last_])}, ""}};
@@ -120,9 +123,7 @@ std::vector<Edit> Removals::of_name(Span name) {
   if (token == 0 || token + 2 >= all.count()) return {};
   const std::size_t first = all[token - 1].text == "," ? token - 1 : token;
   if (first == token && all[token + 1].text != ",") return of_statement(name);
-  for (std::size_t t = first; t <= first + 2; ++t) {
-    if (!all.comments_before(t).empty()) return {};
-  }
+  if (!Statement(all, sources_[name.file].text(), token).is_uncommented()) return {};
   if (first < token) return {{{name.file, all[first].begin, end_of(all[token])}, ""}};
   return {{{name.file, all[token].begin, all[token + 2].begin}, ""}};
 }

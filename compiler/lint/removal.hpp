@@ -18,7 +18,7 @@ bool speaks_to_lint(std::string_view comment);
 
 /// The edits that take declarations out. What stands alone on its lines goes with them, and with the comments that
 /// allow findings there; one blank line stays where there was one on either side. There are no edits where another
-/// comment stands within, right above or right behind: nobody but its author knows what it speaks of.
+/// comment stands within the statement, right above or right behind: nobody but its author knows what it speaks of.
 class Removals {
  public:
   /// Refers to the sources.

@@ -41,7 +41,8 @@ plant Tap {
         "No state of the plant satisfies the condition: the domains, the mode constraints and the interconnections "
         "contradict it. A wait for it never ends, a step that depends on it is never reached, and a watch for it "
         "watches nothing. In a model program a condition holds where what is told entails it: this one follows from "
-        "nothing that is told anywhere the program can come to, whatever is commanded. What is seen is not told.",
+        "nothing that is told anywhere the program can come to, whatever is commanded. What is seen is not told. Where "
+        "nothing is told of a variable that a plant may connect, the finding is a note.",
         "P() :: {\n  when engine = on & engine = off donext valve = open\n}",
         "P() :: {\n  when engine = on donext valve = open\n}"},
     CodeInfo{Code::condition_always_holds, "condition always holds",

@@ -13,7 +13,9 @@ using runtime::PlantTrajectory;
 
 namespace {
 
-void write(JsonLine& json, const PlantHistory& history, const automata::Plant& plant) {
+/// With a table, only the clocks that it has for their component and mode: the others are forgotten.
+void write(JsonLine& json, const PlantHistory& history, const automata::Plant& plant,
+           const runtime::ClockTable* clocks) {
   json.key("history").open('[');
   for (const PlantTrajectory& trajectory : history.trajectories) {
     json.open('{').key("probability").number(trajectory.probability).key("trajectory").open('[');
@@ -22,6 +24,7 @@ void write(JsonLine& json, const PlantHistory& history, const automata::Plant& p
       json.open('{').key("time").seconds(history.times[t]).key("modes").modes(state.modes, plant);
       json.key("clocks").open('{');
       for (std::size_t c = 0; c < plant.components.size(); ++c) {
+        if (clocks != nullptr && !(*clocks)[c][state.modes[c].index()]) continue;
         json.key(plant.components[c].name).seconds(history.times[t] - state.clock_starts[c]);
       }
       json.close('}').close('}');
@@ -47,7 +50,7 @@ void write(JsonLine& json, const PlantAnswer& answer, const automata::Plant& pla
   if (line.cycle) json.key("cycle").number(*line.cycle);
   json.key("time").seconds(line.time).key("estimate").modes(estimate.modes, plant);
   json.key("belief").belief(answer.belief, plant, line.time, answer.clocks, answer.ranks ? &estimate.rank : nullptr);
-  if (answer.history != nullptr) write(json, *answer.history, plant);
+  if (answer.history != nullptr) write(json, *answer.history, plant, answer.clocks);
   if (estimate.cut) json.key("cut").boolean(true);
   if (answer.cost != nullptr) {
     json.key("checked").number(answer.cost->checked);

@@ -40,13 +40,33 @@ bool is_reached(ModelReport& report, Span condition) {
   return reached || !closest;
 }
 
+/// The first variable of a formula that nothing is told of.
+std::optional<automata::VariableId> untold(ModelReport& report, const Formula& formula) {
+  for (const automata::VariableId v : variables_of(formula)) {
+    if (!report.stores().is_spoken_of(v)) return v;
+  }
+  return std::nullopt;
+}
+
+bool is_seen(const ModelReport& report, automata::VariableId variable) {
+  const auto& seen = report.program().observables;
+  return std::find(seen.begin(), seen.end(), variable) != seen.end();
+}
+
+/// Whether a plant that holds the program may be what is to tell of the variables.
+bool may_be_connected(ModelReport& report, const Formula& formula) {
+  const bool is_plant = report.places().locations.empty();
+  const auto variable = untold(report, formula);
+  return !is_plant && variable && !is_seen(report, *variable);
+}
+
 /// Why nothing entails it. Asks of what is never marked, too: for the report of a judgement that stands.
 std::string reason(ModelReport& report, const Formula& formula) {
-  for (const automata::VariableId v : variables_of(formula)) {
-    if (report.stores().is_spoken_of(v)) continue;
-    const auto& seen = report.program().observables;
-    return "nothing is told of " + backquoted(report.program().variables.name(v)) +
-           (std::find(seen.begin(), seen.end(), v) != seen.end() ? ": that it is seen does not make a guard hold" : "");
+  if (const auto variable = untold(report, formula)) {
+    return "nothing is told of " + backquoted(report.program().variables.name(*variable)) +
+           (is_seen(report, *variable)          ? ": that it is seen does not make a guard hold"
+            : may_be_connected(report, formula) ? " here; a plant that holds this program may tell of it"
+                                                : "");
   }
   const std::vector<bool> all(report.program().locations.size(), true);
   return report.stores().freedom({true, formula}, all).may_hold
@@ -76,6 +96,7 @@ void report_conditions(ModelReport& report) {
         report.add(always ? Code::condition_always_holds : Code::condition_never_holds, span,
                    backquoted(report.input().sources.text(span)) + (always ? " always holds: " : " can never hold: ") +
                        (always ? consequences.always : consequences.never));
+    if (!always && may_be_connected(report, one.condition->formula)) finding.severity = grammar::Severity::note;
     finding.suggestion = always ? "the constraints entail it by themselves" : reason(report, one.condition->formula);
   }
 }
