@@ -41,6 +41,7 @@ class PlantDiagram {
   [[nodiscard]] std::string port_rows(const Block& block) const;
   [[nodiscard]] std::string rest_of(const Block& block) const;
   [[nodiscard]] std::string badge_row(const Block& block) const;
+  [[nodiscard]] bool is_constrained(const Line& line) const;
   [[nodiscard]] std::vector<std::string> constraints_of(const Line& line) const;
   void draw_block(std::size_t position);
   void draw_ports_of(const std::string& module);
@@ -244,7 +245,14 @@ void PlantDiagram::draw_notes_of(const std::string& module) {
   }
 }
 
-/// What a line says beside that its ends are equal.
+/// Whether a line says more than that its ends are equal.
+bool PlantDiagram::is_constrained(const Line& line) const {
+  return !std::all_of(line.interconnections.begin(), line.interconnections.end(), [&](std::size_t q) {
+    return plant_.interconnections[q].constraint.kind == Formula::Kind::equality;
+  });
+}
+
+/// What it says beside that.
 std::vector<std::string> PlantDiagram::constraints_of(const Line& line) const {
   std::vector<std::string> texts;
   for (const std::size_t q : line.interconnections) {
@@ -258,13 +266,11 @@ std::vector<std::string> PlantDiagram::constraints_of(const Line& line) const {
 /// The constraints of lines stand in them, as nodes: labels beside them would lie under other lines.
 void PlantDiagram::draw_constraints_of(const std::string& module) {
   for (const Line& line : wiring_.lines) {
-    if (blocks_.module_of({line.from, line.to}) != module) continue;
-    const std::vector<std::string> texts = constraints_of(line);
-    if (texts.empty()) continue;
+    if (!is_constrained(line) || blocks_.module_of({line.from, line.to}) != module) continue;
     dot_.node(id_of(line.interconnections),
               {{"shape", dot_value("plain")},
                {"fontsize", dot_value(std::to_string(port_size))},
-               {"label", dot_label(style::beside_arrow(style::lines(texts, Align::left)))}});
+               {"label", dot_label(style::beside_arrow(style::lines(constraints_of(line), Align::left)))}});
   }
 }
 
@@ -315,11 +321,11 @@ std::string PlantDiagram::end_of(VariableId variable) const {
 void PlantDiagram::draw_lines() {
   for (const Line& line : wiring_.lines) {
     const std::string id = id_of(line.interconnections);
-    if (constraints_of(line).empty()) {
-      dot_.edge(end_of(line.from), end_of(line.to), {{"id", dot_value(id)}});
-    } else {
+    if (is_constrained(line)) {
       dot_.edge(end_of(line.from), id + ":w", {});
       dot_.edge(id + ":e", end_of(line.to), {});
+    } else {
+      dot_.edge(end_of(line.from), end_of(line.to), {{"id", dot_value(id)}});
     }
   }
   for (const Note& note : wiring_.notes) {

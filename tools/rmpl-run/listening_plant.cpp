@@ -149,14 +149,14 @@ void ListeningPlant::revive(std::uint64_t /*cycles*/, automata::Ticks until) {
   wait(until, false, nothing);
 }
 
-void ListeningPlant::await_also(std::vector<int>& descriptors) {
+void ListeningPlant::await_also(std::vector<pollfd>& wanted) {
   std::erase_if(candidates_, [&](const Candidate& candidate) {
     const bool late = now() >= candidate.until;
     if (late) turn_away("showed no token in time");
     return late;
   });
-  descriptors.push_back(listener_.number());
-  for (const Candidate& candidate : candidates_) descriptors.push_back(candidate.socket.number());
+  wanted.push_back({listener_.number(), POLLIN, 0});
+  for (const Candidate& candidate : candidates_) wanted.push_back({candidate.socket.number(), POLLIN, 0});
 }
 
 bool ListeningPlant::look_for_another() {

@@ -33,7 +33,7 @@ class ListeningPlant final : public LiveSocket {
   void listen_on_network(const std::string& host, const std::string& port, bool remote);
   void on_gone() override { reason_ = "it closed the connection"; }
   bool look_for_another() override;
-  void await_also(std::vector<int>& descriptors) override;
+  void await_also(std::vector<pollfd>& wanted) override;
   /// Who has connected, and has not shown its token yet.
   struct Candidate {
     Descriptor socket;

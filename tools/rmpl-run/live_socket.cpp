@@ -65,10 +65,8 @@ LiveSocket::News LiveSocket::receive(std::string& bytes) {
 }
 
 void LiveSocket::gather(bool to_send) {
-  others_.clear();
-  await_also(others_);
   awaited_.assign(1, {socket_.number(), static_cast<short>(to_send ? POLLIN | POLLOUT : POLLIN), 0});
-  for (const int other : others_) awaited_.push_back({other, POLLIN, 0});
+  await_also(awaited_);
 }
 
 /// The plant that is there comes first: what it sent, and its end, are news before another's arrival.

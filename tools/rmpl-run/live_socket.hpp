@@ -53,8 +53,8 @@ class LiveSocket : public runtime::Channel {
   virtual void on_gone() = 0;
   /// Another plant may have come: looks without waiting, and says whether it is connected now.
   virtual bool look_for_another() { return false; }
-  /// Adds what to wait for besides the plant.
-  virtual void await_also(std::vector<int>& /*descriptors*/) {}
+  /// Adds what to wait for besides the plant: what can be read.
+  virtual void await_also(std::vector<pollfd>& /*wanted*/) {}
   [[nodiscard]] bool interrupted() const { return interrupted_(); }
   [[nodiscard]] int socket() const { return socket_.number(); }
 
@@ -65,8 +65,7 @@ class LiveSocket : public runtime::Channel {
   std::function<bool()> interrupted_;
   std::chrono::steady_clock::time_point start_;
   Descriptor socket_;
-  std::vector<int> others_;      ///< what is waited for besides it
-  std::vector<pollfd> awaited_;  ///< the socket, then the others
+  std::vector<pollfd> awaited_;  ///< the socket, then what is waited for besides it
 };
 
 }  // namespace rmpl::tools

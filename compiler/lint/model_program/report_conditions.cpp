@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/model_program/report.hpp"
@@ -53,25 +54,25 @@ bool is_seen(const ModelReport& report, automata::VariableId variable) {
   return std::find(seen.begin(), seen.end(), variable) != seen.end();
 }
 
-/// Whether a plant that holds the program may be what is to tell of the variables.
-bool may_be_connected(ModelReport& report, const Formula& formula) {
-  const bool is_plant = report.places().locations.empty();
-  const auto variable = untold(report, formula);
-  return !is_plant && variable && !is_seen(report, *variable);
-}
-
-/// Why nothing entails it. Asks of what is never marked, too: for the report of a judgement that stands.
-std::string reason(ModelReport& report, const Formula& formula) {
+/// Says why nothing entails it; a note, where a plant that holds the program may be what is to tell. Asks of what is
+/// never marked, too: for the report of a judgement that stands.
+void explain_never(ModelReport& report, const Formula& formula, grammar::Diagnostic& finding) {
   if (const auto variable = untold(report, formula)) {
-    return "nothing is told of " + backquoted(report.program().variables.name(*variable)) +
-           (is_seen(report, *variable)          ? ": that it is seen does not make a guard hold"
-            : may_be_connected(report, formula) ? " here; a plant that holds this program may tell of it"
-                                                : "");
+    std::string reason = "nothing is told of " + backquoted(report.program().variables.name(*variable));
+    const bool is_plant = report.places().locations.empty();
+    if (is_seen(report, *variable)) {
+      reason += ": that it is seen does not make a guard hold";
+    } else if (!is_plant) {
+      reason += " here; a plant that holds this program may tell of it";
+      finding.severity = grammar::Severity::note;
+    }
+    finding.suggestion = std::move(reason);
+    return;
   }
   const std::vector<bool> all(report.program().locations.size(), true);
-  return report.stores().freedom({true, formula}, all).may_hold
-             ? "what makes it hold is told only behind it, or where nothing leads"
-             : "nothing that is told makes it hold";
+  finding.suggestion = report.stores().freedom({true, formula}, all).may_hold
+                           ? "what makes it hold is told only behind it, or where nothing leads"
+                           : "nothing that is told makes it hold";
 }
 
 }  // namespace
@@ -96,8 +97,11 @@ void report_conditions(ModelReport& report) {
         report.add(always ? Code::condition_always_holds : Code::condition_never_holds, span,
                    backquoted(report.input().sources.text(span)) + (always ? " always holds: " : " can never hold: ") +
                        (always ? consequences.always : consequences.never));
-    if (!always && may_be_connected(report, one.condition->formula)) finding.severity = grammar::Severity::note;
-    finding.suggestion = always ? "the constraints entail it by themselves" : reason(report, one.condition->formula);
+    if (always) {
+      finding.suggestion = "the constraints entail it by themselves";
+    } else {
+      explain_never(report, one.condition->formula, finding);
+    }
   }
 }
 

@@ -5,23 +5,14 @@
 #include <algorithm>
 #include <iterator>
 
+#include "compiler/lint/program/possibilities.hpp"
+
 namespace rmpl::compiler {
 
-using automata::ClockId;
 using automata::Formula;
 using automata::Ticks;
 
-namespace {
-
-void collect(const Formula& formula, std::map<ClockId, std::vector<Ticks>>& bounds) {
-  if (formula.kind == Formula::Kind::clock) bounds[formula.clock].push_back(formula.bound);
-  for (const Formula& operand : formula.operands) collect(operand, bounds);
-}
-
-}  // namespace
-
-ClockOrder::ClockOrder(const std::vector<const Formula*>& formulas) {
-  for (const Formula* formula : formulas) collect(*formula, bounds_);
+ClockOrder::ClockOrder(const std::vector<const Formula*>& formulas) : bounds_(clock_bounds_of(formulas)) {
   for (auto& [clock, bounds] : bounds_) {
     bounds.push_back(Ticks{0});
     std::sort(bounds.begin(), bounds.end());

@@ -33,9 +33,8 @@ struct SearchLimits {
 /// In each cycle the plant may be in any of its states, of those that `conditions` has at the start, after the first
 /// cycle and later: modes and observed values are free within domains, interconnections and mode constraints, from one
 /// cycle to the next too, and all conditions of a cycle are judged by the same state. Hidden attributes may be unknown.
-/// Any time passes from
-/// one cycle to the next, the same for all clocks. `relevant`: per location, whether it is looked at; one that is not
-/// is taken to do nothing. `conditions`: of this program; it remembers what it was asked.
+/// Any time passes from one cycle to the next, the same for all clocks. `relevant`: per location, whether it is looked
+/// at; one that is not is taken to do nothing. `conditions`: of this program; it remembers what it was asked.
 std::vector<GoalClash> find_goal_clashes(const automata::Program& program, FreeConditions& conditions,
                                          const std::vector<bool>& relevant, const SearchLimits& limits);
 

@@ -43,11 +43,15 @@ std::vector<Ticks> readings_between(std::vector<Ticks> bounds) {
 
 }  // namespace
 
-ClockCuts cuts_of(const std::vector<const Formula*>& formulas) {
+std::map<ClockId, std::vector<Ticks>> clock_bounds_of(const std::vector<const Formula*>& formulas) {
   std::map<ClockId, std::vector<Ticks>> bounds;
   for (const Formula* formula : formulas) collect(*formula, bounds);
+  return bounds;
+}
+
+ClockCuts cuts_of(const std::vector<const Formula*>& formulas) {
   ClockCuts cuts;
-  for (auto& [clock, of_clock] : bounds) cuts.emplace(clock, readings_between(std::move(of_clock)));
+  for (auto& [clock, of_clock] : clock_bounds_of(formulas)) cuts.emplace(clock, readings_between(std::move(of_clock)));
   return cuts;
 }
 
@@ -128,6 +132,7 @@ std::vector<automata::Origin> Possibilities::blame(const Formula& formula) {
   Theory theory(table);
   for (const auto& [assignment, constraint] : constraints) theory.tell_if(assignment, constraint);
   std::vector<Assignment> all;
+  all.reserve(told.size());
   for (const auto& [assignment, origin] : told) all.push_back(assignment);
   std::vector<automata::Origin> origins;
   for_some_reading(formula, [&](const Formula& read) {

@@ -17,6 +17,10 @@
 
 namespace rmpl::compiler {
 
+/// The bounds that formulas compare each clock with, as they come.
+std::map<automata::ClockId, std::vector<automata::Ticks>> clock_bounds_of(
+    const std::vector<const automata::Formula*>& formulas);
+
 /// The readings that formulas tell apart: per clock, one from each stretch between the bounds that it is compared with,
 /// and each bound itself, ascending.
 using ClockCuts = std::map<automata::ClockId, std::vector<automata::Ticks>>;

@@ -55,10 +55,7 @@ std::string places(const automata::Marking& marking, const automata::Program& pr
 
 std::string deed(const CycleRecord& record, const automata::Plant& plant) {
   if (record.cycle == 0) return {};
-  std::string what;
-  for (const automata::Assignment& part : automata::commanded(plant, record.command)) {
-    what += (what.empty() ? "" : ", ") + to_text(plant.variables, part);
-  }
+  std::string what = to_text(plant.variables, automata::commanded(plant, record.command));
   if (what.empty() && record.outcome == Reconfiguration::Outcome::wait) what = "a wait";
   if (what.empty() && record.outcome == Reconfiguration::Outcome::no_plan) what = "no plan";
   const std::string why = what.empty() ? "" : to_text(record.why, plant, automata::conjunction_of(record.goal));
