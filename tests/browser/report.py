@@ -190,7 +190,8 @@ return bad"""
 
 
 def check_plant(browser: webdriver.Browser) -> None:
-    assert browser.run(OVERLAPS) == []
+    overlaps = browser.run(OVERLAPS)
+    assert overlaps == [], overlaps
     # Ports are of ten points: legible, where all of the plant is seen at once.
     assert browser.run("return 10 / globalThis.flightReport.drawings[1].scale()") > 7
     # Where the whole cannot be read, what is chosen is shown so that it can be.
