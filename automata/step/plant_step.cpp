@@ -135,21 +135,27 @@ std::vector<Move> PlantStep::moves(ComponentId component, ModeId mode, const Ena
   return result;
 }
 
-std::vector<std::vector<Move>> PlantStep::moves(const SystemState& state, const ControlAction& action, Ticks before,
-                                                Ticks now) {
+const std::vector<std::vector<Move>>& PlantStep::moves(const SystemState& state, const ControlAction& action,
+                                                       Ticks before, Ticks now) {
   const auto& allowed = enabled(state.modes, action);
-  std::vector<std::vector<Move>> all;
-  all.reserve(allowed.size());
+  const Ticks step = now - before;
+  const bool comparable = moved_.step == step && moved_.enabled.size() == allowed.size();
+  moved_.moves.resize(allowed.size());
   for (std::size_t c = 0; c < allowed.size(); ++c) {
-    all.push_back(moves(ComponentId(c), state.modes[c], allowed[c], state.clock_starts[c], before, now));
+    const ComponentId id(c);
+    // What is enabled tells the mode, too.
+    if (comparable && &moved_.enabled[c] == &allowed[c] && !clock_matters(plant()[id], allowed[c])) continue;
+    moved_.moves[c] = moves(id, state.modes[c], allowed[c], state.clock_starts[c], before, now);
   }
-  return all;
+  moved_.enabled = allowed;
+  moved_.step = step;
+  return moved_.moves;
 }
 
 double PlantStep::probability(const SystemState& state, const ControlAction& action, Ticks before, Ticks now,
                               const Modes& next) {
   double product = 1;
-  const auto all = moves(state, action, before, now);
+  const auto& all = moves(state, action, before, now);
   for (std::size_t c = 0; c < all.size() && product > 0; ++c) {
     const auto at = std::find_if(all[c].begin(), all[c].end(), [&](const Move& m) { return m.mode == next[c]; });
     product *= at == all[c].end() ? 0.0 : at->probability;

@@ -83,8 +83,9 @@ class PlantStep {
   /// draw can follow. The probabilities sum to 1.
   [[nodiscard]] std::vector<Move> moves(ComponentId component, ModeId mode, const Enabled& enabled, Ticks clock_start,
                                         Ticks before, Ticks now) const;
-  /// `moves` for every component of a state.
-  std::vector<std::vector<Move>> moves(const SystemState& state, const ControlAction& action, Ticks before, Ticks now);
+  /// `moves` for every component of a state. The reference lasts until the next call.
+  const std::vector<std::vector<Move>>& moves(const SystemState& state, const ControlAction& action, Ticks before,
+                                              Ticks now);
   /// The probability of going from `state` to exactly `next` (modes, and the clocks that follow from them), before
   /// the consistency of `next` is looked at. It may be too small for a double: whether the step is possible is for
   /// `leads`.
@@ -135,6 +136,14 @@ class PlantStep {
   };
   base::BoundedCache<StateAction, Whole, StateActionHash> wholes_;
   StateAction asked_;  ///< the last question, kept for its memory
+
+  /// The last answer of `moves`: what rests on no clock holds for every state that enables the same.
+  struct Moved {
+    AllEnabled enabled;
+    Ticks step;
+    std::vector<std::vector<Move>> moves;
+  };
+  Moved moved_;
 };
 
 }  // namespace rmpl::automata

@@ -2,23 +2,36 @@
 // SPDX-License-Identifier: MIT
 #include "automata/step/program_rules.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "base/check.hpp"
 
 namespace rmpl::automata {
-namespace {
 
-Marking listed(const std::vector<bool>& marked) {
-  Marking result;
-  for (std::size_t l = 0; l < marked.size(); ++l) {
-    if (marked[l]) result.emplace_back(l);
+/// Locations, each once, in the order in which they are marked.
+class ProgramRules::Marked {
+ public:
+  explicit Marked(std::size_t locations) : marked_(locations, false) {}
+
+  /// Whether it was not marked before.
+  bool add(LocationId location) {
+    if (marked_[location.index()]) return false;
+    marked_[location.index()] = true;
+    listed_.push_back(location);
+    return true;
   }
-  return result;
-}
+  [[nodiscard]] const Marking& listed() const { return listed_; }
+  [[nodiscard]] Marking sorted() && {
+    std::sort(listed_.begin(), listed_.end());
+    return std::move(listed_);
+  }
 
-}  // namespace
+ private:
+  std::vector<bool> marked_;
+  Marking listed_;
+};
 
 ProgramRules::ProgramRules(const Program& program) : program_(program), children_(program.locations.size()) {
   for (std::size_t l = 0; l < program_.locations.size(); ++l) {
@@ -30,14 +43,14 @@ ProgramRules::ProgramRules(const Program& program) : program_(program), children
 }
 
 Marking ProgramRules::initial() const {
-  std::vector<bool> marked(program_.locations.size(), false);
-  if (!marked.empty()) mark_fully(LocationId(0), marked);
-  return listed(marked);
+  Marked marked(program_.locations.size());
+  if (!program_.locations.empty()) mark_fully(LocationId(0), marked);
+  return std::move(marked).sorted();
 }
 
 /// m_F: the location and, recursively, the start locations of what it holds.
-void ProgramRules::mark_fully(LocationId location, std::vector<bool>& marked) const {
-  marked[location.index()] = true;
+void ProgramRules::mark_fully(LocationId location, Marked& marked) const {
+  marked.add(location);
   for (const LocationId child : children_[location.index()]) {
     if (program_.locations[child.index()].start) mark_fully(child, marked);
   }
@@ -59,16 +72,13 @@ void ProgramRules::begin(const Marking& marking, const ClockTimes& started, Tick
   // Violations are judged on m(i), before any unmarking. Parents come first, so one pass hands `unmarked` down.
   half.working.assign(locations.size(), false);
   half.violated.assign(locations.size(), false);
+  half.marking.clear();
+  for (const LocationId id : marking) half.violated[id.index()] = !answers.maintained(id);
   for (const LocationId id : marking) {
+    const auto& parent = locations[id.index()].parent;
+    if (parent && (!half.working[parent->index()] || half.violated[parent->index()])) continue;
     half.working[id.index()] = true;
-    half.violated[id.index()] = !answers.maintained(id);
-  }
-  std::vector<bool> inside_violated(locations.size(), false);
-  for (std::size_t l = 0; l < locations.size(); ++l) {
-    if (!locations[l].parent) continue;
-    const std::size_t parent = locations[l].parent->index();
-    inside_violated[l] = inside_violated[parent] || (half.violated[parent] && locations[parent].composite);
-    if (inside_violated[l]) half.working[l] = false;
+    half.marking.push_back(id);
   }
   // 3. Assert clock initialisations; a clock that runs already keeps its start (step 10 adds it back).
   half.started = started;
@@ -77,9 +87,9 @@ void ProgramRules::begin(const Marking& marking, const ClockTimes& started, Tick
   asserted.by.clear();
   asserted.conflicts.clear();
   std::map<VariableId, std::pair<ValueId, LocationId>> goals;
-  for (const LocationId id : marking) {
+  for (const LocationId id : half.marking) {
     const Location& location = locations[id.index()];
-    if (!half.working[id.index()] || location.composite) continue;
+    if (location.composite) continue;
     if (location.clock_start && !half.started[location.clock_start->index()]) {
       half.started[location.clock_start->index()] = now;
     }
@@ -106,38 +116,37 @@ void ProgramRules::stop_own_clocks(LocationId entered, ClockTimes& started) cons
 
 Marking ProgramRules::finish(const HalfCycle& half, ProgramAnswers& answers, ClockTimes& started) const {
   const auto& locations = program_.locations;
-  std::vector<bool> next(locations.size(), false);
-  std::vector<bool> leaves(locations.size(), false);  // has an enabled outgoing transition
+  Marked next(locations.size());
+  std::vector<bool> busy(locations.size(), false);  // composites of which some subautomaton goes on or leaves
   std::vector<LocationId> targets;
-  const auto take = [&](std::size_t l) {
-    for (std::size_t a = 0; a < locations[l].arcs.size(); ++a) {
-      if (!answers.guard_holds(LocationId(l), a)) continue;
-      leaves[l] = true;
-      targets.push_back(locations[l].arcs[a].target);
+  const auto takes = [&](LocationId id) {
+    const auto& arcs = locations[id.index()].arcs;
+    bool leaves = false;
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+      if (!answers.guard_holds(id, a)) continue;
+      leaves = true;
+      targets.push_back(arcs[a].target);
     }
+    return leaves;
   };
-  // 7. Await incomplete goals; 8. enabled transitions of primitive locations.
-  for (std::size_t l = 0; l < locations.size(); ++l) {
-    if (!half.working[l] || locations[l].composite) continue;
-    const bool reached = locations[l].goal.empty() || answers.achieved(LocationId(l));
-    if (!reached && !half.violated[l]) next[l] = true;
-    if (reached || half.violated[l]) take(l);
-  }
-  // 8. Composite locations, from the inside out: children come after their parents.
-  std::vector<bool> busy(locations.size(), false);  // some subautomaton goes on or leaves
-  for (std::size_t l = locations.size(); l-- > 0;) {
-    if (locations[l].composite && half.working[l] && !busy[l]) take(l);
-    if (locations[l].parent && (busy[l] || next[l] || leaves[l])) busy[locations[l].parent->index()] = true;
+  // 7. Await incomplete goals; 8. enabled transitions, from the inside out: children come after their parents.
+  for (auto at = half.marking.rbegin(); at != half.marking.rend(); ++at) {
+    const Location& location = locations[at->index()];
+    const bool awaits =
+        !location.composite && !half.violated[at->index()] && !location.goal.empty() && !answers.achieved(*at);
+    if (awaits) next.add(*at);
+    const bool goes_on = awaits || busy[at->index()];
+    if ((goes_on || takes(*at)) && location.parent) busy[location.parent->index()] = true;
   }
   // 9. Take transitions; re-mark the composites that hold a marked location.
   for (const LocationId target : targets) mark_fully(target, next);
-  for (std::size_t l = locations.size(); l-- > 0;) {
-    if (next[l] && locations[l].parent) next[locations[l].parent->index()] = true;
+  for (std::size_t i = 0; i < next.listed().size(); ++i) {
+    if (const auto& parent = locations[next.listed()[i].index()].parent) next.add(*parent);
   }
   // 10. Update the list of clock references. An activation finds the clocks that are its own inactive.
   started = half.started;
   for (const LocationId target : targets) stop_own_clocks(target, started);
-  return listed(next);
+  return std::move(next).sorted();
 }
 
 }  // namespace rmpl::automata

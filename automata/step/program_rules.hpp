@@ -45,6 +45,7 @@ class ProgramAnswers {
 
 /// What the second half of a cycle goes on from.
 struct HalfCycle {
+  Marking marking;             ///< what works on
   std::vector<bool> working;   ///< per location: marked, and not left with a composite that was violated
   std::vector<bool> violated;  ///< per location: its own maintenance condition failed
   ClockTimes started;          ///< clocks that start in this cycle included
@@ -67,7 +68,9 @@ class ProgramRules {
   [[nodiscard]] Marking finish(const HalfCycle& half, ProgramAnswers& answers, ClockTimes& started) const;
 
  private:
-  void mark_fully(LocationId location, std::vector<bool>& marked) const;
+  class Marked;
+
+  void mark_fully(LocationId location, Marked& marked) const;
   /// The clocks of what is marked fully with a location become inactive.
   void stop_own_clocks(LocationId entered, ClockTimes& started) const;
 

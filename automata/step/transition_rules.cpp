@@ -117,6 +117,12 @@ double nominal_share(const Component& component, const Enabled& enabled, Ticks c
   return others > 0 ? std::max(share, 0.0) : std::max(share, least);
 }
 
+bool clock_matters(const Component& component, const Enabled& enabled) {
+  if (!enabled.timed.empty()) return true;
+  return std::any_of(enabled.faults.begin(), enabled.faults.end(),
+                     [&](TransitionId fault) { return component.transitions[fault.index()].timing.has_value(); });
+}
+
 std::vector<Move> moves_of(const Component& component, ModeId mode, const Enabled& enabled, Ticks clock, Ticks step) {
   const auto transition = [&](TransitionId t) -> const Transition& { return component.transitions[t.index()]; };
   Moves result;

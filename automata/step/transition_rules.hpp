@@ -45,6 +45,9 @@ Enabled enabled_in(const Component& component, ModeId mode, const Implied& impli
 /// nothing.
 double nominal_share(const Component& component, const Enabled& enabled, Ticks clock, Ticks step);
 
+/// Whether what the component may do rests on its clock: a mode none of whose timed exits is enabled does not ask it.
+bool clock_matters(const Component& component, const Enabled& enabled);
+
 /// What the component may do in a step of length `step` that ends with its clock at `clock`: every mode that is
 /// possible by exact comparison of times, each once, in order of mode. The probabilities sum to 1; one that is too
 /// small for a double is given as the least normal one, so that what is possible has a positive probability, and

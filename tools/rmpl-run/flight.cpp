@@ -149,8 +149,9 @@ Flown fly(const Task& task, const FlightOptions& options, const Common& common, 
   if (accounted) observers.push_back(&account);
 
   const auto begin = std::chrono::steady_clock::now();
-  runtime::ScenarioResult result =
-      runtime::run_scenario(*task.document, scenario, run_options(task, options), observers);
+  runtime::ScenarioOptions run = run_options(task, options);
+  run.measured = accounted;
+  runtime::ScenarioResult result = runtime::run_scenario(*task.document, scenario, run, observers);
   const double seconds = seconds_since(begin);
   if (screen) screen->finish();
   if (accounted) voices.say(position, InTurn::To::error, account.text(scenario.name, seconds));

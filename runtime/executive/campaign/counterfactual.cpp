@@ -24,7 +24,7 @@ bool is_forced(const FlownStep& flown, std::size_t component) {
 
 bool Counterfactual::contradicted_by(const FlownStep& flown) {
   if (!step_.permits(state_.modes, flown.command)) return true;
-  const auto moves = step_.moves(state_, flown.command, flown.from, flown.to);
+  const auto& moves = step_.moves(state_, flown.command, flown.from, flown.to);
   automata::Modes next = flown.after;
   for (std::size_t c = 0; c < moves.size(); ++c) {
     const bool injected = !parted_ && c == component_.index();

@@ -10,17 +10,6 @@
 #include "runtime/executive/sequence/goal_conflict.hpp"
 
 namespace rmpl::runtime {
-namespace {
-
-template <class Work>
-double timed(const Work& work) {
-  const Stopwatch stopwatch;
-  work();
-  return stopwatch.seconds();
-}
-
-}  // namespace
-
 Executive::Executive(const automata::Program& program, const automata::Plant& model, Estimator& estimator,
                      Reconfigurer& reconfigurer, PlantInterface& plant, Clock& clock, automata::Ticks cycle)
     : model_(model),
@@ -46,6 +35,17 @@ automata::Ticks Executive::end_of(std::uint64_t cycle) const {
   throw base::InputError("time ends " + automata::format_seconds({automata::Ticks::infinite().count - 1}) +
                          " s after the start, and cycle " + std::to_string(cycle) + " of " +
                          automata::format_seconds(cycle_) + " s would end later; expected a shorter duration");
+}
+
+template <class Work>
+double Executive::timed(const Work& work) const {
+  if (!measured_) {
+    work();
+    return 0;
+  }
+  const Stopwatch stopwatch;
+  work();
+  return stopwatch.seconds();
 }
 
 const CycleRecord& Executive::run_cycle() {

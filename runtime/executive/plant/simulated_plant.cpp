@@ -51,6 +51,11 @@ void SimulatedPlant::issue(const automata::ControlAction& action, automata::Tick
   script_.hear_command(action, now);
 }
 
+bool SimulatedPlant::faults_are_due(automata::Ticks now) const {
+  return (!forced_.empty() && forced_.back().at <= now) ||
+         std::any_of(awaited_.begin(), awaited_.end(), [&](const auto& fault) { return fault.at <= now; });
+}
+
 void SimulatedPlant::release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
   std::erase_if(awaited_, [&](const automata::ForcedMode& fault) {
     auto& open = moves[fault.component.index()];
@@ -92,10 +97,15 @@ void SimulatedPlant::give_up(automata::Ticks now) const {
 
 const automata::Observation& SimulatedPlant::sense(automata::Ticks now) {
   happenings_.clear();
-  auto moves = step_.moves(state_, action_, time_, now);
-  release(moves, now);
-  force(moves, now);
-  draw(moves, now);
+  const auto& moves = step_.moves(state_, action_, time_, now);
+  if (faults_are_due(now)) {
+    auto altered = moves;
+    release(altered, now);
+    force(altered, now);
+    draw(altered, now);
+  } else {
+    draw(moves, now);
+  }
   for (std::size_t c = 0; c < drawn_.size(); ++c) {
     if (drawn_[c] != state_.modes[c]) state_.clock_starts[c] = now;
   }

@@ -36,6 +36,7 @@ class SimulatedPlant final : public PlantInterface {
 
  private:
   void draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  [[nodiscard]] bool faults_are_due(automata::Ticks now) const;
   // Faults whose time has come take the place of what else the components could do: those that are awaited, those that
   // the scenario forces.
   void release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);

@@ -54,6 +54,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
   Expectations expectations(step, program, scenario);
   Executive executive(program, model, *estimator, *reconfigurer, *plant, *clock, scenario.cycle);
 
+  if (options.measured) executive.measure();
   const auto look = [&](const CycleRecord& record) {
     if (executive.ended() && !result.ended) result.ended = record.time;
     expectations.observe(record, executive.ended());

@@ -26,6 +26,7 @@ struct ScenarioOptions {
   std::size_t k = 16;                                   ///< system states that k-best keeps
   std::vector<automata::ForcedMode> awaited = {};       ///< faults besides the scenario's, as SimulatedPlant has them
   bool real_time = false;                               ///< a cycle takes as long as it says
+  bool measured = false;                                ///< records tell what the engines take
   std::function<bool()> interrupted = [] { return false; };  ///< asked once a cycle, and while waiting in real time
 };
 

@@ -35,7 +35,7 @@ struct CycleRecord {
   std::vector<Evidence> evidence;      ///< of the diagnoses that are new in this cycle, by component
   std::size_t checked = 0;             ///< candidates that estimation checked
   std::size_t considered = 0;          ///< candidates that reconfiguration checked; 0 where it was not asked anew
-  double estimation_seconds = 0;       ///< processor time
+  double estimation_seconds = 0;       ///< processor time, where it is measured
   double reconfiguration_seconds = 0;  ///< likewise
 };
 

@@ -31,8 +31,10 @@ void tell_most_likely(const Belief& belief, Estimate& estimate) {
   // Entries of one plant state side by side, each group summed in the order of the belief.
   std::vector<std::uint32_t> order(belief.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return belief[a].state.modes < belief[b].state.modes; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto by_modes = belief[a].state.modes <=> belief[b].state.modes;
+    return by_modes != 0 ? by_modes < 0 : a < b;
+  });
   double best = 0;
   for (std::size_t i = 0; i < order.size();) {
     const automata::Modes& modes = belief[order[i]].state.modes;

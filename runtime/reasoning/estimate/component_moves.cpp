@@ -39,14 +39,6 @@ std::size_t MoveTable::KeyHash::operator()(const Key& key) const noexcept {
   return hash ^ (hash >> 32);
 }
 
-/// A mode with timed exits none of which is enabled does not ask its clock.
-bool MoveTable::depends_on_clock(std::size_t component, const automata::Enabled& enabled) const {
-  if (!enabled.timed.empty()) return true;
-  const auto& transitions = plant_.components[component].transitions;
-  return std::any_of(enabled.faults.begin(), enabled.faults.end(),
-                     [&](automata::TransitionId fault) { return transitions[fault.index()].timing.has_value(); });
-}
-
 void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& state,
                         const automata::ControlAction& action, automata::Ticks before, automata::Ticks now,
                         Passing& passing, Moves& moves) {
@@ -56,7 +48,7 @@ void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& 
   constexpr int let_go = 4;
   for (int i = 0; i < let_go && !retired_.empty(); ++i) retired_.erase(retired_.begin());
   for (std::size_t c = 0; c < enabled.size(); ++c) {
-    const bool timed = depends_on_clock(c, enabled[c]);
+    const bool timed = automata::clock_matters(plant_.components[c], enabled[c]);
     timed_ = timed_ || timed;
     Table& table = timed ? passing : lasting_;
     const Key key{&enabled[c], timed ? state.clock_starts[c].count : 0, (now - before).count};

@@ -75,8 +75,6 @@ class MoveTable {
   [[nodiscard]] std::size_t size() const { return lasting_.size(); }
 
  private:
-  [[nodiscard]] bool depends_on_clock(std::size_t component, const automata::Enabled& enabled) const;
-
   const automata::Plant& plant_;
   const bool ranks_;
   Table lasting_;

@@ -60,7 +60,7 @@ class PlantWindow::Part {
     std::size_t ways = 0;
     for (std::uint32_t from = 0; from < last.size(); ++from) {
       const SystemState source = states_[last[from]];
-      const auto moves = step_.moves(source, action, before, now);
+      const auto& moves = step_.moves(source, action, before, now);
       std::size_t own = 1;
       for (const auto& component : moves) own = std::min(own * component.size(), ways_ + 1);
       ways += own;
