@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-CODES = {"RMPL0500", "RMPL0511", "RMPL0512", "RMPL0514", "RMPL0518", "RMPL0534", "RMPL0546"}
+CODES = {"RMPL0500", "RMPL0511", "RMPL0512", "RMPL0514", "RMPL0518", "RMPL0534", "RMPL0546", "RMPL0548"}
 
 VALVE = """\
 component Valve {{
@@ -72,6 +72,8 @@ FIXED = [
      valve("  internal a     : { x, y };\n", "  any -> closed when cmd = close;\n" + OPEN).replace("shut }", "shut & a = x }")),
     ("a transition that another one to the same mode forestalls", "plant.tcca", "RMPL0534",
      valve(transitions=OPEN + CLOSE + "  open -> closed when cmd = close in [5 s, 9 s];\n"), valve()),
+    ("a transition to the mode that it sets out from", "plant.tcca", "RMPL0548",
+     valve(transitions=OPEN + CLOSE + "  closed -> closed when cmd = close;\n"), valve()),
     ("an attribute", "plant.tcca", "RMPL0546", valve("  output current  : { zero, nominal };\n"), valve()),
     ("an attribute whose name sets the column", "plant.tcca", "RMPL0546",
      valve("  output temperature : { zero, nominal };\n").replace("cmd      :", "cmd         :").replace(
@@ -94,6 +96,8 @@ LEFT = [
     ("a transition that one to another mode forestalls", "plant.tcca", "RMPL0534",
      valve("  mode half;\n",
            OPEN + CLOSE + "  open -> half when cmd = close in [5 s, 9 s];\n  closed -> half when cmd = close;\n")),
+    ("a transition that keeps others from being taken", "plant.tcca", "RMPL0533",
+     valve(transitions=OPEN + CLOSE + "  open -> open when cmd in { open, close };\n")),
     ("a type", "plant.tcca", "RMPL0513", valve(before="component Tank {\n  initial full;\n  mode full;\n}\n")),
     ("a definition", "main.rmpl", "RMPL0509", "P() :: { tap = open }\nQ(c) :: { c = open }\n"),
 ]

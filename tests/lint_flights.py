@@ -107,6 +107,12 @@ SEEDED = [
     ("a property that the constraints decide", 516, ("reach tap = leaky", "reach tap = leaky -> tap.flow = low")),
     ("a response to what cannot be", 516, ("after tap = leaky within", "after tap = leaky & tap.flow = high within")),
     ("a response to a fault without faults", 516, ("tap = closed; faults 1;", "tap = closed; faults 0;")),
+    ("an expectation that never fails", 520, ("expect tap = closed within 30 s;", "expect never tap = closed & tap = open;")),
+    ("an expectation of what cannot be", 520, ("expect tap = closed within 30 s;", "expect pump = on & pump.power = zero within 30 s;")),
+    ("an expectation that holds in every state", 520, ("expect tap = closed within 30 s;", "expect pump = on -> pump.power = nominal within 30 s;")),
+    ("an expectation after what the plant never gets to", 520, STUCK, ("expect tap = closed within 30 s;", "expect tap = closed within 30 s after tap = ajar;")),
+    ("an end that cannot be as it is expected", 520, ("expect tap = closed within 30 s;", "expect finished with tap = open & tap.flow = low;")),
+    ("a deadline behind the end", 405, ("within 30 s", "within 2 min")),
     ("a rule for what never is", 517, ("when command tap.cmd = close", "when estimate tap = open & tap = closed")),
     ("an allowance that allows nothing", 518, ("  t = 0;", "  t = 0;  // lint: allow RMPL0511 because it is read elsewhere")),
     ("an allowance without a reason", 519, ("  t = 0;", "  t = 0;  // lint: allow RMPL0511")),
@@ -124,6 +130,9 @@ CLEAN = [
     ("a parameter that is only passed on", ("donext Stop(pump)", "donext Hand(pump)"), ("Stop(device) ::", "Hand(device) :: { Stop(device) }\nStop(device) ::")),
     ("a reading for just a cycle", ("for 1 s", "for 500 ms")),
     ("a response to a fault with one", ("after tap = leaky within 5 s", "after tap = leaky within 9 s")),
+    ("an expectation that only time can break", ("expect tap = closed within 30 s;", "expect never tap = leaky & pump = off;")),
+    ("every state is as expected, but after something", ("expect tap = closed within 30 s;", "expect tap.flow in { none, low, high } after tap = open;")),
+    ("a deadline at the end", ("within 30 s", "within 60 s")),
     ("a rule for a command that is given", ("tap.cmd = close observe", "tap.cmd in { open, close } observe")),
 ]
 

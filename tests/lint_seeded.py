@@ -134,6 +134,9 @@ SEEDED = [
     ("an attribute that nothing mentions", 546, ("  output temp  :", "  output drain : { no, yes };\n  output temp  :")),
     ("an input that its component does not read", 546, ("  output temp  :", "  input  feed  : Pressure;\n  output temp  :"), ("  control driver", "  heater.feed = tank.gauge;\n  control driver")),
     ("a transition that is given twice", 500, ("hot     -> off     when cmd = off;", "hot     -> off     when cmd = off;\n  hot     -> off     when cmd = off;")),
+    ("a transition that is to restart a clock", 548, ("heating -> off     when cmd = off;", "heating -> off     when cmd = off;\n  heating -> heating when cmd = off in [1 s, 2 s];"), ("when cmd != off in [30 s, 60 s];", "when cmd = on in [30 s, 60 s];"), ("  heating -> off     when cmd = off;\n", "")),
+    ("a transition that says what stays so", 548, ("closed -> open   when cmd = open;", "closed -> open   when cmd = open;\n  closed -> closed when cmd = close;")),
+    ("a plant without sensors", 549, ("  observe tank.gauge, driver.status, valve.switch, valve.outlet, heater.temp, heater.power;\n", "")),
     ("a fault among the outcomes of a transition that takes time", 547, ("heating -> hot     when cmd != off in [30 s, 60 s];", "heating -> { hot with 0.9, broken with 0.1 } when cmd != off in [30 s, 60 s];")),
 ]
 
@@ -154,6 +157,7 @@ CLEAN = [
     ("an input that is observed only", ("  output temp  :", "  input  feed  : Pressure;\n  output temp  :"), ("observe tank.gauge,", "observe heater.feed, tank.gauge,")),
     ("a fault that looks like one nominal mode of two", ("fault stuck  { outlet = low & switch = wide }", "fault stuck  { outlet = low & switch = shut }")),
     ("faults that look alike, but one can be left", ("  fault broken  { temp = cold & power = zero };", "  fault broken  { temp = cold & power = zero };\n  fault blown   { temp = cold & power = zero };\n  any nominal -> blown with rate 1e-5 /h;\n  blown -> off when cmd = off;")),
+    ("a transition that holds off what takes time", ("heating -> off     when cmd = off;", "heating -> off     when cmd = off;\n  heating -> heating when cmd = on;")),
     ("a command that only a constraint reads", ("{ none, on, off, open, close };\n  output out", "{ none, on, off, open, close, test };\n  output out"), ("{ off, on, tripped }", "{ off, on, tripped, testing }"), ("& status = on }", "& (cmd = test <-> status = testing) & status in { on, testing } }")),
 ]
 

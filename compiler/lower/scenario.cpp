@@ -180,7 +180,7 @@ class ScenarioLowering {
     expectation.truth = text.truth;
     expectation.origin = origin_of(sources_, text.span);
     expectation.text = written(text.span);
-    if (text.within) expectation.within = ticks_of(*text.within, diagnostics_);
+    if (text.within) expectation.within = deadline_of(*text.within, text.span);
     if (text.condition) {
       if (auto formula = condition(*text.condition)) expectation.condition = std::move(*formula);
     }
@@ -212,6 +212,17 @@ class ScenarioLowering {
       diagnostics_.warning(
           Code::scenario_after_end, event,
           "the scenario ends after " + automata::format_seconds(scenario_.duration) + " s, before this comes about");
+    }
+    return ticks;
+  }
+
+  /// A deadline; one behind the end of the scenario gets a warning, since it is judged before.
+  std::optional<Ticks> deadline_of(const grammar::Duration& within, grammar::Span expectation) {
+    const auto ticks = ticks_of(within, diagnostics_);
+    if (ticks && *ticks > scenario_.duration) {
+      diagnostics_.warning(Code::scenario_after_end, expectation,
+                           "the scenario ends after " + automata::format_seconds(scenario_.duration) +
+                               " s, before the " + automata::format_seconds(*ticks) + " s of this are over");
     }
     return ticks;
   }

@@ -103,6 +103,7 @@ enum class Code : std::uint16_t {
   rule_never_fires = 517,
   unused_allowance = 518,
   allowance_without_reason = 519,
+  vacuous_expectation = 520,
   // Lint of plants.
   unreachable_mode = 530,
   impossible_guard = 531,
@@ -122,6 +123,8 @@ enum class Code : std::uint16_t {
   unread_command = 545,
   unused_attribute = 546,
   timed_fault = 547,
+  idle_transition = 548,
+  unobserved_plant = 549,
   // Compiled documents.
   document_schema = 600,
   // Properties.

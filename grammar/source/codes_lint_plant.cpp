@@ -373,6 +373,39 @@ plant Door {
   latch : Latch;
   observe latch.seen;
 })"},
+    CodeInfo{
+        Code::idle_transition, "transition that changes nothing",
+        "A nominal transition leads to the mode that it sets out from, and is never enabled together with one that "
+        "leads elsewhere. To stay is to stay: the clock of the mode goes on, so the transition has no effect. Beside "
+        "others it has one, as it takes its share of the probability or goes before what takes time. What is to begin "
+        "anew is a mode of its own. In a mode without time bounds it is a note.",
+        R"(component Valve {
+  input  cmd      : { none, open, keep };
+  output position : { shut, wide };
+  initial closed;
+  mode closed { position = shut };
+  mode open   { position = wide };
+  closed -> open when cmd = open in [2 s, 3 s];
+  closed -> closed when cmd = keep;
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})",
+        R"(component Valve {
+  input  cmd      : { none, open };
+  output position : { shut, wide };
+  initial closed;
+  mode closed { position = shut };
+  mode open   { position = wide };
+  closed -> open when cmd = open in [2 s, 3 s];
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})"},
 };
 
 }  // namespace

@@ -69,6 +69,31 @@ plant House {
   control generator.cmd default none;
   observe lamp.light, generator.power;
 })"},
+    CodeInfo{
+        Code::unobserved_plant, "plant that nothing is observed of",
+        "The plant has faults and no `observe`: none of them ever shows, and the estimate is what the model predicts. "
+        "For what is only proven about the model that is right.",
+        R"(component Tap {
+  output flow : { low, high };
+  initial open;
+  mode  open  { flow = high };
+  fault stuck { flow = low };
+  open -> stuck with 1e-6;
+}
+plant Sink {
+  tap : Tap;
+})",
+        R"(component Tap {
+  output flow : { low, high };
+  initial open;
+  mode  open  { flow = high };
+  fault stuck { flow = low };
+  open -> stuck with 1e-6;
+}
+plant Sink {
+  tap : Tap;
+  observe tap.flow;
+})"},
     CodeInfo{Code::undetectable_fault, "fault that no observation tells from nominal",
              "In the fault mode all that is observed reads as in every nominal mode of the component, "
              "whatever the other components do, and nothing that another component waits for differs. No "

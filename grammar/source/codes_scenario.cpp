@@ -258,7 +258,10 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::scenario_after_end, "after the end of the scenario",
-             "The event or expectation lies behind the scenario's duration: it would never come about.", R"(// test.scn
+             "The event lies behind the scenario's duration, and would never come about; or the deadline of an "
+             "expectation does, "
+             "which is judged before it has passed.",
+             R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
   plant "tap.tcca";

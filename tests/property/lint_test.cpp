@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "automata/step/plain_step.hpp"
 #include "compiler/lint/plant/alike.hpp"
 #include "compiler/lint/plant/findings.hpp"
 #include "tests/property/draw.hpp"
@@ -171,6 +174,77 @@ RC_GTEST_PROP(PlantLint, WhatIsShadowedIsNeverTaken, ()) {
     std::vector<std::size_t> by;
     for (const automata::TransitionId early : shadow.by) by.push_back(early.index());
     RC_ASSERT(slow.always_with(shadow.component.index(), shadow.transition.index(), by));
+  }
+}
+
+/// A component may then stay where it is by a transition, too.
+void add_own_mode_transition(Plant& plant) {
+  automata::Component& component = plant.components[up_to(0, plant.components.size() - 1)];
+  if (component.transitions.empty()) return;
+  Transition own = component.transitions[up_to(0, component.transitions.size() - 1)];
+  if (chance(50)) own.guard = component.transitions[up_to(0, component.transitions.size() - 1)].guard;
+  if (chance(50)) own.timing.reset();
+  own.to = own.from;
+  own.weight = {};
+  own.branch = 0;
+  for (const Transition& other : component.transitions) own.branch = std::max(own.branch, other.branch + 1);
+  component.transitions.push_back(own);
+}
+
+/// Whether two plants may do the same in a second from every state with all clocks at one reading.
+bool move_alike(const Plant& a, const Plant& b, const PlantLint& slow, automata::Ticks clock) {
+  automata::PlainStep first(a), second(b);
+  const automata::Ticks before = clock - automata::Ticks{automata::Ticks::per_second};
+  for (const auto& [modes, action] : slow.situations()) {
+    const automata::SystemState state{modes, std::vector<automata::Ticks>(modes.size())};
+    const auto ones = first.moves(state, action, before, clock);
+    const auto others = second.moves(state, action, before, clock);
+    for (std::size_t c = 0; c < ones.size(); ++c) {
+      const bool same = std::equal(ones[c].begin(), ones[c].end(), others[c].begin(), others[c].end(),
+                                   [](const automata::Move& x, const automata::Move& y) {
+                                     return x.mode == y.mode && std::abs(x.probability - y.probability) < 1e-12;
+                                   });
+      if (!same) return false;
+    }
+  }
+  return true;
+}
+
+RC_GTEST_PROP(PlantLint, IdleTransitionsAreThoseThatNothingElseGoesWith, ()) {
+  Model model = any_plant();
+  add_own_mode_transition(model.plant);
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  std::set<std::pair<std::size_t, std::size_t>> found, expected;
+  for (const compiler::PlantTransition& idle : find_idle_transitions(analysis)) {
+    found.emplace(idle.component.index(), idle.transition.index());
+  }
+  for (std::size_t c = 0; c < model.plant.components.size(); ++c) {
+    const automata::Component& component = model.plant.components[c];
+    for (std::size_t t = 0; t < component.transitions.size(); ++t) {
+      const Transition& own = component.transitions[t];
+      if (own.from != own.to || component.is_fault(own) ||
+          !analysis.can_happen({ComponentId(c), automata::TransitionId(t)}))
+        continue;
+      bool alone = true;
+      for (std::size_t o = 0; o < component.transitions.size(); ++o) {
+        const Transition& other = component.transitions[o];
+        const bool elsewhere = other.from == own.from && other.to != own.to && !component.is_fault(other);
+        const bool happens = analysis.can_happen({ComponentId(c), automata::TransitionId(o)});
+        if (elsewhere && happens && slow.together(c, t, o)) alone = false;
+      }
+      if (alone) expected.emplace(c, t);
+    }
+  }
+  RC_ASSERT(found == expected);
+  if (found.empty()) return;
+  Model without = model;
+  const auto [c, t] = *found.begin();
+  auto& transitions = without.plant.components[c].transitions;
+  transitions.erase(transitions.begin() + static_cast<std::ptrdiff_t>(t));
+  for (const std::int64_t seconds : {1, 2, 5, 30}) {
+    const automata::Ticks clock{seconds * automata::Ticks::per_second};
+    RC_ASSERT(move_alike(model.plant, without.plant, slow, clock));
   }
 }
 

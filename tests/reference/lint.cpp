@@ -108,6 +108,12 @@ void PlantLint::for_each_situation(const Visit& visit) const {
   }
 }
 
+std::vector<std::pair<Modes, ControlAction>> PlantLint::situations() const {
+  std::vector<std::pair<Modes, ControlAction>> result;
+  for_each_situation([&](const Modes& modes, const ControlAction& action) { result.emplace_back(modes, action); });
+  return result;
+}
+
 bool PlantLint::together(std::size_t component, std::size_t a, std::size_t b) const {
   bool result = false;
   for_each_situation([&](const Modes& modes, const ControlAction& action) {

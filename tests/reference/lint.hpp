@@ -28,6 +28,8 @@ class PlantLint {
   [[nodiscard]] const ModeSet& reached() const { return reached_; }
   /// Transitions from modes that are reached whose guards follow from some modes that are reached and some command.
   [[nodiscard]] const TransitionSet& enabled() const { return enabled_; }
+  /// Modes that are reached, with each command that they are consistent with.
+  [[nodiscard]] std::vector<std::pair<automata::Modes, automata::ControlAction>> situations() const;
   /// Whether some such modes and command imply both guards.
   [[nodiscard]] bool together(std::size_t component, std::size_t a, std::size_t b) const;
   /// Whether wherever the guard of the first is implied, that of one of the others is, too.

@@ -39,6 +39,10 @@ struct Shadow {
 };
 std::vector<Shadow> find_shadowed_transitions(PlantAnalysis& analysis);
 
+/// Nominal transitions to the mode that they set out from, which is reached, with which no nominal transition that
+/// leads elsewhere is ever enabled: without them the plant does the same.
+std::vector<PlantTransition> find_idle_transitions(PlantAnalysis& analysis);
+
 /// Values of control variables that nothing allows, in modes that are reached.
 std::vector<automata::Assignment> find_impossible_commands(PlantAnalysis& analysis);
 /// Values of control variables, not idle, in place of which the idle value could stand wherever they are read: to

@@ -1,4 +1,5 @@
-// Told: guards that never hold, that overlap, or whose transitions something always goes before.
+// Told: guards that never hold, that overlap, or whose transitions something always goes before; transitions without
+// effect.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
@@ -158,12 +159,35 @@ void report_shadows(PlantReport& report) {
   }
 }
 
+/// Whether the component leaves the mode by what takes time.
+bool is_timed(const Component& component, automata::ModeId mode) {
+  return std::any_of(component.transitions.begin(), component.transitions.end(), [&](const automata::Transition& t) {
+    return t.from == mode && t.timing && !component.is_fault(t);
+  });
+}
+
+void report_idle(PlantReport& report) {
+  for (const Written& written : as_written(report, find_idle_transitions(report.analysis()))) {
+    const automata::Transition& transition = report[written.first];
+    const bool timed = is_timed(report.plant()[written.first.component], transition.from);
+    auto& finding = report.add(Code::idle_transition, report.at(written.first),
+                               "the transition from " + report.mode({written.first.component, transition.from}) +
+                                   " of " + report.name(written.instances) + " to the same mode changes nothing" +
+                                   (timed ? ": the clock of the mode goes on" : ""));
+    if (!timed || !report.all(written.instances)) finding.severity = grammar::Severity::note;
+    const grammar::Span span = finding.span;
+    if (report.all(written.instances) && report.is_beside_plant(span))
+      propose(finding, report.removals().of_statement(span));
+  }
+}
+
 }  // namespace
 
 void report_guards(PlantReport& report) {
   report_impossible_guards(report);
   report_overlaps(report);
   report_shadows(report);
+  report_idle(report);
 }
 
 }  // namespace rmpl::compiler

@@ -72,9 +72,26 @@ void report_undetectable(PlantReport& report, const std::vector<PlantMode>& foun
   }
 }
 
+/// Nothing tells anything from anything then: one note, instead of one a mode.
+void report_unobserved(PlantReport& report) {
+  for (std::size_t c = 0; c < report.plant().components.size(); ++c) {
+    const automata::Component& component = report.plant().components[c];
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      const PlantMode fault{ComponentId(c), ModeId(m)};
+      if (!component.modes[m].fault || !report.analysis().reach().reached[c][m]) continue;
+      auto& finding = report.add(Code::unobserved_plant, report.declarations().plant,
+                                 "nothing of " + backquoted(report.plant().name) +
+                                     " is observed: no fault ever shows, and the estimate is what the model predicts");
+      finding.notes.push_back({report.at(fault), "for example this one of " + report.name({ComponentId(c)})});
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 void report_sensing(PlantReport& report) {
+  if (report.plant().observables.empty()) return report_unobserved(report);
   Indistinguishable found = find_indistinguishable(report.analysis());
   report_undetectable(report, found.undetectable);
   // Faults that look nominal look alike, too: that is no more than was told.

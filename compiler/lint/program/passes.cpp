@@ -26,6 +26,7 @@ std::span<const LintPass> program_passes() {
       LintPass{&lint_rules},
       LintPass{&lint_fine_times},
       LintPass{&lint_vacuous_properties},
+      LintPass{&lint_vacuous_expectations},
   };
   return passes;
 }
@@ -51,6 +52,7 @@ std::span<const LintCode> program_lint_codes() {
       LintCode{Code::rule_never_fires, LintGroup::impossible, Severity::warning},
       LintCode{Code::unused_allowance, LintGroup::allowance, Severity::warning},
       LintCode{Code::allowance_without_reason, LintGroup::allowance, Severity::warning},
+      LintCode{Code::vacuous_expectation, LintGroup::impossible, Severity::warning},
       LintCode{Code::mixed_separators, LintGroup::style, Severity::warning},
   };
   return codes;

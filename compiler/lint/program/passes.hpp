@@ -26,7 +26,8 @@ void lint_unused_types(const LintInput& input, grammar::Diagnostics& found);
 /// Rules of scenarios that never come about; times that are less than a cycle.
 void lint_rules(const LintInput& input, grammar::Diagnostics& found);
 void lint_fine_times(const LintInput& input, grammar::Diagnostics& found);
-/// Properties that hold or fail whatever the plant does.
+/// Expectations that are met or fail whatever is flown; properties that hold or fail whatever the plant does.
+void lint_vacuous_expectations(const LintInput& input, grammar::Diagnostics& found);
 void lint_vacuous_properties(const LintInput& input, grammar::Diagnostics& found);
 /// `,` and `;` in one pair of braces.
 void lint_mixed_separators(const LintInput& input, grammar::Diagnostics& found);

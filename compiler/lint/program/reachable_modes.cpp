@@ -84,4 +84,12 @@ bool ReachableModes::grow() {
   return grown;
 }
 
+std::vector<automata::Assignment> added_modes(const automata::Scenario& scenario, const automata::Plant& plant) {
+  std::vector<automata::Assignment> also = scenario.truth;
+  for (const automata::ForcedMode& forced : scenario.forced) {
+    also.push_back({plant[forced.component].mode, automata::ValueId(forced.mode.index())});
+  }
+  return also;
+}
+
 }  // namespace rmpl::compiler

@@ -6,6 +6,7 @@
 
 #include "automata/logic/formula.hpp"
 #include "automata/plant.hpp"
+#include "automata/scenario.hpp"
 
 namespace rmpl::compiler {
 
@@ -42,5 +43,8 @@ class ReachableModes {
   MayHappen may_;
   std::vector<std::vector<bool>> reached_;
 };
+
+/// The modes that a scenario starts in or forces, besides what the plant says.
+std::vector<automata::Assignment> added_modes(const automata::Scenario& scenario, const automata::Plant& plant);
 
 }  // namespace rmpl::compiler

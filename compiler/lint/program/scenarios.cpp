@@ -24,15 +24,6 @@ namespace {
 
 std::string seconds(Ticks time) { return automata::format_seconds(time) + " s"; }
 
-/// The modes that a scenario starts in or forces, besides what the plant says.
-std::vector<automata::Assignment> added_modes(const Scenario& scenario, const automata::Plant& plant) {
-  std::vector<automata::Assignment> also = scenario.truth;
-  for (const automata::ForcedMode& forced : scenario.forced) {
-    also.push_back({plant[forced.component].mode, automata::ValueId(forced.mode.index())});
-  }
-  return also;
-}
-
 /// Why a rule never fires; empty where it may.
 std::string obstacle(const automata::Rule& rule, const Scenario& scenario, Possibilities& possible,
                      const ReachableModes& reach) {

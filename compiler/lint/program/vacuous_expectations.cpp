@@ -1,0 +1,65 @@
+// Expectations that are met or fail whatever is flown.
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <utility>
+
+#include "compiler/lint/program/passes.hpp"
+#include "compiler/lint/program/possibilities.hpp"
+#include "compiler/lint/program/reachable_modes.hpp"
+#include "compiler/lint/program/vacuity.hpp"
+
+namespace rmpl::compiler {
+
+using automata::Expectation;
+using automata::Scenario;
+
+namespace {
+
+/// `reach`: the modes that the scenario can get to.
+Vacuity vacuity_of(const Expectation& expectation, Possibilities& possible, const automata::Formula& reach) {
+  if (expectation.after) {
+    if (!possible.can_hold(*expectation.after)) {
+      return {"no state satisfies what it comes after", *expectation.after};
+    }
+    if (!possible.can_hold(automata::conjunction({*expectation.after, reach}))) {
+      return {"the plant never gets to what it comes after", automata::constant(true)};
+    }
+  }
+  switch (expectation.kind) {
+    case Expectation::Kind::never:
+      return decided(possible, expectation.condition, "what it excludes");
+    case Expectation::Kind::eventually: {
+      Vacuity vacuity = decided(possible, expectation.condition, "what it expects");
+      // That every state satisfies it still says that what it comes after comes.
+      const bool waits = expectation.after && possible.can_hold(expectation.condition);
+      return waits ? Vacuity{} : vacuity;
+    }
+    case Expectation::Kind::finished:
+      if (possible.can_hold(expectation.condition)) return {};
+      return {"no state satisfies what it expects at the end", expectation.condition};
+    case Expectation::Kind::goal_conflict:
+    case Expectation::Kind::no_plan:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+void lint_vacuous_expectations(const LintInput& input, grammar::Diagnostics& found) {
+  std::map<std::size_t, Possibilities> by_plant;
+  for (const Scenario& scenario : input.document.scenarios) {
+    if (scenario.expectations.empty()) continue;
+    const automata::Plant& plant = input.document.plants[scenario.plant];
+    Possibilities& possible = by_plant.try_emplace(scenario.plant, plant.variables, &plant).first->second;
+    if (!possible.consistent()) continue;
+    const automata::Formula reach = ReachableModes(plant, added_modes(scenario, plant)).formula();
+    for (const Expectation& expectation : scenario.expectations) {
+      tell(vacuity_of(expectation, possible, reach), grammar::Code::vacuous_expectation,
+           input.places.at(expectation.origin), "the expectation says nothing of what is flown",
+           expectation.kind == Expectation::Kind::never ? &expectation.condition : nullptr, possible, input, found);
+    }
+  }
+}
+
+}  // namespace rmpl::compiler
