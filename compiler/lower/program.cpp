@@ -9,6 +9,7 @@
 
 #include "compiler/check/probabilities.hpp"
 #include "compiler/lower/draft.hpp"
+#include "compiler/lower/expansions.hpp"
 #include "compiler/lower/program_resolver.hpp"
 
 namespace rmpl::compiler {
@@ -39,12 +40,6 @@ std::size_t size_of(const Formula& formula) {
 /// One error in a definition comes back with each call of it.
 constexpr std::size_t error_limit = 1000;
 
-/// One expansion of a definition: the entry, or a call with its arguments.
-struct Expansion {
-  std::size_t definition;
-  std::string arguments;  ///< their text: equal texts are equal arguments
-};
-
 /// A `choose` under construction; what it starts may still be an expansion.
 struct Choice {
   LocationId location;
@@ -66,7 +61,8 @@ class ProgramLowering {
         errors_before_(diagnostics.error_count()),
         model_(definitions.model),
         resolver_(program_, model_, plant, diagnostics),
-        draft_(sources, definitions.all[entry].definition->name, program_, diagnostics) {}
+        draft_(sources, definitions.all[entry].definition->name, program_, diagnostics),
+        expansions_(definitions, recursion) {}
 
   LoweredProgram run() {
     const grammar::Definition& definition = *definitions_.all[entry_].definition;
@@ -294,7 +290,7 @@ class ProgramLowering {
     const auto site = definitions_.callees.find(&call);
     if (site == definitions_.callees.end() || recursion_.cut.count(&call) != 0) return {};  // an error, reported
     const std::size_t callee = site->second;
-    if (purpose_ == Purpose::check && reached_[callee] && !is_open(callee)) return {};
+    if (purpose_ == Purpose::check && reached_[callee] && !expansions_.is_open(callee)) return {};
     const Environment* caller = resolver_.environment();
     Environment& environment = environments_.emplace_back();
     std::string arguments = pass(call, *definitions_.all[callee].definition, environment);
@@ -303,7 +299,7 @@ class ProgramLowering {
       return abandon(Code::too_large, span,
                      "the arguments of this call grow beyond " + std::to_string(argument_limit) + " characters");
     }
-    if (const auto back = expansion_to_lead_to(call, callee, arguments)) {
+    if (const auto back = expansions_.to_lead_to(call, callee, arguments)) {
       environments_.pop_back();
       return {{{true, *back}}, {}};
     }
@@ -334,38 +330,6 @@ class ProgramLowering {
     return text;
   }
 
-  [[nodiscard]] bool is_open(std::size_t definition) const {
-    return std::any_of(open_.begin(), open_.end(),
-                       [&](std::size_t e) { return expansions_[e].definition == definition; });
-  }
-
-  /// In a model program a call among definitions that call each other leads to what they were expanded to before, open
-  /// or not, so that each is there once; but for one that starts with its caller, which only an arc around it could be.
-  [[nodiscard]] std::optional<std::size_t> expansion_to_lead_to(const grammar::Call& call, std::size_t callee,
-                                                                const std::string& arguments) const {
-    const std::size_t group = recursion_.group[callee];
-    if (!model_ || !recursion_.recursive[group] || definitions_.immediate.count(&call) != 0)
-      return open_expansion(callee, arguments);
-    const auto outermost = std::find_if(open_.begin(), open_.end(), [&](std::size_t e) {
-      return recursion_.group[expansions_[e].definition] == group;
-    });
-    if (outermost == open_.end()) return std::nullopt;
-    for (std::size_t e = *outermost; e < expansions_.size(); ++e) {
-      if (expansions_[e].definition == callee && expansions_[e].arguments == arguments) return e;
-    }
-    return std::nullopt;
-  }
-
-  /// The expansion of the same definition with the same arguments that this call is inside of: a tail call leads back
-  /// to its starts.
-  [[nodiscard]] std::optional<std::size_t> open_expansion(std::size_t definition, const std::string& arguments) const {
-    if (!recursion_.recursive[recursion_.group[definition]]) return std::nullopt;
-    for (const std::size_t e : open_) {
-      if (expansions_[e].definition == definition && expansions_[e].arguments == arguments) return e;
-    }
-    return std::nullopt;
-  }
-
   /// A definition that consists of one call that leads back: a composite for it would have nothing inside, so the call
   /// leads back directly. The environment in use is that of the definition.
   std::optional<std::size_t> forwarded(std::size_t definition) {
@@ -377,7 +341,7 @@ class ProgramLowering {
     const Environment* own = resolver_.environment();
     Environment& environment = environments_.emplace_back();
     const std::string arguments = pass(*onward.call, *definitions_.all[onward.callee].definition, environment);
-    auto found = open_expansion(onward.callee, arguments);
+    auto found = expansions_.open_one(onward.callee, arguments);
     if (!found) {
       resolver_.enter(&environment);
       found = forwarded(onward.callee);
@@ -392,8 +356,7 @@ class ProgramLowering {
   /// call enters the composite.
   Fragment expand(std::size_t definition, std::string arguments, LocationId composite, Environment& environment) {
     const std::size_t expansion = draft_.open_expansion();
-    expansions_.push_back({definition, std::move(arguments)});
-    open_.push_back(expansion);
+    expansions_.open(expansion, definition, std::move(arguments));
     reached_[definition] = true;
     const grammar::Definition& text = *definitions_.all[definition].definition;
     add_own_clocks(text, composite, environment);
@@ -405,7 +368,7 @@ class ProgramLowering {
     });
     if (model_ || !text.clocks.empty()) starts = made.starts;
     draft_.close_expansion(expansion, std::move(starts));
-    open_.pop_back();
+    expansions_.close();
     return made;
   }
 
@@ -438,8 +401,7 @@ class ProgramLowering {
   std::vector<PlacedCondition> conditions_;
   std::vector<Choice> choices_;
   ModelParts parts_;
-  std::vector<Expansion> expansions_;     ///< as the draft numbers them
-  std::vector<std::size_t> open_;         ///< expansions, outermost first
+  Expansions expansions_;                 ///< as the draft numbers them
   std::deque<Environment> environments_;  ///< of the open expansions; a deque, for they are referred to
   std::size_t depth_ = 0;
 };

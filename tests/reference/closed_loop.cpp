@@ -3,12 +3,12 @@
 #include "tests/reference/closed_loop.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "tests/reference/belief.hpp"
 #include "tests/reference/endless.hpp"
+#include "tests/reference/loop_moves.hpp"
 
 namespace rmpl::reference {
 
@@ -67,19 +67,7 @@ class Explorer {
         plant_(step.plant()),
         adviser_(adviser),
         question_(question),
-        unit_(question.period.value_or(question.unit)) {
-    const auto widen = [&](Ticks bound) {
-      if (!bound.is_infinite()) cap_ = std::max(cap_, bound);
-    };
-    for (const automata::Component& component : plant_.components)
-      for (const Transition& t : component.transitions)
-        if (t.timing) {
-          widen(t.timing->lower);
-          widen(t.timing->upper);
-        }
-    widen(Ticks::of_seconds(3));  // the greatest constant of a random program
-    cap_ += unit_ + unit_;
-  }
+        moves_(step, question.period, question.period.value_or(question.unit)) {}
 
   LoopAnswer run() {
     for (const auto& [start, probability] : initial_belief(step_)) {
@@ -161,97 +149,19 @@ class Explorer {
     return begun;
   }
 
-  /// What a component may do: a mode, and whether that is a fault. `from` and `to` are its clock around the step.
-  std::vector<std::pair<ModeId, bool>> choices(const State& state, std::size_t component, const ControlAction& action,
-                                               Ticks from, Ticks to) {
-    const automata::Component& automaton = plant_.components[component];
-    std::vector<std::pair<ModeId, bool>> result;
-    std::vector<const Transition*> untimed, timed;
-    double faulty = 0;
-    for (const Transition* t : enabled(state.modes, component, action)) {
-      if (automaton.is_fault(*t)) {
-        if (t->weight.value <= 0 || (t->timing && (to < t->timing->lower || to > t->timing->upper))) continue;
-        result.emplace_back(t->to, t->to != state.modes[component]);
-        const bool rate = t->weight.kind == automata::Weight::Kind::rate;
-        const double step = question_.period ? question_.period->seconds() : 0;
-        faulty += rate ? 1 - std::exp(-t->weight.value * step) : t->weight.value;
-      } else if (t->timing) {
-        timed.push_back(t);
-      } else if (t->weight.kind == automata::Weight::Kind::none || t->weight.value > 0) {
-        untimed.push_back(t);
-      }
-    }
-    if (faulty >= 1) return result;
-    for (const Transition* t : untimed) result.emplace_back(t->to, false);
-    if (!untimed.empty()) return result;
-    const bool certain = std::any_of(timed.begin(), timed.end(), [&](const Transition* t) {
-      return question_.period ? to >= t->timing->upper : to > t->timing->upper;
-    });
-    for (const Transition* t : timed) {
-      const bool possible = certain            ? to >= t->timing->upper
-                            : question_.period ? from < t->timing->upper && t->timing->lower < to
-                                               : to >= t->timing->lower;
-      if (possible) result.emplace_back(t->to, false);
-    }
-    if (!certain) result.emplace_back(state.modes[component], false);
-    return result;
-  }
-
-  std::vector<const Transition*> enabled(const Modes& modes, std::size_t component, const ControlAction& action) {
-    const auto [at, fresh] = enabled_.try_emplace({modes, component, action});
-    if (fresh)
-      for (const Transition& t : plant_.components[component].transitions)
-        if (t.from == modes[component] && step_.enabled(t, modes, action)) at->second.push_back(&t);
-    return at->second;
-  }
-
-  /// What a component may do without a fault at some reading of its clock: `late` at one beyond all bounds.
-  std::set<ModeId> nominal(const State& state, std::size_t component, const ControlAction& action, bool late) {
-    std::set<ModeId> result;
-    const Ticks first = question_.period ? unit_ : Ticks{0};
-    for (Ticks to = late ? cap_ : first; to <= cap_; to += unit_)
-      for (const auto& [mode, fault] : choices(state, component, action, question_.period ? to - unit_ : to, to))
-        if (!fault) result.insert(mode);
-    return result;
-  }
-
-  const Exits& exits(const State& state, const ControlAction& action) {
-    const auto [at, fresh] = exits_.try_emplace({state.modes, action});
-    Exits& found = at->second;
-    if (!fresh) return found;
-    std::vector<std::vector<ModeId>> some;
-    std::vector<std::size_t> sizes;
-    for (std::size_t c = 0; c < state.modes.size(); ++c) {
-      found.enabled.push_back(nominal(state, c, action, true));
-      found.enabled.back().erase(state.modes[c]);
-      found.open.emplace_back();
-      const auto modes = nominal(state, c, action, false);
-      some.emplace_back(modes.begin(), modes.end());
-      sizes.push_back(modes.size());
-    }
-    for (const auto& tuple : tuples(sizes)) {
-      Modes next;
-      for (std::size_t c = 0; c < tuple.size(); ++c) next.push_back(some[c][tuple[c]]);
-      if (!step_.possible(next)) continue;
-      for (std::size_t c = 0; c < next.size(); ++c)
-        if (found.enabled[c].contains(next[c])) found.open[c].insert(next[c]);
-    }
-    return found;
-  }
-
   [[nodiscard]] State later(State state) const {
     for (auto& [clock, c] : state.clocks) {
-      const bool capped = c.reading >= cap_;
-      if (!capped) c.reading += unit_;
+      const bool capped = c.reading >= moves_.cap();
+      if (!capped) c.reading += moves_.unit();
       c.side = capped || question_.period ? after : before;
     }
     for (std::size_t i = 0; i < state.modes.size(); ++i) {
       const auto& transitions = plant_.components[i].transitions;
       const bool timed = std::any_of(transitions.begin(), transitions.end(),
                                      [&](const Transition& t) { return t.from == state.modes[i] && t.timing; });
-      if (timed) state.component_clocks[i] = std::min(state.component_clocks[i] + unit_, cap_);
+      if (timed) state.component_clocks[i] = std::min(state.component_clocks[i] + moves_.unit(), moves_.cap());
     }
-    if (state.late) *state.late += unit_;
+    if (state.late) *state.late += moves_.unit();
     return state;
   }
 
@@ -262,7 +172,8 @@ class Explorer {
     std::vector<std::vector<std::pair<ModeId, bool>>> options;
     std::vector<std::size_t> sizes;
     for (std::size_t c = 0; c < plant_.components.size(); ++c) {
-      options.push_back(choices(state, c, begun.advice.action, state.component_clocks[c], at_end.component_clocks[c]));
+      options.push_back(
+          moves_.choices(state.modes, c, begun.advice.action, state.component_clocks[c], at_end.component_clocks[c]));
       sizes.push_back(options.back().size());
       // Where a fault is certain it is what the budget leaves out that would come next.
       const auto is_fault = [](const auto& option) { return option.second; };
@@ -299,22 +210,11 @@ class Explorer {
       const ModeId to = next.modes[c];
       const bool had = state.achieved.contains(c);
       if (had && from != to && begun.advice.for_reward && !component.modes[to.index()].fault &&
-          (!asked || asked == from) && !idle_leads(state.modes, c, to))
+          (!asked || asked == from) && !moves_.idle_leads(state.modes, c, to))
         answer_.undone = true;
       next.achieved.erase(c);
       if (asked == to || (had && from == to)) next.achieved.insert(c);
     }
-  }
-
-  /// Whether a transition that could ever be taken leads there with all controls idle.
-  bool idle_leads(const Modes& modes, std::size_t component, ModeId to) {
-    const ControlAction idle = automata::idle_action(plant_);
-    if (!step_.models().consistent(assumptions_of(plant_, modes, idle))) return false;
-    const auto& transitions = plant_.components[component].transitions;
-    return std::any_of(transitions.begin(), transitions.end(), [&](const Transition& t) {
-      const bool possible = t.weight.kind == automata::Weight::Kind::none || t.weight.value > 0;
-      return t.from == modes[component] && t.to == to && possible && step_.enabled(t, modes, idle);
-    });
   }
 
   /// The second half of a cycle: marking and clocks of `next`.
@@ -326,7 +226,7 @@ class Explorer {
     int rank = 0;
     for (const auto& [clock, c] : next.clocks) rank = std::max(rank, c.rank + 1);
     for (const auto& [clock, start] : sequencer.started())
-      if (!next.clocks.contains(clock)) next.clocks[clock] = {sampled ? unit_ : Ticks{0}, after, rank};
+      if (!next.clocks.contains(clock)) next.clocks[clock] = {sampled ? moves_.unit() : Ticks{0}, after, rank};
     // Ranks only order clocks: without gaps, states that differ in nothing else are one.
     std::set<int> ranks;
     for (const auto& [clock, c] : next.clocks) ranks.insert(c.rank);
@@ -336,7 +236,8 @@ class Explorer {
   void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action) {
     std::vector<bool> moves;
     for (std::size_t c = 0; c < state.modes.size(); ++c) moves.push_back(state.modes[c] != next.modes[c]);
-    edges_.push_back({from, arrive(next), time, state.faults == next.faults, std::move(moves), &exits(state, action)});
+    edges_.push_back(
+        {from, arrive(next), time, state.faults == next.faults, std::move(moves), &moves_.exits(state.modes, action)});
   }
 
   void dense(std::size_t from, const State& state) {
@@ -385,7 +286,7 @@ class Explorer {
       if (!result) result = Round{begun.advice.action, {}};
       for (std::size_t c = 0; c < plant_.components.size(); ++c) {
         bool stays = false, due = false;
-        for (const Transition* t : enabled(seen.modes, c, begun.advice.action)) {
+        for (const Transition* t : moves_.enabled(seen.modes, c, begun.advice.action)) {
           if (plant_.components[c].is_fault(*t)) continue;
           if (t->weight.kind != automata::Weight::Kind::none && t->weight.value <= 0) continue;
           const bool leaves = t->to != seen.modes[c];
@@ -394,7 +295,8 @@ class Explorer {
           if (t->timing && leaves && seen.component_clocks[c] >= t->timing->upper) due = true;
         }
         if (due && !stays) return std::nullopt;
-        const auto options = choices(seen, c, begun.advice.action, seen.component_clocks[c], seen.component_clocks[c]);
+        const auto options =
+            moves_.choices(seen.modes, c, begun.advice.action, seen.component_clocks[c], seen.component_clocks[c]);
         if (std::find(options.begin(), options.end(), std::pair(seen.modes[c], false)) == options.end())
           return std::nullopt;
       }
@@ -427,7 +329,7 @@ class Explorer {
     const State start = seen;
     do {
       const Begun begun = begin(seen, seen);
-      if (!is_shut(exits(seen, begun.advice.action))) return false;
+      if (!is_shut(moves_.exits(seen.modes, begun.advice.action))) return false;
       finish(seen, begun, false);
     } while (seen != start);
     return true;
@@ -439,16 +341,13 @@ class Explorer {
   const automata::Plant& plant_;
   const Adviser& adviser_;
   const LoopQuestion& question_;
-  Ticks unit_;
-  Ticks cap_;
+  LoopMoves moves_;
   LoopAnswer answer_;
   std::map<State, std::size_t> numbers_;
   std::vector<const State*> states_;
   std::vector<bool> judged_;  ///< by state: it was explored, and no fault is certain in it
   std::vector<RunEdge> edges_;
-  std::map<std::pair<Modes, ControlAction>, Exits> exits_;
   std::map<std::pair<Modes, std::vector<Assignment>>, Advice> advice_;
-  std::map<std::tuple<Modes, std::size_t, ControlAction>, std::vector<const Transition*>> enabled_;
 };
 
 }  // namespace
