@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "automata/logic/given.hpp"
 #include "automata/time/checked_ticks.hpp"
 #include "base/check.hpp"
 #include "base/error.hpp"
@@ -78,15 +79,32 @@ Expectations::Expectations(automata::PlantStep& step, const automata::Program& p
 }
 
 Expectations::Question Expectations::ask(const automata::Formula& formula) {
-  return {&formula, step_.theory().encode(formula)};
+  const std::vector<automata::VariableId> read = variables_of(formula);
+  const auto& controls = step_.plant().controls;
+  const bool commanded = std::any_of(controls.begin(), controls.end(), [&](const automata::Control& control) {
+    return std::binary_search(read.begin(), read.end(), control.variable);
+  });
+  return {&formula, step_.theory().encode(formula), {}, commanded};
 }
 
 bool Expectations::holds(Question& question, const Side& side) {
-  if (side.changed) question.answer = step_.theory().entails(side.known, question.handle);
+  if (question.commanded && commanded_anew_) {
+    const auto [at, fresh] = question.by_command.try_emplace(command_);
+    if (fresh) {
+      const auto given = automata::assignments_of(step_.plant(), command_);
+      at->second = step_.theory().encode(automata::with_values(*question.formula, given));
+    }
+    question.handle = at->second;
+  }
+  if (side.changed || (question.commanded && commanded_anew_)) {
+    question.answer = step_.theory().entails(side.known, question.handle);
+  }
   return question.answer;
 }
 
 void Expectations::know(const CycleRecord& record) {
+  commanded_anew_ = command_ != record.command;
+  command_ = record.command;
   const auto renew = [](Side& side) {
     side.changed = side.next != side.known;
     if (side.changed) side.known = side.next;
@@ -147,6 +165,8 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
     case Expectation::Kind::never:
       if (watch.since && condition && !late) {
         judgement = {Verdict::failed, now, "it came true", evidence(expectation, record)};
+      } else if (late || (due && now == *due)) {
+        judgement = {Verdict::met, now, {}, {}};
       }
       break;
     case Expectation::Kind::goal_conflict:
@@ -195,7 +215,8 @@ void Expectations::close(const CycleRecord& last, bool interrupted) {
 bool Expectations::waiting() const {
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     if (judgements_[i].verdict != Verdict::undecided) continue;
-    if (!lasts_to_the_end(*watches_[i].expectation)) return true;
+    const bool has_deadline = watches_[i].expectation->within && watches_[i].since;
+    if (has_deadline || !lasts_to_the_end(*watches_[i].expectation)) return true;
   }
   return false;
 }

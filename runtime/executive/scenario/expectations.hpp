@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +29,8 @@ struct Judgement {
 std::string_view name_of(Judgement::Verdict verdict);
 
 /// A condition holds when it is entailed by the model and what is known at the end of a cycle: the estimate and the
-/// observations that it explains, or the true modes.
+/// observations that it explains, or the true modes. What it says of controls is so or not by the command that was in
+/// force in that cycle.
 class Expectations {
  public:
   /// Keeps references to all. Throws base::InputError where an expectation speaks of the truth and nothing is
@@ -51,7 +53,10 @@ class Expectations {
   /// A formula asked of a sequence of knowledge that seldom changes.
   struct Question {
     const automata::Formula* formula;
-    automata::Theory::Handle handle;
+    automata::Theory::Handle handle;  ///< of the formula under the command that it was asked under last
+    /// Where it speaks of controls: what is known of it, by command.
+    std::map<automata::ControlAction, automata::Theory::Handle> by_command;
+    bool commanded = false;
     bool answer = false;
   };
   /// What is known on one side, the estimate's or the truth's.
@@ -78,6 +83,8 @@ class Expectations {
   automata::PlantStep& step_;
   const automata::Program& program_;
   Side estimate_, truth_;
+  automata::ControlAction command_;  ///< in force in the cycle that ends
+  bool commanded_anew_ = false;
   std::vector<Watch> watches_;
   std::vector<Judgement> judgements_;
 };
