@@ -149,13 +149,19 @@ void write_scenario(const std::string& path, base::OutputFile& file, const Scena
                                   (answer.limit ? " before the search was ended" : "; --cycle takes another length");
     auto refused = witness ? verifier::no_scenario(step, property, *witness) : std::optional(not_found);
     if (!refused) {
-      const std::string text = verifier::scenario_text(step, property, *witness, frame);
-      refused = rehearse(path, text, subject.plant, *witness, limits.interrupted);
-      if (!refused) {
-        file.write(text);
-        file.keep();
-        return;
-      }
+      // Where the estimate comes to what the trace has it may take its time.
+      constexpr std::int64_t most_patience = 100'000;
+      ScenarioFrame patient = frame;
+      do {
+        const std::string text = verifier::scenario_text(step, property, *witness, patient);
+        refused = rehearse(path, text, subject.plant, *witness, limits.interrupted);
+        if (!refused) {
+          file.write(text);
+          file.keep();
+          return;
+        }
+        patient.patience *= 8;
+      } while (verifier::is_about_patience(property) && patient.patience < most_patience);
     }
     if (!why) why = refused;
   }

@@ -256,7 +256,9 @@ void ProgramSystem::stay(LoopStateId id, Zone now, const Arrival& arrival, const
   Label label = arrival.label;
   bool whole = false;
   const std::shared_ptr<const Turn> turn = loop_.turn(id);
-  for (std::size_t w = 0; w < turn->waits.size(); ++w) {
+  // What is looked at up to the end of the program is over as it ends: no time passes there.
+  const std::size_t waits = loop_[id].marking.empty() && !is_due(arrival.phase) ? 0 : turn->waits.size();
+  for (std::size_t w = 0; w < waits; ++w) {
     Zone later = now;
     if (!wait(later, turn->waits[w], id)) continue;
     whole = whole || later.includes(now);

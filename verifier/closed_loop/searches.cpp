@@ -136,6 +136,7 @@ std::optional<Witness> Searches::at_a_moment(Query query, const ProgramProperty&
   std::optional<Witness> best = search(query, &property);
   while (property.fastest && best && best->events.back().time > Ticks{0}) {
     window.upper = time.at_most(best->events.back().time) - 1;
+    if (window.upper < window.lower) break;
     query.window = window;
     std::optional<Witness> faster = search(query, &property);
     if (!faster) break;

@@ -69,7 +69,7 @@ class Writer {
 
   /// A few cycles longer than the trace: what does not come is missed when the run is over.
   [[nodiscard]] Ticks duration() const {
-    const std::int64_t after = property_.kind == Kind::endless_wait || property_.kind == Kind::termination ? 20 : 4;
+    const std::int64_t after = is_about_patience(property_) ? frame_.patience : 4;
     return witness_.events.back().time + Ticks{after * frame_.cycle.count};
   }
 
@@ -213,10 +213,6 @@ class Writer {
   const ScenarioFrame& frame_;
 };
 
-}  // namespace
-
-namespace {
-
 /// A flight knows its commands; a check leaves open what no mode says.
 bool speaks_of_control(const automata::Plant& plant, const Formula& formula) {
   const std::vector<VariableId> read = automata::variables_of(formula);
@@ -226,6 +222,10 @@ bool speaks_of_control(const automata::Plant& plant, const Formula& formula) {
 }
 
 }  // namespace
+
+bool is_about_patience(const ProgramProperty& property) {
+  return property.kind == Kind::endless_wait || property.kind == Kind::termination;
+}
 
 std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
                                        const Witness& witness) {

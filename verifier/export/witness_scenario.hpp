@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -16,7 +17,11 @@ struct ScenarioFrame {
   std::string program, plant;  ///< paths, as the scenario is to name them
   std::string entry;           ///< the definition to start with; empty: the one that no other calls
   automata::Ticks cycle;
+  std::int64_t patience = 20;  ///< cycles that a flight in which the program is not to end goes on after the trace
 };
+
+/// Whether the flight fails as the program has not ended when it is over, which may be too soon.
+bool is_about_patience(const ProgramProperty& property);
 
 /// Why no flight would fail as the run does; nothing where one does.
 std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
