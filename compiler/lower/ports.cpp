@@ -91,8 +91,9 @@ class Connector {
     }
     const auto [first, fresh] = known.emplace(*id, name.span);
     if (fresh) return id;
-    auto& error =
-        diagnostics_.error(Code::duplicate_name, name.span, backquoted(name.text) + " is already declared a " + kind);
+    auto& error = diagnostics_.error(
+        Code::duplicate_name, name.span,
+        backquoted(name.text) + " is already declared to be " + (kind == "observable" ? "an " : "a ") + kind);
     if (first->second) error.notes.push_back({*first->second, "the first declaration is here"});
     return std::nullopt;
   }

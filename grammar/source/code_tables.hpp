@@ -18,6 +18,7 @@ std::span<const CodeInfo> scenario_codes();
 std::span<const CodeInfo> lint_codes();
 std::span<const CodeInfo> lint_flight_codes();
 std::span<const CodeInfo> lint_plant_codes();
+std::span<const CodeInfo> lint_transition_codes();
 std::span<const CodeInfo> lint_sensing_codes();
 std::span<const CodeInfo> document_codes();
 std::span<const CodeInfo> property_codes();

@@ -125,6 +125,7 @@ enum class Code : std::uint16_t {
   timed_fault = 547,
   idle_transition = 548,
   unobserved_plant = 549,
+  unused_weight = 550,
   // Compiled documents.
   document_schema = 600,
   // Properties.

@@ -309,8 +309,8 @@ plant Feed {
 })"},
     CodeInfo{Code::impossible_command, "command that contradicts the model",
              "The control variable can never have the value, as mode constraints and interconnections exclude "
-             "it in all modes. To command it is a contradiction, from which everything follows: it would "
-             "enable every guard.",
+             "it in all modes; or its idle value contradicts a mode that is reached. To command it, or nothing, is a "
+             "contradiction then, from which everything follows: every guard is enabled.",
              R"(component Valve {
   input  cmd      : { none, open, close, vent };
   output position : { shut, wide };
@@ -334,72 +334,6 @@ plant Feed {
   mode open   { position = wide };
   closed -> open   when cmd = open;
   open   -> closed when cmd = close;
-}
-plant Feed {
-  valve : Valve;
-  control valve.cmd default none;
-  observe valve.position;
-})"},
-    CodeInfo{
-        Code::timed_fault, "fault with time bounds",
-        "A fault is drawn anew in each step; with time bounds, in each step at whose end the clock is within them. "
-        "In how many steps that is depends on the cycle, a step over all of the bounds draws it never, and once "
-        "they have passed it cannot happen any more. What is meant by a fault among the outcomes of a transition "
-        "that takes time is a mode of its own, from which without bounds the outcome is drawn. A fault with bounds "
-        "by itself is a note.",
-        R"(component Latch {
-  output seen : { moving, locked, jammed };
-  initial moving;
-  mode  moving { seen = moving };
-  mode  locked { seen = locked };
-  fault jammed { seen = jammed };
-  moving -> { locked with 0.98, jammed with 0.02 } in [1 s, 2 s];
-}
-plant Door {
-  latch : Latch;
-  observe latch.seen;
-})",
-        R"(component Latch {
-  output seen : { moving, there, locked, jammed };
-  initial moving;
-  mode  moving { seen = moving };
-  mode  there  { seen = there };
-  mode  locked { seen = locked };
-  fault jammed { seen = jammed };
-  moving -> there in [1 s, 2 s];
-  there  -> { locked with 0.98, jammed with 0.02 };
-}
-plant Door {
-  latch : Latch;
-  observe latch.seen;
-})"},
-    CodeInfo{
-        Code::idle_transition, "transition that changes nothing",
-        "A nominal transition leads to the mode that it sets out from, and is never enabled together with one that "
-        "leads elsewhere. To stay is to stay: the clock of the mode goes on, so the transition has no effect. Beside "
-        "others it has one, as it takes its share of the probability or goes before what takes time. What is to begin "
-        "anew is a mode of its own. In a mode without time bounds it is a note.",
-        R"(component Valve {
-  input  cmd      : { none, open, keep };
-  output position : { shut, wide };
-  initial closed;
-  mode closed { position = shut };
-  mode open   { position = wide };
-  closed -> open when cmd = open in [2 s, 3 s];
-  closed -> closed when cmd = keep;
-}
-plant Feed {
-  valve : Valve;
-  control valve.cmd default none;
-  observe valve.position;
-})",
-        R"(component Valve {
-  input  cmd      : { none, open };
-  output position : { shut, wide };
-  initial closed;
-  mode closed { position = shut };
-  mode open   { position = wide };
-  closed -> open when cmd = open in [2 s, 3 s];
 }
 plant Feed {
   valve : Valve;

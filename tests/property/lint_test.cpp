@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -229,7 +230,8 @@ RC_GTEST_PROP(PlantLint, IdleTransitionsAreThoseThatNothingElseGoesWith, ()) {
       bool alone = true;
       for (std::size_t o = 0; o < component.transitions.size(); ++o) {
         const Transition& other = component.transitions[o];
-        const bool elsewhere = other.from == own.from && other.to != own.to && !component.is_fault(other);
+        const bool elsewhere =
+            other.from == own.from && other.to != own.to && !component.is_fault(other) && (other.timing || !own.timing);
         const bool happens = analysis.can_happen({ComponentId(c), automata::TransitionId(o)});
         if (elsewhere && happens && slow.together(c, t, o)) alone = false;
       }
@@ -246,6 +248,80 @@ RC_GTEST_PROP(PlantLint, IdleTransitionsAreThoseThatNothingElseGoesWith, ()) {
     const automata::Ticks clock{seconds * automata::Ticks::per_second};
     RC_ASSERT(move_alike(model.plant, without.plant, slow, clock));
   }
+}
+
+/// Whether the outcome of a step is the same whatever the weight: drawn alone, or by its times.
+bool is_of_no_account(const Plant& plant, const PlantAnalysis& analysis, const PlantLint& slow, std::size_t c,
+                      std::size_t t) {
+  const automata::Component& component = plant.components[c];
+  const Transition& own = component.transitions[t];
+  if (own.timing) return true;
+  for (std::size_t o = 0; o < component.transitions.size(); ++o) {
+    const Transition& other = component.transitions[o];
+    const bool competes = other.from == own.from && other.to != own.to && !component.is_fault(other) && !other.timing;
+    if (competes && analysis.can_happen({ComponentId(c), automata::TransitionId(o)}) && slow.together(c, t, o))
+      return false;
+  }
+  return true;
+}
+
+RC_GTEST_PROP(PlantLint, UnusedWeightsAreThoseThatShareWithNothing, ()) {
+  Model model = any_plant();
+  for (automata::Component& component : model.plant.components) {
+    for (Transition& transition : component.transitions) {
+      const auto same = [&](const Transition& other) { return other.branch == transition.branch; };
+      const bool alone = std::count_if(component.transitions.begin(), component.transitions.end(), same) == 1;
+      if (alone && !component.is_fault(transition) && chance(30)) {
+        transition.weight = {automata::Weight::Kind::probability, 0.5};
+      }
+    }
+  }
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  std::set<std::pair<std::size_t, std::size_t>> found, expected;
+  for (const compiler::PlantTransition& unused : find_unused_weights(analysis)) {
+    found.emplace(unused.component.index(), unused.transition.index());
+  }
+  for (std::size_t c = 0; c < model.plant.components.size(); ++c) {
+    const automata::Component& component = model.plant.components[c];
+    for (std::size_t t = 0; t < component.transitions.size(); ++t) {
+      const Transition& own = component.transitions[t];
+      const auto same = [&](const Transition& other) { return other.branch == own.branch && other.from == own.from; };
+      const bool weighted = own.weight.kind != automata::Weight::Kind::none && own.weight.value < 1;
+      if (component.is_fault(own) || !weighted || !analysis.can_happen({ComponentId(c), automata::TransitionId(t)}))
+        continue;
+      if (std::count_if(component.transitions.begin(), component.transitions.end(), same) > 1) continue;
+      if (is_of_no_account(model.plant, analysis, slow, c, t)) expected.emplace(c, t);
+    }
+  }
+  RC_ASSERT(found == expected);
+  if (found.empty()) return;
+  Model without = model;
+  for (const auto& [c, t] : found) without.plant.components[c].transitions[t].weight = {};
+  for (const std::int64_t seconds : {1, 2, 5, 30}) {
+    RC_ASSERT(move_alike(model.plant, without.plant, slow, automata::Ticks{seconds * automata::Ticks::per_second}));
+  }
+}
+
+RC_GTEST_PROP(PlantLint, WhatNothingCommandedContradictsIsInNoSituation, ()) {
+  const Model model = any_plant();
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  const automata::ControlAction idle = automata::idle_action(model.plant);
+  Pairs found, some, quiet;
+  for (const compiler::IdleContradiction& one : find_idle_contradictions(analysis)) {
+    found.emplace(one.mode.component.index(), one.mode.mode.index());
+    RC_ASSERT(!one.idle.empty());
+  }
+  for (const auto& [modes, action] : slow.situations()) {
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      some.emplace(c, modes[c].index());
+      if (action == idle) quiet.emplace(c, modes[c].index());
+    }
+  }
+  Pairs expected;
+  std::set_difference(some.begin(), some.end(), quiet.begin(), quiet.end(), std::inserter(expected, expected.end()));
+  RC_ASSERT(found == expected);
 }
 
 RC_GTEST_PROP(PlantLint, CommandsHaveTheEffectThatIsSaid, ()) {

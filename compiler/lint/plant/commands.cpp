@@ -1,9 +1,11 @@
 // Findings: command values that nothing allows, or that nothing reads.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
+#include "automata/state.hpp"
 #include "base/partition.hpp"
 #include "compiler/lint/plant/findings.hpp"
 
@@ -22,6 +24,28 @@ std::vector<Assignment> find_impossible_commands(PlantAnalysis& analysis) {
     for (std::size_t v = 0; v < plant.variables[control.variable].values.size(); ++v) {
       const Assignment command{control.variable, ValueId(v)};
       if (!analysis.questions().possible({&command, 1})) found.push_back(command);
+    }
+  }
+  return found;
+}
+
+std::vector<IdleContradiction> find_idle_contradictions(PlantAnalysis& analysis) {
+  std::vector<IdleContradiction> found;
+  const Plant& plant = analysis.plant();
+  const std::vector<Assignment> idle = automata::assignments_of(plant, automata::idle_action(plant));
+  PlantQuestions& questions = analysis.questions();
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
+      const Assignment mode{plant.components[c].mode, ValueId(m)};
+      std::vector<Assignment> together = idle;
+      together.push_back(mode);
+      if (!analysis.reach().reached[c][m] || questions.possible(together) || !questions.possible({&mode, 1})) continue;
+      IdleContradiction contradiction{{automata::ComponentId(c), automata::ModeId(m)}, {}};
+      for (const Assignment& one : idle) {
+        if (!questions.possible(std::array{one, mode})) contradiction.idle.push_back(one);
+      }
+      if (contradiction.idle.empty()) contradiction.idle = idle;
+      found.push_back(std::move(contradiction));
     }
   }
   return found;

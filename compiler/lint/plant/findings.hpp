@@ -40,11 +40,22 @@ struct Shadow {
 std::vector<Shadow> find_shadowed_transitions(PlantAnalysis& analysis);
 
 /// Nominal transitions to the mode that they set out from, which is reached, with which no nominal transition that
-/// leads elsewhere is ever enabled: without them the plant does the same.
+/// leads elsewhere is ever enabled (of one that takes time: none that does): without them the plant does the same.
 std::vector<PlantTransition> find_idle_transitions(PlantAnalysis& analysis);
+
+/// Nominal transitions whose weight, below 1, is of no account: those that take time, and are not one of several
+/// outcomes; and those beside which none without time bounds that leads elsewhere is ever enabled.
+std::vector<PlantTransition> find_unused_weights(PlantAnalysis& analysis);
 
 /// Values of control variables that nothing allows, in modes that are reached.
 std::vector<automata::Assignment> find_impossible_commands(PlantAnalysis& analysis);
+/// A mode that is reached, and possible under some command, but not while nothing is commanded; with the idle values
+/// that it contradicts, each by itself, or else all together.
+struct IdleContradiction {
+  PlantMode mode;
+  std::vector<automata::Assignment> idle;
+};
+std::vector<IdleContradiction> find_idle_contradictions(PlantAnalysis& analysis);
 /// Values of control variables, not idle, in place of which the idle value could stand wherever they are read: to
 /// exchange the two, in the control variable and in all that is set equal to it, changes no constraint and no guard,
 /// and nothing that is observed. Sufficient: others may have no effect either.

@@ -29,6 +29,28 @@ void report_impossible_commands(PlantReport& report) {
   }
 }
 
+/// Once for each control: the first mode that its idle value contradicts.
+void report_contradicting_idle(PlantReport& report) {
+  const std::vector<Assignment> impossible = find_impossible_commands(report.analysis());
+  std::set<VariableId> told;
+  for (const Assignment& command : impossible) told.insert(command.variable);
+  for (const IdleContradiction& found : find_idle_contradictions(report.analysis())) {
+    const bool alone = found.idle.size() == 1;
+    const Assignment& first = found.idle.front();
+    if (!told.insert(first.variable).second) continue;
+    const Assignment mode{report.plant()[found.mode.component].mode, automata::ValueId(found.mode.mode.index())};
+    std::vector<Assignment> contradicted = found.idle;
+    if (!alone) contradicted.resize(std::min<std::size_t>(contradicted.size(), 1));
+    auto& finding =
+        report.add(Code::impossible_command, declared(report, first.variable),
+                   "while nothing is commanded " + report.list({mode}) + " contradicts the model: " + "from " +
+                       report.list(found.idle) + " every guard follows there");
+    finding.suggestion = "choose a default that every mode allows";
+    contradicted.push_back(mode);
+    report.blame(finding, report.analysis().blame().of(contradicted, automata::constant(true)));
+  }
+}
+
 /// Whether a formula asks a variable of the same domain, but not this one, for the value by itself or in a set.
 bool asks(const automata::Plant& plant, const automata::Formula& formula, const Assignment& command) {
   if (formula.kind == automata::Formula::Kind::member && formula.variable != command.variable &&
@@ -101,6 +123,7 @@ void report_uncommanded(PlantReport& report) {
 
 void report_commands(PlantReport& report) {
   report_impossible_commands(report);
+  report_contradicting_idle(report);
   report_unread(report);
   report_uncommanded(report);
 }

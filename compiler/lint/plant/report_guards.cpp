@@ -181,6 +181,20 @@ void report_idle(PlantReport& report) {
   }
 }
 
+void report_unused_weights(PlantReport& report) {
+  for (const Written& written : as_written(report, find_unused_weights(report.analysis()))) {
+    const bool timed = report[written.first].timing.has_value();
+    auto& finding = report.add(
+        Code::unused_weight, report.at(written.first),
+        "the weight of the transition from " + ends(report, written.first) + " of " + report.name(written.instances) +
+            (timed ? " is of no account: what takes time by itself competes by its times alone"
+                   : " is of no account: no other transition is ever enabled beside it, and it is taken for certain"));
+    if (!report.all(written.instances)) finding.severity = grammar::Severity::note;
+    finding.suggestion = timed ? "outcomes of one transition share its time: `-> { … with 0.9, … with 0.1 } in [ … ]`"
+                               : "say what else may come of it: `-> { … with 0.9, … with 0.1 }`";
+  }
+}
+
 }  // namespace
 
 void report_guards(PlantReport& report) {
@@ -188,6 +202,7 @@ void report_guards(PlantReport& report) {
   report_overlaps(report);
   report_shadows(report);
   report_idle(report);
+  report_unused_weights(report);
 }
 
 }  // namespace rmpl::compiler

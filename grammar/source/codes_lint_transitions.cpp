@@ -1,0 +1,121 @@
+// Codes of the registry: lint of plants, transitions that do not do what they seem to.
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "grammar/source/code_tables.hpp"
+
+namespace rmpl::grammar {
+namespace {
+
+constexpr std::array table = {
+    CodeInfo{
+        Code::timed_fault, "fault with time bounds",
+        "A fault is drawn anew in each step; with time bounds, in each step at whose end the clock is within them. "
+        "In how many steps that is depends on the cycle, a step over all of the bounds draws it never, and once "
+        "they have passed it cannot happen any more. What is meant by a fault among the outcomes of a transition "
+        "that takes time is a mode of its own, from which without bounds the outcome is drawn. A fault with bounds "
+        "by itself is a note.",
+        R"(component Latch {
+  output seen : { moving, locked, jammed };
+  initial moving;
+  mode  moving { seen = moving };
+  mode  locked { seen = locked };
+  fault jammed { seen = jammed };
+  moving -> { locked with 0.98, jammed with 0.02 } in [1 s, 2 s];
+}
+plant Door {
+  latch : Latch;
+  observe latch.seen;
+})",
+        R"(component Latch {
+  output seen : { moving, there, locked, jammed };
+  initial moving;
+  mode  moving { seen = moving };
+  mode  there  { seen = there };
+  mode  locked { seen = locked };
+  fault jammed { seen = jammed };
+  moving -> there in [1 s, 2 s];
+  there  -> { locked with 0.98, jammed with 0.02 };
+}
+plant Door {
+  latch : Latch;
+  observe latch.seen;
+})"},
+    CodeInfo{
+        Code::idle_transition, "transition that changes nothing",
+        "A nominal transition leads to the mode that it sets out from, and is never enabled together with one that "
+        "leads elsewhere. To stay is to stay: the clock of the mode goes on, so the transition has no effect. Beside "
+        "others it has one, as it takes its share of the probability or goes before what takes time. What is to begin "
+        "anew is a mode of its own. In a mode without time bounds it is a note.",
+        R"(component Valve {
+  input  cmd      : { none, open, keep };
+  output position : { shut, wide };
+  initial closed;
+  mode closed { position = shut };
+  mode open   { position = wide };
+  closed -> open when cmd = open in [2 s, 3 s];
+  closed -> closed when cmd = keep;
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})",
+        R"(component Valve {
+  input  cmd      : { none, open };
+  output position : { shut, wide };
+  initial closed;
+  mode closed { position = shut };
+  mode open   { position = wide };
+  closed -> open when cmd = open in [2 s, 3 s];
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})"},
+    CodeInfo{
+        Code::unused_weight, "weight that is of no account",
+        "Weights say how transitions without time bounds that are enabled together share what is likely, and how the "
+        "outcomes of one transition do. A transition beside which no other is ever enabled is taken for certain, "
+        "whatever its weight; one that takes time competes with others by its times alone.",
+        R"(component Valve {
+  input  cmd      : { none, open, close };
+  output position : { shut, wide, between };
+  initial closed;
+  mode closed { position = shut };
+  mode open   { position = wide };
+  mode ajar   { position = between };
+  closed -> open when cmd = open;
+  open -> closed when cmd = close in [1 s, 2 s] with 0.9;
+  open -> ajar   when cmd = close in [1 s, 2 s] with 0.1;
+  ajar -> closed when cmd = close;
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})",
+        R"(component Valve {
+  input  cmd      : { none, open, close };
+  output position : { shut, wide, between };
+  initial closed;
+  mode closed { position = shut };
+  mode open   { position = wide };
+  mode ajar   { position = between };
+  closed -> open when cmd = open;
+  open -> { closed with 0.9, ajar with 0.1 } when cmd = close in [1 s, 2 s];
+  ajar -> closed when cmd = close;
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})"},
+};
+
+}  // namespace
+
+std::span<const CodeInfo> lint_transition_codes() { return table; }
+
+}  // namespace rmpl::grammar
