@@ -22,14 +22,15 @@ class Comparison final : public runtime::CycleObserver {
     if (record.cycle == 0) return;
     if (const automata::Modes* modes = modes_at(record.time)) {
       if (difference_.empty()) difference_ = difference(record, *modes);
-    } else {
+    } else if (!agreed_) {
       // What the last event leads to is not known.
       last_difference_ = difference(record, witness_.events[witness_.events.size() - 2].modes);
+      agreed_ = last_difference_.empty();
     }
   }
   /// Empty where there is none.
   [[nodiscard]] const std::string& difference() const { return difference_; }
-  /// After the last cycle, to what the trace comes to; empty where there is none, and where the trace goes round.
+  /// To what the trace comes to, where the executive never takes all of that to be so; empty where the trace goes round.
   [[nodiscard]] std::string last_difference() const { return witness_.repeats_from ? "" : last_difference_; }
 
  private:
@@ -55,6 +56,7 @@ class Comparison final : public runtime::CycleObserver {
   const automata::Plant& plant_;
   const verifier::Witness& witness_;
   std::string difference_, last_difference_;
+  bool agreed_ = false;  ///< after the trace, at some time
 };
 
 }  // namespace
