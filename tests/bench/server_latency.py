@@ -50,7 +50,7 @@ DEFINITION = """Part{k}() :: {{
   }}
 }}
 """
-SCENARIO = 'scenario "s" {\n  program "p.rmpl" main Main;\n  plant "p.tcca";\n  cycle 1 s;\n  duration 60 s;\n  seed 1;\n%s}\n'
+SCENARIO = 'scenario "s" {\n  program "p.rmpl" main Main;\n  plant "p.tcca";\n  cycle 1 s;\n  duration 10 h;\n  seed 1;\n%s}\n'
 
 
 def client_module():
