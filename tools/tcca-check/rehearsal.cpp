@@ -30,7 +30,8 @@ class Comparison final : public runtime::CycleObserver {
   }
   /// Empty where there is none.
   [[nodiscard]] const std::string& difference() const { return difference_; }
-  /// To what the trace comes to, where the executive never takes all of that to be so; empty where the trace goes round.
+  /// To what the trace comes to, where the executive never takes all of that to be so; empty where the trace goes
+  /// round.
   [[nodiscard]] std::string last_difference() const { return witness_.repeats_from ? "" : last_difference_; }
 
  private:
