@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "automata/controls.hpp"
 #include "automata/json/document.hpp"
 
 namespace rmpl::automata {
@@ -36,11 +37,6 @@ Assignment reading_from_json(const Node& node, const Plant& plant) {
   const auto& shown = plant.observables;
   if (std::find(shown.begin(), shown.end(), reading.variable) == shown.end()) node.fail("an observable and its value");
   return reading;
-}
-
-bool is_control(const Plant& plant, VariableId variable) {
-  return std::any_of(plant.controls.begin(), plant.controls.end(),
-                     [variable](const Control& control) { return control.variable == variable; });
 }
 
 Rule rule_from_json(const Node& node, const Plant& plant) {

@@ -15,12 +15,10 @@ class ProgramRules::Marked {
  public:
   explicit Marked(std::size_t locations) : marked_(locations, false) {}
 
-  /// Whether it was not marked before.
-  bool add(LocationId location) {
-    if (marked_[location.index()]) return false;
+  void add(LocationId location) {
+    if (marked_[location.index()]) return;
     marked_[location.index()] = true;
     listed_.push_back(location);
-    return true;
   }
   [[nodiscard]] const Marking& listed() const { return listed_; }
   [[nodiscard]] Marking sorted() && {

@@ -208,23 +208,22 @@ class ScenarioLowering {
   /// A time of an event; one behind the end of the scenario gets a warning, since the event never comes.
   std::optional<Ticks> time_of(const grammar::Duration& at, grammar::Span event) {
     const auto ticks = ticks_of(at, diagnostics_);
-    if (ticks && *ticks > scenario_.duration) {
-      diagnostics_.warning(
-          Code::scenario_after_end, event,
-          "the scenario ends after " + automata::format_seconds(scenario_.duration) + " s, before this comes about");
-    }
+    if (ticks) warn_behind_end(*ticks, event, "this comes about");
     return ticks;
   }
 
   /// A deadline; one behind the end of the scenario gets a warning, since it is judged before.
   std::optional<Ticks> deadline_of(const grammar::Duration& within, grammar::Span expectation) {
     const auto ticks = ticks_of(within, diagnostics_);
-    if (ticks && *ticks > scenario_.duration) {
-      diagnostics_.warning(Code::scenario_after_end, expectation,
-                           "the scenario ends after " + automata::format_seconds(scenario_.duration) +
-                               " s, before the " + automata::format_seconds(*ticks) + " s of this are over");
-    }
+    if (ticks) warn_behind_end(*ticks, expectation, "the " + automata::format_seconds(*ticks) + " s of this are over");
     return ticks;
+  }
+
+  void warn_behind_end(Ticks time, grammar::Span span, const std::string& what) {
+    if (time <= scenario_.duration) return;
+    diagnostics_.warning(
+        Code::scenario_after_end, span,
+        "the scenario ends after " + automata::format_seconds(scenario_.duration) + " s, before " + what);
   }
 
   std::optional<Assignment> mode_of(const grammar::AssignmentText& text) {

@@ -87,11 +87,11 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
   }
   if (result.interrupted) return "its flight, by which it is tried, was interrupted";
   // What is owed after something that never comes is failed too, but not as in the trace.
-  const bool waits = document.scenarios.front().expectations.front().after.has_value();
+  const automata::Expectation& expected = document.scenarios.front().expectations.front();
+  const bool waits = expected.after.has_value();
   const bool failed = result.verdict() == runtime::Judgement::Verdict::failed;
   const std::string& difference = comparison.difference();
   // A program that has not ended may only be on its way.
-  const automata::Expectation& expected = document.scenarios.front().expectations.front();
   const bool open = expected.kind == automata::Expectation::Kind::finished && !result.ended;
   const std::string left = open ? comparison.last_difference() : "";
   if (failed && left.empty() && (!waits || difference.empty())) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "automata/assignment_text.hpp"
+#include "automata/controls.hpp"
 
 namespace rmpl::verifier {
 
@@ -213,14 +214,6 @@ class Writer {
   const ScenarioFrame& frame_;
 };
 
-/// A flight knows its commands; a check leaves open what no mode says.
-bool speaks_of_control(const automata::Plant& plant, const Formula& formula) {
-  const std::vector<VariableId> read = automata::variables_of(formula);
-  return std::any_of(plant.controls.begin(), plant.controls.end(), [&](const automata::Control& control) {
-    return std::find(read.begin(), read.end(), control.variable) != read.end();
-  });
-}
-
 }  // namespace
 
 bool is_about_patience(const ProgramProperty& property) {
@@ -230,7 +223,7 @@ bool is_about_patience(const ProgramProperty& property) {
 std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
                                        const Witness& witness) {
   if (witness.stop) return "a flight goes on in time, whatever the model says of what follows";
-  if (speaks_of_control(step.plant(), property.formula)) {
+  if (automata::speaks_of_control(step.plant(), property.formula)) {
     return "'" + property.text +
            "' speaks of a control: a flight knows its commands, the check leaves open what no mode says";
   }

@@ -33,12 +33,13 @@ std::vector<IdleContradiction> find_idle_contradictions(PlantAnalysis& analysis)
   std::vector<IdleContradiction> found;
   const Plant& plant = analysis.plant();
   const std::vector<Assignment> idle = automata::assignments_of(plant, automata::idle_action(plant));
+  if (idle.empty()) return found;
+  std::vector<Assignment> together = idle;
+  Assignment& mode = together.emplace_back();
   PlantQuestions& questions = analysis.questions();
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
-      const Assignment mode{plant.components[c].mode, ValueId(m)};
-      std::vector<Assignment> together = idle;
-      together.push_back(mode);
+      mode = {plant.components[c].mode, ValueId(m)};
       if (!analysis.reach().reached[c][m] || questions.possible(together) || !questions.possible({&mode, 1})) continue;
       IdleContradiction contradiction{{automata::ComponentId(c), automata::ModeId(m)}, {}};
       for (const Assignment& one : idle) {

@@ -20,8 +20,8 @@ grammar::Span declared(const PlantReport& report, VariableId control) {
   return known == controls.end() ? report.declarations().plant : known->second;
 }
 
-void report_impossible_commands(PlantReport& report) {
-  for (const Assignment& command : find_impossible_commands(report.analysis())) {
+void report_impossible_commands(PlantReport& report, const std::vector<Assignment>& impossible) {
+  for (const Assignment& command : impossible) {
     const Contradiction why = report.analysis().blame().of({&command, 1}, automata::constant(true));
     auto& finding = report.add(Code::impossible_command, declared(report, command.variable),
                                "the command " + report.list({command}) + " contradicts the model in all modes");
@@ -30,22 +30,18 @@ void report_impossible_commands(PlantReport& report) {
 }
 
 /// Once for each control: the first mode that its idle value contradicts.
-void report_contradicting_idle(PlantReport& report) {
-  const std::vector<Assignment> impossible = find_impossible_commands(report.analysis());
+void report_contradicting_idle(PlantReport& report, const std::vector<Assignment>& impossible) {
   std::set<VariableId> told;
   for (const Assignment& command : impossible) told.insert(command.variable);
   for (const IdleContradiction& found : find_idle_contradictions(report.analysis())) {
-    const bool alone = found.idle.size() == 1;
     const Assignment& first = found.idle.front();
     if (!told.insert(first.variable).second) continue;
     const Assignment mode{report.plant()[found.mode.component].mode, automata::ValueId(found.mode.mode.index())};
-    std::vector<Assignment> contradicted = found.idle;
-    if (!alone) contradicted.resize(std::min<std::size_t>(contradicted.size(), 1));
-    auto& finding =
-        report.add(Code::impossible_command, declared(report, first.variable),
-                   "while nothing is commanded " + report.list({mode}) + " contradicts the model: " + "from " +
-                       report.list(found.idle) + " every guard follows there");
+    auto& finding = report.add(Code::impossible_command, declared(report, first.variable),
+                               "while nothing is commanded " + report.list({mode}) + " contradicts the model: from " +
+                                   report.list(found.idle) + " every guard follows there");
     finding.suggestion = "choose a default that every mode allows";
+    std::vector<Assignment> contradicted = found.idle;
     contradicted.push_back(mode);
     report.blame(finding, report.analysis().blame().of(contradicted, automata::constant(true)));
   }
@@ -74,9 +70,8 @@ bool is_read_elsewhere(const automata::Plant& plant, const Assignment& command) 
 }
 
 /// Once for all that is not read of control variables that are declared in one place.
-void report_unread(PlantReport& report) {
+void report_unread(PlantReport& report, const std::vector<Assignment>& impossible) {
   std::map<std::pair<grammar::Span, bool>, std::vector<Assignment>> unread;
-  const std::vector<Assignment> impossible = find_impossible_commands(report.analysis());
   for (const Assignment& command : find_unread_commands(report.analysis())) {
     if (std::find(impossible.begin(), impossible.end(), command) != impossible.end()) continue;
     unread[{declared(report, command.variable), is_read_elsewhere(report.plant(), command)}].push_back(command);
@@ -122,9 +117,10 @@ void report_uncommanded(PlantReport& report) {
 }  // namespace
 
 void report_commands(PlantReport& report) {
-  report_impossible_commands(report);
-  report_contradicting_idle(report);
-  report_unread(report);
+  const std::vector<Assignment> impossible = find_impossible_commands(report.analysis());
+  report_impossible_commands(report, impossible);
+  report_contradicting_idle(report, impossible);
+  report_unread(report, impossible);
   report_uncommanded(report);
 }
 

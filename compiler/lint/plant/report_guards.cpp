@@ -45,6 +45,7 @@ std::vector<Written> as_written(PlantReport& report, const std::vector<PlantTran
     written.instances.push_back(c);
   }
   std::vector<Written> list;
+  list.reserve(result.size());
   for (auto& [key, written] : result) list.push_back(std::move(written));
   return list;
 }
@@ -159,17 +160,10 @@ void report_shadows(PlantReport& report) {
   }
 }
 
-/// Whether the component leaves the mode by what takes time.
-bool is_timed(const Component& component, automata::ModeId mode) {
-  return std::any_of(component.transitions.begin(), component.transitions.end(), [&](const automata::Transition& t) {
-    return t.from == mode && t.timing && !component.is_fault(t);
-  });
-}
-
 void report_idle(PlantReport& report) {
   for (const Written& written : as_written(report, find_idle_transitions(report.analysis()))) {
     const automata::Transition& transition = report[written.first];
-    const bool timed = is_timed(report.plant()[written.first.component], transition.from);
+    const bool timed = report.plant().has_timed_exit(written.first.component, transition.from);
     auto& finding = report.add(Code::idle_transition, report.at(written.first),
                                "the transition from " + report.mode({written.first.component, transition.from}) +
                                    " of " + report.name(written.instances) + " to the same mode changes nothing" +

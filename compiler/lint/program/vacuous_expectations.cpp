@@ -15,13 +15,14 @@ using automata::Scenario;
 
 namespace {
 
-/// `reach`: the modes that the scenario can get to.
-Vacuity vacuity_of(const Expectation& expectation, Possibilities& possible, const automata::Formula& reach) {
+Vacuity vacuity_of(const Expectation& expectation, const Scenario& scenario, const automata::Plant& plant,
+                   Possibilities& possible) {
   if (expectation.after) {
     if (!possible.can_hold(*expectation.after)) {
       return {"no state satisfies what it comes after", *expectation.after};
     }
-    if (!possible.can_hold(automata::conjunction({*expectation.after, reach}))) {
+    const ReachableModes reach(plant, added_modes(scenario, plant));
+    if (!possible.can_hold(automata::conjunction({*expectation.after, reach.formula()}))) {
       return {"the plant never gets to what it comes after", automata::constant(true)};
     }
   }
@@ -53,9 +54,8 @@ void lint_vacuous_expectations(const LintInput& input, grammar::Diagnostics& fou
     const automata::Plant& plant = input.document.plants[scenario.plant];
     Possibilities& possible = by_plant.try_emplace(scenario.plant, plant.variables, &plant).first->second;
     if (!possible.consistent()) continue;
-    const automata::Formula reach = ReachableModes(plant, added_modes(scenario, plant)).formula();
     for (const Expectation& expectation : scenario.expectations) {
-      tell(vacuity_of(expectation, possible, reach), grammar::Code::vacuous_expectation,
+      tell(vacuity_of(expectation, scenario, plant, possible), grammar::Code::vacuous_expectation,
            input.places.at(expectation.origin), "the expectation says nothing of what is flown",
            expectation.kind == Expectation::Kind::never ? &expectation.condition : nullptr, possible, input, found);
     }

@@ -10,6 +10,7 @@
 #include "runtime/executive/sequence/goal_conflict.hpp"
 
 namespace rmpl::runtime {
+
 Executive::Executive(const automata::Program& program, const automata::Plant& model, Estimator& estimator,
                      Reconfigurer& reconfigurer, PlantInterface& plant, Clock& clock, automata::Ticks cycle)
     : model_(model),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "automata/controls.hpp"
 #include "automata/logic/given.hpp"
 #include "automata/time/checked_ticks.hpp"
 #include "base/check.hpp"
@@ -79,16 +80,12 @@ Expectations::Expectations(automata::PlantStep& step, const automata::Program& p
 }
 
 Expectations::Question Expectations::ask(const automata::Formula& formula) {
-  const std::vector<automata::VariableId> read = variables_of(formula);
-  const auto& controls = step_.plant().controls;
-  const bool commanded = std::any_of(controls.begin(), controls.end(), [&](const automata::Control& control) {
-    return std::binary_search(read.begin(), read.end(), control.variable);
-  });
-  return {&formula, step_.theory().encode(formula), {}, commanded};
+  return {&formula, step_.theory().encode(formula), {}, automata::speaks_of_control(step_.plant(), formula)};
 }
 
 bool Expectations::holds(Question& question, const Side& side) {
-  if (question.commanded && commanded_anew_) {
+  const bool commanded_anew = question.commanded && commanded_anew_;
+  if (commanded_anew) {
     const auto [at, fresh] = question.by_command.try_emplace(command_);
     if (fresh) {
       const auto given = automata::assignments_of(step_.plant(), command_);
@@ -96,9 +93,7 @@ bool Expectations::holds(Question& question, const Side& side) {
     }
     question.handle = at->second;
   }
-  if (side.changed || (question.commanded && commanded_anew_)) {
-    question.answer = step_.theory().entails(side.known, question.handle);
-  }
+  if (side.changed || commanded_anew) question.answer = step_.theory().entails(side.known, question.handle);
   return question.answer;
 }
 

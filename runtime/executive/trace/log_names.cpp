@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "automata/controls.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 
@@ -51,8 +52,7 @@ std::string_view noun(Role role) {
 bool plays(const automata::Plant& plant, Role role, automata::VariableId variable) {
   switch (role) {
     case Role::command:
-      return std::any_of(plant.controls.begin(), plant.controls.end(),
-                         [&](const automata::Control& control) { return control.variable == variable; });
+      return automata::is_control(plant, variable);
     case Role::estimate:
       return plant.component_of(variable).has_value();
     case Role::observations:

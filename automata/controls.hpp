@@ -1,0 +1,15 @@
+// What is commanded, among the variables of a plant.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "automata/logic/formula.hpp"
+#include "automata/plant.hpp"
+
+namespace rmpl::automata {
+
+/// Whether a variable is one of the plant's controls.
+bool is_control(const Plant& plant, VariableId variable);
+/// Whether a formula mentions one.
+bool speaks_of_control(const Plant& plant, const Formula& formula);
+
+}  // namespace rmpl::automata
