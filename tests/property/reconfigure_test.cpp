@@ -15,6 +15,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/goals.hpp"
+#include "tests/reference/plans.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -40,6 +41,10 @@ const Shape certain = {.max_modes = 4,
                        .distributions = false,
                        .rewards = true,
                        .commanded = true};
+
+/// What takes time comes by itself, or where a command lets it; all else is commanded.
+const Shape in_time = {
+    .max_modes = 4, .max_attributes = 6, .faults = false, .distributions = false, .rewards = true, .commanded = true};
 
 bool entails(const reference::Step& slow, const Modes& modes, const Formula& goal) {
   return slow.models().entails(reference::assumptions_of(slow.plant(), modes), goal);
@@ -169,6 +174,45 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
     if (*commands > 0) continue;
     const Modes best = reference::best_kept(slow, modes, goal);
     RC_ASSERT(!reference::is_better(model.plant, modes, best, *plan.goal_state));
+  }
+}
+
+/// Whether time alone takes away no mode that the goal names.
+bool lasts(const automata::Plant& plant, const Formula& goal) {
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const auto named = reference::named_modes(plant, c, goal);
+    for (const automata::Transition& t : plant.components[c].transitions) {
+      if (t.timing && named.contains(t.from)) return false;
+    }
+  }
+  return true;
+}
+
+/// Where what needs time is waited for, too: what can be reached is, and modes that last in no more cycles than it
+/// takes; those in which only something else is done beside it do not count.
+RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
+  const Model model = *models(in_time);
+  const reference::Step slow(model.plant);
+  automata::PlantStep step(model.plant);
+  const auto reconfigurer = runtime::make_reconfigurer(step);
+  for (int question = 0; question < 4; ++question) {
+    const Modes modes = *modes_of(model.plant);
+    const Formula goal = draw_goal(model.plant);
+    if (!slow.possible(modes) || goal.is_true() || entails(slow, modes, goal)) continue;
+    const auto fewest = reference::fewest_cycles(slow, modes, goal);
+    if (!fewest) continue;
+    const runtime::Plan plan = runtime::make_plan(*reconfigurer, modes, goal);
+    RC_LOG() << automata::to_text(goal, model.plant.variables) << " from " << rc::toString(modes) << ": " << plan.reason
+             << ", where " << *fewest << " cycles do it" << std::endl;
+    RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
+    if (!asks_for_modes(model.plant, goal) || !lasts(model.plant, goal)) continue;
+    std::size_t cycles = 0;
+    for (Modes at = modes; !entails(slow, at, goal);) {
+      const runtime::Reconfiguration answer = reconfigurer->next(at, goal);
+      cycles += answer.why.purpose == runtime::Reason::Purpose::goal ? 1 : 0;
+      at = *answer.expected;
+    }
+    RC_ASSERT(cycles <= *fewest);
   }
 }
 

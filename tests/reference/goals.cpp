@@ -13,20 +13,7 @@ using automata::ModeId;
 using automata::Modes;
 using automata::Transition;
 
-namespace {
-
 bool can_be_taken(const Transition& t) { return t.weight.kind == automata::Weight::Kind::none || t.weight.value > 0; }
-
-std::vector<Modes> all_states(const automata::Plant& plant) {
-  std::vector<std::size_t> sizes;
-  for (const automata::Component& component : plant.components) sizes.push_back(component.modes.size());
-  std::vector<Modes> result;
-  for (const auto& tuple : tuples(sizes)) {
-    Modes& modes = result.emplace_back();
-    for (std::size_t mode : tuple) modes.emplace_back(mode);
-  }
-  return result;
-}
 
 std::vector<ControlAction> all_actions(const automata::Plant& plant) {
   std::vector<std::size_t> sizes;
@@ -36,6 +23,25 @@ std::vector<ControlAction> all_actions(const automata::Plant& plant) {
   for (const auto& tuple : tuples(sizes)) {
     ControlAction& action = result.emplace_back();
     for (std::size_t value : tuple) action.emplace_back(value);
+  }
+  return result;
+}
+
+bool is_single(const automata::Plant& plant, const ControlAction& action) {
+  std::size_t off_idle = 0;
+  for (std::size_t i = 0; i < action.size(); ++i) off_idle += action[i] != plant.controls[i].idle;
+  return off_idle <= 1;
+}
+
+namespace {
+
+std::vector<Modes> all_states(const automata::Plant& plant) {
+  std::vector<std::size_t> sizes;
+  for (const automata::Component& component : plant.components) sizes.push_back(component.modes.size());
+  std::vector<Modes> result;
+  for (const auto& tuple : tuples(sizes)) {
+    Modes& modes = result.emplace_back();
+    for (std::size_t mode : tuple) modes.emplace_back(mode);
   }
   return result;
 }
@@ -235,12 +241,6 @@ std::set<Modes> nominal_outcomes(const Step& step, const Modes& modes, const std
 }
 
 namespace {
-
-bool is_single(const automata::Plant& plant, const ControlAction& action) {
-  std::size_t off_idle = 0;
-  for (std::size_t i = 0; i < action.size(); ++i) off_idle += action[i] != plant.controls[i].idle;
-  return off_idle <= 1;
-}
 
 /// Whether all controls can be idle, and nothing happens nominally while they are.
 bool stable(const Step& step, const Modes& modes) {

@@ -11,6 +11,15 @@
 
 namespace rmpl::reference {
 
+/// Every combination of values of the controls.
+std::vector<automata::ControlAction> all_actions(const automata::Plant& plant);
+
+/// Whether at most one control is off its idle value.
+bool is_single(const automata::Plant& plant, const automata::ControlAction& action);
+
+/// Whether a transition has a weight with which it is taken at all.
+bool can_be_taken(const automata::Transition& t);
+
 /// The modes of a component that a goal names: atoms under an even number of negations, an antecedent counting as one;
 /// an inequality and an equivalence name none.
 std::set<automata::ModeId> named_modes(const automata::Plant& plant, std::size_t component,

@@ -63,11 +63,14 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
     const NominalTransition* t = policy.next(modes[component.index()], wanted);
     if (t != nullptr && !t->timed) result.relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
-      for (const Precondition& precondition : t->preconditions) {
-        for (const Requirement& r : precondition) {
-          const auto upstream = index_.component_of(r.variable);
-          if (!upstream || *upstream == component) continue;
-          for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
+      for (const NominalTransition& way : graph_.transitions(component)) {
+        if (!is_parallel(component, way, *t, objective.permitted)) continue;
+        for (const Precondition& precondition : way.preconditions) {
+          for (const Requirement& r : precondition) {
+            const auto upstream = index_.component_of(r.variable);
+            if (!upstream || *upstream == component) continue;
+            for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
+          }
         }
       }
     }

@@ -15,9 +15,18 @@ using automata::Modes;
 
 namespace {
 
-/// A path to a state: how long it is, and the step that it begins with.
-struct Path {
+/// Of paths of one length that with fewer commands goes first, then that with the earlier ones: what takes time is not
+/// waited for before what can be commanded at once.
+struct Cost {
   Distance distance;
+  std::size_t commands = 0;
+  std::size_t late = 0;  ///< how many steps stand before each command, summed
+  auto operator<=>(const Cost&) const = default;
+};
+
+/// A path to a state: what it costs, and the step that it begins with.
+struct Path {
+  Cost cost;
   std::size_t first;  ///< position among the first steps; `none` for the start
   Modes state;
   bool settled = false;
@@ -26,10 +35,10 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 /// Best paths first; of equal ones that which was found first, so that ties go by the order of actions.
 struct Entry {
-  Distance distance;
+  Cost cost;
   std::size_t found;
   Path* path;
-  bool operator>(const Entry& other) const { return std::tie(distance, found) > std::tie(other.distance, other.found); }
+  bool operator>(const Entry& other) const { return std::tie(cost, found) > std::tie(other.cost, other.found); }
 };
 
 }  // namespace
@@ -104,15 +113,15 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
   std::vector<PlannedStep> first_steps;
   std::size_t found = 0;
   std::size_t settled = 0;
-  const auto offer = [&](const Modes& state, Distance distance, std::size_t first) {
+  const auto offer = [&](const Modes& state, Cost cost, std::size_t first) {
     Modes alike = state;
     for (std::size_t c = 0; c < alike.size(); ++c) {
       if (!space.told_apart[c]) alike[c] = modes[c];
     }
-    const auto [at, fresh] = paths.try_emplace(std::move(alike), Path{distance, first, state});
-    if (!fresh && (at->second.settled || at->second.distance <= distance)) return;
-    at->second = Path{distance, first, state};
-    open.push({distance, found++, &at->second});
+    const auto [at, fresh] = paths.try_emplace(std::move(alike), Path{cost, first, state});
+    if (!fresh && (at->second.settled || at->second.cost <= cost)) return;
+    at->second = Path{cost, first, state};
+    open.push({cost, found++, &at->second});
   };
   offer(modes, {}, none);
   while (!open.empty()) {
@@ -137,16 +146,21 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
           continue;
         }
         if (!may_take(current, objective, off.empty(), outcome)) continue;
-        Distance distance = reached.distance + Distance{0, 1};
+        Cost cost = reached.cost;
+        if (!off.empty()) {
+          cost.commands += 1;
+          cost.late += cost.distance.steps;
+        }
+        cost.distance.steps += 1;
         for (const NominalMove& move : outcome.moves) {
-          distance.irreversible += NominalGraph::harmless(*move.transition) ? 0 : 1;
+          cost.distance.irreversible += NominalGraph::harmless(*move.transition) ? 0 : 1;
         }
         std::size_t first = reached.first;
         if (first == none) {
           first = first_steps.size();
           first_steps.push_back({action, outcome.moves.front().component, served, outcome, off.empty()});
         }
-        offer(outcome.modes, distance, first);
+        offer(outcome.modes, cost, first);
       }
     }
   }

@@ -137,6 +137,8 @@ std::variant<IslandPlan, Impasse> Planner::planned(const Modes& modes, const Obj
     if (auto* const impasse = std::get_if<Impasse>(&found.first)) return std::move(*impasse);
     return IslandPlan{std::get<PlannedStep>(std::move(found.first)), std::move(found.end)};
   };
+  Trace eager = follow(modes, objective, Order::commands_first);
+  if (eager.safe) return plan_of(eager);
   Trace trace = follow(modes, objective, Order::downstream_first);
   if (trace.safe) return plan_of(trace);
   const auto* const stuck = std::get_if<Impasse>(&trace.first);
@@ -171,7 +173,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
               {}};
     }
     // Where a safe walk begins that is known already, the rest is known.
-    if (safe && order == Order::downstream_first && !taken.empty()) {
+    if (safe && order == Order::commands_first && !taken.empty()) {
       if (auto rest = recall(current, objective)) {
         current = std::move(rest->end);
         break;
@@ -190,7 +192,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
     taken.emplace_back(std::move(current), std::move(step));
     current = std::move(next);
   }
-  if (safe && order == Order::downstream_first && objective.keeps_number) {
+  if (safe && order == Order::commands_first && objective.keeps_number) {
     for (const auto& [before, step] : taken) {
       if (!nominal_.tolerates(before, idle_)) continue;  // the action does for other parts, too
       auto key = question(before, objective);
@@ -208,7 +210,7 @@ Planner::NextStep Planner::advance(const Modes& modes, const Objective& objectiv
     NextStep choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
     auto* const step = std::get_if<PlannedStep>(&choice);
     if (step != nullptr) step->serves = c;
-    if (order == Order::downstream_first) return choice;
+    if (order != Order::lasting_first) return choice;
     const bool early = step != nullptr && is_brief(*step, objective) && has_waits(step->outcome.modes, objective);
     if (step != nullptr && !early) return choice;
     if (!first) first = std::move(choice);
@@ -233,7 +235,30 @@ Planner::NextStep Planner::walk(const Modes& modes, const Objective& objective, 
     command->serves = c;
     return repair;
   }
+  if (order == Order::commands_first) {
+    if (auto command = meanwhile(modes, objective, *waiting)) return std::move(*command);
+  }
   return choice;
+}
+
+std::optional<PlannedStep> Planner::meanwhile(const Modes& modes, const Objective& objective,
+                                              const PlannedStep& waiting) {
+  const ComponentId served = waiting.serves;
+  const Followed way = followed(modes, objective, std::span(&served, 1));
+  for (const ComponentId c : ordered_[objective.part]) {
+    if (way.relied[c.index()] || way.moved[c.index()] || !astray(modes, objective, c)) continue;
+    NextStep choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
+    auto* const command = std::get_if<PlannedStep>(&choice);
+    if (command == nullptr || command->idle) continue;
+    const Modes& after = command->outcome.modes;
+    if (!astray(after, objective, served)) continue;
+    const NextStep then = achieve(after, objective, served, std::span(&objective.target[served.index()], 1));
+    const auto* const still = std::get_if<PlannedStep>(&then);
+    if (still == nullptr || !still->idle || still->component != waiting.component) continue;
+    command->serves = c;
+    return std::move(*command);
+  }
+  return std::nullopt;
 }
 
 Planner::NextStep Planner::achieve(const Modes& modes, const Objective& objective, ComponentId component,
@@ -342,20 +367,28 @@ Planner::NextStep Planner::command(const Modes& modes, const Objective& objectiv
 }
 
 Planner::NextStep Planner::bring_about(const Modes& modes, const Objective& objective, ComponentId component,
-                                       const NominalTransition& transition) {
+                                       const NominalTransition& next) {
   const auto purpose = [&] {
-    return "'" + nominal_.plant()[component].name + "' to go from " + name(component, transition.from) + " to " +
-           name(component, transition.to);
+    return "'" + nominal_.plant()[component].name + "' to go from " + name(component, next.from) + " to " +
+           name(component, next.to);
   };
-  std::vector<std::pair<std::optional<Distance>, const Way*>> ways;
-  for (const Way& way : ways_.of(component, transition)) ways.emplace_back(distance(modes, objective, way), &way);
-  std::stable_sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
-    if (!a.first || !b.first) return a.first.has_value() && !b.first;
-    return *a.first < *b.first;
+  struct Choice {
+    std::optional<Distance> distance;
+    const NominalTransition* transition;
+    const Way* way;
+  };
+  std::vector<Choice> choices;
+  for (const NominalTransition& t : graph_.transitions(component)) {
+    if (!is_parallel(component, t, next, objective.permitted)) continue;
+    for (const Way& way : ways_.of(component, t)) choices.push_back({distance(modes, objective, way), &t, &way});
+  }
+  std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
+    if (!a.distance || !b.distance) return a.distance.has_value() && !b.distance;
+    return std::pair(*a.distance, a.transition->timed) < std::pair(*b.distance, b.transition->timed);
   });
 
   std::optional<Impasse> obstacle;
-  for (const auto& [distance, way] : ways) {
+  for (const auto& [distance, transition, way] : choices) {
     std::optional<NextStep> choice;
     if (const ModeRequirement* const pending = first_pending(modes, *way)) {
       std::vector<ModeId> wanted;
@@ -363,7 +396,7 @@ Planner::NextStep Planner::bring_about(const Modes& modes, const Objective& obje
       choice = achieve(modes, objective, pending->component, wanted);
       if (auto* stuck = std::get_if<Impasse>(&*choice)) stuck->reason += ", as it takes for " + purpose();
     } else {
-      choice = command(modes, objective, component, transition, *way->precondition);
+      choice = command(modes, objective, component, *transition, *way->precondition);
     }
     if (std::holds_alternative<PlannedStep>(*choice)) return std::move(*choice);
     if (!obstacle) obstacle = std::get<Impasse>(std::move(*choice));

@@ -94,7 +94,8 @@ class Planner {
 
  private:
   using NextStep = std::variant<PlannedStep, Impasse>;
-  enum class Order { downstream_first, lasting_first };
+  /// The order of goals. `commands_first`: downstream first, but commands for others go out while that waits.
+  enum class Order { commands_first, downstream_first, lasting_first };
   enum class Waits { safe, any };
   /// A walk to the goal state: its first step, or why it does not get there; and whether each of its waits is safe.
   struct Trace {
@@ -120,10 +121,13 @@ class Planner {
   NextStep walk(const automata::Modes& modes, const Objective& objective, Order order);
   /// Of the components that are astray, the first that can be brought on without reaching a goal too early.
   NextStep advance(const automata::Modes& modes, const Objective& objective, Order order);
+  /// While one goal waits, the first command for another, no part of its way, after which it waits as before.
+  std::optional<PlannedStep> meanwhile(const automata::Modes& modes, const Objective& objective,
+                                       const PlannedStep& waiting);
   NextStep achieve(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                    std::span<const automata::ModeId> wanted);
   NextStep bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
-                       const NominalTransition& transition);
+                       const NominalTransition& next);
   NextStep command(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                    const NominalTransition& transition, const Precondition& precondition);
   /// A control action by the controls that are off their idle values, ascending, with their values.
@@ -149,6 +153,12 @@ class Planner {
   Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
                const SearchSpace& space);
 
+  /// Whether two transitions are one step of a policy: they lead from the same mode to the same mode, and the first may
+  /// be taken.
+  [[nodiscard]] bool is_parallel(automata::ComponentId component, const NominalTransition& t,
+                                 const NominalTransition& other, const Permitted& permitted) const {
+    return t.from == other.from && t.to == other.to && permitted[component.index()][graph_.position(component, t)];
+  }
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
                const NominalOutcome& outcome);
@@ -198,7 +208,7 @@ class Planner {
   automata::PlantIndex index_;
   std::vector<std::vector<automata::ComponentId>> ordered_;   ///< per part, downstream first
   std::vector<std::optional<std::vector<OffIdle>>> actions_;  ///< per part, as far as asked for
-  /// The steps of safe walks downstream first, by `question`: what follows on the first step is a safe walk, too, and
+  /// The steps of safe walks, commands first, by `question`: what follows on the first step is a safe walk, too, and
   /// its answer was found on the way.
   base::BoundedCache<std::vector<std::uint64_t>, RememberedStep> remembered_{memory_limit};
 };

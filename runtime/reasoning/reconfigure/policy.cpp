@@ -32,7 +32,9 @@ Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t mo
     }
     for (const NominalTransition& t : transitions) {
       Cell& at = row[t.from.index()];
-      if (t.from.index() != target && at.next == nullptr && at.distance && through(t) == at.distance) at.next = &t;
+      if (t.from.index() == target || !at.distance || through(t) != at.distance) continue;
+      const bool sooner = at.next != nullptr && at.next->to == t.to && at.next->timed && !t.timed;
+      if (at.next == nullptr || sooner) at.next = &t;
     }
   }
 }

@@ -22,7 +22,8 @@ struct Distance {
 constexpr Distance operator+(Distance a, Distance b) { return {a.irreversible + b.irreversible, a.steps + b.steps}; }
 
 /// The policy of one component, where certain irreversible steps are permitted: per current and target
-/// mode the first transition of a shortest way, ties in declaration order.
+/// mode the first transition of a shortest way, ties in declaration order; of several to the same mode
+/// one that takes no time.
 class Policy {
  public:
   Policy(const std::vector<NominalTransition>& transitions, std::size_t modes, const std::vector<bool>& permitted);

@@ -257,7 +257,46 @@ TEST(Waits, WhatDoesNotLastIsLeftAndAchievedAgain) {
   Craft craft(heaters(true));
   const Plan plan = craft.plan({"burn", "off"}, conjunction({craft.is("h", "burn"), craft.is("g", "burn")}));
   ASSERT_EQ(plan.outcome, Plan::Outcome::plan) << plan.reason;
-  EXPECT_THAT(craft.text(plan.commands), ElementsAre("wait", "g:on", "wait", "h:fire", "g:fire"));
+  EXPECT_THAT(craft.text(plan.commands), ElementsAre("g:on", "wait", "wait", "h:fire", "g:fire"));
+}
+
+/// A heater that cools once the bus is dead or it is told to, and a motor on the same bus.
+Builder rig() {
+  Builder b;
+  b.control("s.cmd", {"none", "close", "open"});
+  b.variable("bus", {"off", "on"});
+  b.component("s", {{"opened", b.is("bus", "off")}, {"closed", b.is("bus", "on")}});
+  b.transition("opened", "closed", b.is("s.cmd", "close"));
+  b.transition("closed", "opened", b.is("s.cmd", "open"));
+  b.control("h.cmd", {"none", "heat", "rest"});
+  b.component("h", {{"cold"}, {"warm"}, {"cooling"}});
+  b.transition("cold", "warm", conjunction({b.is("h.cmd", "heat"), b.is("bus", "on")}));
+  b.transition("warm", "cooling", b.is("bus", "off"));
+  b.transition("warm", "cooling", b.is("h.cmd", "rest"));
+  b.transition("cooling", "cold", automata::constant(true), std::pair{60, 60});
+  b.control("m.cmd", {"none", "start", "stop"});
+  b.component("m", {{"idle"}, {"running"}});
+  b.transition("idle", "running", b.is("m.cmd", "start"));
+  b.transition("running", "idle", b.is("m.cmd", "stop"));
+  b.transition("running", "idle", b.is("bus", "off"));
+  return b;
+}
+
+TEST(Waits, GoalsThatHaveNothingToDoWithEachOtherDoNotWaitForEachOther) {
+  Craft craft(rig());
+  const Plan stop =
+      craft.plan({"closed", "cooling", "running"}, conjunction({craft.is("h", "cold"), craft.is("m", "idle")}));
+  EXPECT_THAT(craft.text(stop.commands), ElementsAre("stop", "wait"));
+  const Plan start =
+      craft.plan({"closed", "cooling", "idle"}, conjunction({craft.is("h", "cold"), craft.is("m", "running")}));
+  EXPECT_THAT(craft.text(start.commands), ElementsAre("start", "wait"));
+}
+
+TEST(Rules, OfTransitionsBetweenTheSameModesTheNearestIsTaken) {
+  Craft craft(rig());
+  const Plan plan = craft.plan({"closed", "warm", "running"}, craft.is("h", "cold"));
+  EXPECT_THAT(craft.text(plan.commands), ElementsAre("rest", "wait"));
+  EXPECT_THAT(craft.text(*plan.goal_state), ElementsAre("closed", "cold", "running"));
 }
 
 TEST(Waits, OtherPartsOfThePlantAreWaitedForToo) {
