@@ -20,7 +20,7 @@ LONGEST = 60  # seconds
 def seconds(program, plant, never):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
-        subprocess.run([program, "safety", plant, "--never", never, "--threads", "1"], check=False, timeout=LONGEST,
+        subprocess.run([program, "safety", plant, "--never", never], check=False, timeout=LONGEST,
                        stdout=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
         return f"over {LONGEST} s"

@@ -59,7 +59,7 @@ tcca-check program mars-entry/mars_entry.rmpl mars-entry/mars_lander.tcca
 tcca-check program propulsion/burn.rmpl propulsion/propulsion.tcca --faults 1 --never 'engine = failed' --scenario out.scn
 tcca-check program power/power.rmpl power/power.tcca --each-fault --format json
 tcca-check export propulsion/propulsion.tcca --target 'engine = firing' --format tchecker
-tcca-check export mars-entry/mars_lander.tcca --target 'engine = failed' --faults 1 --format uppaal --threads 2
+tcca-check export mars-entry/mars_lander.tcca --target 'engine = failed' --faults 1 --format uppaal
 """.strip().splitlines()
 
 BENCH = "INPUT(a)\nINPUT(b)\nOUTPUT(out)\nn = NAND(a, b)\nm = NOT(n)\nout = AND(m, a)\n"

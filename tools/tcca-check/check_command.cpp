@@ -30,7 +30,6 @@ struct Options {
   std::string entry;              ///< the definition to start with; empty: the one that no other calls
   std::vector<std::string> only;  ///< the names of those to check; empty: all
   Budget budget;
-  unsigned threads = 1;
   bool statistics = false;
   std::string report;  ///< where to write a page to look at traces; empty: nowhere
 };
@@ -132,7 +131,6 @@ std::vector<verifier::Question> questions_of(const std::vector<PlantProperty>& s
                           .faults = p.faults,
                           .commands = commands_of(p.commands),
                           .entailed = p.entailed,
-                          .threads = options.threads,
                           .from = p.from},
                          options.budget.bounds()});
   }
@@ -202,7 +200,6 @@ void add_check(Program& program) {
   add_text(*command, "--main", options->entry, "NAME",
            "the definition to start with; else the one that no other calls");
   add_texts(*command, "--only", options->only, "NAME", "check this property alone; may be given several times");
-  add_threads(*command, options->threads);
   add_report(*command, options->report);
   add_budget(*command, options->budget);
   add_format(*command, program.common(), true);

@@ -70,13 +70,6 @@ void add_commands(CLI::App& command, Commands& commands) {
                        "how many controls may be off their idle value in one step (default: one)");
 }
 
-void add_threads(CLI::App& command, unsigned& threads) {
-  constexpr std::uint64_t most = 64;
-  threads = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(most));
-  add_whole_number(command, "--threads", threads, 1, most,
-                   "how many threads explore, with the same result for any number (default: one a core)");
-}
-
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& text, const char* type,
                       const char* description) {
   return command.add_option(name, text, description)->option_text(type);

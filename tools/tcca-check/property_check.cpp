@@ -25,7 +25,6 @@ verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& 
                                 .fewest_faults = options.fewest_faults,
                                 .cut_sets = options.cut_sets.has_value(),
                                 .symmetry = !options.no_symmetry,
-                                .threads = options.threads,
                                 .from = assignments_option(freedom.from, plant, "--from", common)};
   if (options.fewest_faults && !freedom.faults) result.faults.reset();
   if (options.cut_sets) result.faults = options.cut_sets;
@@ -51,7 +50,6 @@ void add_property_options(CLI::App& command, PropertyOptions& options, Common& c
   add_freedom(command, options.freedom, asked == Asked::formula);
   add_commands(command, options.commands);
   if (asked == Asked::formula) add_choice_of_traces(command, options);
-  add_threads(command, options.threads);
   command.add_flag("--no-symmetry", options.no_symmetry,
                    "explore also what differs only in the names of like components");
   add_report(command, options.report);

@@ -18,7 +18,6 @@ struct PropertyOptions {
   bool fewest_faults = false;
   std::optional<unsigned> cut_sets;  ///< the most faults that such a set may hold
   bool no_symmetry = false;
-  unsigned threads = 1;
   bool statistics = false;
   std::string report;  ///< where to write a page to look at traces; empty: nowhere
 };

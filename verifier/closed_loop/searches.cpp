@@ -173,7 +173,7 @@ std::optional<Witness> Searches::search(const Query& query, const ProgramPropert
   ProgramSystem system(loop_, start(), query);
   if (options_.cut_sets && shown != nullptr) return search_cut_sets(system, query, shown);
   remember(system, query, shown);
-  const auto path = find_path(system, SearchOrder::fewest_steps, 1, meter_);
+  const auto path = find_path(system, SearchOrder::fewest_steps, meter_);
   see(system);
   if (!path) return std::nullopt;
   return evidence_.of(*path, system.accepted(), system, query, shown);

@@ -96,7 +96,7 @@ class Check {
 
  private:
   /// What observes in an arena.
-  using Observe = std::function<PlantSystem::Observe(const Arena&)>;
+  using Observe = std::function<Observer(Arena&)>;
 
   /// The cone becomes a plant of its own, unless it is everything.
   void set_out() {
@@ -113,11 +113,9 @@ class Check {
   }
 
   [[nodiscard]] Observe reach(std::optional<Interval> window) const {
-    return [this, window](const Arena& searched) {
+    return [this, window](Arena& searched) {
       const Formula& wanted = std::get<Target>(searched.wanted()).formula;
-      return [this, &wanted, window](PlantStep& step) {
-        return Observer::reach(holds(step, wanted, options_.entailed), window);
-      };
+      return Observer::reach(holds(searched.step(), wanted, options_.entailed), window);
     };
   }
 
@@ -132,11 +130,10 @@ class Check {
       if (2 * cone.size() > all) return false;
       const Wanted wanted = Target{part, target.window};
       Arena arena(slices_.part(cone, {&part, 1}), slices_.start(options_.from).value(), wanted, terms_);
-      const PlantSystem::Observe observer = observe(arena);
-      PlantSystem system(arena.situations(), observer, arena.symmetry(), arena.start());
+      PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
       const auto fewer = fewer_steps(arena);
       const bool reached = options_.merge ? find_corridor(system, meter_).has_value()
-                                          : find_path(system, SearchOrder::covering, 1, meter_).has_value();
+                                          : find_path(system, SearchOrder::covering, meter_).has_value();
       if (reached) return false;
       const CutOff& cut_off = system.cut_off();
       return !cut_off.stuck && !cut_off.still;
@@ -193,17 +190,16 @@ class Check {
     if (options_.slice && out_of_reach(arena.step(), asks, arena.from(), terms_.faults)) return;
     const Units deadline = terms_.time.more_than(response.within);
     owed_ = &response;
-    witness_ = search([this, deadline](const Arena& searched) {
+    witness_ = search([this, deadline](Arena& searched) {
       const auto& asked = std::get<Response>(searched.wanted());
-      return [this, &asked, deadline](PlantStep& step) {
-        return Observer::miss(holds(step, asked.after, options_.entailed), holds(step, asked.then, !options_.entailed),
-                              deadline);
-      };
+      PlantStep& step = searched.step();
+      return Observer::miss(holds(step, asked.after, options_.entailed), holds(step, asked.then, !options_.entailed),
+                            deadline);
     });
   }
 
   void look_for(const Stuck&) {
-    witness_ = search([](const Arena&) { return [](PlantStep&) { return Observer::end(); }; });
+    witness_ = search([](Arena&) { return Observer::end(); });
   }
 
   /// First the cone of influence alone: if it cannot reach the target, the plant cannot; and if the rest may stay as it
@@ -271,14 +267,13 @@ class Check {
       if (!corridor) return std::nullopt;
       if (auto path = find_path_along(*corridor, system, meter_)) return path;
     }
-    return find_path(system, SearchOrder::covering, options_.threads, meter_);
+    return find_path(system, SearchOrder::covering, meter_);
   }
 
   /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
   /// the fewest steps are looked for among all.
   std::optional<Witness> search_in(Arena& arena, const Observe& observe) {
-    const PlantSystem::Observe observer = observe(arena);
-    PlantSystem system(arena.situations(), observer, arena.symmetry(), arena.start());
+    PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
     if (options_.cut_sets) return search_cut_sets(system, arena);
     std::optional<Witness> any;
     if (terms_.time.is_dense() || options_.fewest_faults) {
@@ -289,7 +284,7 @@ class Check {
       if (!any || any_) return any;
     }
     try {
-      const auto path = find_path(system, SearchOrder::fewest_steps, options_.threads, meter_);
+      const auto path = find_path(system, SearchOrder::fewest_steps, meter_);
       // Where time stands still, a step that was left out may be the answer that is owed.
       const bool stands_still = any && any->stop && any->stop->still;
       CHECK((path.has_value() || !any || stands_still) && "fewer steps lead where all do not");

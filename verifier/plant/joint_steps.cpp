@@ -30,12 +30,6 @@ void JointSteps::use(Steps steps, const std::vector<ComponentId>& visible) {
   for (const ComponentId c : visible) visible_[c.index()] = true;
 }
 
-void JointSteps::use_as(const JointSteps& other) {
-  steps_ = other.steps_;
-  visible_ = other.visible_;
-  symmetry_ = other.symmetry_;
-}
-
 void JointSteps::enumerate(const Modes& modes, const Late& late, const ControlAction& action,
                            const std::vector<BehaviourId>& idling, const std::vector<BehaviourId>& here,
                            const Visit& visit) {

@@ -43,8 +43,6 @@ class JointSteps {
   /// From here on, of steps that differ only in which of several like components does what, one is enumerated: the
   /// states that the others lead to are the same up to symmetry. Keeps a reference.
   void up_to(const Symmetry& symmetry) { symmetry_ = &symmetry; }
-  /// Both as another one was told.
-  void use_as(const JointSteps& other);
 
   /// A possible step: the modes that it leads to, the faults it costs, and where the clocks must be.
   using Visit = base::FunctionRef<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;

@@ -19,13 +19,9 @@ constexpr std::size_t stopwatch = 1;
 
 }  // namespace
 
-PlantSystem::PlantSystem(Situations& situations, const Observe& observe, const Symmetry& symmetry,
+PlantSystem::PlantSystem(Situations& situations, Observer observer, const Symmetry& symmetry,
                          const std::vector<Modes>& start)
-    : situations_(situations),
-      observe_(observe),
-      observer_(observe(situations.step())),
-      symmetry_(symmetry),
-      start_(start) {}
+    : situations_(situations), observer_(std::move(observer)), symmetry_(symmetry), start_(start) {}
 
 void PlantSystem::initial(const Visit& visit) {
   enumerate_initial([&](Entered&& entered) {
@@ -208,42 +204,6 @@ void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& resul
   if (!observer_.seeks_end()) return;
   // What cannot go on is not to be covered by what can do more: readings are told apart by all limits alike.
   for (ClockLimits& limits : result) limits.lower = limits.upper = std::max(limits.lower, limits.upper);
-}
-
-namespace {
-
-/// A system with all that it refers to and that is not for other threads to touch.
-struct Parts {
-  Parts(const Situations& other, const Limits& limits)
-      : meter(limits), step(other.plant()), situations(other, step, meter) {}
-  Meter meter;
-  automata::PlantStep step;
-  Situations situations;
-};
-
-class Copy : private Parts, public PlantSystem {
- public:
-  Copy(const Situations& other, const Limits& limits, const Observe& observe, const Symmetry& symmetry,
-       const std::vector<Modes>& start)
-      : Parts(other, limits), PlantSystem(Parts::situations, observe, symmetry, start) {}
-};
-
-}  // namespace
-
-std::unique_ptr<CopyableSystem> PlantSystem::copy(const Limits& limits) const {
-  return std::make_unique<Copy>(situations_, limits, observe_, symmetry_, start_);
-}
-
-CopyableSystem::Key PlantSystem::key(std::uint64_t discrete) const {
-  Key result = {static_cast<std::uint32_t>(phase_of(discrete))};
-  for (const automata::ModeId mode : situations_.modes(situation_of(discrete))) result.push_back(mode.value);
-  return result;
-}
-
-std::uint64_t PlantSystem::number(const Key& key) {
-  Modes modes;
-  for (std::size_t c = 1; c < key.size(); ++c) modes.emplace_back(key[c]);
-  return discrete_of(situations_.number(modes), static_cast<Phase>(key[0]));
 }
 
 std::size_t PlantSystem::Place::clock_of(ComponentId component) const {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
+#include <vector>
 
 #include "verifier/plant/fault_sets.hpp"
 #include "verifier/plant/observer.hpp"
@@ -18,13 +18,10 @@ namespace rmpl::verifier {
 /// symmetry makes alike, one is visited.
 ///
 /// Clocks, in this order: the observer's stopwatch where it runs, then those of the live components.
-class PlantSystem : public CopyableSystem {
+class PlantSystem : public TransitionSystem {
  public:
-  /// An observer that asks a step function about modes. Called for copies from their threads.
-  using Observe = std::function<Observer(automata::PlantStep&)>;
-
   /// Keeps references. `start` are the modes to start in.
-  PlantSystem(Situations& situations, const Observe& observe, const Symmetry& symmetry,
+  PlantSystem(Situations& situations, Observer observer, const Symmetry& symmetry,
               const std::vector<automata::Modes>& start);
   /// From here on `SymbolicState::faults` is a number of these sets. There must be no symmetry.
   void tell_faults_apart(FaultSets& sets) { sets_ = &sets; }
@@ -35,12 +32,6 @@ class PlantSystem : public CopyableSystem {
   [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override;
   [[nodiscard]] unsigned fault_count(unsigned faults) const override;
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override;
-  /// None where faults are told apart.
-  [[nodiscard]] CopyableSystem* copyable() override { return sets_ == nullptr ? this : nullptr; }
-  [[nodiscard]] std::unique_ptr<CopyableSystem> copy(const Limits& limits) const override;
-  /// The phase, then the modes.
-  [[nodiscard]] Key key(std::uint64_t discrete) const override;
-  [[nodiscard]] std::uint64_t number(const Key& key) override;
 
   /// A discrete part, taken apart.
   static SituationId situation_of(std::uint64_t discrete) { return SituationId(discrete >> phase_bits); }
@@ -97,7 +88,6 @@ class PlantSystem : public CopyableSystem {
   [[nodiscard]] bool in_time(Zone& zone, Phase phase) const;
 
   Situations& situations_;
-  const Observe& observe_;
   Observer observer_;
   const Symmetry& symmetry_;
   void enter_end(const Situation& here, SituationId id, Phase phase, const SymbolicState& state,

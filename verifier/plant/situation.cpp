@@ -53,11 +53,6 @@ Situations::Situations(automata::PlantStep& step, const TimeModel& time, Command
   position_of(automata::idle_action(plant()));
 }
 
-Situations::Situations(const Situations& other, automata::PlantStep& step, Meter& meter)
-    : Situations(step, other.time(), other.commands_, other.faults_, meter) {
-  joint_steps_.use_as(other.joint_steps_);
-}
-
 std::uint32_t Situations::position_of(const ControlAction& action) {
   const auto [at, fresh] = action_positions_.try_emplace(action, static_cast<std::uint32_t>(actions_.size()));
   if (fresh) actions_.push_back(action);

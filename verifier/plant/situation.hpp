@@ -42,8 +42,6 @@ class Situations {
  public:
   /// Keeps references to the step function and the meter, which is polled while moves are worked out; it may throw.
   Situations(automata::PlantStep& step, const TimeModel& time, Commands commands, unsigned faults, Meter& meter);
-  /// The same situations with the same moves, none of them met yet, for a step function of the same plant.
-  Situations(const Situations& other, automata::PlantStep& step, Meter& meter);
 
   [[nodiscard]] automata::PlantStep& step() { return step_; }
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }

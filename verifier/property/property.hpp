@@ -105,8 +105,6 @@ struct CheckOptions {
   bool slice = true;
   /// States are put together where they are one set cut in pieces. No verdict depends on it.
   bool merge = true;
-  /// How many threads explore, 1 or more. No result depends on it.
-  unsigned threads = 1;
   /// Modes to start in, all clocks 0, in place of the initial distribution of their components.
   std::vector<automata::Assignment> from;
 };

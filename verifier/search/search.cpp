@@ -6,13 +6,8 @@
 #include <deque>
 #include <map>
 
-#include "verifier/search/lookahead.hpp"
-
 namespace rmpl::verifier {
 namespace {
-
-/// Searches that end sooner than this use one thread: a copy of the system has to learn first.
-constexpr double seconds_alone = 0.05;
 
 /// A system without the steps that do not follow a corridor. Keeps references.
 class Guided : public TransitionSystem {
@@ -44,11 +39,9 @@ enum class Counted { now, before };
 
 class Search {
  public:
-  Search(TransitionSystem& system, SearchOrder order, unsigned threads, Meter& meter, Counted counted = Counted::now)
+  Search(TransitionSystem& system, SearchOrder order, Meter& meter, Counted counted = Counted::now)
       : system_(system),
         order_(order),
-        threads_(threads),
-        copyable_(threads > 1 ? system.copyable() : nullptr),
         meter_(meter),
         counted_(counted),
         passed_(system, order == SearchOrder::fewest_steps) {}
@@ -74,10 +67,7 @@ class Search {
       }
       std::uint32_t parent = queue->second.front();
       queue->second.pop_front();
-      if (order_ != SearchOrder::fewest_steps && passed_[parent].covered) {
-        if (lookahead_) lookahead_->forget(parent);
-        continue;
-      }
+      if (order_ != SearchOrder::fewest_steps && passed_[parent].covered) continue;
       if (order_ == SearchOrder::merging) parent = passed_.grown(parent);
       if (parent == Passed::none) continue;
       const std::uint32_t steps = passed_[parent].steps;
@@ -88,30 +78,10 @@ class Search {
       }
       meter_.used_faults(system_.fault_count(passed_[parent].faults));
       meter_.poll();
-      announce(queue->second);
-      const auto visit = [&](SymbolicState&& next, const Label& label) {
+      system_.successors(passed_.state(parent), [&](SymbolicState&& next, const Label& label) {
         if (!found_) add(next, label, parent, label.silent ? steps : steps + 1);
-      };
-      if (lookahead_) {
-        lookahead_->successors(parent, passed_.state(parent), visit);
-      } else {
-        system_.successors(passed_.state(parent), visit);
-      }
+      });
     }
-  }
-
-  /// Tells the other threads what comes next in the queue.
-  void announce(const std::deque<std::uint32_t>& queue) {
-    if (copyable_ != nullptr && !lookahead_ && meter_.progress().seconds - begun_ > seconds_alone) {
-      lookahead_.emplace(*copyable_, threads_, meter_);
-    }
-    if (!lookahead_ || !lookahead_->runs_dry()) return;
-    const std::size_t ahead = std::min(queue.size(), lookahead_->window());
-    for (std::size_t i = 0; i < ahead; ++i) {
-      if (order_ == SearchOrder::covering && passed_[queue[i]].covered) continue;
-      if (!lookahead_->knows(queue[i])) lookahead_->announce(queue[i], passed_.state(queue[i]));
-    }
-    lookahead_->begin();
   }
 
   void add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
@@ -129,32 +99,27 @@ class Search {
 
   TransitionSystem& system_;
   SearchOrder order_;
-  unsigned threads_;
-  CopyableSystem* copyable_;  ///< none: explored by one thread
   Meter& meter_;
   Counted counted_;
-  double begun_ = meter_.progress().seconds;
   Passed passed_;
   std::map<unsigned, std::deque<std::uint32_t>> queues_;  ///< by number of faults where that is the order
   std::optional<std::uint32_t> found_;
-  std::optional<Lookahead> lookahead_;
 };
 
 }  // namespace
 
-std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, unsigned threads,
-                                                Meter& meter) {
-  return Search(system, order, threads, meter).path();
+std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, Meter& meter) {
+  return Search(system, order, meter).path();
 }
 
 std::optional<Corridor> find_corridor(TransitionSystem& system, Meter& meter) {
-  return Search(system, SearchOrder::merging, 1, meter).corridor();
+  return Search(system, SearchOrder::merging, meter).corridor();
 }
 
 std::optional<std::vector<PathState>> find_path_along(const Corridor& corridor, TransitionSystem& system,
                                                       Meter& meter) {
   Guided guided(system, corridor);
-  return Search(guided, SearchOrder::covering, 1, meter, Counted::before).path();
+  return Search(guided, SearchOrder::covering, meter, Counted::before).path();
 }
 
 }  // namespace rmpl::verifier

@@ -20,10 +20,8 @@ enum class SearchOrder {
 /// A path to an accepted state; nothing where the whole system holds none. Throws LimitReached.
 ///
 /// A state is left out where one that was found before covers it: same discrete part, no more faults, a zone that can
-/// do all that its zone can. A state that a silent label leads to is explored with the state it comes from. The result
-/// does not depend on the number of `threads`, 1 or more, that work out successors.
-std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, unsigned threads,
-                                                Meter& meter);
+/// do all that its zone can. A state that a silent label leads to is explored with the state it comes from.
+std::optional<std::vector<PathState>> find_path(TransitionSystem& system, SearchOrder order, Meter& meter);
 
 /// Whether there is such a path, found by fewer states: before a state is explored it takes in those with the same
 /// discrete part that wait, where the zone of all together holds nothing that has not been found. What is explored so

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "base/function_ref.hpp"
@@ -27,8 +26,6 @@ struct Label {
   bool silent = false;  ///< does not count as a step
 };
 
-class CopyableSystem;
-
 /// A transition system over symbolic states, in the manner of TChecker. Every algorithm runs on any such system; the
 /// order in which states are visited is fixed, so that results repeat.
 class TransitionSystem {
@@ -42,27 +39,11 @@ class TransitionSystem {
   [[nodiscard]] virtual bool accepts(const SymbolicState& state) const = 0;
   /// Whether a state with faults `a` can do all that one with faults `b` can.
   [[nodiscard]] virtual bool no_more_faults(unsigned a, unsigned b) const { return a <= b; }
-  /// Itself, where there can be copies of it.
-  [[nodiscard]] virtual CopyableSystem* copyable() { return nullptr; }
   /// How many faults that is.
   [[nodiscard]] virtual unsigned fault_count(unsigned faults) const { return faults; }
   /// The greatest constants that the clocks of states with this discrete part are compared with from there on. A search
   /// takes one state to cover another up to what can be told apart by them. None: zones are compared as they are.
   virtual void limits([[maybe_unused]] std::uint64_t discrete, std::vector<ClockLimits>& result) { result.clear(); }
-};
-
-/// One of which there can be copies: systems that tell the same successors in the same order, and share nothing with
-/// this one that either writes, so that each can be used from a thread of its own.
-class CopyableSystem : public TransitionSystem {
- public:
-  /// The discrete part of a state in words that mean the same to every copy of the system.
-  using Key = std::vector<std::uint32_t>;
-
-  /// A copy that is held to the limits, to which it keeps a reference. May be called from another thread.
-  [[nodiscard]] virtual std::unique_ptr<CopyableSystem> copy(const Limits& limits) const = 0;
-  [[nodiscard]] virtual Key key(std::uint64_t discrete) const = 0;
-  /// The number of a key, a new one where it has none yet.
-  [[nodiscard]] virtual std::uint64_t number(const Key& key) = 0;
 };
 
 }  // namespace rmpl::verifier

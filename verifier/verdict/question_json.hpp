@@ -12,7 +12,7 @@ namespace rmpl::verifier {
 /// The formulas and times of a property: `formula`, `after`, `within`, `not_before`, `by`, `fastest`; what it has.
 nlohmann::ordered_json claim_of(const automata::Plant& plant, const Property& property);
 
-/// The claim, what is free, and the bounds of the search. Options on which no answer depends (symmetry, threads) are
+/// The claim, what is free, and the bounds of the search. Options on which no answer depends (symmetry) are
 /// left out.
 nlohmann::ordered_json question_json(const automata::Plant& plant, const Question& question);
 /// What is free, and the bounds; each check has its own claim.
