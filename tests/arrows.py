@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 """Usage: arrows.py ROOT [--draw|--table]
 
-Libraries include only what ARROWS says; between folders, of any level, there is no circle; docs/house.dot, the picture
-of the folders and their arrows, is the one that --draw would write. Prints a line for each violation and exits 1 where
+Libraries include only what ARROWS says; between folders, of any level, there is no circle; a name stands for one type in
+its namespace; docs/house.dot, the picture of the folders and their arrows, is the one that --draw would write. Prints a line for each violation and exits 1 where
 there is any. --draw writes docs/house.dot, and docs/house.svg where Graphviz is there; --table lists what was found.
 """
 
@@ -76,6 +76,24 @@ def includes(root: pathlib.Path):
                 yield user, number, match[1], match[2]
 
 
+NAMESPACE = re.compile(r"^(?:inline )?namespace\s*([\w:]*)\s*\{")
+TYPE = re.compile(r"^(?:template <.*> )?(?:class|struct|enum class|enum) (?:\[\[\w+\]\] )?(\w+)(?: final)?(?: :[^;]*)? \{")
+
+
+def types(root: pathlib.Path):
+    """Every type that is defined in a named namespace of libraries, programs or tests: its name in full, file, line. Two
+    of one name make programs of which the linker takes whatever function it comes across first."""
+    for path in sorted(p for name in (*ARROWS, "tests") for p in (root / name).rglob("*") if p.suffix in (".hpp", ".cpp")):
+        spaces: list[str] = []
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if match := NAMESPACE.match(line):
+                spaces.append(match[1])
+            elif line.startswith("}  // namespace"):
+                spaces.pop()
+            elif (match := TYPE.match(line)) and spaces and "" not in spaces:
+                yield "::".join([*spaces, match[1]]), path.relative_to(root).as_posix(), number
+
+
 def circle(arrows: dict[str, dict[str, str]]) -> list[str]:
     """Folders that lead back to the first, or none; `arrows` holds an example for each arrow."""
     done: set[str] = set()
@@ -141,6 +159,11 @@ def main() -> int:
             print(f"{user}:{number}: includes {target}: {reason}")
         elif library(target) and folder(user) != folder(target):
             arrows.setdefault(folder(user), {}).setdefault(folder(target), f"{user}:{number}")
+    defined: dict[str, str] = {}
+    for name, file, number in types(root):
+        if defined.setdefault(name, f"{file}:{number}") != f"{file}:{number}":
+            found += 1
+            print(f"{file}:{number}: {name} is another type at {defined[name]}")
     closed = circle(arrows)
     if closed:
         found += 1
@@ -162,7 +185,7 @@ def main() -> int:
     if options.table:
         for place in sorted(folders):
             print(f"{folders[place]:6} {place} -> {', '.join(sorted(arrows.get(place, {}))) or '.'}")
-    print(f"{len(files)} files in {len(folders)} folders checked, {found} forbidden arrows")
+    print(f"{len(files)} files in {len(folders)} folders checked, {found} findings")
     return 1 if found or not files else 0
 
 

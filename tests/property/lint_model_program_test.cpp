@@ -162,9 +162,9 @@ RC_GTEST_PROP(LintOfModelPrograms, BlamesWhatContradictsItself, ()) {
   const auto worlds = choices(program.variables, all_of(program.variables));
   if (stores.contradiction()) return;
   for (const auto& together : compiler::started_together(program)) {
-    compiler::Contradiction all{together, {}};
+    compiler::ToldContradiction all{together, {}};
     for (std::size_t c = 0; c < program.constraints.size(); ++c) all.standing.push_back(c);
-    const auto is_possible = [&](const compiler::Contradiction& some) {
+    const auto is_possible = [&](const compiler::ToldContradiction& some) {
       std::vector<Formula> store;
       for (const std::size_t standing : some.standing) store.push_back(program.constraints[standing].constraint);
       for (const LocationId l : some.told) store.push_back(program.locations[l.index()].told);

@@ -38,7 +38,7 @@ grammar::Diagnostic& ModelReport::add(grammar::Code code, grammar::Span span, st
   return add_finding(found_, code, span, std::move(message));
 }
 
-void ModelReport::blame(grammar::Diagnostic& finding, const Contradiction& contradiction) const {
+void ModelReport::blame(grammar::Diagnostic& finding, const ToldContradiction& contradiction) const {
   for (const LocationId l : contradiction.told) {
     const std::string told = to_text(program_.locations[l.index()].told, program_.variables);
     finding.notes.push_back({span_of(l), backquoted(told) + " is told here"});

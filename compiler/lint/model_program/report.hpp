@@ -40,7 +40,7 @@ class ModelReport {
   [[nodiscard]] std::optional<grammar::Span> name() const;
   grammar::Diagnostic& add(grammar::Code code, grammar::Span span, std::string message);
   /// Adds a note for each part of a contradiction: what is told, what stands.
-  void blame(grammar::Diagnostic& finding, const Contradiction& contradiction) const;
+  void blame(grammar::Diagnostic& finding, const ToldContradiction& contradiction) const;
 
  private:
   const LintInput& input_;

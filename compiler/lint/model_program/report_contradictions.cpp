@@ -14,7 +14,7 @@ using automata::LocationId;
 
 namespace {
 
-void report_contradiction(ModelReport& report, Contradiction blamed) {
+void report_contradiction(ModelReport& report, ToldContradiction blamed) {
   const auto told = [&](LocationId l) {
     return backquoted(to_text(report.program().locations[l.index()].told, report.program().variables));
   };

@@ -40,7 +40,7 @@ std::vector<LocationId> certain(const automata::ModelProgram& program, const Tog
 /// A branch of a draw, and what contradicts it.
 struct NeverDrawn {
   LocationId branch;
-  Contradiction blamed;
+  ToldContradiction blamed;
 };
 
 /// The branches of a draw that contradict what is certain.

@@ -93,9 +93,9 @@ void ToldStores::list_members() {
 
 bool ToldStores::is_spoken_of(VariableId variable) { return spoken_of_[variable.index()]; }
 
-std::optional<Contradiction> ToldStores::contradiction() { return contradiction_in(standing_); }
+std::optional<ToldContradiction> ToldStores::contradiction() { return contradiction_in(standing_); }
 
-std::optional<Contradiction> ToldStores::contradiction(const std::vector<LocationId>& together) {
+std::optional<ToldContradiction> ToldStores::contradiction(const std::vector<LocationId>& together) {
   std::set<std::size_t> beside;  // what stands over other variables has no part in it
   std::vector<Assignment> told;
   for (const LocationId l : together) {
@@ -110,9 +110,9 @@ std::optional<Contradiction> ToldStores::contradiction(const std::vector<Locatio
   return contradiction_in(told);
 }
 
-std::optional<Contradiction> ToldStores::contradiction_in(const std::vector<Assignment>& selected) {
+std::optional<ToldContradiction> ToldStores::contradiction_in(const std::vector<Assignment>& selected) {
   if (together_.consistent(selected)) return std::nullopt;
-  Contradiction blamed;
+  ToldContradiction blamed;
   for (const Assignment& one : together_.minimal_conflict(together_.conflict())) {
     const auto standing = std::find(standing_.begin(), standing_.end(), one);
     if (standing != standing_.end()) {

@@ -17,7 +17,7 @@
 namespace rmpl::compiler {
 
 /// What contradicts itself: locations by what they tell, and constraints that stand, by position. Few of both.
-struct Contradiction {
+struct ToldContradiction {
   std::vector<automata::LocationId> told;
   std::vector<std::size_t> standing;
 };
@@ -32,10 +32,10 @@ class ToldStores {
   /// What a condition may be, where only these locations are ever marked.
   Freedom freedom(const automata::Condition& condition, const std::vector<bool>& marked);
   /// What of the constraints that stand is a contradiction; nothing where they can hold.
-  std::optional<Contradiction> contradiction();
+  std::optional<ToldContradiction> contradiction();
   /// Of locations that are marked together, what of them and of what stands is a contradiction; nothing where they can
   /// hold. Where what stands is none by itself.
-  std::optional<Contradiction> contradiction(const std::vector<automata::LocationId>& together);
+  std::optional<ToldContradiction> contradiction(const std::vector<automata::LocationId>& together);
   /// Whether anything that is told or stands speaks of the variable, or it may be told as it comes.
   bool is_spoken_of(automata::VariableId variable);
 
@@ -47,7 +47,7 @@ class ToldStores {
     std::vector<automata::LocationId> told;
   };
   void list_members();
-  std::optional<Contradiction> contradiction_in(const std::vector<automata::Assignment>& selected);
+  std::optional<ToldContradiction> contradiction_in(const std::vector<automata::Assignment>& selected);
   Entailment& entailment_of(const automata::Formula& formula);
 
   const automata::ModelProgram& program_;

@@ -24,7 +24,7 @@ Executive::Executive(const automata::Program& program, const automata::Plant& mo
       monitor_(plant, to_estimation_),
       reconfiguration_(model, reconfigurer, clock, to_reconfiguration_, control_),
       estimation_(model, estimator, clock, to_estimation_, to_reconfiguration_),
-      diagnoses_(model) {
+      explainer_(model) {
   record_.marking = sequencer_.marking();
   record_.command = automata::idle_action(model);
   read_back({});
@@ -112,7 +112,7 @@ void Executive::read_back(const automata::Observation& observations) {
   const Estimate& estimate = estimation_.estimate();
   record_.time = estimation_.time();
   record_.observations = observations;
-  record_.evidence = diagnoses_.evidence_of_new(record_.estimate, estimator_, observations);
+  record_.evidence = explainer_.evidence_of_new(record_.estimate, estimator_, observations);
   record_.estimate = estimate.modes;
   record_.probability = estimate.probability;
   record_.consistent = estimate.consistent;

@@ -14,7 +14,7 @@
 #include "runtime/executive/plant/plant_interface.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/explain/diagnoses.hpp"
+#include "runtime/reasoning/explain/explainer.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 
 namespace rmpl::runtime {
@@ -60,7 +60,7 @@ class Executive {
   MonitorAdapter monitor_;
   ReconfigurationDispatcher reconfiguration_;
   EstimationDispatcher estimation_;
-  Diagnoses diagnoses_;
+  Explainer explainer_;
   automata::Knowledge knowledge_;  ///< of the sequencer: the last estimate, and the observations that it explains
   CycleRecord record_;
   bool measured_ = false;

@@ -96,7 +96,7 @@ class Estimator {
   /// What was most likely at the last update, before its observation was looked at, without one mode of one component
   /// and without what is `refuted`: where the likeliest step leads that some state of the belief before can take.
   /// Nothing where no step avoids all that, or before the first update. A search; for explanations
-  /// (explain/diagnoses.hpp), not for every cycle. Of `refuted`, components of different groups are not looked at.
+  /// (explain/explainer.hpp), not for every cycle. Of `refuted`, components of different groups are not looked at.
   [[nodiscard]] virtual std::optional<automata::Modes> likeliest_without(
       automata::ComponentId component, automata::ModeId mode, const std::vector<RefutedModes>& refuted) const = 0;
   /// The share of the belief that is in these modes, summed over clocks.

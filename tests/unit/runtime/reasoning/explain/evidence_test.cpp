@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/reasoning/explain/diagnoses.hpp"
+#include "runtime/reasoning/explain/explainer.hpp"
 #include "tests/unit/runtime/reasoning/estimate/estimate_models.hpp"
 
 namespace rmpl::runtime {
@@ -69,7 +69,7 @@ TEST(Evidence, OutweighsAStoryThatLeavesTheReadingOpen) {
   EXPECT_EQ(evidence.kind, Evidence::Kind::outweighed);
   EXPECT_EQ(evidence.readings, seen);
   EXPECT_TRUE(evidence.modes.empty());
-  const auto told = Diagnoses(w.plant).evidence_of_new(*story, *estimator, seen);
+  const auto told = Explainer(w.plant).evidence_of_new(*story, *estimator, seen);
   ASSERT_EQ(told.size(), 1u);
   EXPECT_DOUBLE_EQ(told[0].ratio, estimate->probability / (1 - estimate->probability));
 }
@@ -96,7 +96,7 @@ TEST(Evidence, TheStoryIsThatOfAllGroups) {
 }
 
 /// Two units that one constraint links, and which fail at once: each is diagnosed by what it shows itself.
-TEST(Diagnoses, OfSeveralFaultsAtOnceEachHasItsOwnEvidence) {
+TEST(Explainer, OfSeveralFaultsAtOnceEachHasItsOwnEvidence) {
   PlantWriter w;
   for (const std::string name : {"a", "b"}) {
     w.observable(name + "_out", {"zero", "one"});
@@ -112,7 +112,7 @@ TEST(Diagnoses, OfSeveralFaultsAtOnceEachHasItsOwnEvidence) {
   const automata::Modes before = estimator->estimate().modes;
   const automata::Observation seen{w.assignment("a_out", "zero"), w.assignment("b_out", "zero")};
   estimator->update(automata::idle_action(w.plant), seen, at(1));
-  const auto found = Diagnoses(w.plant).evidence_of_new(before, *estimator, seen);
+  const auto found = Explainer(w.plant).evidence_of_new(before, *estimator, seen);
   ASSERT_EQ(found.size(), 2u);
   for (std::size_t c = 0; c < 2; ++c) {
     EXPECT_EQ(found[c].component, ComponentId(c));
@@ -123,7 +123,7 @@ TEST(Diagnoses, OfSeveralFaultsAtOnceEachHasItsOwnEvidence) {
 }
 
 /// A mode that is left by a fault alone, and only in that direction, has no other story.
-TEST(Diagnoses, AFaultThatNoStepAvoidsIsToldAsThat) {
+TEST(Explainer, AFaultThatNoStepAvoidsIsToldAsThat) {
   PlantWriter w;
   const auto fuse = w.component("fuse", {{"whole"}, {"blown", true}});
   w.fault(fuse, "blown", 1);
@@ -131,10 +131,10 @@ TEST(Diagnoses, AFaultThatNoStepAvoidsIsToldAsThat) {
   const auto estimator = make_exact_estimator(step, {});
   const automata::Modes before = estimator->estimate().modes;
   estimator->update(automata::idle_action(w.plant), {}, at(1));
-  const auto found = Diagnoses(w.plant).evidence_of_new(before, *estimator, {});
+  const auto found = Explainer(w.plant).evidence_of_new(before, *estimator, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Evidence::Kind::unavoidable);
-  EXPECT_TRUE(Diagnoses(w.plant).evidence_of_new(estimator->estimate().modes, *estimator, {}).empty());
+  EXPECT_TRUE(Explainer(w.plant).evidence_of_new(estimator->estimate().modes, *estimator, {}).empty());
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 namespace rmpl::runtime {
 
 /// Explains the diagnoses of one run. As long as there is none it costs a look at each component.
-class Diagnoses {
+class Explainer {
  public:
   /// Keeps a reference to the plant.
-  explicit Diagnoses(const automata::Plant& plant) : plant_(plant) {}
+  explicit Explainer(const automata::Plant& plant) : plant_(plant) {}
 
   /// For each component that the last update of `estimator`, by `observation`, newly puts into a fault mode: not the
   /// one that it had in `before`, the estimate until then, which may be empty. In order of components; nothing where no

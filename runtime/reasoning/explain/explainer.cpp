@@ -1,12 +1,12 @@
 // What changed for the worse, and why.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/explain/diagnoses.hpp"
+#include "runtime/reasoning/explain/explainer.hpp"
 
 #include <algorithm>
 
 namespace rmpl::runtime {
 
-std::vector<Evidence> Diagnoses::evidence_of_new(const automata::Modes& before, const Estimator& estimator,
+std::vector<Evidence> Explainer::evidence_of_new(const automata::Modes& before, const Estimator& estimator,
                                                  const automata::Observation& observation) {
   std::vector<Evidence> result;
   const Estimate& estimate = estimator.estimate();
@@ -22,7 +22,7 @@ std::vector<Evidence> Diagnoses::evidence_of_new(const automata::Modes& before, 
 
 /// Of several faults that show at once, the likeliest story without one has none of them, and may be refuted by what
 /// another one explains. So stories that fail without the component's doing are set aside, until one fails by it.
-Evidence Diagnoses::evidence_of(automata::ComponentId component, const Estimator& estimator,
+Evidence Explainer::evidence_of(automata::ComponentId component, const Estimator& estimator,
                                 const automata::Observation& observation) {
   constexpr std::size_t stories = 32;  // so many faults at once are beyond what one line can explain
   if (!evidences_) evidences_.emplace(plant_);
