@@ -135,6 +135,12 @@ RC_GTEST_PROP(Estimate, OpenReadingsAreOpen, ()) {
     for (const automata::VariableId seen : model.plant.observables) {
       const auto values = model.plant.variables[seen].values.size();
       const automata::Assignment reading{seen, automata::ValueId(up_to(0, values - 1))};
+      if (!open.may_be_implied(reading)) {
+        for (const auto& tuple : reference::tuples(sizes)) {
+          const automata::Modes any(tuple.begin(), tuple.end());
+          if (slow.possible(any)) RC_ASSERT(slow.observation_factor(any, {reading}) < 1);
+        }
+      }
       const auto* components = open.components(modes, reading);
       RC_TAG(components == nullptr ? "not known to be open" : "open");
       if (components == nullptr) continue;
@@ -206,7 +212,7 @@ RC_GTEST_PROP(Estimate, MissingMassIsAnUpperBound, ()) {
   const Model model = *models({.max_attributes = 6, .open = chance(60)});
   const Log log = chance(50) ? *logs(model.plant, 6) : *resting_logs(model.plant, 3, 8);
   const runtime::EstimatorOptions options{
-      .k = up_to(1, 4), .patience = chance(50) ? 0 : up_to(1, 32), .factored = chance(50)};
+      .k = up_to(1, 4), .patience = chance(50) ? 0 : up_to(1, 32), .factored = chance(50), .account = chance(70)};
   automata::PlantStep step(model.plant);
   const auto estimator = runtime::make_k_best_estimator(step, options);
   const reference::Step slow(model.plant);

@@ -89,6 +89,7 @@ runtime::EstimatorOptions estimator_options(const Options& options) {
   estimator.merge_trajectories = estimator.observation_factor = estimator.normalise = !as_is;
   estimator.ranks = options.ranks;
   estimator.live_clocks_only = options.live_clocks;
+  estimator.account = options.stats;
   return estimator;
 }
 

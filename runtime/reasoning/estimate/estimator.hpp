@@ -73,6 +73,9 @@ struct EstimatorOptions {
   /// Forget the clock of a component while its mode has no timed exit: exact on modes, and states that differ only in
   /// such clocks become one. The executive sets it; `estimate` keeps all clocks, as Fig. 6-10 does.
   bool live_clocks_only = false;
+  /// k-best: the bound of what is missing takes into account which readings no modes imply; finding out may cost more
+  /// than the estimate.
+  bool account = false;
 };
 
 /// Modes of some components that what is seen does not allow together.

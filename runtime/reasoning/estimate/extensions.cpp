@@ -50,6 +50,15 @@ FactorBound ReadingEvidence::factor_bound(const automata::Modes& base) const {
   return bound;
 }
 
+double ReadingEvidence::greatest_factor() const {
+  double most = 1;
+  for (const automata::Assignment& reading : observation_) {
+    if (open_->may_be_implied(reading)) continue;
+    most /= static_cast<double>(step_.plant().variables[reading.variable].values.size());
+  }
+  return most;
+}
+
 NearbyFactors ReadingEvidence::nearby_factors(const automata::Modes& base) const {
   const FactorBound bound = factor_bound(base);
   NearbyFactors result{bound.most, {}};

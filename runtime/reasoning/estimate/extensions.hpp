@@ -48,6 +48,8 @@ class ReadingEvidence {
   Conflict blame(const automata::Modes& modes);
   [[nodiscard]] FactorBound factor_bound(const automata::Modes& base) const;
   [[nodiscard]] NearbyFactors nearby_factors(const automata::Modes& base) const;
+  /// What the factor of any modes is at most: each reading that no modes imply costs them its 1/m.
+  [[nodiscard]] double greatest_factor() const;
   /// Whether it says more than that no factor is above 1.
   [[nodiscard]] bool bounds_factors() const { return open_ != nullptr && !observation_.empty(); }
   /// All that is known to be inconsistent with this observation.

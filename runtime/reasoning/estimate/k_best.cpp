@@ -122,7 +122,7 @@ class KBest final : public ListedFilter {
   }
 
   void adopt(const StepInput& input, bool consistent) override {
-    settle();
+    settle(options_.account && consistent && missing_ratio_ > 0 ? greatest_factor(input.observation) : 1);
     if (consistent) inconsistent_cycles_ = 0;
     last_ = input.now;
   }
@@ -212,6 +212,11 @@ class KBest final : public ListedFilter {
     return transient_[position].get();
   }
 
+  double greatest_factor(const Observation& observation) {
+    const ReadingEvidence& evidence = context(observation).evidence;
+    return evidence.bounds_factors() ? evidence.greatest_factor() : 1;
+  }
+
   [[nodiscard]] double share_missing() const {
     return std::isfinite(missing_ratio_) ? missing_ratio_ / (1 + missing_ratio_) : 1.0;
   }
@@ -229,14 +234,17 @@ class KBest final : public ListedFilter {
     return !search_.kept().empty();
   }
 
-  /// Takes the targets that were found last as the belief.
-  void settle() {
+  /// Takes the targets that were found last as the belief. What was missing before is worth so much more, by its
+  /// factor, at most.
+  void settle(double greatest_factor = 1) {
     const double before = belief_.empty() ? 1.0 : total(belief_);
     std::swap(before_, belief_);
     std::swap(belief_, search_.kept());
     const double kept = total(belief_);
     estimate_.missing_mass = search_.lost() > 0 ? search_.lost() / (search_.lost() + kept) : 0.0;
-    missing_ratio_ = missing_ratio_ > 0 || search_.lost() > 0 ? (missing_ratio_ * before + search_.lost()) / kept : 0.0;
+    missing_ratio_ = missing_ratio_ > 0 || search_.lost() > 0
+                         ? (missing_ratio_ * before * greatest_factor + search_.lost()) / kept
+                         : 0.0;
     estimate_.missing_total = share_missing();
     if (options_.ranks) {
       estimate_.rank += count_from_best(belief_);

@@ -6,6 +6,7 @@
 
 #include "automata/dependencies/constraints.hpp"
 #include "base/partition.hpp"
+#include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {
 
@@ -23,6 +24,11 @@ namespace {
 constexpr std::size_t most_work = 1u << 13;
 /// Lemmas of one reading; beyond, all are forgotten.
 constexpr std::size_t most_lemmas = 256;
+/// Choices of modes that are looked at for one that implies a reading; beyond, there may be one.
+constexpr std::size_t most_choices = 256;
+
+/// A reading, as a key.
+std::uint64_t key(Assignment reading) { return std::uint64_t{reading.variable.value} << 32 | reading.value.value; }
 
 template <class Item>
 void sort_unique(std::vector<Item>& items) {
@@ -81,7 +87,7 @@ void OpenReadings::index_readers() {
 
 const std::vector<ComponentId>* OpenReadings::components(const Modes& modes, Assignment reading) {
   look_at_plant();
-  std::vector<Lemma>& known = lemmas_[std::uint64_t{reading.variable.value} << 32 | reading.value.value];
+  std::vector<Lemma>& known = lemmas_[key(reading)];
   for (const Lemma& lemma : known) {
     bool holds = true;
     for (std::size_t i = 0; holds && i < lemma.components.size(); ++i) {
@@ -92,6 +98,44 @@ const std::vector<ComponentId>* OpenReadings::components(const Modes& modes, Ass
   if (known.size() >= most_lemmas) known.clear();
   const Lemma& lemma = known.emplace_back(work_out(modes, reading));
   return lemma.open ? &lemma.components : nullptr;
+}
+
+bool OpenReadings::may_be_implied(Assignment reading) {
+  const auto known = implied_.find(key(reading));
+  if (known != implied_.end()) return known->second;
+  return implied_.emplace(key(reading), look_for_modes_that_imply(reading)).first->second;
+}
+
+/// Choices of modes are looked at one by one; each that leaves the reading open, or does not allow it, rules out all
+/// that agree with it on what that rests on.
+bool OpenReadings::look_for_modes_that_imply(Assignment reading) {
+  OptimalSearch::Costs costs;
+  for (const automata::Component& component : plant_.components) costs.emplace_back(component.modes.size(), 0.0);
+  OptimalSearch search(costs);
+  search.set_budget(most_choices);
+  const auto outcome = search.next([&](std::span<const std::uint32_t> choice) -> std::optional<Conflict> {
+    Modes modes;
+    std::vector<Assignment> store{reading};
+    for (std::size_t c = 0; c < choice.size(); ++c) {
+      modes.emplace_back(choice[c]);
+      store.push_back({plant_.components[c].mode, ValueId(choice[c])});
+    }
+    Conflict conflict;
+    const auto rule_out = [&](ComponentId c) { conflict.push_back({c.value, choice[c.index()]}); };
+    if (!step_.theory().consistent(store)) {
+      look_at_plant();
+      for (const Assignment& needed : step_.theory().conflict()) {
+        if (const auto component = owner_[needed.variable.index()]) rule_out(*component);
+      }
+    } else {
+      const std::vector<ComponentId>* rests_on = components(modes, reading);
+      if (rests_on == nullptr) return std::nullopt;
+      for (const ComponentId c : *rests_on) rule_out(c);
+    }
+    std::sort(conflict.begin(), conflict.end());
+    return conflict;
+  });
+  return outcome != OptimalSearch::Outcome::exhausted;
 }
 
 OpenReadings::Patch OpenReadings::patch(std::vector<Attribute> inside, const Modes& modes) const {

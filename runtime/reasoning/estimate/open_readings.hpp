@@ -31,6 +31,10 @@ class OpenReadings {
   /// The pointer lasts until the next call.
   const std::vector<automata::ComponentId>* components(const automata::Modes& modes, automata::Assignment reading);
 
+  /// Whether there may be modes that imply `reading` and do not contradict each other: false only where each choice of
+  /// modes was shown to leave it open, or not to allow it. Remembered.
+  bool may_be_implied(automata::Assignment reading);
+
  private:
   using Attribute = std::uint32_t;  ///< position of a variable, the first of those that are always equal
   /// A conjunct of the store.
@@ -59,6 +63,7 @@ class OpenReadings {
   void index_readers();
   [[nodiscard]] Patch patch(std::vector<Attribute> inside, const automata::Modes& modes) const;
   Lemma work_out(const automata::Modes& modes, automata::Assignment reading);
+  bool look_for_modes_that_imply(automata::Assignment reading);
   std::optional<Patch> open_patch(const automata::Modes& modes, automata::Assignment reading);
   /// Whether every border of the patch allows another value; where one does not, it is left in `value_`.
   Finding judge(const Patch& patch);
@@ -78,6 +83,7 @@ class OpenReadings {
   std::vector<Told> told_;
   std::vector<std::vector<std::uint32_t>> readers_;               ///< by attribute: positions in `told_`
   std::unordered_map<std::uint64_t, std::vector<Lemma>> lemmas_;  ///< by reading; looked up, never iterated
+  std::unordered_map<std::uint64_t, bool> implied_;               ///< by reading: `may_be_implied`
 
   // While one reading is worked out.
   const automata::Modes* modes_ = nullptr;
