@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "automata/dependencies/dependencies.hpp"
 #include "automata/step/plain_step.hpp"
 #include "compiler/lint/plant/alike.hpp"
 #include "compiler/lint/plant/findings.hpp"
@@ -305,10 +306,16 @@ RC_GTEST_PROP(PlantLint, WhatNothingCommandedContradictsIsInNoSituation, ()) {
     found.emplace(one.mode.component.index(), one.mode.mode.index());
     RC_ASSERT(!one.idle.empty());
   }
+  const automata::Classes parts = automata::Dependencies(model.plant).parts();
   for (const auto& [modes, action] : slow.situations()) {
     for (std::size_t c = 0; c < modes.size(); ++c) {
       some.emplace(c, modes[c].index());
-      if (action == idle) quiet.emplace(c, modes[c].index());
+      bool is_quiet = true;
+      for (std::size_t i = 0; i < action.size(); ++i) {
+        const bool same = parts[model.plant.controls[i].variable] == parts[model.plant.components[c].mode];
+        is_quiet = is_quiet && (action[i] == idle[i] || !same);
+      }
+      if (is_quiet) quiet.emplace(c, modes[c].index());
     }
   }
   Pairs expected;

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "automata/dependencies/dependencies.hpp"
 #include "automata/state.hpp"
 #include "base/partition.hpp"
 #include "compiler/lint/plant/findings.hpp"
@@ -32,12 +33,19 @@ std::vector<Assignment> find_impossible_commands(PlantAnalysis& analysis) {
 std::vector<IdleContradiction> find_idle_contradictions(PlantAnalysis& analysis) {
   std::vector<IdleContradiction> found;
   const Plant& plant = analysis.plant();
-  const std::vector<Assignment> idle = automata::assignments_of(plant, automata::idle_action(plant));
-  if (idle.empty()) return found;
-  std::vector<Assignment> together = idle;
-  Assignment& mode = together.emplace_back();
+  // Only commands of its own part of the plant can contradict a mode.
+  const automata::Classes parts = automata::Dependencies(plant).parts();
+  std::vector<std::vector<Assignment>> idle_in(parts.count);
+  for (const Assignment& one : automata::assignments_of(plant, automata::idle_action(plant))) {
+    if (const auto part = parts[one.variable]) idle_in[*part].push_back(one);
+  }
   PlantQuestions& questions = analysis.questions();
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const auto part = parts[plant.components[c].mode];
+    if (!part || idle_in[*part].empty()) continue;
+    const std::vector<Assignment>& idle = idle_in[*part];
+    std::vector<Assignment> together = idle;
+    Assignment& mode = together.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
       mode = {plant.components[c].mode, ValueId(m)};
       if (!analysis.reach().reached[c][m] || questions.possible(together) || !questions.possible({&mode, 1})) continue;

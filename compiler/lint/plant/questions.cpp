@@ -3,6 +3,7 @@
 #include "compiler/lint/plant/questions.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "automata/store/model.hpp"
@@ -55,7 +56,12 @@ PlantQuestions::PlantQuestions(const automata::Plant& plant)
       index_(plant),
       first_exclusion_(first_exclusions(plant)),
       theory_(with_exclusions(plant), automata::Theory::Upkeep::maintained),
-      excluded_(plant.components.size()) {
+      excluded_(plant.components.size()),
+      parts_(automata::Dependencies(plant).parts()),
+      components_(parts_.count) {
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    if (const auto part = parts_[plant.components[c].mode]) components_[*part].push_back(c);
+  }
   automata::tell_model(theory_, plant);
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const automata::Component& component = plant.components[c];
@@ -70,6 +76,7 @@ Assignment PlantQuestions::exclusion(ComponentId component, std::size_t mode) co
 }
 
 void PlantQuestions::keep_to(const ModeSets& modes) {
+  all_can_be_.reset();
   for (std::size_t c = 0; c < modes.size(); ++c) {
     excluded_[c].clear();
     for (std::size_t m = 0; m < modes[c].size(); ++m) {
@@ -80,27 +87,51 @@ void PlantQuestions::keep_to(const ModeSets& modes) {
 
 void PlantQuestions::allow(ComponentId component, ModeId mode) {
   std::erase(excluded_[component.index()], exclusion(component, mode.index()));
+  if (all_can_be_ && !*all_can_be_) all_can_be_.reset();
 }
 
-std::vector<Assignment> PlantQuestions::assumed(std::span<const Assignment> assumptions) const {
+bool PlantQuestions::all_can_be() {
+  if (!all_can_be_) {
+    std::vector<Assignment> all;
+    for (const auto& excluded : excluded_) all.insert(all.end(), excluded.begin(), excluded.end());
+    all_can_be_ = theory_.consistent(all);
+  }
+  return *all_can_be_;
+}
+
+std::vector<Assignment> PlantQuestions::assumed(std::span<const Assignment> assumptions,
+                                                std::span<const VariableId> variables) {
   std::vector<Assignment> result(assumptions.begin(), assumptions.end());
   std::vector<std::size_t> free;
+  std::vector<std::size_t> parts;
   for (const Assignment& a : assumptions) {
     if (const auto component = index_.component_of(a.variable)) free.push_back(component->index());
+    if (const auto part = parts_[a.variable]) parts.push_back(*part);
   }
-  for (std::size_t c = 0; c < excluded_.size(); ++c) {
-    if (excluded_[c].empty() || std::find(free.begin(), free.end(), c) != free.end()) continue;
-    result.insert(result.end(), excluded_[c].begin(), excluded_[c].end());
+  for (const VariableId v : variables) {
+    if (const auto part = parts_[v]) parts.push_back(*part);
+  }
+  if (parts.empty() || !all_can_be()) {
+    parts.resize(parts_.count);
+    std::iota(parts.begin(), parts.end(), std::size_t{0});
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  for (const std::size_t part : parts) {
+    for (const std::size_t c : components_[part]) {
+      if (excluded_[c].empty() || std::find(free.begin(), free.end(), c) != free.end()) continue;
+      result.insert(result.end(), excluded_[c].begin(), excluded_[c].end());
+    }
   }
   return result;
 }
 
 bool PlantQuestions::possible(std::span<const Assignment> assumptions) {
-  return theory_.consistent(assumed(assumptions));
+  return theory_.consistent(assumed(assumptions, {}));
 }
 
 bool PlantQuestions::possible(std::span<const Assignment> assumptions, const Formula& formula) {
-  return theory_.allows(assumed(assumptions), theory_.encode(formula));
+  return theory_.allows(assumed(assumptions, variables_of(formula)), theory_.encode(formula));
 }
 
 std::vector<Assignment> PlantQuestions::due_to() const {
@@ -141,7 +172,7 @@ std::vector<Assignment> PlantQuestions::values(std::span<const VariableId> varia
 bool PlantQuestions::try_nominal(ComponentId component, ModeId mode, const Formula& together,
                                  const automata::Support& support) {
   const Assignment own{plant_[component].mode, ValueId(mode.index())};
-  std::vector<Assignment> assumptions = assumed({&own, 1});
+  std::vector<Assignment> assumptions = assumed({&own, 1}, variables_of(together));
   for (const ComponentId c : support.components) {
     if (c == component) continue;
     for (std::size_t m = 0; m < plant_[c].modes.size(); ++m) {

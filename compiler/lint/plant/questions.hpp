@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "automata/dependencies/dependencies.hpp"
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
 #include "automata/store/support.hpp"
@@ -33,7 +34,8 @@ struct Implied {
 };
 
 /// Keeps a reference to the plant. Not for use from two threads at once. All questions go to one theory of the whole
-/// plant, which maintains a model: what a question costs is what it changes.
+/// plant, which maintains a model: what a question costs is what it changes. A question about some parts of the plant
+/// (`Dependencies::parts`) leaves the others alone, where these can be as they are kept.
 class PlantQuestions {
  public:
   explicit PlantQuestions(const automata::Plant& plant);
@@ -66,7 +68,11 @@ class PlantQuestions {
   bool follows(std::span<const automata::Assignment> context, const automata::Formula& formula);
 
  private:
-  [[nodiscard]] std::vector<automata::Assignment> assumed(std::span<const automata::Assignment> assumptions) const;
+  /// The assumptions with the exclusions of all components that they and the variables have to do with.
+  std::vector<automata::Assignment> assumed(std::span<const automata::Assignment> assumptions,
+                                            std::span<const automata::VariableId> variables);
+  /// Whether the components can be in the modes that they are kept to, all at once.
+  bool all_can_be();
   [[nodiscard]] automata::Assignment exclusion(automata::ComponentId component, std::size_t mode) const;
   [[nodiscard]] std::vector<automata::Assignment> values(std::span<const automata::VariableId> variables) const;
   bool try_nominal(automata::ComponentId component, automata::ModeId mode, const automata::Formula& together,
@@ -78,6 +84,9 @@ class PlantQuestions {
   std::vector<std::size_t> first_exclusion_;  ///< by component, its first variable "not in mode 0"
   automata::Theory theory_;
   std::vector<std::vector<automata::Assignment>> excluded_;  ///< by component, what is assumed of its exclusions
+  automata::Classes parts_;
+  std::vector<std::vector<std::size_t>> components_;  ///< by part
+  std::optional<bool> all_can_be_;                    ///< as far as it was asked
 };
 
 /// All modes of all components.
