@@ -139,7 +139,7 @@ TEST(Circuit, TheMostProbableDiagnosisHasTheFewestFaults) {
     }
     const auto shown = made.simulate({random() % 2 == 0, true, false}, random() % (1u << 7), random());
     std::vector<Assignment> observation;
-    for (const std::size_t n : {0, 1, 2, 8, 9}) observation.push_back({made.nets[n], ValueId(shown[n] ? 1 : 0)});
+    for (const std::size_t n : {0u, 1u, 2u, 8u, 9u}) observation.push_back({made.nets[n], ValueId(shown[n] ? 1 : 0)});
     const Diagnoses one = diagnose(made.plant, observation, {.k = 1});
     const Diagnoses more = diagnose(made.plant, observation, {.k = 2});
     ASSERT_EQ(one.diagnoses.size(), 1u);
