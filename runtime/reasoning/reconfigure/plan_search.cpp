@@ -145,7 +145,7 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
           excluded = true;
           continue;
         }
-        if (!may_take(current, objective, off.empty(), outcome)) continue;
+        if (!may_take(objective, outcome)) continue;
         Cost cost = reached.cost;
         if (!off.empty()) {
           cost.commands += 1;

@@ -92,11 +92,11 @@ std::variant<IslandPlan, Impasse> Planner::next(const Modes& modes, const Object
   return Impasse{std::nullopt, "what happens next of itself contradicts the model"};
 }
 
-bool Planner::may_take(const Modes& modes, const Objective& objective, bool idle, const NominalOutcome& outcome) {
+bool Planner::may_take(const Objective& objective, const NominalOutcome& outcome) {
   if (!objective.keeps) return true;
   if (!objective.keeps(outcome.modes)) return false;
-  return !idle || std::all_of(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
-    return !move.transition->timed || astray(modes, objective, move.component);
+  return std::all_of(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
+    return !move.transition->timed || objective.moved[move.component.index()];
   });
 }
 
@@ -107,6 +107,7 @@ std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective
   }
   for (const ComponentId c : parts_.components(objective.part)) {
     if (objective.wanted[c.index()]) key.push_back(std::uint64_t{1} << 63 | c.value);
+    if (objective.keeps && objective.moved[c.index()]) key.push_back(std::uint64_t{1} << 62 | c.value);
     // Few irreversible steps are permitted, most often none.
     const auto& transitions = graph_.transitions(c);
     for (std::size_t i = 0; i < transitions.size(); ++i) {
@@ -182,7 +183,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
     NextStep choice = walk(current, objective, order);
     if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false, {}};
     auto& step = std::get<PlannedStep>(choice);
-    if (!may_take(current, objective, step.idle, step.outcome)) {
+    if (!may_take(objective, step.outcome)) {
       return {Impasse{step.component, "what is done beside the goal would not leave it achieved, or would wait"},
               false,
               {}};

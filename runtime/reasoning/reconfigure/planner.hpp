@@ -37,9 +37,10 @@ struct Objective {
   const Permitted& permitted;       ///< transitions that may be taken
   std::size_t part;                 ///< only its components are looked at
   const std::vector<bool>& wanted;  ///< by component: it is to come to its target; others may end where they are
-  /// Housekeeping: what every state on the way satisfies. It waits for no timed transition but of components that are
-  /// astray themselves. Empty for what the goal needs.
+  /// Housekeeping: what every state on the way satisfies. Empty for what the goal needs.
   std::function<bool(const automata::Modes&)> keeps = {};
+  /// With that, by component: its own timed transitions may be waited for, as it is aimed at another mode. No others.
+  std::vector<bool> moved = {};
   /// Plans of objectives with the same number may be remembered for each other: 0 where nothing is kept. None where
   /// what is kept is no matter of the part alone.
   std::optional<std::uint64_t> keeps_number = 0;
@@ -115,8 +116,7 @@ class Planner {
     return objective.wanted[c.index()] && modes[c.index()] != objective.target[c.index()];
   }
   /// Whether the step may be part of a plan: it keeps what is to be kept, and waits for nothing that it must not.
-  static bool may_take(const automata::Modes& modes, const Objective& objective, bool idle,
-                       const NominalOutcome& outcome);
+  static bool may_take(const Objective& objective, const NominalOutcome& outcome);
   Trace follow(const automata::Modes& modes, const Objective& objective, Order order);
   NextStep walk(const automata::Modes& modes, const Objective& objective, Order order);
   /// Of the components that are astray, the first that can be brought on without reaching a goal too early.

@@ -3,6 +3,7 @@
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "runtime/reasoning/reconfigure/planner.hpp"
 #include "runtime/reasoning/reconfigure/prospects.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
+#include "runtime/reasoning/reconfigure/upkeep.hpp"
 
 namespace rmpl::runtime {
 
@@ -49,7 +51,6 @@ class PolicyReconfigurer : public Reconfigurer {
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
     if (goal.is_true()) return at_rest(std::nullopt);
     Asked& asked = goals_.find(goal);
-    if (asked.memory.number == 0) asked.memory.number = ++goals_asked_;
     checked_ = 0;
     Reconfiguration answer = settled(modes, asked);
     answer.checked = checked_;
@@ -58,11 +59,16 @@ class PolicyReconfigurer : public Reconfigurer {
 
  private:
   struct Memory {
-    std::uint64_t number = 0;  ///< of the goal; 0 before it was asked
+    /// Of what housekeeping keeps: the goal, by what of it may be lost by itself as it begins.
+    std::map<std::vector<bool>, std::uint64_t> numbers;
+    std::optional<Upkeep> upkeep;  ///< once it was asked for
     std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
     std::unordered_map<Modes, Modes, automata::ModesHash> aims;  ///< by where what is needed ends
   };
   using Asked = RecentGoals<Memory>::Entry;
+
+  /// What may be done while what is needed waits.
+  enum class Beside { nothing, housekeeping };
 
   /// The next step of one part; whether it achieves what does not last, and whether the part has to be waited for.
   struct Offer {
@@ -97,22 +103,22 @@ class PolicyReconfigurer : public Reconfigurer {
     auto& answers = asked.memory.answers;
     if (const auto known = answers.find(modes); known != answers.end()) return known->second;
     if (answers.size() >= answer_limit) answers.clear();
-    // What the goal needs is never given up, whatever it leads through.
-    if (!interpreter_.entailed(modes, asked.goal)) return answers.emplace(modes, answer(modes, asked)).first->second;
     std::vector<std::pair<Modes, Reconfiguration>> path;
     Modes current = modes;
     while (!answers.contains(current)) {
       const auto again = std::find_if(path.begin(), path.end(), [&](const auto& p) { return p.first == current; });
       if (again != path.end()) {
         for (auto at = again; at != path.end(); ++at) {
-          if (interpreter_.entailed(at->first, asked.goal)) at->second = achieved(at->first);
+          const bool is_entailed = interpreter_.entailed(at->first, asked.goal);
+          at->second = is_entailed ? achieved(at->first) : towards(at->first, asked, Beside::nothing);
         }
         break;
       }
       path.emplace_back(current, answer(current, asked));
-      const auto& expected = path.back().second.expected;
-      if (!expected || *expected == current) break;
-      current = *expected;
+      // What the goal needs is never given up, whatever it leads through.
+      const Reconfiguration& found = path.back().second;
+      if (found.why.purpose == Reason::Purpose::goal || !found.expected || *found.expected == current) break;
+      current = *found.expected;
     }
     Reconfiguration result = path.front().second;
     for (auto& [state, found] : path) answers.insert_or_assign(std::move(state), std::move(found));
@@ -126,7 +132,7 @@ class PolicyReconfigurer : public Reconfigurer {
     } else if (interpreter_.entailed(modes, asked.goal)) {
       result = housekeeping(modes, asked);
     } else {
-      result = towards(modes, asked);
+      result = towards(modes, asked, Beside::housekeeping);
     }
     if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = idle_;
     return result;
@@ -176,7 +182,7 @@ class PolicyReconfigurer : public Reconfigurer {
   }
 
   /// First what the goal needs.
-  Reconfiguration towards(const Modes& modes, Asked& asked) {
+  Reconfiguration towards(const Modes& modes, Asked& asked, Beside meanwhile) {
     const Goal& goal = asked.goal;
     const Prospects prospects(*graph_, modes, goal, false);
     planner_.renew_budget();
@@ -218,7 +224,8 @@ class PolicyReconfigurer : public Reconfigurer {
     }
     const PlannedStep& step = needed.offers[best(needed.offers)].plan.first;
     Reconfiguration result;
-    if (auto aside = step.idle ? beside(modes, std::get<Modes>(interpreted), needed, prospects) : std::nullopt) {
+    const bool waits = step.idle && meanwhile == Beside::housekeeping;
+    if (auto aside = waits ? beside(modes, std::get<Modes>(interpreted), needed, prospects, asked) : std::nullopt) {
       result = told(modes, *aside, std::get<Modes>(interpreted), goal, Reason::Purpose::reward);
     } else {
       result = told(modes, step, needed.target, goal, Reason::Purpose::goal);
@@ -230,10 +237,7 @@ class PolicyReconfigurer : public Reconfigurer {
 
   /// What housekeeping aims at where the plan for what is needed ends; nothing where the goal is not entailed there.
   std::optional<Modes> aim(const Modes& modes, const Needed& needed, Asked& asked) {
-    Modes end = modes;
-    for (const Offer& offer : needed.offers) {
-      for (const ComponentId c : parts_.components(offer.part)) end[c.index()] = offer.plan.end[c.index()];
-    }
+    Modes end = end_of(modes, needed.offers);
     auto& aims = asked.memory.aims;
     if (const auto known = aims.find(end); known != aims.end()) return known->second;
     if (!interpreter_.entailed(end, asked.goal) || !step_.possible(end)) return std::nullopt;
@@ -247,7 +251,9 @@ class PolicyReconfigurer : public Reconfigurer {
   /// While what is needed waits, a command for components that are no part of the way, or a repair of one: nothing is
   /// served by leaving a fault while time passes.
   std::optional<PlannedStep> beside(const Modes& modes, const Modes& target, const Needed& needed,
-                                    const Prospects& prospects) {
+                                    const Prospects& prospects, Asked& asked) {
+    Upkeep& upkeep = upkeep_of(asked);
+    const Upkeep::Standing standing = upkeep.standing(modes);
     const std::vector<bool> way = planner_.on_the_way(modes, {needed.target, needed.permitted, 0, needed.wanted});
     for (const ComponentId c : planner_.order()) {
       const bool broken = step_.plant()[c].modes[modes[c.index()].index()].fault;
@@ -260,11 +266,11 @@ class PolicyReconfigurer : public Reconfigurer {
         for (std::size_t i = 0; i < after.size(); ++i) {
           if (way[i] && i != c.index() && after[i] != modes[i]) return false;
         }
-        return true;
+        return upkeep.keeps(standing, after);
       };
       const Permitted permitted = prospects.permitted(aim);
       planner_.renew_budget(housekeeping_trials);
-      auto found = planner_.next(modes, {aim, permitted, parts_.of(c), wanted, others_rest, std::nullopt});
+      auto found = planner_.next(modes, {aim, permitted, parts_.of(c), wanted, others_rest, wanted, std::nullopt});
       auto* const plan = std::get_if<IslandPlan>(&found);
       if (plan != nullptr && !plan->first.idle) return std::move(plan->first);
     }
@@ -272,24 +278,32 @@ class PolicyReconfigurer : public Reconfigurer {
   }
 
   /// Then housekeeping: what is worth more, under which the goal stays entailed.
-  Reconfiguration housekeeping(const Modes& modes, const Asked& asked) {
+  Reconfiguration housekeeping(const Modes& modes, Asked& asked) {
     const Goal& goal = asked.goal;
-    const auto number = goal.rest() ? std::nullopt : std::optional(asked.memory.number);
+    Upkeep& upkeep = upkeep_of(asked);
+    const Upkeep::Standing standing = upkeep.standing(modes);
+    std::uint64_t& known = asked.memory.numbers[standing.losable];
+    if (known == 0) known = ++numbers_;
+    const auto number = goal.rest() ? std::nullopt : std::optional(known);
     const Prospects prospects(*graph_, modes, goal, true);
     planner_.renew_budget(housekeeping_trials);
     std::vector<Offer> offers;
     std::size_t failures = 0;
-    const auto keeps = [&](const Modes& after) { return interpreter_.entailed(after, goal); };
+    const auto keeps = [&](const Modes& after) {
+      return interpreter_.entailed(after, goal) && upkeep.keeps(standing, after);
+    };
     auto interpreted = interpreter_.interpret(
         modes, goal, prospects, [&](const Modes& candidate) -> std::optional<std::vector<ComponentId>> {
           offers.clear();
           if (candidate == modes) return std::nullopt;
           std::vector<bool> wanted(modes.size());
+          std::vector<bool> moved(modes.size());
           for (std::size_t c = 0; c < modes.size(); ++c) {
-            wanted[c] = candidate[c] != modes[c] || prospects.commandable(ComponentId(c));
+            moved[c] = candidate[c] != modes[c];
+            wanted[c] = moved[c] || prospects.commandable(ComponentId(c));
           }
           const Permitted permitted = prospects.permitted(candidate);
-          const auto failed = plan(modes, {candidate, permitted, 0, wanted, keeps, number}, offers);
+          const auto failed = plan(modes, {candidate, permitted, 0, wanted, keeps, std::move(moved), number}, offers);
           if (!failed) return std::nullopt;
           std::vector<ComponentId> blamed;
           if (++failures >= failure_limit) return blamed;
@@ -300,10 +314,24 @@ class PolicyReconfigurer : public Reconfigurer {
         });
     checked_ += interpreter_.checked();
     if (std::holds_alternative<Impasse>(interpreted) || offers.empty()) return achieved(modes);
-    Modes target = std::get<Modes>(std::move(interpreted));
+    const Modes& target = std::get<Modes>(interpreted);
     Reconfiguration result = told(modes, offers[best(offers)].plan.first, target, goal, Reason::Purpose::reward);
-    result.goal_state = std::move(target);
+    result.goal_state = end_of(modes, offers);
     return result;
+  }
+
+  /// Where the parts' plans end.
+  [[nodiscard]] Modes end_of(const Modes& modes, const std::vector<Offer>& offers) const {
+    Modes end = modes;
+    for (const Offer& offer : offers) {
+      for (const ComponentId c : parts_.components(offer.part)) end[c.index()] = offer.plan.end[c.index()];
+    }
+    return end;
+  }
+
+  Upkeep& upkeep_of(Asked& asked) {
+    if (!asked.memory.upkeep) asked.memory.upkeep.emplace(step_, *graph_, asked.goal);
+    return *asked.memory.upkeep;
   }
 
   Reconfiguration told(const Modes& modes, const PlannedStep& step, const Modes& target, const Goal& goal,
@@ -347,7 +375,7 @@ class PolicyReconfigurer : public Reconfigurer {
   GoalInterpreter interpreter_;
   Planner planner_;
   RecentGoals<Memory> goals_;
-  std::uint64_t goals_asked_ = 0;
+  std::uint64_t numbers_ = 0;  ///< given so far
   std::size_t checked_ = 0;
 };
 

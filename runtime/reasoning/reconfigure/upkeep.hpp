@@ -1,0 +1,47 @@
+// What a goal asks for and has already: whether it stays while something else is done (semantics 5, *Plan*).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/goal.hpp"
+#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+
+namespace rmpl::runtime {
+
+/// A goal asks for modes of components, and for what is left to entailment: its parts. A part is lost by itself where
+/// nominal transitions that need no command, timed or not, may lead to where it is not so. Which these are is told
+/// component by component, each in any of the modes that it may come to: more than can be, never less.
+/// Cost: the transitions of what the goal depends on, a few times over.
+class Upkeep {
+ public:
+  /// Keeps references.
+  Upkeep(automata::PlantStep& step, const NominalGraph& graph, const Goal& goal);
+
+  /// What is known of the parts in a state.
+  struct Standing {
+    std::vector<bool> had;      ///< the part is so
+    std::vector<bool> losable;  ///< it is, and may be lost by itself
+  };
+  Standing standing(const automata::Modes& modes);
+
+  /// Whether each part that was had is there in the modes, and can be lost by itself only if it could before.
+  bool keeps(const Standing& before, const automata::Modes& after);
+
+ private:
+  /// The modes that the components that matter may come to by themselves, in `drift_`.
+  void follow(const automata::Modes& modes);
+  bool may_fail(const automata::Modes& modes);
+
+  automata::PlantStep& step_;
+  const NominalGraph& graph_;
+  const Goal& goal_;
+  std::vector<automata::ComponentId> restricted_;  ///< those of which the goal asks for modes, a part each
+  std::vector<automata::ComponentId> support_;     ///< those that decide the rest, which is the last part
+  std::vector<automata::ComponentId> involved_;    ///< all these, and what their transitions depend on
+  std::vector<std::vector<bool>> drift_;           ///< by component, by mode; of those involved
+};
+
+}  // namespace rmpl::runtime
