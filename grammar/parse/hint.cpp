@@ -292,7 +292,8 @@ std::optional<Hint> keyword_hint(const Unexpected& place) {
   if (place.found == "OR") return did_you_mean("or", place.found);
   const auto keywords = keywords_in(place.expected);
   if (std::find(keywords.begin(), keywords.end(), place.found) != keywords.end()) {
-    return say("each part stands once, in the order " + std::string(place.expected.substr(0, place.expected.rfind(" or "))));
+    return say("each part stands once, in the order " +
+               std::string(place.expected.substr(0, place.expected.rfind(" or "))));
   }
   for (const auto& [found, meant] : words) {
     if (found == place.found && std::find(keywords.begin(), keywords.end(), meant) != keywords.end()) {

@@ -292,10 +292,8 @@ void add_campaign(Program& program) {
                    "how many runs; of an enumeration, how often each fault at each time");
   add_whole_number(*command, "--faults", options->faults, 0, 1000, "how many faults to draw in each run (default: 0)");
   command->add_flag("--enumerate", options->enumerate, "inject every single fault at each of the times --at");
-  command->add_option("--at", options->at, "a time of an enumeration; may be given several times")
-      ->option_text("TIME")
-      ->expected(1)
-      ->take_all();
+  repeatable(command->add_option("--at", options->at, "a time of an enumeration; may be given several times")
+                 ->option_text("TIME"));
   command->add_flag("--unmodelled", options->unmodelled,
                     "inject each fault at its time, whether or not the model has a transition to it then");
   add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),

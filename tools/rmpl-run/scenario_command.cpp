@@ -207,14 +207,26 @@ ExitStatus run(const FlightOptions& options, const Common& common) {
 
 }  // namespace
 
+namespace {
+
+/// With --commands nothing flies: of the options the seed alone has a meaning.
+void exclude_flights(CLI::App& command) {
+  CLI::Option* list = command.get_option("--commands");
+  for (CLI::Option* other : command.get_options()) {
+    const bool general =
+        other->get_positional() || other == list || other->check_name("--seed") || other->check_name("--help");
+    if (!general) list->excludes(other);
+  }
+}
+
+}  // namespace
+
 void add_scenario(Program& program) {
   CLI::App* command = program.app().add_subcommand("scenario", "fly a scenario: the executive on a simulated plant");
   const auto options = std::make_shared<FlightOptions>();
   command->add_option("FILE", options->files, "files of scenarios: .scn, or compiled .json")->required();
-  command->add_option("--only", options->only, "run this scenario only; may be given several times")
-      ->option_text("NAME")
-      ->expected(1)
-      ->take_all();
+  repeatable(command->add_option("--only", options->only, "run this scenario only; may be given several times")
+                 ->option_text("NAME"));
   constexpr std::uint64_t most_jobs = 256;
   options->jobs = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(most_jobs));
   add_whole_number(*command, "--jobs,-j", options->jobs, 1, most_jobs,
@@ -233,12 +245,10 @@ void add_scenario(Program& program) {
       {{"changes", TraceDetail::changes}, {"cycles", TraceDetail::cycles}, {"beliefs", TraceDetail::beliefs}},
       "what the trace tells: cycles in which something changes, every cycle,\n"
       "or every cycle with all states that are tracked (default: changes)");
-  command
-      ->add_option("--only-component", options->components,
-                   "tell only what is about this component; may be given several times")
-      ->option_text("NAME")
-      ->expected(1)
-      ->take_all();
+  repeatable(command
+                 ->add_option("--only-component", options->components,
+                              "tell only what is about this component; may be given several times")
+                 ->option_text("NAME"));
   add_read(*command, "--from", options->from, duration, "tell the story from this time on")->option_text("TIME");
   add_read(*command, "--to", options->to, duration, "tell the story up to this time")->option_text("TIME");
   add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
@@ -258,6 +268,7 @@ void add_scenario(Program& program) {
   command->add_flag("--real-time", options->real_time, "let each cycle take as long as it says");
   command->add_flag("--stats", options->stats,
                     "say on standard error how long cycles took: estimation, reconfiguration, both");
+  exclude_flights(*command);
   command->footer(footer);
   program.add({command,
                [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});

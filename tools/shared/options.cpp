@@ -29,6 +29,8 @@ void add_format(CLI::App& app, Common& common, bool junit) {
                            : "text for people (the default), json for programs");
 }
 
+CLI::Option* repeatable(CLI::Option* option) { return option->expected(1)->take_all()->allow_extra_args(false); }
+
 void require_one(CLI::App& command, CLI::Option* one, CLI::Option* other) {
   one->excludes(other);
   command.parse_complete_callback([one, other] {

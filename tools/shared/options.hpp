@@ -84,6 +84,9 @@ CLI::Option* add_whole_number(CLI::App& app, const std::string& name, Number& va
   return add_read(app, name, value, read, description)->option_text("N");
 }
 
+/// An option that may be given several times, each time with one value: what follows is not its own.
+CLI::Option* repeatable(CLI::Option* option);
+
 /// One of the two options is given, and not both.
 void require_one(CLI::App& command, CLI::Option* one, CLI::Option* other);
 

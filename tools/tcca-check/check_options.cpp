@@ -77,7 +77,7 @@ CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& t
 
 CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts, const char* type,
                        const char* description) {
-  return command.add_option(name, texts, description)->option_text(type)->expected(1)->take_all();
+  return repeatable(command.add_option(name, texts, description)->option_text(type));
 }
 
 ExitStatus status_of(Verdict verdict) {

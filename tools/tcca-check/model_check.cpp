@@ -28,10 +28,12 @@ void refuse_what_is_of_plants(const PropertyOptions& options) {
 ExitStatus check_model(const automata::ModelProgram& program, const PropertyOptions& options, const Common& common,
                        const std::string& title, const FormulaAsked& asked) {
   refuse_what_is_of_plants(options);
+  const automata::Ticks step = options.freedom.period.value_or(automata::Ticks::of_seconds(1));
+  check_window(asked.window, step);
   const verifier::MarkingQuestion question{.kind = asked.kind,
                                            .formula = formula_option(asked.formula, program, asked.option, common),
                                            .window = asked.window,
-                                           .period = options.freedom.period.value_or(automata::Ticks::of_seconds(1)),
+                                           .period = step,
                                            .commands = options.commands,
                                            .improbable = options.freedom.faults,
                                            .fewest_improbable = options.fewest_faults,

@@ -209,6 +209,7 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
 }
 
 ExitStatus run(const ProgramOptions& options, const Common& common) {
+  check_window(options.window.window, options.freedom.period);
   const compiler::Compilation compilation = load(options.models(), common, {options.entry});
   const automata::Document& document = compilation.document();
   const std::string paths = options.plant.empty() ? options.program : options.program + ", " + options.plant;

@@ -65,12 +65,10 @@ void add_properties(CLI::App& command, ProgramOptions& options) {
     }
   };
   CLI::Option* eventually =
-      command
-          .add_option_function<std::vector<std::string>>(
-              "--eventually", take, "what is to come true in time, as 'FORMULA within T', or with --within")
-          ->option_text("FORMULA")
-          ->expected(1)
-          ->take_all();
+      repeatable(command
+                     .add_option_function<std::vector<std::string>>(
+                         "--eventually", take, "what is to come true in time, as 'FORMULA within T', or with --within")
+                     ->option_text("FORMULA"));
   add_read(command, "--within", options.within, duration, "how soon, from the start")
       ->option_text("T")
       ->needs(eventually);
@@ -81,12 +79,11 @@ void add_properties(CLI::App& command, ProgramOptions& options) {
       throw CLI::ValidationError("--after", error.what());
     }
   };
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--after", owe, "each time the first formula holds the second follows, as 'FORMULA within T FORMULA'")
-      ->option_text("FORMULA")
-      ->expected(1)
-      ->take_all();
+  repeatable(
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--after", owe, "each time the first formula holds the second follows, as 'FORMULA within T FORMULA'")
+          ->option_text("FORMULA"));
   add_texts(command, "--finally", options.finallys, "FORMULA", "what is to hold where the program ends");
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/tcca-check/property_check.hpp"
 
+#include "base/error.hpp"
 #include "tools/shared/models.hpp"
 #include "tools/tcca-check/model_check.hpp"
 #include "tools/tcca-check/witness_flight.hpp"
@@ -63,6 +64,22 @@ void add_window(CLI::App& command, WindowOptions& options) {
       ->option_text("T");
   add_read(command, "--by", options.window.by, duration, "the formula counts up to this time")->option_text("T");
   command.add_flag("--fastest", options.fastest, "a trace with least time, not with fewest steps");
+}
+
+void check_window(const verifier::Window& window, std::optional<automata::Ticks> period) {
+  if (!window.by) return;
+  const automata::Ticks from = window.not_before.value_or(automata::Ticks{});
+  const auto text = [](automata::Ticks time) { return automata::format_seconds(time) + " s"; };
+  if (*window.by < from) {
+    throw base::InputError("--by " + text(*window.by) + " is before --not-before " + text(from) +
+                           ": no time is in the window");
+  }
+  if (!period) return;
+  const automata::Ticks last{window.by->count - window.by->count % period->count};
+  if (last < from) {
+    throw base::InputError("no step of " + text(*period) + " ends from --not-before " + text(from) + " to --by " +
+                           text(*window.by));
+  }
 }
 
 ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,

@@ -32,6 +32,9 @@ struct WindowOptions {
   bool fastest = false;
 };
 void add_window(CLI::App& command, WindowOptions& options);
+/// With `period`, of a search in steps of that length. Throws base::InputError where no time, or the end of no step, is
+/// in the window: whatever is asked about it would hold.
+void check_window(const verifier::Window& window, std::optional<automata::Ticks> period);
 
 struct FormulaAsked;
 
