@@ -196,7 +196,7 @@ ExitStatus run(const Options& options, const Common& common) {
       options.one_step ? runtime::make_one_step_reconfigurer(step) : runtime::make_reconfigurer(step);
   const Plan plan = options.one_step ? runtime::make_one_step_plan(*reconfigurer, modes, goal)
                                      : runtime::make_plan(*reconfigurer, modes, goal);
-  const std::vector<PlanRisk> risks = runtime::risks_of(plan, step);
+  const std::vector<PlanRisk> risks = runtime::risks_of(plan, step, goal);
   if (common.format == Format::json) {
     JsonLine json;
     write_json(json, plant, plan, risks);

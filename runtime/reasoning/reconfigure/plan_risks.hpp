@@ -11,14 +11,15 @@
 
 namespace rmpl::runtime {
 
-/// A wait, and a component that may leave meanwhile, by a timed transition with an upper bound, a mode that the plan
-/// took it to and has it keep to the end. Whether it is in time depends on durations, which no plan compares.
+/// A wait, and a component that may leave meanwhile, by a timed transition with an upper bound, a mode that it is to
+/// keep to the end: the plan took it there, or the goal depends on it. Whether it is in time depends on durations,
+/// which no plan compares.
 struct PlanRisk {
   std::size_t wait;  ///< position among the commands
   TransitionOf leaving;
 };
 
 /// In order of waits, then components; of each component the first such transition.
-std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step);
+std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal);
 
 }  // namespace rmpl::runtime
