@@ -18,6 +18,22 @@ std::string mode(const Plant& plant, automata::ComponentId component, automata::
   return "'" + plant[component].modes[m.index()].name + "'";
 }
 
+/// Where a component that enters the mode stays: behind modes that it only passes through, as time alone leads on from
+/// them, to one other mode.
+automata::ModeId lasting(const automata::Component& component, automata::ModeId m) {
+  for (std::size_t passed = 0; passed < component.modes.size(); ++passed) {
+    const automata::Transition* only = nullptr;
+    for (const automata::Transition& t : component.transitions) {
+      if (t.from != m || t.to == m || component.is_fault(t)) continue;
+      if (only != nullptr || !t.timing) return m;
+      only = &t;
+    }
+    if (only == nullptr) return m;
+    m = only->to;
+  }
+  return m;
+}
+
 std::string purpose(const Reason& reason, const Plant& plant, const automata::Formula& goal) {
   switch (reason.purpose) {
     case Reason::Purpose::none:
@@ -70,12 +86,17 @@ std::string remedy(const Reason& reason, const Plant& plant) {
       return "";
     case Reason::Obstacle::missing:
       if (!reason.component || !reason.aim) return "";
+      if (plant[*reason.component].modes[reason.aim->index()].fault) {
+        return mode(plant, *reason.component, *reason.aim) + " is a fault mode, into which nothing is commanded";
+      }
       return "a nominal transition of '" + plant[*reason.component].name + "' towards " +
              mode(plant, *reason.component, *reason.aim) + " would permit it";
     case Reason::Obstacle::forbidden:
       if (!reason.step) return "";
       return "a goal that asks for " + named() +
-             plant[reason.step->component].modes[transition(plant, *reason.step).to.index()].name +
+             plant[reason.step->component]
+                 .modes[lasting(plant[reason.step->component], transition(plant, *reason.step).to).index()]
+                 .name +
              ", or a way back in the model, would permit it";
     case Reason::Obstacle::unsupported:
       return "a control or a mode that brings its guard about would permit it";
