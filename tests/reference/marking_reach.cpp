@@ -15,10 +15,10 @@ std::vector<MarkingLayer> marking_layers(const ModelProgramStep& step, const std
   std::vector<MarkingLayer> result(steps + 1);
   step.for_each_start([&](const MarkedSet& start, double, unsigned improbable) { add(result[0], start, improbable); });
   for (std::size_t s = 0; s < steps; ++s) {
-    for (const auto& [marking, before] : result[s]) {
+    for (const auto& reached : result[s]) {
       for (const Commands& commands : free) {
-        step.for_each_next(marking, commands, [&](const MarkedSet& next, double, unsigned improbable) {
-          add(result[s + 1], next, before + improbable);
+        step.for_each_next(reached.first, commands, [&](const MarkedSet& next, double, unsigned improbable) {
+          add(result[s + 1], next, reached.second + improbable);
         });
       }
     }

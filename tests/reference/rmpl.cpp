@@ -18,8 +18,7 @@ namespace {
 
 class Printer {
  public:
-  Printer(const Rmpl& source, const automata::Variables& variables)
-      : source_(source), variables_(variables), clocks_(source.clocks) {
+  Printer(const Rmpl& source, const automata::Variables& variables) : variables_(variables), clocks_(source.clocks) {
     clocks_.emplace_back(own_clock);
   }
 
@@ -69,7 +68,6 @@ class Printer {
     return result;
   }
 
-  const Rmpl& source_;
   const automata::Variables& variables_;
   std::vector<std::string> clocks_;
 };

@@ -21,8 +21,8 @@ using Part = Expression::Kind;
 constexpr std::size_t no_depth = 1000;
 constexpr std::size_t depth_limit = 24;
 /// Rules whose characters make one token.
-constexpr std::array<std::string_view, 7> tokens = {"name",         "identifier", "number", "signed-number",
-                                                    "whole-number", "string",     "digits"};
+constexpr std::array<std::string_view, 7> token_names = {"name",         "identifier", "number", "signed-number",
+                                                         "whole-number", "string",     "digits"};
 
 std::string read(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -104,7 +104,7 @@ class Sentences::Drawing {
   }
 
   void expand_rule(const std::string& name, std::size_t depth) {
-    if (std::find(tokens.begin(), tokens.end(), name) != tokens.end()) {
+    if (std::find(token_names.begin(), token_names.end(), name) != token_names.end()) {
       all_.push_back(name == "name" ? draw_name() : characters(sentences_.grammar_.at(name)));
       return;
     }
