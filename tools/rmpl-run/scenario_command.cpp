@@ -75,7 +75,11 @@ std::vector<Task> tasks_of(const std::vector<compiler::Compilation>& compilation
       options.files.size() == 1 ? options.files.front() : std::to_string(options.files.size()) + " files";
   for (const std::string& name : options.only) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    throw base::InputError(files + ": no scenario is called '" + name + "'" + suggestion_or_list(name, names));
+    std::string message = files;
+    message += ": no scenario is called '";
+    message += name;
+    message += "'";
+    throw base::InputError(message + suggestion_or_list(name, names));
   }
   for (const auto& [option, path] : {std::pair{"--trace", &options.trace}, std::pair{"--vcd", &options.vcd},
                                      std::pair{"--csv", &options.csv}, std::pair{"--mcap", &options.mcap}}) {

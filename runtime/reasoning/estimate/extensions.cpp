@@ -88,6 +88,7 @@ NearbyFactors ReadingEvidence::nearby_factors(const automata::Modes& base) const
 Extensions::Extensions(ReadingEvidence& evidence, const std::vector<std::vector<automata::Move>>& moves) {
   own_.reserve(moves.size());
   std::vector<const ComponentMoves*> all;
+  all.reserve(moves.size());
   for (const auto& component : moves) all.push_back(&own_.emplace_back(component));
   restart(evidence, all);
 }
