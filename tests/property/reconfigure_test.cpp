@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <random>
 #include <set>
 
@@ -46,6 +47,16 @@ const Shape certain = {.max_modes = 4,
 const Shape in_time = {
     .max_modes = 4, .max_attributes = 6, .faults = false, .distributions = false, .rewards = true, .commanded = true};
 
+/// A random plant, its twin, and who is asked.
+struct Subject {
+  explicit Subject(const Shape& shape) : model(*models(shape)) {}
+
+  const Model model;
+  const reference::Step slow{model.plant};
+  automata::PlantStep step{model.plant};
+  const std::unique_ptr<runtime::Reconfigurer> reconfigurer = runtime::make_reconfigurer(step);
+};
+
 bool entails(const reference::Step& slow, const Modes& modes, const Formula& goal) {
   return slow.models().entails(reference::assumptions_of(slow.plant(), modes), goal);
 }
@@ -85,60 +96,53 @@ RC_GTEST_PROP(Reconfigure, PreconditionsAreWhatImpliesTheGuard, ()) {
 }
 
 RC_GTEST_PROP(Reconfigure, WhatIsAchievedIsNeverNoPlanAndStaysAchieved, ()) {
-  const Model model = *models(planning);
-  const reference::Step slow(model.plant);
-  automata::PlantStep step(model.plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const Subject subject(planning);
   for (int question = 0; question < 4; ++question) {
-    const Modes modes = *modes_of(model.plant);
-    const Formula goal = draw_goal(model.plant);
-    if (!slow.possible(modes) || goal.is_true() || !entails(slow, modes, goal)) continue;
-    const runtime::Reconfiguration found = reconfigurer->next(modes, goal);
+    const Modes modes = *modes_of(subject.model.plant);
+    const Formula goal = draw_goal(subject.model.plant);
+    if (!subject.slow.possible(modes) || goal.is_true() || !entails(subject.slow, modes, goal)) continue;
+    const runtime::Reconfiguration found = subject.reconfigurer->next(modes, goal);
     RC_ASSERT(found.outcome != runtime::Reconfiguration::Outcome::no_plan);
     if (!found.expected || found.why.purpose != runtime::Reason::Purpose::reward) continue;
-    RC_ASSERT(entails(slow, *found.goal_state, goal));
+    RC_ASSERT(entails(subject.slow, *found.goal_state, goal));
     // What goes on by itself is no choice.
-    const auto idle = automata::idle_action(model.plant);
-    if (reference::nominal_successors(slow, modes, idle) != std::set{modes}) continue;
-    RC_ASSERT(reference::reward_of(model.plant, *found.goal_state) >= reference::reward_of(model.plant, modes));
+    const auto idle = automata::idle_action(subject.model.plant);
+    if (reference::nominal_successors(subject.slow, modes, idle) != std::set{modes}) continue;
+    RC_ASSERT(reference::reward_of(subject.model.plant, *found.goal_state) >=
+              reference::reward_of(subject.model.plant, modes));
     for (std::size_t c = 0; c < modes.size(); ++c) {
-      if ((*found.goal_state)[c] != modes[c]) RC_ASSERT(reference::is_swayed(slow, c, modes[c]));
+      if ((*found.goal_state)[c] != modes[c]) RC_ASSERT(reference::is_swayed(subject.slow, c, modes[c]));
     }
   }
 }
 
 RC_GTEST_PROP(Reconfigure, NothingForbiddenIsCommanded, ()) {
-  const Model model = *models(planning);
-  const reference::Step slow(model.plant);
-  automata::PlantStep step(model.plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const Subject subject(planning);
   for (int question = 0; question < 4; ++question) {
-    const Modes modes = *modes_of(model.plant);
-    const Formula goal = draw_goal(model.plant);
-    if (!slow.possible(modes)) continue;
-    const runtime::Reconfiguration found = reconfigurer->next(modes, goal);
+    const Modes modes = *modes_of(subject.model.plant);
+    const Formula goal = draw_goal(subject.model.plant);
+    if (!subject.slow.possible(modes)) continue;
+    const runtime::Reconfiguration found = subject.reconfigurer->next(modes, goal);
     if (found.outcome != runtime::Reconfiguration::Outcome::command) continue;
     if (found.why.purpose == runtime::Reason::Purpose::model) continue;
-    RC_LOG() << automata::to_text(goal, model.plant.variables) << std::endl;
-    RC_ASSERT(!reference::forbidden_step(slow, modes, found.action, goal));
+    RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << std::endl;
+    RC_ASSERT(!reference::forbidden_step(subject.slow, modes, found.action, goal));
   }
 }
 
 RC_GTEST_PROP(Reconfigure, PlansLeadToTheGoal, ()) {
-  const Model model = *models(planning);
-  const reference::Step slow(model.plant);
-  automata::PlantStep step(model.plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const Subject subject(planning);
   for (int question = 0; question < 4; ++question) {
-    const Modes modes = *modes_of(model.plant);
-    const Formula goal = draw_goal(model.plant);
-    if (!slow.possible(modes) || entails(slow, modes, goal)) continue;
-    const runtime::Plan plan = runtime::make_plan(*reconfigurer, modes, goal);
-    RC_LOG() << automata::to_text(goal, model.plant.variables) << ": " << plan.reason << std::endl;
+    const Modes modes = *modes_of(subject.model.plant);
+    const Formula goal = draw_goal(subject.model.plant);
+    if (!subject.slow.possible(modes) || entails(subject.slow, modes, goal)) continue;
+    const runtime::Plan plan = runtime::make_plan(*subject.reconfigurer, modes, goal);
+    RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << ": " << plan.reason << std::endl;
     if (plan.outcome == runtime::Plan::Outcome::no_plan) continue;
     RC_ASSERT((plan.outcome == runtime::Plan::Outcome::nothing_to_do) == plan.commands.empty());
-    const auto ends = reference::nominal_outcomes(slow, modes, plan.commands);
-    RC_ASSERT(std::any_of(ends.begin(), ends.end(), [&](const Modes& end) { return entails(slow, end, goal); }));
+    const auto ends = reference::nominal_outcomes(subject.slow, modes, plan.commands);
+    RC_ASSERT(
+        std::any_of(ends.begin(), ends.end(), [&](const Modes& end) { return entails(subject.slow, end, goal); }));
   }
 }
 
@@ -155,28 +159,26 @@ bool asks_for_modes(const automata::Plant& plant, const Formula& goal) {
 /// modes in no more cycles than it takes; and beside the goal what is worth most, then what moves fewest, then the
 /// first.
 RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
-  const Model model = *models(certain);
-  const reference::Step slow(model.plant);
-  automata::PlantStep step(model.plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const Subject subject(certain);
   for (int question = 0; question < 4; ++question) {
-    const Modes modes = *modes_of(model.plant);
-    const Formula goal = draw_goal(model.plant);
-    if (!slow.possible(modes) || goal.is_true()) continue;
-    const auto commands = reference::fewest_commands(slow, modes, goal);
+    const Modes modes = *modes_of(subject.model.plant);
+    const Formula goal = draw_goal(subject.model.plant);
+    if (!subject.slow.possible(modes) || goal.is_true()) continue;
+    const auto commands = reference::fewest_commands(subject.slow, modes, goal);
     if (!commands) continue;
-    const runtime::Plan plan = runtime::make_plan(*reconfigurer, modes, goal);
-    RC_LOG() << automata::to_text(goal, model.plant.variables) << ": " << plan.reason << ", where " << *commands
+    const runtime::Plan plan = runtime::make_plan(*subject.reconfigurer, modes, goal);
+    RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << ": " << plan.reason << ", where " << *commands
              << " commands do it" << std::endl;
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
-    if (asks_for_modes(model.plant, goal)) {
+    if (asks_for_modes(subject.model.plant, goal)) {
       std::size_t cycles = 0;
-      for (Modes at = modes; !entails(slow, at, goal); ++cycles) at = *reconfigurer->next(at, goal).expected;
+      for (Modes at = modes; !entails(subject.slow, at, goal); ++cycles)
+        at = *subject.reconfigurer->next(at, goal).expected;
       RC_ASSERT(cycles <= *commands);
     }
     if (*commands > 0) continue;
-    const Modes best = reference::best_kept(slow, modes, goal);
-    RC_ASSERT(!reference::is_better(model.plant, modes, best, *plan.goal_state));
+    const Modes best = reference::best_kept(subject.slow, modes, goal);
+    RC_ASSERT(!reference::is_better(subject.model.plant, modes, best, *plan.goal_state));
   }
 }
 
@@ -194,24 +196,21 @@ bool lasts(const automata::Plant& plant, const Formula& goal) {
 /// Where what needs time is waited for, too: what can be reached is, and modes that last in no more cycles than it
 /// takes; those in which only something else is done beside it do not count.
 RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
-  const Model model = *models(in_time);
-  const reference::Step slow(model.plant);
-  automata::PlantStep step(model.plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const Subject subject(in_time);
   for (int question = 0; question < 4; ++question) {
-    const Modes modes = *modes_of(model.plant);
-    const Formula goal = draw_goal(model.plant);
-    if (!slow.possible(modes) || goal.is_true() || entails(slow, modes, goal)) continue;
-    const auto fewest = reference::fewest_cycles(slow, modes, goal);
+    const Modes modes = *modes_of(subject.model.plant);
+    const Formula goal = draw_goal(subject.model.plant);
+    if (!subject.slow.possible(modes) || goal.is_true() || entails(subject.slow, modes, goal)) continue;
+    const auto fewest = reference::fewest_cycles(subject.slow, modes, goal);
     if (!fewest) continue;
-    const runtime::Plan plan = runtime::make_plan(*reconfigurer, modes, goal);
-    RC_LOG() << automata::to_text(goal, model.plant.variables) << " from " << rc::toString(modes) << ": " << plan.reason
-             << ", where " << *fewest << " cycles do it" << std::endl;
+    const runtime::Plan plan = runtime::make_plan(*subject.reconfigurer, modes, goal);
+    RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << " from " << rc::toString(modes) << ": "
+             << plan.reason << ", where " << *fewest << " cycles do it" << std::endl;
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
-    if (!asks_for_modes(model.plant, goal) || !lasts(model.plant, goal)) continue;
+    if (!asks_for_modes(subject.model.plant, goal) || !lasts(subject.model.plant, goal)) continue;
     std::size_t cycles = 0;
-    for (Modes at = modes; !entails(slow, at, goal);) {
-      const runtime::Reconfiguration answer = reconfigurer->next(at, goal);
+    for (Modes at = modes; !entails(subject.slow, at, goal);) {
+      const runtime::Reconfiguration answer = subject.reconfigurer->next(at, goal);
       cycles += answer.why.purpose == runtime::Reason::Purpose::goal ? 1 : 0;
       at = *answer.expected;
     }
@@ -222,23 +221,20 @@ RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
 /// Closed runs in which all goes as expected: while nothing happens of itself no state comes again, so commands come to
 /// an end.
 RC_GTEST_PROP(Reconfigure, CommandsComeToAnEnd, ()) {
-  const Model model = *models(planning);
-  const reference::Step slow(model.plant);
-  automata::PlantStep step(model.plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
-  const auto idle = automata::idle_action(model.plant);
+  const Subject subject(planning);
+  const auto idle = automata::idle_action(subject.model.plant);
   for (int question = 0; question < 4; ++question) {
-    Modes modes = *modes_of(model.plant);
-    const Formula goal = draw_goal(model.plant);
-    if (!slow.possible(modes) || goal.is_true()) continue;
-    RC_LOG() << automata::to_text(goal, model.plant.variables) << std::endl;
+    Modes modes = *modes_of(subject.model.plant);
+    const Formula goal = draw_goal(subject.model.plant);
+    if (!subject.slow.possible(modes) || goal.is_true()) continue;
+    RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << std::endl;
     std::set<Modes> seen;
     for (int cycle = 0; cycle < 100; ++cycle) {
-      const runtime::Reconfiguration answer = reconfigurer->next(modes, goal);
+      const runtime::Reconfiguration answer = subject.reconfigurer->next(modes, goal);
       if (!answer.expected || answer.why.purpose == runtime::Reason::Purpose::model) break;
       RC_ASSERT(seen.insert(modes).second);
-      RC_ASSERT(reference::nominal_successors(slow, modes, answer.action).contains(*answer.expected));
-      if (reference::nominal_successors(slow, modes, idle) != std::set{modes}) seen.clear();
+      RC_ASSERT(reference::nominal_successors(subject.slow, modes, answer.action).contains(*answer.expected));
+      if (reference::nominal_successors(subject.slow, modes, idle) != std::set{modes}) seen.clear();
       modes = *answer.expected;
     }
   }
@@ -248,24 +244,21 @@ RC_GTEST_PROP(Reconfigure, CommandsComeToAnEnd, ()) {
 /// A command that may fail is sent again, so this takes as long as chance has it; but where nothing happens of itself
 /// it is not for ever.
 RC_GTEST_PROP(Reconfigure, CommandsComeToAnEndWhateverTheyLeadTo, ()) {
-  const Model model = *models(planning);
-  const reference::Step slow(model.plant);
-  automata::PlantStep step(model.plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
-  const auto idle = automata::idle_action(model.plant);
+  const Subject subject(planning);
+  const auto idle = automata::idle_action(subject.model.plant);
   std::mt19937 random(static_cast<unsigned>(up_to(0, 1u << 30)));
   for (int question = 0; question < 4; ++question) {
-    Modes modes = *modes_of(model.plant);
-    const Formula goal = draw_goal(model.plant);
-    if (!slow.possible(modes) || goal.is_true()) continue;
-    RC_LOG() << automata::to_text(goal, model.plant.variables) << " from " << rc::toString(modes) << std::endl;
+    Modes modes = *modes_of(subject.model.plant);
+    const Formula goal = draw_goal(subject.model.plant);
+    if (!subject.slow.possible(modes) || goal.is_true()) continue;
+    RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << " from " << rc::toString(modes) << std::endl;
     int quiet = 0;
     for (int cycle = 0; cycle < 1000; ++cycle) {
-      const runtime::Reconfiguration answer = reconfigurer->next(modes, goal);
+      const runtime::Reconfiguration answer = subject.reconfigurer->next(modes, goal);
       if (!answer.expected || answer.why.purpose == runtime::Reason::Purpose::model) break;
-      const auto successors = reference::nominal_successors(slow, modes, answer.action);
+      const auto successors = reference::nominal_successors(subject.slow, modes, answer.action);
       RC_ASSERT(successors.contains(*answer.expected));
-      quiet = reference::nominal_successors(slow, modes, idle) == std::set{modes} ? quiet + 1 : 0;
+      quiet = reference::nominal_successors(subject.slow, modes, idle) == std::set{modes} ? quiet + 1 : 0;
       RC_ASSERT(quiet < 300);
       modes = *std::next(successors.begin(), static_cast<std::ptrdiff_t>(random() % successors.size()));
     }

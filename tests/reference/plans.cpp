@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "tests/reference/goals.hpp"
@@ -24,7 +25,7 @@ class Search {
       : step_(step), goal_(goal), idle_(automata::idle_action(step.plant())) {
     for (std::size_t i = 0; i < step.plant().components.size(); ++i)
       for (const Transition& t : step.plant().components[i].transitions)
-        if (is_forbidden(step, i, t, goal)) forbidden_.insert(&t);
+        if (is_forbidden(step, i, t, goal)) forbidden_.emplace_back(i, &t);
     for (const ControlAction& action : all_actions(step.plant()))
       if (is_single(step.plant(), action)) actions_.push_back(action);
   }
@@ -92,23 +93,17 @@ class Search {
   }
 
   bool enables_forbidden(const Modes& modes, const ControlAction& action, bool can_idle) const {
-    return std::any_of(forbidden_.begin(), forbidden_.end(), [&](const Transition* t) {
-      return is_from(*t, modes) && step_.enabled(*t, modes, action) && !(can_idle && step_.enabled(*t, modes, idle_));
+    return std::any_of(forbidden_.begin(), forbidden_.end(), [&](const auto& forbidden) {
+      const auto& [component, t] = forbidden;
+      return t->from == modes[component] && step_.enabled(*t, modes, action) &&
+             !(can_idle && step_.enabled(*t, modes, idle_));
     });
-  }
-
-  bool is_from(const Transition& t, const Modes& modes) const {
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-      const auto& transitions = step_.plant().components[i].transitions;
-      if (&t >= transitions.data() && &t < transitions.data() + transitions.size()) return t.from == modes[i];
-    }
-    return false;
   }
 
   const Step& step_;
   const automata::Formula& goal_;
   ControlAction idle_;
-  std::set<const Transition*> forbidden_;
+  std::vector<std::pair<std::size_t, const Transition*>> forbidden_;  ///< by component
   std::vector<ControlAction> actions_;
 };
 

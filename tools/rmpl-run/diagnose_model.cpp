@@ -8,7 +8,6 @@
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/diagnose/model_diagnosis.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
 #include "tools/shared/models.hpp"
 #include "tools/shared/terminal.hpp"
 
@@ -70,9 +69,7 @@ ExitStatus diagnose_model(const automata::ModelProgram& program, const std::stri
                           const Common& common) {
   const runtime::Stopwatch stopwatch;
   const ModelDiagnoses found = runtime::diagnose(program, observation, k, ratio);
-  // Each thread may have a start, and all together none.
-  const bool starts = found.starts && runtime::make_marking_estimator(program, {.k = 1})->estimate().possible;
-  if (!starts) refuse_start(program, path);
+  if (!found.starts) refuse_start(program, path);
   const double seconds = stopwatch.seconds();
   print(common.format == Format::json ? as_json(program, found, seconds) : as_text(program, found));
   if (stats || common.verbose) {

@@ -73,13 +73,11 @@ std::vector<Task> tasks_of(const std::vector<compiler::Compilation>& compilation
   }
   const std::string files =
       options.files.size() == 1 ? options.files.front() : std::to_string(options.files.size()) + " files";
-  for (const std::string& name : options.only) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    std::string message = files;
-    message += ": no scenario is called '";
-    message += name;
-    message += "'";
-    throw base::InputError(message + suggestion_or_list(name, names));
+  const auto unknown = std::find_if(options.only.begin(), options.only.end(), [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) == names.end();
+  });
+  if (unknown != options.only.end()) {
+    throw base::InputError(files + ": no scenario is called '" + *unknown + "'" + suggestion_or_list(*unknown, names));
   }
   for (const auto& [option, path] : {std::pair{"--trace", &options.trace}, std::pair{"--vcd", &options.vcd},
                                      std::pair{"--csv", &options.csv}, std::pair{"--mcap", &options.mcap}}) {
@@ -208,10 +206,6 @@ ExitStatus run(const FlightOptions& options, const Common& common) {
   for (const Flown& flown : flights) status = worse(status, status_of(flown.result.verdict()));
   return status;
 }
-
-}  // namespace
-
-namespace {
 
 /// With --commands nothing flies: of the options the seed alone has a meaning.
 void exclude_flights(CLI::App& command) {

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/tcca-check/check_options.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <thread>
 
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/progress.hpp"

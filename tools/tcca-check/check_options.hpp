@@ -44,7 +44,6 @@ verifier::Limits limits(const Budget& budget, const Common& common);
 void add_report(CLI::App& command, std::string& path);
 void add_model(CLI::App& command, std::string& model);
 void add_commands(CLI::App& command, verifier::Commands& commands);
-/// As many as there are cores, unless given.
 /// An option that takes a formula or a name, and may be given several times where it fills a list.
 CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& text, const char* type,
                       const char* description);

@@ -17,7 +17,6 @@ struct Options : PropertyOptions, WindowOptions {
 };
 
 ExitStatus run(const FormulaCheck& check, const Options& options, const Common& common) {
-  check_window(options.window, options.freedom.period);
   const FormulaAsked asked{check.kind, options.formula, check.option, options.window};
   return check_property(
       options, common, std::string(check.name) + " " + options.formula,

@@ -88,6 +88,7 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   if (of_model != nullptr && is_model_program(compilation.document())) {
     return check_model(only_model_program(compilation.document(), options.model), options, common, title, *of_model);
   }
+  if (of_model != nullptr) check_window(of_model->window, options.freedom.period);
   const Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::Property asked = ask(plant);
   if (common.verbose) {

@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "automata/dependencies/dependencies.hpp"
 #include "automata/state.hpp"
 #include "base/partition.hpp"
 #include "compiler/lint/plant/findings.hpp"
@@ -33,13 +32,13 @@ std::vector<Assignment> find_impossible_commands(PlantAnalysis& analysis) {
 std::vector<IdleContradiction> find_idle_contradictions(PlantAnalysis& analysis) {
   std::vector<IdleContradiction> found;
   const Plant& plant = analysis.plant();
+  PlantQuestions& questions = analysis.questions();
   // Only commands of its own part of the plant can contradict a mode.
-  const automata::Classes parts = automata::Dependencies(plant).parts();
+  const automata::Classes& parts = questions.parts();
   std::vector<std::vector<Assignment>> idle_in(parts.count);
   for (const Assignment& one : automata::assignments_of(plant, automata::idle_action(plant))) {
     if (const auto part = parts[one.variable]) idle_in[*part].push_back(one);
   }
-  PlantQuestions& questions = analysis.questions();
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const auto part = parts[plant.components[c].mode];
     if (!part || idle_in[*part].empty()) continue;

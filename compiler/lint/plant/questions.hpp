@@ -42,6 +42,8 @@ class PlantQuestions {
 
   [[nodiscard]] const automata::Plant& plant() const { return plant_; }
   [[nodiscard]] const automata::Locality& locality() const { return locality_; }
+  /// `Dependencies::parts` of the plant.
+  [[nodiscard]] const automata::Classes& parts() const { return parts_; }
 
   /// From here on components are in these modes only.
   void keep_to(const ModeSets& modes);

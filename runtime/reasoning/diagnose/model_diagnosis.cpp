@@ -11,6 +11,7 @@
 
 #include "automata/logic/theory.hpp"
 #include "runtime/reasoning/diagnose/threads.hpp"
+#include "runtime/reasoning/estimate/marking_estimator.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {
@@ -125,7 +126,8 @@ ModelDiagnoses diagnose(const ModelProgram& program, const automata::Observation
   const auto check = [&](std::span<const std::uint32_t> candidate) { return moment.refute(candidate); };
   constexpr double tolerance = 1e-9;
   ModelDiagnoses result;
-  result.starts = moment.starts();
+  // Each thread may have a start, and all together none.
+  result.starts = moment.starts() && make_marking_estimator(program, {.k = 1})->estimate().possible;
   double limit = std::numeric_limits<double>::infinity();
   // One candidate at a time: none is checked that would be too unlikely.
   while (result.diagnoses.size() < k && search.bound() <= limit) {

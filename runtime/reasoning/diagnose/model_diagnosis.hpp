@@ -20,7 +20,7 @@ struct ModelDiagnosis {
 
 struct ModelDiagnoses {
   std::vector<ModelDiagnosis> diagnoses;  ///< best first; ties in order of threads, likely before not
-  bool starts = true;                     ///< false: some thread has no consistent start
+  bool starts = true;                     ///< false: no start of the program is consistent
   std::size_t checked = 0;                ///< candidates
 };
 

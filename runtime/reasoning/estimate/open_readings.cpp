@@ -114,12 +114,9 @@ bool OpenReadings::look_for_modes_that_imply(Assignment reading) {
   OptimalSearch search(costs);
   search.set_budget(most_choices);
   const auto outcome = search.next([&](std::span<const std::uint32_t> choice) -> std::optional<Conflict> {
-    Modes modes;
-    std::vector<Assignment> store{reading};
-    for (std::size_t c = 0; c < choice.size(); ++c) {
-      modes.emplace_back(choice[c]);
-      store.push_back({plant_.components[c].mode, ValueId(choice[c])});
-    }
+    const Modes modes(choice.begin(), choice.end());
+    std::vector<Assignment> store = assignments_of(plant_, modes);
+    store.push_back(reading);
     Conflict conflict;
     const auto rule_out = [&](ComponentId c) { conflict.push_back({c.value, choice[c.index()]}); };
     if (!step_.theory().consistent(store)) {
@@ -164,11 +161,7 @@ OpenReadings::Patch OpenReadings::patch(std::vector<Attribute> inside, const Mod
 
 OpenReadings::Lemma OpenReadings::work_out(const Modes& modes, Assignment reading) {
   Lemma lemma{{}, {}, false};
-  std::vector<Assignment> store;
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    store.push_back({plant_.components[c].mode, ValueId(modes[c].index())});
-  }
-  if (!step_.theory().allows_other(store, reading)) {
+  if (!step_.theory().allows_other(assignments_of(plant_, modes), reading)) {
     for (const Assignment& needed : step_.theory().conflict()) {
       lemma.components.push_back(*owner_[needed.variable.index()]);
     }

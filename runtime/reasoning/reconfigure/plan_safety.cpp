@@ -1,4 +1,5 @@
-// The reactive planner: which waits a plan survives, because no mode that it relies on ends meanwhile.
+// The reactive planner: which waits a plan survives, because no mode that it relies on ends meanwhile, and what else is
+// done while it waits.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <set>
@@ -55,6 +56,15 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
       result.moved[c.index()] = true;
     }
   };
+  const auto rely = [&](ComponentId component, const NominalTransition& way) {
+    for (const Precondition& precondition : way.preconditions) {
+      for (const Requirement& r : precondition) {
+        const auto upstream = index_.component_of(r.variable);
+        if (!upstream || *upstream == component) continue;
+        for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
+      }
+    }
+  };
   for (const ComponentId c : seeds) seek(c, objective.target[c.index()]);
   while (!open.empty()) {
     const auto [component, wanted] = open.back();
@@ -64,18 +74,30 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
     if (t != nullptr && !t->timed) result.relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
       for (const NominalTransition& way : graph_.transitions(component)) {
-        if (!is_parallel(component, way, *t, objective.permitted)) continue;
-        for (const Precondition& precondition : way.preconditions) {
-          for (const Requirement& r : precondition) {
-            const auto upstream = index_.component_of(r.variable);
-            if (!upstream || *upstream == component) continue;
-            for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
-          }
-        }
+        if (is_parallel(component, way, *t, objective.permitted)) rely(component, way);
       }
     }
   }
   return result;
+}
+
+std::optional<PlannedStep> Planner::meanwhile(const Modes& modes, const Objective& objective,
+                                              const PlannedStep& waiting) {
+  const ComponentId served = waiting.serves;
+  const Followed way = followed(modes, objective, std::span(&served, 1));
+  const auto waits_on = [&](const Modes& after) {
+    if (!astray(after, objective, served)) return false;
+    const NextStep next = approach(after, objective, served);
+    const auto* const step = std::get_if<PlannedStep>(&next);
+    return step != nullptr && step->idle && step->component == waiting.component;
+  };
+  for (const ComponentId c : ordered_[objective.part]) {
+    if (way.relied[c.index()] || way.moved[c.index()] || !astray(modes, objective, c)) continue;
+    NextStep choice = approach(modes, objective, c);
+    auto* const command = std::get_if<PlannedStep>(&choice);
+    if (command != nullptr && !command->idle && waits_on(command->outcome.modes)) return std::move(*command);
+  }
+  return std::nullopt;
 }
 
 bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {

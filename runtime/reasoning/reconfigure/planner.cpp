@@ -138,10 +138,12 @@ std::variant<IslandPlan, Impasse> Planner::planned(const Modes& modes, const Obj
     if (auto* const impasse = std::get_if<Impasse>(&found.first)) return std::move(*impasse);
     return IslandPlan{std::get<PlannedStep>(std::move(found.first)), std::move(found.end)};
   };
-  Trace eager = follow(modes, objective, Order::commands_first);
-  if (eager.safe) return plan_of(eager);
-  Trace trace = follow(modes, objective, Order::downstream_first);
+  Trace trace = follow(modes, objective, Order::commands_first);
   if (trace.safe) return plan_of(trace);
+  if (trace.asides) {  // else the walk would be the same
+    trace = follow(modes, objective, Order::downstream_first);
+    if (trace.safe) return plan_of(trace);
+  }
   const auto* const stuck = std::get_if<Impasse>(&trace.first);
   if (stuck == nullptr) {
     Trace other = follow(modes, objective, Order::lasting_first);
@@ -159,6 +161,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
   std::vector<std::pair<Modes, PlannedStep>> taken;
   std::unordered_set<Modes, automata::ModesHash> seen;
   bool safe = true;
+  bool asides = false;
   Modes current = modes;
   while (!arrived(current, objective)) {
     if (!seen.insert(current).second) {
@@ -171,6 +174,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
                        .component = astray,
                        .aim = objective.target[astray.index()]}},
               false,
+              asides,
               {}};
     }
     // Where a safe walk begins that is known already, the rest is known.
@@ -181,11 +185,18 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
       }
     }
     NextStep choice = walk(current, objective, order);
-    if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false, {}};
+    if (std::holds_alternative<Impasse>(choice)) return {std::move(choice), false, asides, {}};
     auto& step = std::get<PlannedStep>(choice);
+    if (order == Order::commands_first && step.idle) {
+      if (auto aside = meanwhile(current, objective, step)) {
+        step = std::move(*aside);
+        asides = true;
+      }
+    }
     if (!may_take(objective, step.outcome)) {
       return {Impasse{step.component, "what is done beside the goal would not leave it achieved, or would wait"},
               false,
+              asides,
               {}};
     }
     safe = safe && is_safe(current, objective, step.action, step.outcome);
@@ -201,16 +212,15 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
       remembered_.add(key, {step.action, step.component, step.serves, step.outcome.moves, step.idle, current});
     }
   }
-  return {std::move(taken.front().second), safe, std::move(current)};
+  return {std::move(taken.front().second), safe, asides, std::move(current)};
 }
 
 Planner::NextStep Planner::advance(const Modes& modes, const Objective& objective, Order order) {
   std::optional<NextStep> first;
   for (const ComponentId c : ordered_[objective.part]) {
     if (!astray(modes, objective, c)) continue;
-    NextStep choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
-    auto* const step = std::get_if<PlannedStep>(&choice);
-    if (step != nullptr) step->serves = c;
+    NextStep choice = approach(modes, objective, c);
+    const auto* const step = std::get_if<PlannedStep>(&choice);
     if (order != Order::lasting_first) return choice;
     const bool early = step != nullptr && is_brief(*step, objective) && has_waits(step->outcome.modes, objective);
     if (step != nullptr && !early) return choice;
@@ -228,38 +238,18 @@ Planner::NextStep Planner::walk(const Modes& modes, const Objective& objective, 
 
   // Nothing is served by leaving a fault while time passes: a repair that can be commanded at once goes before a wait.
   for (const ComponentId c : components) {
-    const ModeId target = objective.target[c.index()];
     if (!astray(modes, objective, c) || !nominal_.plant()[c].modes[modes[c.index()].index()].fault) continue;
-    NextStep repair = achieve(modes, objective, c, std::span(&target, 1));
-    auto* const command = std::get_if<PlannedStep>(&repair);
-    if (command == nullptr || command->idle || command->component != c) continue;
-    command->serves = c;
-    return repair;
-  }
-  if (order == Order::commands_first) {
-    if (auto command = meanwhile(modes, objective, *waiting)) return std::move(*command);
+    NextStep repair = approach(modes, objective, c);
+    const auto* const command = std::get_if<PlannedStep>(&repair);
+    if (command != nullptr && !command->idle && command->component == c) return repair;
   }
   return choice;
 }
 
-std::optional<PlannedStep> Planner::meanwhile(const Modes& modes, const Objective& objective,
-                                              const PlannedStep& waiting) {
-  const ComponentId served = waiting.serves;
-  const Followed way = followed(modes, objective, std::span(&served, 1));
-  for (const ComponentId c : ordered_[objective.part]) {
-    if (way.relied[c.index()] || way.moved[c.index()] || !astray(modes, objective, c)) continue;
-    NextStep choice = achieve(modes, objective, c, std::span(&objective.target[c.index()], 1));
-    auto* const command = std::get_if<PlannedStep>(&choice);
-    if (command == nullptr || command->idle) continue;
-    const Modes& after = command->outcome.modes;
-    if (!astray(after, objective, served)) continue;
-    const NextStep then = achieve(after, objective, served, std::span(&objective.target[served.index()], 1));
-    const auto* const still = std::get_if<PlannedStep>(&then);
-    if (still == nullptr || !still->idle || still->component != waiting.component) continue;
-    command->serves = c;
-    return std::move(*command);
-  }
-  return std::nullopt;
+Planner::NextStep Planner::approach(const Modes& modes, const Objective& objective, ComponentId component) {
+  NextStep choice = achieve(modes, objective, component, std::span(&objective.target[component.index()], 1));
+  if (auto* const step = std::get_if<PlannedStep>(&choice)) step->serves = component;
+  return choice;
 }
 
 Planner::NextStep Planner::achieve(const Modes& modes, const Objective& objective, ComponentId component,

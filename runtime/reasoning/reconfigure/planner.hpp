@@ -98,10 +98,11 @@ class Planner {
   /// The order of goals. `commands_first`: downstream first, but commands for others go out while that waits.
   enum class Order { commands_first, downstream_first, lasting_first };
   enum class Waits { safe, any };
-  /// A walk to the goal state: its first step, or why it does not get there; and whether each of its waits is safe.
+  /// A walk to the goal state: its first step, or why it does not get there; whether each of its waits is safe; and
+  /// whether it has commands `meanwhile`.
   struct Trace {
     NextStep first;
-    bool safe;
+    bool safe, asides;
     automata::Modes end;
   };
   /// What a search finds; `excluded`: ways were left out because of unsafe waits.
@@ -124,6 +125,8 @@ class Planner {
   /// While one goal waits, the first command for another, no part of its way, after which it waits as before.
   std::optional<PlannedStep> meanwhile(const automata::Modes& modes, const Objective& objective,
                                        const PlannedStep& waiting);
+  /// The next step of a component that is astray, to its target.
+  NextStep approach(const automata::Modes& modes, const Objective& objective, automata::ComponentId component);
   NextStep achieve(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                    std::span<const automata::ModeId> wanted);
   NextStep bring_about(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,

@@ -289,9 +289,7 @@ class PolicyReconfigurer : public Reconfigurer {
     planner_.renew_budget(housekeeping_trials);
     std::vector<Offer> offers;
     std::size_t failures = 0;
-    const auto keeps = [&](const Modes& after) {
-      return interpreter_.entailed(after, goal) && upkeep.keeps(standing, after);
-    };
+    const auto keeps = [&](const Modes& after) { return upkeep.keeps(standing, after); };
     auto interpreted = interpreter_.interpret(
         modes, goal, prospects, [&](const Modes& candidate) -> std::optional<std::vector<ComponentId>> {
           offers.clear();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/product.hpp"
+
 namespace rmpl::runtime {
 
 using automata::ComponentId;
@@ -69,55 +71,56 @@ void Upkeep::follow(const Modes& modes) {
 }
 
 /// Whether some of the modes that the components may come to leave the rest of the goal open.
-bool Upkeep::may_fail(const Modes& modes) {
-  std::vector<std::vector<std::size_t>> options;
+bool Upkeep::rest_may_fail() {
+  std::vector<std::vector<automata::Assignment>> options;
   std::size_t count = 1;
   for (const ComponentId c : support_) {
     auto& reached = options.emplace_back();
     for (std::size_t m = 0; m < drift_[c.index()].size(); ++m) {
-      if (drift_[c.index()][m]) reached.push_back(m);
+      if (drift_[c.index()][m]) reached.push_back({step_.plant()[c].mode, automata::ValueId(m)});
     }
     count *= reached.size();
     if (count > most_combinations) return true;
   }
-  std::vector<automata::Assignment> store;
-  for (const ComponentId c : support_) {
-    store.push_back({step_.plant()[c].mode, automata::ValueId(modes[c.index()].index())});
-  }
-  for (std::size_t number = 0; number < count; ++number) {
-    std::size_t left = number;
-    for (std::size_t i = 0; i < options.size(); ++i) {
-      store[i].value = automata::ValueId(options[i][left % options[i].size()]);
-      left /= options[i].size();
-    }
-    if (!step_.theory().entails(store, goal_.rest()->holds)) return true;
-  }
-  return false;
+  bool fails = false;
+  base::for_each_combination(options, [&](const std::vector<automata::Assignment>& store) {
+    fails = fails || !step_.theory().entails(store, goal_.rest()->holds);
+  });
+  return fails;
 }
 
-Upkeep::Standing Upkeep::standing(const Modes& modes) {
+std::vector<bool> Upkeep::had(const Modes& modes) {
+  std::vector<bool> result;
+  for (const ComponentId c : restricted_) result.push_back(goal_.permits(c, modes[c.index()]));
+  if (goal_.rest()) {
+    result.push_back(step_.theory().entails(assignments_of(step_.plant(), modes), goal_.rest()->holds));
+  }
+  return result;
+}
+
+std::vector<bool> Upkeep::losable(const Modes& modes) {
   follow(modes);
-  Standing result;
+  std::vector<bool> result;
   for (const ComponentId c : restricted_) {
     const auto& reached = drift_[c.index()];
     bool lost = false;
     for (std::size_t m = 0; m < reached.size(); ++m) {
       lost = lost || (reached[m] && !goal_.permits(c, automata::ModeId(m)));
     }
-    result.had.push_back(goal_.permits(c, modes[c.index()]));
-    result.losable.push_back(lost);
+    result.push_back(lost);
   }
-  if (goal_.rest()) {
-    result.had.push_back(step_.theory().entails(assignments_of(step_.plant(), modes), goal_.rest()->holds));
-    result.losable.push_back(result.had.back() && may_fail(modes));
-  }
+  if (goal_.rest()) result.push_back(rest_may_fail());
   return result;
 }
 
 bool Upkeep::keeps(const Standing& before, const Modes& after) {
-  const Standing now = standing(after);
-  for (std::size_t part = 0; part < now.had.size(); ++part) {
-    if (before.had[part] && (!now.had[part] || (now.losable[part] && !before.losable[part]))) return false;
+  const std::vector<bool> now = had(after);
+  for (std::size_t part = 0; part < now.size(); ++part) {
+    if (before.had[part] && !now[part]) return false;
+  }
+  const std::vector<bool> lost = losable(after);
+  for (std::size_t part = 0; part < lost.size(); ++part) {
+    if (before.had[part] && lost[part] && !before.losable[part]) return false;
   }
   return true;
 }

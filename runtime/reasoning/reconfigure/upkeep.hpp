@@ -23,17 +23,20 @@ class Upkeep {
   /// What is known of the parts in a state.
   struct Standing {
     std::vector<bool> had;      ///< the part is so
-    std::vector<bool> losable;  ///< it is, and may be lost by itself
+    std::vector<bool> losable;  ///< it may be lost by itself, where it is so
   };
-  Standing standing(const automata::Modes& modes);
+  Standing standing(const automata::Modes& modes) { return {had(modes), losable(modes)}; }
 
   /// Whether each part that was had is there in the modes, and can be lost by itself only if it could before.
   bool keeps(const Standing& before, const automata::Modes& after);
 
  private:
+  /// By part: whether it is so; whether it may be lost by itself, where it is.
+  std::vector<bool> had(const automata::Modes& modes);
+  std::vector<bool> losable(const automata::Modes& modes);
   /// The modes that the components that matter may come to by themselves, in `drift_`.
   void follow(const automata::Modes& modes);
-  bool may_fail(const automata::Modes& modes);
+  bool rest_may_fail();
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;
