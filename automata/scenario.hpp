@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,9 +66,10 @@ struct Expectation {
 
 struct Scenario {
   std::string name;
-  std::size_t program = 0;  ///< position in `Document::programs`; bound to the plant
-  std::size_t plant = 0;    ///< position in `Document::plants`
-  bool rules_only = false;  ///< the simulated plant follows the rules alone
+  std::size_t program = 0;           ///< position in `Document::programs`; bound to the plant
+  std::size_t plant = 0;             ///< position in `Document::plants`; of no account where there is a `model`
+  std::optional<std::size_t> model;  ///< position in `Document::models`, of a plant that is, or holds, model programs
+  bool rules_only = false;           ///< the simulated plant follows the rules alone
   Ticks cycle = {Ticks::per_second / 2};
   Ticks duration = Ticks::of_seconds(3600);
   std::uint64_t seed = 0;
@@ -86,7 +88,17 @@ struct Document {
   std::vector<Program> programs;
   std::vector<ModelProgram> models;
   std::vector<Scenario> scenarios;
+  /// By position in `models`: the facades of those that can be flown (facade.hpp). Not written, since they follow.
+  std::map<std::size_t, Plant> facades = {};
   bool operator==(const Document&) const = default;
+
+  /// What a scenario's program, events and expectations are about.
+  [[nodiscard]] const Plant& plant_of(const Scenario& scenario) const {
+    return scenario.model ? facades.at(*scenario.model) : plants[scenario.plant];
+  }
 };
+
+/// Adds a model program, and its facade where it can be flown; its position.
+std::size_t add_model(Document& document, ModelProgram model);
 
 }  // namespace rmpl::automata

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/facade.hpp"
 #include "base/error.hpp"
 
 namespace rmpl::automata {
@@ -33,10 +34,15 @@ std::vector<Assignment> assignments_of(const Plant& plant, const ControlAction& 
 std::vector<Assignment> assignments_of(const Plant& plant, const Modes& modes) {
   std::vector<Assignment> all;
   all.reserve(modes.size());
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    all.push_back({plant.components[i].mode, ValueId(modes[i].index())});
-  }
+  append_known(plant, modes, all);
   return all;
+}
+
+void append_known(const Plant& plant, const Modes& modes, std::vector<Assignment>& assignments) {
+  for (std::size_t i = 0; i < plant.components.size(); ++i) {
+    if (is_open(plant, plant.components[i], modes[i])) continue;
+    assignments.push_back({plant.components[i].mode, ValueId(modes[i].index())});
+  }
 }
 
 ControlAction action_from(const Plant& plant, std::span<const Assignment> assignments) {

@@ -33,8 +33,10 @@ ControlAction idle_action(const Plant& plant);
 std::vector<Assignment> commanded(const Plant& plant, const ControlAction& action);
 /// All control variables with their values.
 std::vector<Assignment> assignments_of(const Plant& plant, const ControlAction& action);
-/// Mode variables with their values.
+/// Mode variables with their values; without what is open, where the plant is a facade (facade.hpp).
 std::vector<Assignment> assignments_of(const Plant& plant, const Modes& modes);
+/// The same, behind what `assignments` has.
+void append_known(const Plant& plant, const Modes& modes, std::vector<Assignment>& assignments);
 /// Idle, but for the given assignments. Throws base::InputError where one is no control variable.
 ControlAction action_from(const Plant& plant, std::span<const Assignment> assignments);
 

@@ -12,7 +12,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
 #include <random>
+#include <set>
 #include <utility>
 
 #include "base/error.hpp"
@@ -79,7 +81,35 @@ std::string name_beside(const std::string& target) {
 /// A device is written in place, also where it leads to a regular file, as /dev/stdout may.
 bool is_device(const std::string& path) { return path.starts_with("/dev/") || path.starts_with("/proc/"); }
 
+/// The targets of files that are being written, by their names behind all links.
+struct Targets {
+  std::mutex mutex;
+  std::set<std::string> claimed;
+};
+
+Targets& targets() {
+  static Targets all;
+  return all;
+}
+
+/// However it is spelt.
+std::string name_of(const std::string& target) {
+  std::error_code error;
+  const fs::path name = fs::weakly_canonical(fs::absolute(target), error);
+  return error ? target : name.string();
+}
+
 }  // namespace
+
+OutputFile::Claim::Claim(const std::string& path, const std::string& target) : name_(name_of(target)) {
+  const std::lock_guard lock(targets().mutex);
+  if (!targets().claimed.insert(name_).second) throw InputError(path + ": another output of this run is written there");
+}
+
+OutputFile::Claim::~Claim() {
+  const std::lock_guard lock(targets().mutex);
+  targets().claimed.erase(name_);
+}
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (path_.empty()) throw InputError("'' is no name of a file");
@@ -94,6 +124,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     open_in_place();
   } else {
     target_ = behind_links(path_);
+    claim_.emplace(path_, target_);
     open_beside(exists);
   }
 }
@@ -161,6 +192,7 @@ void OutputFile::keep() {
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
   free_slot(std::exchange(slot_, no_slot));
+  claim_.reset();
 }
 
 void OutputFile::fail(int reason) const {

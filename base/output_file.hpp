@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,7 +15,8 @@ namespace rmpl::base {
 /// place.
 class OutputFile {
  public:
-  /// Throws InputError with the reason where the file cannot be written, or is one that was read.
+  /// Throws InputError with the reason where the file cannot be written, is one that was read, or is being written by
+  /// another one.
   explicit OutputFile(std::string path);
   /// What was not kept is removed.
   ~OutputFile();
@@ -27,6 +29,18 @@ class OutputFile {
   void keep();
 
  private:
+  /// The right to write to a target, of which one file has it at a time.
+  class Claim {
+   public:
+    Claim(const std::string& path, const std::string& target);
+    ~Claim();
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
+
+   private:
+    std::string name_;
+  };
+
   static constexpr std::size_t no_slot = static_cast<std::size_t>(-1);
 
   void open_in_place();
@@ -34,8 +48,9 @@ class OutputFile {
   void flush();
   [[noreturn]] void fail(int reason) const;
 
-  std::string path_;       ///< as the user named it, for messages
-  std::string target_;     ///< behind all links
+  std::string path_;    ///< as the user named it, for messages
+  std::string target_;  ///< behind all links
+  std::optional<Claim> claim_;
   std::string temporary_;  ///< empty where the target is written in place, and once it is kept
   std::size_t slot_ = no_slot;
   int file_ = -1;

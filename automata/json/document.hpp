@@ -15,7 +15,7 @@ namespace rmpl::automata {
 /// The document as JSON. Times are whole nanoseconds or "inf"; modes, values and variables are named, not numbered;
 /// locations have their printed numbers, from 1.
 Json to_json(const Document& document);
-/// The bytes that `rmplc compile` writes: indented by two, one final newline.
+/// The bytes that `rmplc compile` writes: as `laid_out` has it, one final newline.
 std::string to_text(const Document& document);
 
 /// Reads a compiled document. Throws base::InputError that names the JSON path at fault; nothing is half accepted.
@@ -28,7 +28,9 @@ Document read_document(std::string_view text, const std::string& name);
 Json to_json(const Formula& formula, const Variables& variables, std::span<const std::string> clocks = {});
 Formula formula_from_json(const Node& node, const Variables& variables, std::span<const std::string> clocks = {});
 
-/// A table of variables as [{"name", "values": […]}, …], and back; names and values are unique.
+/// A variable as {"name", "values": […]}, and a table of them as an array, and back; names and values are unique.
+Json to_json(const Variable& variable);
+Variable variable_from_json(const Node& node);
 Json to_json(const Variables& variables);
 Variables variables_from_json(const Node& node);
 
@@ -36,13 +38,17 @@ Variables variables_from_json(const Node& node);
 Json to_json(const Assignment& assignment, const Variables& variables);
 Assignment assignment_from_json(const Node& node, const Variables& variables);
 
+/// A plant by its outline: "types", each a plant with names relative to itself, and "instances" of them, in the plant
+/// and in types; what is left is written out.
 Json to_json(const Plant& plant);
 Plant plant_from_json(const Node& node);
-Json to_json(const Program& program);
-Program program_from_json(const Node& node);
+/// A program; where its variables are those of one of `plants`, it names the first such by its number, as "plant".
+Json to_json(const Program& program, std::span<const Plant> plants = {});
+Program program_from_json(const Node& node, std::span<const Plant> plants);
 Json to_json(const Scenario& scenario, const Document& document);
 Scenario scenario_from_json(const Node& node, const Document& document);
 
+/// `file:line:column`.
 Json to_json(const Origin& origin);
 Origin origin_from_json(const Node& node);
 /// Whole nanoseconds, or "inf".

@@ -2,25 +2,29 @@
 // SPDX-License-Identifier: MIT
 #include "automata/json/document.hpp"
 
+#include "automata/json/layout.hpp"
 #include "automata/json/model_json.hpp"
 
 namespace rmpl::automata {
 namespace {
 constexpr const char* format_name = "rmpl-automata";
-constexpr int format_version = 1;
+constexpr int format_version = 2;
+/// Each program has the variables of its plant: so many in all, above what any input set has.
+constexpr std::size_t variables_limit = std::size_t{1} << 23;
 }  // namespace
 
 Json to_json(const Document& document) {
   Json plants = Json::array();
   for (const Plant& plant : document.plants) plants.push_back(to_json(plant));
   Json programs = Json::array();
-  for (const Program& program : document.programs) programs.push_back(to_json(program));
+  for (const Program& program : document.programs) programs.push_back(to_json(program, document.plants));
   Json scenarios = Json::array();
   for (const Scenario& scenario : document.scenarios) scenarios.push_back(to_json(scenario, document));
-  Json json{{"format", format_name},
-            {"version", format_version},
-            {"plants", std::move(plants)},
-            {"programs", std::move(programs)}};
+  Json json = object_with_room(6);
+  json["format"] = format_name;
+  json["version"] = format_version;
+  json["plants"] = std::move(plants);
+  json["programs"] = std::move(programs);
   if (!document.models.empty()) {
     json["models"] = Json::array();
     for (const ModelProgram& model : document.models) json["models"].push_back(to_json(model));
@@ -29,7 +33,7 @@ Json to_json(const Document& document) {
   return json;
 }
 
-std::string to_text(const Document& document) { return to_json(document).dump(2) + "\n"; }
+std::string to_text(const Document& document) { return laid_out(to_json(document)) + "\n"; }
 
 Document document_from_json(const Json& json) {
   const Node root(json);
@@ -38,16 +42,21 @@ Document document_from_json(const Json& json) {
   if (root.at("version").natural() != format_version) root.at("version").fail(std::to_string(format_version));
   Document document;
   for (const Node& item : root.at("plants").items()) document.plants.push_back(plant_from_json(item));
-  for (const Node& item : root.at("programs").items()) document.programs.push_back(program_from_json(item));
+  std::size_t copied = 0;
+  for (const Node& item : root.at("programs").items()) {
+    const Program& program = document.programs.emplace_back(program_from_json(item, document.plants));
+    if (item.has("plant")) copied += program.variables.size();
+    if (copied > variables_limit) item.fail("fewer programs of a plant of so many variables");
+  }
   if (root.has("models")) {
-    for (const Node& item : root.at("models").items()) document.models.push_back(model_program_from_json(item));
+    for (const Node& item : root.at("models").items()) add_model(document, model_program_from_json(item));
   }
   for (const Node& item : root.at("scenarios").items()) {
     document.scenarios.push_back(scenario_from_json(item, document));
   }
   for (std::size_t s = 0; s < document.scenarios.size(); ++s) {
     const Scenario& scenario = document.scenarios[s];
-    if (!(document.programs[scenario.program].variables == document.plants[scenario.plant].variables)) {
+    if (!(document.programs[scenario.program].variables == document.plant_of(scenario).variables)) {
       root.at("scenarios").items()[s].fail("a program that is bound to the scenario's plant");
     }
   }

@@ -1,6 +1,7 @@
 // Variables, formulas, assignments, times and origins as JSON.
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <charconv>
 #include <utility>
 
 #include "automata/json/document.hpp"
@@ -14,7 +15,7 @@ constexpr std::array<std::pair<Comparison, const char*>, 4> comparisons{
 /// Deeper formulas than any source can give are refused, so that reading never runs out of stack.
 constexpr std::size_t depth_limit = 2000;
 
-VariableId variable_from_json(const Node& node, const Variables& variables) {
+VariableId variable_named(const Node& node, const Variables& variables) {
   const auto id = variables.find(node.text());
   if (!id) node.fail("the name of a variable, not '" + node.text() + "'");
   return *id;
@@ -38,15 +39,15 @@ Formula read(const Node& node, const Variables& variables, std::span<const std::
   };
   if (node.has("in")) {
     node.only({"variable", "in"});
-    const VariableId id = variable_from_json(node.at("variable"), variables);
+    const VariableId id = variable_named(node.at("variable"), variables);
     std::vector<ValueId> values;
     for (const Node& value : node.at("in").items()) values.push_back(value_from_json(value, id, variables));
     return member(id, std::move(values));
   }
   if (node.has("equals")) {
     node.only({"variable", "equals"});
-    const VariableId left = variable_from_json(node.at("variable"), variables);
-    const VariableId right = variable_from_json(node.at("equals"), variables);
+    const VariableId left = variable_named(node.at("variable"), variables);
+    const VariableId right = variable_named(node.at("equals"), variables);
     if (variables[left].values != variables[right].values) node.fail("two variables of one domain");
     return equality(left, right);
   }
@@ -129,22 +130,29 @@ Formula formula_from_json(const Node& node, const Variables& variables, std::spa
   return read(node, variables, clocks, 0);
 }
 
+Json to_json(const Variable& variable) { return {{"name", variable.name}, {"values", variable.values}}; }
+
+Variable variable_from_json(const Node& node) {
+  node.only({"name", "values"});
+  Variable variable{node.at("name").text(), {}};
+  for (const Node& value : node.at("values").items()) {
+    if (variable.find(value.text())) value.fail("a value that is new");
+    variable.values.push_back(value.text());
+  }
+  return variable;
+}
+
 Json to_json(const Variables& variables) {
   Json all = Json::array();
-  for (const Variable& variable : variables) all.push_back({{"name", variable.name}, {"values", variable.values}});
+  for (const Variable& variable : variables) all.push_back(to_json(variable));
   return all;
 }
 
 Variables variables_from_json(const Node& node) {
   Variables variables;
   for (const Node& item : node.items()) {
-    item.only({"name", "values"});
-    Variable variable{item.at("name").text(), {}};
+    Variable variable = variable_from_json(item);
     if (variables.find(variable.name)) item.at("name").fail("a name that is new");
-    for (const Node& value : item.at("values").items()) {
-      if (variable.find(value.text())) value.fail("a value that is new");
-      variable.values.push_back(value.text());
-    }
     variables.add(std::move(variable));
   }
   return variables;
@@ -157,19 +165,28 @@ Json to_json(const Assignment& assignment, const Variables& variables) {
 Assignment assignment_from_json(const Node& node, const Variables& variables) {
   const auto pair = node.items();
   if (pair.size() != 2) node.fail("a pair of variable and value");
-  const VariableId id = variable_from_json(pair[0], variables);
+  const VariableId id = variable_named(pair[0], variables);
   return {id, value_from_json(pair[1], id, variables)};
 }
 
 Json to_json(Ticks time) { return time.is_infinite() ? Json("inf") : Json(time.count); }
 
-Json to_json(const Origin& origin) { return {{"file", origin.file}, {"line", origin.line}, {"column", origin.column}}; }
+Json to_json(const Origin& origin) { return to_text(origin); }
 
 Origin origin_from_json(const Node& node) {
-  constexpr std::size_t limit = 1u << 31;
-  node.only({"file", "line", "column"});
-  return {node.at("file").text(), static_cast<std::uint32_t>(node.at("line").index(limit)),
-          static_cast<std::uint32_t>(node.at("column").index(limit))};
+  const std::string& text = node.text();
+  Origin origin;
+  const auto number_behind = [&](std::size_t colon, std::size_t end, std::uint32_t& number) {
+    const auto parsed = std::from_chars(text.data() + colon + 1, text.data() + end, number);
+    if (parsed.ec != std::errc() || parsed.ptr != text.data() + end) node.fail("a place, file:line:column");
+  };
+  const std::size_t last = text.rfind(':');
+  const std::size_t first = last == std::string::npos || last == 0 ? std::string::npos : text.rfind(':', last - 1);
+  if (first == std::string::npos) node.fail("a place, file:line:column");
+  number_behind(first, last, origin.line);
+  number_behind(last, text.size(), origin.column);
+  origin.file = text.substr(0, first);
+  return origin;
 }
 
 }  // namespace rmpl::automata

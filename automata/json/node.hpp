@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,11 +25,11 @@ class Node {
 
   [[noreturn]] void fail(const std::string& expected) const { throw JsonError(path(), "expected " + expected); }
   /// Fails where this is an object with a key that is none of these.
-  void only(const std::vector<std::string_view>& keys) const {
+  void only(std::initializer_list<std::string_view> keys) const {
     if (!json_->is_object()) fail("an object");
-    for (const auto& [key, value] : json_->items()) {
+    for (const auto& [key, value] : json_->get_ref<const Json::object_t&>()) {
       if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      throw JsonError(member_path(path(), key), "unknown key '" + key + "'" + base::suggestion(key, keys),
+      throw JsonError(member_path(path(), key), "unknown key '" + key + "'" + base::suggestion(key, std::vector(keys)),
                       JsonError::Blame::key);
     }
   }

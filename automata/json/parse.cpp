@@ -15,6 +15,9 @@ namespace {
 /// A compiled document has objects of a dozen keys, a log one for each component or variable.
 constexpr std::size_t key_limit = 10'000;
 
+/// Most objects have no more.
+constexpr std::size_t usual_keys = 6;
+
 /// Up to so many keys of an object are looked through one by one; more are looked up.
 constexpr std::size_t few_keys = 16;
 
@@ -29,7 +32,7 @@ class Reader : public nlohmann::json_sax<Json> {
   bool number_float(double value, const std::string&) override { return add(value); }
   bool string(std::string& value) override { return add(std::move(value)); }
   bool binary(Json::binary_t& value) override { return add(std::move(value)); }
-  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_object(std::size_t) override { return open(object_with_room(usual_keys)); }
   bool start_array(std::size_t) override { return open(Json::array()); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
@@ -43,7 +46,7 @@ class Reader : public nlohmann::json_sax<Json> {
     }
     if (members.size() > few_keys) open_.back().keys.insert(name);
     // Not `emplace`, which looks through all that are there.
-    members.push_back({std::move(name), Json()});
+    members.emplace_back(std::move(name), Json());
     slot_ = &members.back().second;
     return true;
   }
@@ -215,6 +218,12 @@ std::optional<Member> item(Walk walk, std::string_view number) {
 }
 
 }  // namespace
+
+Json object_with_room(std::size_t members) {
+  Json object = Json::object();
+  object.get_ref<Json::object_t&>().reserve(members);
+  return object;
+}
 
 std::string member_path(const std::string& path, std::string_view key) {
   std::string result = path + "/";

@@ -13,6 +13,9 @@ namespace rmpl::automata {
 
 using Json = nlohmann::ordered_json;
 
+/// An empty object with room for so many members: one that outgrows its room copies all that is in it.
+Json object_with_room(std::size_t members);
+
 /// What is wrong with a value of a JSON text. The message begins with its path.
 class JsonError : public base::InputError {
  public:

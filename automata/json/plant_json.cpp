@@ -1,226 +1,206 @@
-// Plants as JSON, and back.
+// Plants as JSON, and back: types stand once, instances by reference.
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
+#include "automata/instance.hpp"
+#include "automata/json/component_json.hpp"
 #include "automata/json/document.hpp"
+#include "automata/outline.hpp"
 
 namespace rmpl::automata {
 namespace {
 
-constexpr std::array<std::pair<Density::Kind, const char*>, 3> densities{{{Density::Kind::uniform, "uniform"},
-                                                                          {Density::Kind::exponential, "exponential"},
-                                                                          {Density::Kind::normal, "normal"}}};
+/// How large what a document makes of its types may become, as `weight` counts: types within types multiply.
+constexpr std::size_t weight_limit = std::size_t{1} << 28;
+/// Types within types, and so the dots in a name.
+constexpr std::size_t depth_limit = 1000;
 
-Json timing_to_json(const Timing& timing) {
-  Json json{{"lower", to_json(timing.lower)}, {"upper", to_json(timing.upper)}};
-  for (const auto& [kind, name] : densities) {
-    if (kind == timing.density.kind) json["density"] = name;
-  }
-  if (timing.density.kind != Density::Kind::uniform) json["mean"] = timing.density.mean;
-  if (timing.density.kind == Density::Kind::normal) json["standard_deviation"] = timing.density.standard_deviation;
-  return json;
-}
-
-Timing timing_from_json(const Node& node) {
-  Timing timing{node.at("lower").ticks(), node.at("upper").ticks(), {}};
-  const std::string name = node.at("density").text();
-  bool known = false;
-  for (const auto& [kind, spelling] : densities) {
-    if (name != spelling) continue;
-    timing.density.kind = kind;
-    known = true;
-  }
-  if (!known) node.at("density").fail("uniform, exponential or normal");
-  switch (timing.density.kind) {
-    case Density::Kind::uniform:
-      node.only({"lower", "upper", "density"});
-      break;
-    case Density::Kind::exponential:
-      node.only({"lower", "upper", "density", "mean"});
-      break;
-    case Density::Kind::normal:
-      node.only({"lower", "upper", "density", "mean", "standard_deviation"});
-      break;
-  }
-  const auto positive = [&](const char* key) {
-    const double value = node.at(key).number();
-    if (!(value > 0)) node.at(key).fail("a number above 0");
-    return value;
-  };
-  if (timing.density.kind == Density::Kind::exponential) timing.density.mean = positive("mean");
-  if (timing.density.kind == Density::Kind::normal) {
-    timing.density.mean = node.at("mean").number();
-    timing.density.standard_deviation = positive("standard_deviation");
-  }
-  if (timing.lower > timing.upper || timing.lower.is_infinite()) node.fail("lower <= upper, lower finite");
-  if (timing.upper.is_infinite() && timing.density.kind == Density::Kind::uniform) {
-    node.fail("a density other than uniform where the upper bound is infinite");
-  }
-  return timing;
-}
-
-Json transition_to_json(const Transition& t, const Component& component, const Variables& variables) {
-  Json json{{"from", component.modes[t.from.index()].name},
-            {"to", component.modes[t.to.index()].name},
-            {"guard", to_json(t.guard, variables)}};
-  if (t.timing) json["timing"] = timing_to_json(*t.timing);
-  if (t.weight.kind == Weight::Kind::probability) json["probability"] = t.weight.value;
-  if (t.weight.kind == Weight::Kind::rate) json["rate"] = t.weight.value;
-  json["branch"] = t.branch;
-  json["origin"] = to_json(t.origin);
-  return json;
-}
-
-Transition transition_from_json(const Node& node, const Component& component, const Variables& variables) {
-  node.only({"from", "to", "guard", "timing", "probability", "rate", "branch", "origin"});
-  const auto mode = [&](const char* key) {
-    const std::string name = node.at(key).text();
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      if (component.modes[m].name == name) return ModeId(m);
-    }
-    node.at(key).fail("a mode of '" + component.name + "', not '" + name + "'");
-  };
-  Transition t;
-  t.from = mode("from");
-  t.to = mode("to");
-  t.guard = formula_from_json(node.at("guard"), variables);
-  if (has_clock(t.guard)) node.at("guard").fail("a guard without clocks");
-  if (node.has("timing")) t.timing = timing_from_json(node.at("timing"));
-  if (node.has("probability") && node.has("rate")) node.fail("a probability or a rate, not both");
-  if (node.has("probability")) t.weight = {Weight::Kind::probability, node.at("probability").probability()};
-  if (node.has("rate")) t.weight = {Weight::Kind::rate, node.at("rate").number()};
-  if (t.weight.value < 0) node.at("rate").fail("a rate of at least 0");
-  if (component.is_fault(t) && t.weight.kind == Weight::Kind::none) node.fail("a probability or a rate: it is a fault");
-  if (!component.is_fault(t) && t.weight.kind == Weight::Kind::rate) node.at("rate").fail("a rate on faults only");
-  t.branch = static_cast<std::uint32_t>(node.at("branch").index(1u << 31));
-  t.origin = origin_from_json(node.at("origin"));
-  return t;
-}
-
-Json component_to_json(const Component& component, const Variables& variables) {
-  Json modes = Json::array();
-  for (const Mode& mode : component.modes) {
-    modes.push_back({{"name", mode.name},
-                     {"fault", mode.fault},
-                     {"constraint", to_json(mode.constraint, variables)},
-                     {"reward", mode.reward},
-                     {"origin", to_json(mode.origin)}});
-  }
-  Json transitions = Json::array();
-  for (const Transition& t : component.transitions) {
-    transitions.push_back(transition_to_json(t, component, variables));
-  }
-  return {{"name", component.name},
-          {"type", component.type},
-          {"modes", std::move(modes)},
-          {"initial", component.initial},
-          {"transitions", std::move(transitions)},
-          {"origin", to_json(component.origin)}};
-}
-
-Component component_from_json(const Node& node, const Variables& variables) {
-  node.only({"name", "type", "modes", "initial", "transitions", "origin"});
-  Component component;
-  component.name = node.at("name").text();
-  component.type = node.at("type").text();
-  const auto mode_variable = variables.find(component.name);
-  if (!mode_variable) node.at("name").fail("the name of a variable: a component is its mode variable");
-  component.mode = *mode_variable;
-  const auto& names = variables[component.mode].values;
-  for (const Node& item : node.at("modes").items()) {
-    item.only({"name", "fault", "constraint", "reward", "origin"});
-    Mode mode;
-    mode.name = item.at("name").text();
-    mode.fault = item.at("fault").truth();
-    mode.constraint = formula_from_json(item.at("constraint"), variables);
-    if (has_clock(mode.constraint)) item.at("constraint").fail("a constraint without clocks");
-    mode.reward = item.at("reward").number();
-    mode.origin = origin_from_json(item.at("origin"));
-    if (component.modes.size() >= names.size() || names[component.modes.size()] != mode.name) {
-      item.at("name").fail("the modes in the order of the values of '" + component.name + "'");
-    }
-    component.modes.push_back(std::move(mode));
-  }
-  if (component.modes.size() != names.size())
-    node.at("modes").fail("a mode for each value of '" + component.name + "'");
-  double sum = 0;
-  for (const Node& item : node.at("initial").items()) {
-    component.initial.push_back(item.probability());
-    sum += component.initial.back();
-  }
-  if (component.initial.size() != component.modes.size()) node.at("initial").fail("a probability for each mode");
-  if (std::abs(sum - 1) > 1e-9) node.at("initial").fail("probabilities that sum to 1");
-  for (const Node& item : node.at("transitions").items()) {
-    component.transitions.push_back(transition_from_json(item, component, variables));
-  }
-  component.origin = origin_from_json(node.at("origin"));
-  return component;
-}
-
-}  // namespace
-
-Json to_json(const Plant& plant) {
+/// Adds a plant or a type: its own things in full, what it has instances of by reference.
+void add_parts(Json& json, const Plant& plant, const PlantParts& parts, const std::vector<PlantType>& types) {
+  Json variables = Json::array();
+  for (std::size_t v = 0; v < parts.variables; ++v) variables.push_back(to_json(plant.variables[VariableId(v)]));
   Json components = Json::array();
-  for (const Component& component : plant.components) {
-    components.push_back(component_to_json(component, plant.variables));
+  for (std::size_t c = 0; c < parts.components; ++c) {
+    components.push_back(component_to_json(plant.components[c], plant.variables));
+  }
+  Json instances = Json::array();
+  for (const PlantInstance& instance : parts.instances) {
+    Json& item = instances.emplace_back(Json{{"name", instance.name}, {"type", types[instance.type].name}});
+    if (instance.initial) item["initial"] = *instance.initial;
   }
   Json interconnections = Json::array();
-  for (const Interconnection& q : plant.interconnections) {
-    interconnections.push_back({{"constraint", to_json(q.constraint, plant.variables)}, {"origin", to_json(q.origin)}});
+  for (std::size_t q = parts.interconnections; q < plant.interconnections.size(); ++q) {
+    const Interconnection& interconnection = plant.interconnections[q];
+    interconnections.push_back({{"constraint", to_json(interconnection.constraint, plant.variables)},
+                                {"origin", to_json(interconnection.origin)}});
   }
   Json controls = Json::array();
-  for (const Control& control : plant.controls) {
+  for (std::size_t c = parts.controls; c < plant.controls.size(); ++c) {
+    const Control& control = plant.controls[c];
     controls.push_back({{"variable", plant.variables.name(control.variable)},
                         {"idle", plant.variables.value({control.variable, control.idle})}});
   }
   Json observables = Json::array();
-  for (const VariableId observable : plant.observables) observables.push_back(plant.variables.name(observable));
-  return {{"name", plant.name},
-          {"variables", to_json(plant.variables)},
-          {"components", std::move(components)},
-          {"interconnections", std::move(interconnections)},
-          {"controls", std::move(controls)},
-          {"observables", std::move(observables)}};
+  for (std::size_t o = parts.observables; o < plant.observables.size(); ++o) {
+    observables.push_back(plant.variables.name(plant.observables[o]));
+  }
+  const auto add = [&](const char* key, Json list) {
+    if (!list.empty()) json[key] = std::move(list);
+  };
+  add("variables", std::move(variables));
+  add("components", std::move(components));
+  add("instances", std::move(instances));
+  add("interconnections", std::move(interconnections));
+  add("controls", std::move(controls));
+  add("observables", std::move(observables));
 }
 
-Plant plant_from_json(const Node& node) {
-  node.only({"name", "variables", "components", "interconnections", "controls", "observables"});
+/// What a copy of what is written here costs, in bytes, roughly and at most a few times as much.
+std::size_t weight(const Json& json) {
+  constexpr std::size_t each = 16;
+  if (json.is_string()) return json.get_ref<const std::string&>().size() + each;
+  std::size_t sum = each;
+  for (const Json& item : json) sum += json.is_structured() ? weight(item) : 0;
+  return sum;
+}
+
+/// A plant or a type, with names relative to itself.
+struct Part {
   Plant plant;
-  plant.name = node.at("name").text();
-  plant.variables = variables_from_json(node.at("variables"));
-  for (const Node& item : node.at("variables").items()) {
-    if (item.at("values").items().empty()) item.at("values").fail("at least one value");
+  std::size_t weight = 0;  ///< with all instances
+  std::size_t depth = 0;   ///< of instances within instances
+};
+
+class PlantReader {
+ public:
+  Plant run(const Node& node) {
+    if (node.has("types")) {
+      for (const Node& item : node.at("types").items()) {
+        item.only({"name", "variables", "components", "instances", "interconnections", "controls", "observables"});
+        Part part = read(item);
+        if (!types_.emplace(item.at("name").text(), std::move(part)).second) item.at("name").fail("a name that is new");
+      }
+    }
+    node.only({"name", "types", "variables", "components", "instances", "interconnections", "controls", "observables"});
+    Plant plant = read(node).plant;
+    plant.name = node.at("name").text();
+    if (plant.components.empty()) node.fail("at least one component");
+    return plant;
   }
-  std::unordered_set<VariableId> modes;
-  for (const Node& item : node.at("components").items()) {
-    Component component = component_from_json(item, plant.variables);
-    if (!modes.insert(component.mode).second) item.at("name").fail("a name that is new");
-    plant.components.push_back(std::move(component));
+
+ private:
+  Part read(const Node& node) {
+    Part part;
+    modes_.clear();
+    taken_.clear();
+    for (const Node& item : list(node, "variables")) add_variable(part, item);
+    for (const Node& item : list(node, "components")) add_component(part, item);
+    for (const Node& item : list(node, "instances")) add_instance(part, item);
+    for (const Node& item : list(node, "interconnections")) add_interconnection(part, item);
+    for (const Node& item : list(node, "controls")) add_control(part, item);
+    for (const Node& item : list(node, "observables")) {
+      grow(part, weight(item.json()), item);
+      part.plant.observables.push_back(attribute(part.plant, item));
+    }
+    return part;
   }
-  if (plant.components.empty()) node.at("components").fail("at least one component");
-  for (const Node& item : node.at("interconnections").items()) {
-    item.only({"constraint", "origin"});
-    Formula constraint = formula_from_json(item.at("constraint"), plant.variables);
-    if (has_clock(constraint)) item.at("constraint").fail("an interconnection without clocks");
-    plant.interconnections.emplace_back(std::move(constraint), origin_from_json(item.at("origin")));
+
+  static std::vector<Node> list(const Node& node, const char* key) {
+    return node.has(key) ? node.at(key).items() : std::vector<Node>();
   }
-  const auto attribute = [&](const Node& item) {
-    const auto id = plant.variables.find(item.text());
-    if (!id || modes.contains(*id)) item.fail("the name of an attribute, not '" + item.text() + "'");
-    return *id;
-  };
-  for (const Node& item : node.at("controls").items()) {
-    item.only({"variable", "idle"});
-    const VariableId variable = attribute(item.at("variable"));
-    const auto idle = plant.variables[variable].find(item.at("idle").text());
-    if (!idle) item.at("idle").fail("a value of '" + plant.variables.name(variable) + "'");
+
+  void grow(Part& part, std::size_t more, const Node& blame) {
+    part.weight += more;
+    made_ += more;
+    if (made_ > weight_limit) blame.fail("a plant that is shorter when every instance is written out");
+  }
+
+  void add_variable(Part& part, const Node& node) {
+    Variable variable = variable_from_json(node);
+    if (variable.values.empty()) node.at("values").fail("at least one value");
+    if (part.plant.variables.find(variable.name)) node.at("name").fail("a name that is new");
+    grow(part, weight(node.json()), node);
+    taken_.insert(variable.name.substr(0, variable.name.find('.')));
+    part.plant.variables.add(std::move(variable));
+  }
+
+  void add_component(Part& part, const Node& node) {
+    Component component = component_from_json(node, part.plant.variables);
+    if (!modes_.insert(component.mode).second) node.at("name").fail("a name that is new");
+    grow(part, weight(node.json()), node);
+    part.plant.components.push_back(std::move(component));
+  }
+
+  void add_instance(Part& part, const Node& node) {
+    node.only({"name", "type", "initial"});
+    const auto type = types_.find(node.at("type").text());
+    if (type == types_.end()) node.at("type").fail("the name of a type before, not '" + node.at("type").text() + "'");
+    const Part& made = type->second;
+    const std::string& name = node.at("name").text();
+    if (name.empty() || name.find('.') != std::string::npos) node.at("name").fail("a name without dots");
+    if (!taken_.insert(name).second) node.at("name").fail("a name that is new");
+    grow(part, made.weight + made.plant.variables.size() * name.size(), node);
+    part.depth = std::max(part.depth, made.depth + 1);
+    if (part.depth > depth_limit) node.fail("instances at most " + std::to_string(depth_limit) + " deep");
+    const std::size_t before = part.plant.components.size();
+    instantiate(part.plant, name, made.plant);
+    for (std::size_t c = before; c < part.plant.components.size(); ++c) modes_.insert(part.plant.components[c].mode);
+    if (!node.has("initial")) return;
+    if (made.plant.components.size() != 1) node.at("initial").fail("a type with one component");
+    Component& component = part.plant.components.back();
+    component.initial = initial_from_json(node.at("initial"), component);
+  }
+
+  void add_interconnection(Part& part, const Node& node) {
+    node.only({"constraint", "origin"});
+    Formula constraint = formula_from_json(node.at("constraint"), part.plant.variables);
+    if (has_clock(constraint)) node.at("constraint").fail("an interconnection without clocks");
+    grow(part, weight(node.json()), node);
+    part.plant.interconnections.emplace_back(std::move(constraint), origin_from_json(node.at("origin")));
+  }
+
+  void add_control(Part& part, const Node& node) {
+    node.only({"variable", "idle"});
+    Plant& plant = part.plant;
+    const VariableId variable = attribute(plant, node.at("variable"));
+    const auto idle = plant.variables[variable].find(node.at("idle").text());
+    if (!idle) node.at("idle").fail("a value of '" + plant.variables.name(variable) + "'");
+    grow(part, weight(node.json()), node);
     plant.controls.push_back({variable, *idle});
   }
-  for (const Node& item : node.at("observables").items()) plant.observables.push_back(attribute(item));
-  return plant;
+
+  [[nodiscard]] VariableId attribute(const Plant& plant, const Node& node) const {
+    const auto id = plant.variables.find(node.text());
+    if (!id || modes_.contains(*id)) node.fail("the name of an attribute, not '" + node.text() + "'");
+    return *id;
+  }
+
+  std::unordered_map<std::string, Part> types_;
+  std::unordered_set<VariableId> modes_;   ///< of what is being read
+  std::unordered_set<std::string> taken_;  ///< what names in it begin with, up to a dot
+  std::size_t made_ = 0;
+};
+
+}  // namespace
+
+Json to_json(const Plant& plant) {
+  const PlantOutline outline = outline_of(plant);
+  Json json = object_with_room(8);
+  json["name"] = plant.name;
+  if (!outline.types.empty()) json["types"] = Json::array();
+  for (const PlantType& type : outline.types) {
+    Json& item = json["types"].emplace_back(object_with_room(7));
+    item["name"] = type.name;
+    add_parts(item, type.plant, type.parts, outline.types);
+  }
+  add_parts(json, plant, outline.whole, outline.types);
+  return json;
 }
+
+Plant plant_from_json(const Node& node) { return PlantReader().run(node); }
 
 }  // namespace rmpl::automata

@@ -12,7 +12,9 @@ namespace rmpl::automata {
 namespace {
 
 Json location_to_json(const Location& location, std::size_t number, const Program& program) {
-  Json json{{"number", number}, {"kind", location.composite ? "composite" : "primitive"}};
+  Json json = object_with_room(11);
+  json["number"] = number;
+  json["kind"] = location.composite ? "composite" : "primitive";
   if (location.parent) json["parent"] = location.parent->value + 1;
   json["start"] = location.start;
   if (!location.goal.empty()) {
@@ -39,7 +41,7 @@ Json location_to_json(const Location& location, std::size_t number, const Progra
 }
 
 ClockId clock_from_json(const Node& node, const Program& program) {
-  const std::string clock = node.text();
+  const std::string& clock = node.text();
   const auto at = std::find(program.clocks.begin(), program.clocks.end(), clock);
   if (at == program.clocks.end()) node.fail("the name of a clock, not '" + clock + "'");
   return ClockId(static_cast<std::size_t>(at - program.clocks.begin()));
@@ -83,22 +85,35 @@ Location location_from_json(const Node& node, std::size_t position, std::size_t 
 
 }  // namespace
 
-Json to_json(const Program& program) {
+Json to_json(const Program& program, std::span<const Plant> plants) {
   Json locations = Json::array();
   for (std::size_t l = 0; l < program.locations.size(); ++l) {
     locations.push_back(location_to_json(program.locations[l], l + 1, program));
   }
-  return {{"name", program.name},
-          {"variables", to_json(program.variables)},
-          {"clocks", program.clocks},
-          {"locations", std::move(locations)}};
+  Json json = object_with_room(4);
+  json["name"] = program.name;
+  const auto bound = std::find_if(plants.begin(), plants.end(),
+                                  [&](const Plant& plant) { return plant.variables == program.variables; });
+  if (bound != plants.end()) {
+    json["plant"] = bound - plants.begin();
+  } else {
+    json["variables"] = to_json(program.variables);
+  }
+  json["clocks"] = program.clocks;
+  json["locations"] = std::move(locations);
+  return json;
 }
 
-Program program_from_json(const Node& node) {
-  node.only({"name", "variables", "clocks", "locations"});
+Program program_from_json(const Node& node, std::span<const Plant> plants) {
+  node.only({"name", "plant", "variables", "clocks", "locations"});
   Program program;
   program.name = node.at("name").text();
-  program.variables = variables_from_json(node.at("variables"));
+  if (node.has("plant") && node.has("variables")) node.at("variables").fail("a plant or variables, not both");
+  if (node.has("plant")) {
+    program.variables = plants[node.at("plant").index(plants.size())].variables;
+  } else {
+    program.variables = variables_from_json(node.at("variables"));
+  }
   std::unordered_set<std::string> clocks;
   for (const Node& item : node.at("clocks").items()) {
     if (!clocks.insert(item.text()).second) item.fail("a clock that is new");

@@ -98,7 +98,7 @@ Expectation expectation_from_json(const Node& node, const Plant& plant) {
 }  // namespace
 
 Json to_json(const Scenario& scenario, const Document& document) {
-  const Plant& plant = document.plants[scenario.plant];
+  const Plant& plant = document.plant_of(scenario);
   Json truth = Json::array();
   for (const Assignment& a : scenario.truth) truth.push_back(to_json(a, plant.variables));
   Json forced = Json::array();
@@ -119,7 +119,7 @@ Json to_json(const Scenario& scenario, const Document& document) {
   for (const Expectation& e : scenario.expectations) expectations.push_back(expectation_to_json(e, plant));
   return {{"name", scenario.name},
           {"program", scenario.program},
-          {"plant", scenario.plant},
+          {scenario.model ? "model" : "plant", scenario.model.value_or(scenario.plant)},
           {"rules_only", scenario.rules_only},
           {"cycle", to_json(scenario.cycle)},
           {"duration", to_json(scenario.duration)},
@@ -133,13 +133,18 @@ Json to_json(const Scenario& scenario, const Document& document) {
 }
 
 Scenario scenario_from_json(const Node& node, const Document& document) {
-  node.only({"name", "program", "plant", "rules_only", "cycle", "duration", "seed", "truth", "forced", "overrides",
-             "rules", "expectations", "origin"});
+  node.only({"name", "program", node.has("model") ? "model" : "plant", "rules_only", "cycle", "duration", "seed",
+             "truth", "forced", "overrides", "rules", "expectations", "origin"});
   Scenario scenario;
   scenario.name = node.at("name").text();
   scenario.program = node.at("program").index(document.programs.size());
-  scenario.plant = node.at("plant").index(document.plants.size());
-  const Plant& plant = document.plants[scenario.plant];
+  if (node.has("model")) {
+    scenario.model = node.at("model").index(document.models.size());
+    if (!document.facades.contains(*scenario.model)) node.at("model").fail("a model whose controls have idle values");
+  } else {
+    scenario.plant = node.at("plant").index(document.plants.size());
+  }
+  const Plant& plant = document.plant_of(scenario);
   scenario.rules_only = node.at("rules_only").truth();
   scenario.cycle = node.at("cycle").ticks();
   if (scenario.cycle <= Ticks{0} || scenario.cycle.is_infinite()) node.at("cycle").fail("a time above 0");

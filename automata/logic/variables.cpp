@@ -31,7 +31,7 @@ ValueId Variables::add_value(VariableId id, const std::string& value) {
 }
 
 std::optional<VariableId> Variables::find(std::string_view name) const {
-  const auto at = by_name_.find(std::string(name));
+  const auto at = by_name_.find(name);
   if (at == by_name_.end()) return std::nullopt;
   return at->second;
 }

@@ -49,7 +49,12 @@ class Variables {
 
  private:
   std::vector<Variable> table_;
-  std::unordered_map<std::string, VariableId> by_name_;
+  /// Looks names up without a copy.
+  struct NameHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view name) const noexcept { return std::hash<std::string_view>{}(name); }
+  };
+  std::unordered_map<std::string, VariableId, NameHash, std::equal_to<>> by_name_;
 };
 
 }  // namespace rmpl::automata

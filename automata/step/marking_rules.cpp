@@ -12,6 +12,15 @@
 
 namespace rmpl::automata {
 
+Marking united(const MarkingMoves& moves, std::span<const MarkingOutcome* const> outcomes) {
+  Marking marking = moves.certain;
+  for (const MarkingOutcome* outcome : outcomes) {
+    marking.insert(marking.end(), outcome->marked.begin(), outcome->marked.end());
+  }
+  std::sort(marking.begin(), marking.end());
+  return marking;
+}
+
 MarkingRules::MarkingRules(const ModelProgram& program)
     : program_(program),
       holders_(program.locations.size()),

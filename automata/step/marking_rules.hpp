@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "automata/phca.hpp"
@@ -37,6 +38,9 @@ struct MarkingMoves {
   Marking certain;                                 ///< primitive locations
   std::vector<std::vector<MarkingOutcome>> parts;  ///< at least two outcomes each, by `marked`
 };
+
+/// What is marked where the parts turn out so, in order.
+Marking united(const MarkingMoves& moves, std::span<const MarkingOutcome* const> outcomes);
 
 /// Threads whose draws have to do with each other may turn out in more ways than there is room for.
 class TooManyOutcomes : public base::LimitError {

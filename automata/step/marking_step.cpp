@@ -41,6 +41,7 @@ bool MarkingStep::forget_but(const std::vector<Number>& kept) {
       markings_.size() > most_markings || by_command_.size() > most_inputs || by_observation_.size() > most_inputs;
   if (!full && base::caches_on()) return false;
   std::vector<Marking> stay;
+  stay.reserve(kept.size());
   for (const Number number : kept) stay.push_back(std::move(markings_[number]));
   const Command now = *command_;
   const Observation seen = *observation_;
@@ -85,6 +86,13 @@ const std::vector<Assignment>& MarkingStep::values(Number number) {
   auto& known = slot(values_, number);
   if (!known) known = store_.values(markings_[number]);
   return *known;
+}
+
+bool MarkingStep::entails(Number marking, std::span<const Assignment> wanted) {
+  if (wanted.empty()) return true;
+  const std::vector<Assignment>& entailed = values(marking);
+  return std::all_of(wanted.begin(), wanted.end(),
+                     [&](const Assignment& one) { return std::binary_search(entailed.begin(), entailed.end(), one); });
 }
 
 bool MarkingStep::possible(Number marking) {

@@ -106,6 +106,8 @@ class Embedding {
     root.label = plant.name;
     for (const Component& component : plant.components) add(component);
     for (const ModelComponent& model : models) add(model);
+    std::sort(made_.components.begin(), made_.components.end(),
+              [](const ModelledComponent& a, const ModelledComponent& b) { return a.mode < b.mode; });
     return std::move(made_);
   }
 
@@ -124,12 +126,15 @@ class Embedding {
     choice.functions.emplace_back();
     choice.label = component.name + ": initial";
     choice.origin = component.origin;
+    ModelledComponent& modelled = made_.components.emplace_back();
+    modelled.mode = component.mode;
     const LocationId first(made_.locations.size());
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       ModelLocation& location = made_.locations.emplace_back();
       location.parent = LocationId(0);
       location.told = conjunction({is(component.mode, ValueId(m)), component.modes[m].constraint});
       location.functions = Functions(component, ModeId(m), first).run();
+      if (component.modes[m].fault) modelled.faults.emplace_back(m);
       location.label = component.name + " = " + component.modes[m].name;
       location.origin = component.modes[m].origin;
       if (component.initial[m] > 0) draw.branches.push_back({component.initial[m], {LocationId(first.index() + m)}});

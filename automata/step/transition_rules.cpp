@@ -128,11 +128,17 @@ std::vector<Move> moves_of(const Component& component, ModeId mode, const Enable
   Moves result;
   double nominal = 1;
   if (!enabled.faults.empty()) {
-    for (const TransitionId t : enabled.faults) {
-      if (within_bounds(transition(t), clock))
-        result.add(transition(t).to, transition(t).weight.fault_probability(step));
-    }
     nominal = nominal_share(component, enabled, clock, step);
+    double faulty = 0;
+    for (const TransitionId t : enabled.faults) {
+      // Only where they leave nothing can they be above 1.
+      if (nominal == 0 && within_bounds(transition(t), clock)) faulty += transition(t).weight.fault_probability(step);
+    }
+    for (const TransitionId t : enabled.faults) {
+      if (!within_bounds(transition(t), clock)) continue;
+      const double probability = transition(t).weight.fault_probability(step);
+      result.add(transition(t).to, faulty > 1 ? probability / faulty : probability);
+    }
     if (nominal == 0) return result.take();
   }
   if (enabled.untimed.empty()) {

@@ -71,6 +71,8 @@ class Overfull {
   std::size_t patience_ = 1000;
 };
 
+bool is_whole(double number) { return number == std::floor(number); }
+
 }  // namespace
 
 std::string decimal(double value) {
@@ -79,10 +81,11 @@ std::string decimal(double value) {
   return {buffer.data(), end.ptr};
 }
 
-bool check_probability(const grammar::Number& probability, grammar::Diagnostics& diagnostics) {
+bool check_probability(const grammar::Number& probability, grammar::Diagnostics& diagnostics, const char* whole) {
   if (probability.value >= 0 && probability.value <= 1) return true;
-  diagnostics.error(Code::probability_out_of_range, probability.span,
-                    "the probability " + probability.text + " is outside [0, 1]");
+  auto& error = diagnostics.error(Code::probability_out_of_range, probability.span,
+                                  "the probability " + probability.text + " is outside [0, 1]");
+  if (whole != nullptr && probability.value > 1 && is_whole(probability.value)) error.suggestion = whole;
   return false;
 }
 
@@ -91,7 +94,7 @@ std::optional<std::vector<double>> probabilities_of(const std::vector<const gram
                                                     grammar::Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.error_count();
   const bool weights = std::any_of(numbers.begin(), numbers.end(), [](const grammar::Number* number) {
-    return number->value > 1 && number->value == std::floor(number->value);
+    return number->value > 1 && is_whole(number->value);
   });
   std::vector<double> result;
   for (const grammar::Number* number : numbers) {
@@ -110,7 +113,9 @@ std::optional<std::vector<double>> probabilities_of(const std::vector<const gram
   if (std::abs(sum - 1) <= probability_tolerance) return result;
   auto& error = diagnostics.error(sum > 1 ? Code::probabilities_exceed_one : below, list,
                                   "the " + of + " probabilities sum to " + decimal(sum) + ", expected 1");
-  error.suggestion = "shares are written as whole numbers: `3` and `1` for 3 of 4 and 1 of 4";
+  const bool whole = std::all_of(result.begin(), result.end(), is_whole);
+  error.suggestion = whole && sum > 1 ? "equal shares are told from probabilities by numbers above 1: `2` and `2`"
+                                      : "shares are written as whole numbers: `3` and `1` for 3 of 4 and 1 of 4";
   return std::nullopt;
 }
 

@@ -19,8 +19,10 @@ inline constexpr double probability_tolerance = 1e-9;
 /// A number for messages, with at most six significant digits.
 std::string decimal(double value);
 
-/// Whether a written probability is in [0, 1]; reports it where it is not.
-bool check_probability(const grammar::Number& probability, grammar::Diagnostics& diagnostics);
+/// Whether a written probability is in [0, 1]; reports it where it is not, with what helps where it is a whole
+/// number above.
+bool check_probability(const grammar::Number& probability, grammar::Diagnostics& diagnostics,
+                       const char* whole = nullptr);
 
 /// The probabilities that the numbers of one list mean, in its order: the numbers themselves, which sum to 1; or, where
 /// a whole number above 1 is among them, their shares in the sum of all. Nothing where they are neither; then that has

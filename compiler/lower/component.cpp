@@ -206,7 +206,12 @@ void ComponentLowering::report_twin(const Transition& transition, grammar::Span 
   };
   const auto is_twin = [&](std::size_t t) {
     const Transition& known = component().transitions[t];
-    return known.branch != transition.branch && known.guard == transition.guard && bounds(known) == bounds(transition);
+    // What happens as time passes beside what happens in a step is two things; what never happens is none.
+    const bool never = known.weight.value == 0 || transition.weight.value == 0;
+    const bool weighed = known.weight.kind != Weight::Kind::none && transition.weight.kind != Weight::Kind::none;
+    const bool two_things = weighed && (never || known.weight.kind != transition.weight.kind);
+    return !two_things && known.branch != transition.branch && known.guard == transition.guard &&
+           bounds(known) == bounds(transition);
   };
   const auto twin = std::find_if(same_way.begin(), same_way.end(), is_twin);
   if (twin != same_way.end() && twins_.emplace(transition_spans_[*twin], span).second) {

@@ -69,10 +69,10 @@ void ModelLowering::declare_types(const std::vector<const grammar::PlantFile*>& 
   for (const grammar::PlantFile* file : files) {
     for (const grammar::PlantItem& item : file->items) {
       if (const auto* component = std::get_if<grammar::ComponentDefinition>(&item)) {
-        declare_type({component->name, component, nullptr, nullptr, false});
+        declare_type({component->name, component, nullptr, nullptr});
       } else if (const auto* module = std::get_if<grammar::ModuleDefinition>(&item)) {
         if (module->plant) plants_.push_back(module);
-        if (!module->plant) declare_type({module->name, nullptr, module, nullptr, false});
+        if (!module->plant) declare_type({module->name, nullptr, module, nullptr});
       }
     }
   }
@@ -101,7 +101,8 @@ const Part* ModelLowering::lower(Type& type) {
     part->plant.name = type.name.text;
     lower_module(*type.module, *part);
     type.open = false;
-    if (part->size > size_limit) *part = {};  // reported; what holds it need not grow by it
+    type.too_large = part->size > size_limit;
+    if (type.too_large) *part = {};  // what holds it need not grow by it
   }
   type.part = std::move(part);
   return type.part.get();
@@ -148,7 +149,10 @@ void ModelLowering::add_instances(const grammar::InstanceDeclaration& declaratio
   } else if (declaration.initial) {
     initial = initial_distribution(*declaration.initial, made->plant.components.front(), diagnostics_);
   }
-  for (const Name* name : fresh) add_instance(*name, *made, initial, part);
+  for (const Name* name : fresh) {
+    if (type->too_large) part.broken.insert(name->text);
+    add_instance(*name, *made, initial, part);
+  }
 }
 
 void ModelLowering::add_models(const grammar::InstanceDeclaration& declaration, const std::vector<const Name*>& fresh,
@@ -178,7 +182,10 @@ void ModelLowering::add_instance(const Name& name, const Part& type, const std::
                            ", which another instance or port has already");
     return;
   }
-  if (!make_room(part, type.size, name.span, diagnostics_)) return;
+  if (!make_room(part, type.size, name.span, diagnostics_)) {
+    part.broken.insert(name.text);
+    return;
+  }
   instantiate(part, name.text, type);
   if (initial) part.plant.components.back().initial = *initial;
 }

@@ -45,7 +45,8 @@ class ModelLowering {
     const grammar::ComponentDefinition* component = nullptr;
     const grammar::ModuleDefinition* module = nullptr;
     std::unique_ptr<Part> part;
-    bool open = false;  ///< being lowered: an instance of it now contains itself
+    bool open = false;       ///< being lowered: an instance of it now contains itself
+    bool too_large = false;  ///< reported; instances of it have nothing
   };
 
   void declare_types(const std::vector<const grammar::PlantFile*>& files);

@@ -2,28 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/part.hpp"
 
+#include "automata/instance.hpp"
+
 namespace rmpl::compiler {
 
-using automata::Formula;
-using automata::VariableId;
+using automata::qualified;
 
 namespace {
 
-/// Moves every variable of a formula by `offset`; domains stay as they are.
-void shift(Formula& formula, std::size_t offset) {
-  const auto move = [offset](VariableId& id) { id = VariableId(id.index() + offset); };
-  if (formula.kind == Formula::Kind::member || formula.kind == Formula::Kind::equality) move(formula.variable);
-  if (formula.kind == Formula::Kind::equality) move(formula.other);
-  for (Formula& operand : formula.operands) shift(operand, offset);
-}
-
-void shift(std::vector<automata::GuardedArc>& arcs, std::size_t offset) {
+void shift(std::vector<automata::GuardedArc>& arcs, std::ptrdiff_t offset) {
   for (automata::GuardedArc& arc : arcs) {
     for (automata::Condition& guard : arc.guard) shift(guard.constraint, offset);
   }
 }
 
-void shift(automata::ModelProgram& program, std::size_t offset) {
+void shift(automata::ModelProgram& program, std::ptrdiff_t offset) {
   for (automata::ModelLocation& location : program.locations) {
     shift(location.told, offset);
     shift(location.maintenance.constraint, offset);
@@ -33,11 +26,6 @@ void shift(automata::ModelProgram& program, std::size_t offset) {
 }
 
 }  // namespace
-
-std::string qualified(std::string_view instance, std::string_view name) {
-  if (name.empty()) return std::string(instance);
-  return std::string(instance) + "." + std::string(name);
-}
 
 bool make_room(Part& part, std::size_t more, grammar::Span blame, grammar::Diagnostics& diagnostics) {
   if (part.size > size_limit) return false;
@@ -49,25 +37,9 @@ bool make_room(Part& part, std::size_t more, grammar::Span blame, grammar::Diagn
 }
 
 void instantiate(Part& whole, const std::string& instance, const Part& type) {
-  automata::Plant& plant = whole.plant;
-  const std::size_t offset = plant.variables.size();
-  for (const automata::Variable& variable : type.plant.variables) {
-    plant.variables.add({qualified(instance, variable.name), variable.values});
-  }
+  const auto offset = static_cast<std::ptrdiff_t>(whole.plant.variables.size());
+  automata::instantiate(whole.plant, instance, type.plant);
   whole.declared.insert(whole.declared.end(), type.declared.begin(), type.declared.end());
-  for (const automata::Component& component : type.plant.components) {
-    automata::Component& copy = plant.components.emplace_back(component);
-    copy.name = qualified(instance, component.name);
-    copy.mode = VariableId(component.mode.index() + offset);
-    for (automata::Mode& mode : copy.modes) shift(mode.constraint, offset);
-    for (automata::Transition& transition : copy.transitions) shift(transition.guard, offset);
-  }
-  for (const automata::Interconnection& interconnection : type.plant.interconnections) {
-    shift(plant.interconnections.emplace_back(interconnection).constraint, offset);
-  }
-  for (const automata::Control& control : type.plant.controls) {
-    plant.controls.push_back({VariableId(control.variable.index() + offset), control.idle});
-  }
   for (const ModelPart& model : type.models) {
     ModelPart& copy = whole.models.emplace_back(model);
     copy.component.name = qualified(instance, model.component.name);
@@ -75,9 +47,6 @@ void instantiate(Part& whole, const std::string& instance, const Part& type) {
     for (PlacedCondition& condition : copy.conditions) shift(condition.formula, offset);
   }
   for (const std::string& name : type.broken) whole.broken.insert(qualified(instance, name));
-  for (const VariableId observable : type.plant.observables) {
-    plant.observables.emplace_back(observable.index() + offset);
-  }
 }
 
 std::string first_clash(const Part& whole, const std::string& instance, const Part& type) {

@@ -31,6 +31,7 @@ struct Part {
   std::set<std::string, std::less<>> broken;  ///< names that an error left without meaning: no more is said of them
   std::size_t size = 0;                       ///< values, modes and transitions: what a copy costs
   std::vector<ModelPart> models = {};         ///< model programs as components
+  bool facade = false;                        ///< it is what a control program sees of a model program
 };
 
 /// How large a part may become, in values, modes and transitions.
@@ -41,11 +42,8 @@ inline constexpr std::size_t size_limit = 4'000'000;
 /// is reported at `blame`.
 bool make_room(Part& part, std::size_t more, grammar::Span blame, grammar::Diagnostics& diagnostics);
 
-/// `engine` and `temp` make `engine.temp`; `engine` and nothing make `engine`.
-std::string qualified(std::string_view instance, std::string_view name);
-
-/// Puts a copy of `type` into `whole` under the name of an instance; there must be room. What it brings stays together
-/// and in order, so renaming is adding an offset. The names must be new; see `first_clash`.
+/// Puts a copy of `type` into `whole` under the name of an instance; there must be room. The names must be new; see
+/// `first_clash`.
 void instantiate(Part& whole, const std::string& instance, const Part& type);
 
 /// The first name of `type` as `instance` that `whole` already has, empty where there is none.

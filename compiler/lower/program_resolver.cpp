@@ -260,11 +260,13 @@ void ProgramResolver::add_assignment(const grammar::Comparison& comparison, gram
   if (!id) return;
   if (closed() && modes_.count(*id) == 0) {
     const std::string& name = program_.variables.name(*id);
-    auto& error = diagnostics().error(Code::not_a_mode_goal, comparison.left.span,
-                                      backquoted(name) + " is an attribute, and a goal names the mode of a component");
+    auto& error = diagnostics().error(
+        Code::not_a_mode_goal, comparison.left.span,
+        plant_->facade ? "no location tells " + backquoted(name) + ", and a goal names what is told"
+                       : backquoted(name) + " is an attribute, and a goal names the mode of a component");
     if (const auto place = vocabulary().declaration(*id)) error.notes.push_back({*place, "its domain is here"});
     const std::string owner = name.substr(0, name.rfind('.'));
-    if (program_.variables.find(owner))
+    if (program_.variables.find(owner) && owner != name)
       error.suggestion = "name the mode of " + backquoted(owner) + " that achieves it";
     annotate(error);
     return;

@@ -230,8 +230,10 @@ class ScenarioLowering {
     if (!resolver_) return std::nullopt;
     const auto mode = resolver_->assignment(text.variable, text.value);
     if (!mode || components_.count(mode->variable) != 0) return mode;
-    auto& error = diagnostics_.error(Code::scenario_not_a_mode, text.variable.span,
-                                     backquoted(text.variable.text) + " is an attribute, expected a component");
+    auto& error =
+        diagnostics_.error(Code::scenario_not_a_mode, text.variable.span,
+                           plant_->facade ? "no location tells " + backquoted(text.variable.text)
+                                          : backquoted(text.variable.text) + " is an attribute, expected a component");
     note_domain(error, mode->variable);
     return std::nullopt;
   }

@@ -80,7 +80,8 @@ std::optional<Timing> timing_of(const grammar::TimingText& text, grammar::Diagno
 
 std::optional<Weight> weight_of(const grammar::WeightText& text, grammar::Diagnostics& diagnostics) {
   if (const auto* weight = std::get_if<grammar::ProbabilityWeight>(&text)) {
-    if (!check_probability(weight->probability, diagnostics)) return std::nullopt;
+    if (!check_probability(weight->probability, diagnostics, "outside of `-> { … }` a weight is at most 1, too"))
+      return std::nullopt;
     return Weight{Weight::Kind::probability, weight->probability.value};
   }
   const auto& rate = std::get<grammar::RateWeight>(text);

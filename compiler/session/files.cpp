@@ -11,7 +11,6 @@
 
 namespace rmpl::compiler {
 
-using base::InputError;
 using grammar::Code;
 
 namespace {
@@ -100,13 +99,13 @@ const File& Files::read(const std::string& path, const std::string& id, std::str
       break;
     case Kind::document:
       file.document = read_document(file.index);
-      file.whole = file.document.has_value();
+      file.whole = file.document != nullptr;
       break;
   }
   return files_.emplace(id, std::move(file)).first->second;
 }
 
-std::optional<automata::Document> Files::read_document(std::uint32_t index) {
+std::unique_ptr<automata::Document> Files::read_document(std::uint32_t index) {
   const std::string_view text = sources_[index].text();
   try {
     const automata::Json json = automata::parse_json(text);
@@ -114,9 +113,9 @@ std::optional<automata::Document> Files::read_document(std::uint32_t index) {
       auto& error = diagnostics_.error(Code::document_schema, {index, 0, 0},
                                        "this is no compiled document: it does not say its `format`");
       error.suggestion = "`rmplc compile -o FILE.json` writes one";
-      return std::nullopt;
+      return nullptr;
     }
-    return automata::document_from_json(json);
+    return std::make_unique<automata::Document>(automata::document_from_json(json));
   } catch (const automata::Json::parse_error& error) {
     const auto at = static_cast<std::uint32_t>(std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0));
     diagnostics_.error(Code::document_schema, {index, at, at}, "the text is no JSON: syntax error here");
@@ -128,7 +127,7 @@ std::optional<automata::Document> Files::read_document(std::uint32_t index) {
                        {index, static_cast<std::uint32_t>(place.begin), static_cast<std::uint32_t>(place.end)},
                        error.what());
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 FileSet Files::with_imports(const std::vector<const File*>& roots) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,7 +34,7 @@ struct File {
   std::optional<grammar::PlantFile> plant;
   std::optional<grammar::ScenarioFile> scenarios;
   std::optional<grammar::PropertyFile> properties;
-  std::optional<automata::Document> document;
+  std::unique_ptr<automata::Document> document;  ///< its plants move into the input set that takes them over
 };
 
 /// Files that make one program or one plant: those named first, then what they import, each once.
@@ -65,7 +66,7 @@ class Files {
   struct Importing;
   const File& read(const std::string& path, const std::string& canonical, std::string text);
   /// Nothing where the text is no compiled document; then it has been reported.
-  std::optional<automata::Document> read_document(std::uint32_t index);
+  std::unique_ptr<automata::Document> read_document(std::uint32_t index);
   void follow(const File& file, std::vector<Importing>& path, FileSet& set);
   void report_cycle(const File& file, const std::vector<Importing>& path, grammar::Span span);
 

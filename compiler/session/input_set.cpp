@@ -17,7 +17,6 @@
 #include "compiler/lower/module.hpp"
 #include "compiler/lower/program.hpp"
 #include "compiler/lower/property.hpp"
-#include "compiler/lower/scenario.hpp"
 
 namespace rmpl::compiler {
 
@@ -37,7 +36,9 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
     types_suffice_ = options.types_suffice;
     plant = this->plant(roots[Kind::plant], {roots[Kind::plant].front()->index, 0, 0});
   } else if (document_.plants.size() == 1) {
-    plant = {0, &parts_.emplace_back(Part{document_.plants.front(), {}, {}, 0})};
+    plant = {0, &parts_.front()};
+  } else if (document_.plants.empty() && document_.models.size() == 1) {
+    plant = {0, facade(0, {}), 0};
   }
   if (plant.part != nullptr) bind_adopted(*plant.part);
   if (!roots[Kind::program].empty()) {
@@ -48,6 +49,7 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
   }
   for (const File* file : roots[Kind::scenario]) scenarios(*file);
   for (const File* file : roots[Kind::properties]) properties(*file, plant);
+  for (const auto& [position, part] : lent_) document_.plants[position] = std::move(part->plant);
   return std::move(document_);
 }
 
@@ -75,18 +77,25 @@ void InputSet::adopt(const File& file) {
   if (!file.document) return;
   const std::size_t plants = document_.plants.size();
   const std::size_t programs = document_.programs.size();
-  const automata::Document& more = *file.document;
-  document_.plants.insert(document_.plants.end(), more.plants.begin(), more.plants.end());
+  automata::Document& more = *file.document;
+  if (more.plants.size() == 1) {
+    document_.plants.emplace_back();
+    plants_.emplace(Roots{&file}, Plant{plants, &add_part(plants, {std::move(more.plants.front()), {}, {}, 0})});
+  } else {
+    std::move(more.plants.begin(), more.plants.end(), std::back_inserter(document_.plants));
+  }
   for (const automata::Program& program : more.programs) {
     document_.programs.push_back(program);
     places_.emplace_back();
     adopted_.push_back({file.index, 0, 0});
   }
-  document_.models.insert(document_.models.end(), more.models.begin(), more.models.end());
+  const std::size_t models = document_.models.size();
+  for (const automata::ModelProgram& model : more.models) automata::add_model(document_, model);
   model_places_.resize(document_.models.size());
   for (const automata::Scenario& scenario : more.scenarios) {
     automata::Scenario& copy = document_.scenarios.emplace_back(scenario);
     copy.plant += plants;
+    if (copy.model) *copy.model += models;
     copy.program += programs;
   }
 }
@@ -94,8 +103,13 @@ void InputSet::adopt(const File& file) {
 void InputSet::bind_adopted(const Part& plant) {
   for (std::size_t p = 0; p < adopted_.size(); ++p) {
     automata::Program& program = document_.programs[p];
-    const bool has_plant = std::any_of(document_.plants.begin(), document_.plants.end(),
-                                       [&](const automata::Plant& own) { return own.variables == program.variables; });
+    const auto is_its_own = [&](const automata::Plant& own) { return own.variables == program.variables; };
+    const bool has_plant =
+        std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) { return is_its_own(part.plant); }) ||
+        std::any_of(document_.plants.begin(), document_.plants.end(),
+                    [&](const automata::Plant& own) { return !own.components.empty() && is_its_own(own); }) ||
+        std::any_of(document_.facades.begin(), document_.facades.end(),
+                    [&](const auto& facade) { return is_its_own(facade.second); });
     if (!has_plant) program = bound(program, &plant, adopted_[p]);
   }
 }
@@ -108,7 +122,8 @@ automata::Program InputSet::bound(const automata::Program& program, const Part* 
                        lacking.origin.line > 0 ? lacking.message + ", at " + to_text(lacking.origin) + " of its source"
                                                : lacking.message);
   }
-  return binding.lacking.empty() ? std::move(binding.program) : program;
+  if (!binding.lacking.empty()) return program;
+  return std::move(binding.program);
 }
 
 InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
@@ -116,19 +131,34 @@ InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
   Plant result{document_.plants.size(), nullptr};
   auto part = lower_plant(roots, blame);
   if (part && !part->models.empty()) {
-    result.model = true;
     if (auto program = in_steps(*part)) {
-      document_.models.push_back(std::move(*program));
+      const std::size_t position = automata::add_model(document_, std::move(*program));
+      result = {0, facade(position, part->declared), position};
       auto& conditions = model_places_.emplace_back().conditions;
       for (const ModelPart& model : part->models)
         conditions.insert(conditions.end(), model.conditions.begin(), model.conditions.end());
     }
   } else if (part) {
-    document_.plants.push_back(part->plant);
-    result.part = &parts_.emplace_back(std::move(*part));
+    document_.plants.emplace_back();
+    result.part = &add_part(result.position, std::move(*part));
   }
   plants_.emplace(roots, result);
   return result;
+}
+
+const Part& InputSet::add_part(std::size_t position, Part part) {
+  Part& kept = parts_.emplace_back(std::move(part));
+  lent_.emplace_back(position, &kept);
+  return kept;
+}
+
+const Part* InputSet::facade(std::size_t model, const std::vector<Span>& declared) {
+  const auto [known, fresh] = facades_.try_emplace(model, nullptr);
+  const auto seen = document_.facades.find(model);
+  if (!fresh || seen == document_.facades.end()) return known->second;
+  Part& part = parts_.emplace_back(Part{seen->second, declared, {}, 0});
+  part.facade = true;
+  return known->second = &part;
 }
 
 std::optional<automata::ModelProgram> InputSet::in_steps(const Part& plant) {
@@ -217,8 +247,8 @@ InputSet::Program InputSet::program(const Roots& roots, const Entry& entry, cons
     document_.programs.push_back(std::move(lowered.program->program));
     places_.push_back(std::move(lowered.program->places));
   } else if (lowered.model) {
-    result.model = true;
-    document_.models.push_back(std::move(*lowered.model));
+    result.model = automata::add_model(document_, std::move(*lowered.model));
+    result.declared = std::move(lowered.declared);
     model_places_.push_back(std::move(lowered.model_places));
   }
   programs_.emplace(key, result);
@@ -276,6 +306,7 @@ InputSet::Lowered InputSet::lower_definitions(const std::vector<ProgramSource>& 
     if (declared) {
       result.model = model_program(lowered, *declared, diagnostics_);
       result.model_places = std::move(lowered.places);
+      result.declared = declared->part.declared;
     } else {
       result.program = std::move(lowered);
     }
@@ -295,53 +326,9 @@ InputSet::Lowered InputSet::lower_definitions(const std::vector<ProgramSource>& 
   return result;
 }
 
-void InputSet::scenarios(const File& file) {
-  if (!file.whole) return;
-  if (file.scenarios->scenarios.empty()) {
-    auto& error = diagnostics_.error(Code::scenario_missing_part, {file.index, 0, 0}, "the file has no scenario");
-    error.suggestion = "add `scenario \"name\" { … }`";
-  }
-  std::map<std::string, Span> names;
-  for (const grammar::ScenarioDefinition& definition : file.scenarios->scenarios) {
-    const auto [first, fresh] = names.emplace(definition.name.text, definition.name.span);
-    if (!fresh) {
-      auto& error = diagnostics_.error(Code::duplicate_name, definition.name.span,
-                                       "scenario \"" + definition.name.text + "\" is already defined");
-      error.notes.push_back({first->second, "it is first defined here"});
-    }
-    const ScenarioFiles parts = files_of(definition, diagnostics_);
-    Plant plant;
-    if (const File* from = parts.plant == nullptr ? nullptr : referred(file, parts.plant->path, Kind::plant)) {
-      plant = this->plant({from}, parts.plant->path.span);
-      if (plant.model) {
-        auto& error = diagnostics_.error(
-            Code::no_plant, parts.plant->path.span,
-            backquoted(parts.plant->path.text) + " holds model programs: a scenario flies a plant of components");
-        error.suggestion = "`rmpl-run scenario " + parts.plant->path.text + " --commands LIST.jsonl` draws from it";
-      }
-    }
-    automata::Scenario scenario = lower_scenario(sources_, definition, plant.part, diagnostics_);
-    Program program;
-    if (const File* from = parts.program == nullptr ? nullptr : referred(file, parts.program->path, Kind::program)) {
-      Entry entry;
-      if (parts.program->main) entry = {parts.program->main->text, parts.program->main->span};
-      program = this->program({from}, entry, plant.part, parts.program->path.span);
-      if (program.model) {
-        diagnostics_.error(
-            Code::no_program, parts.program->path.span,
-            backquoted(parts.program->path.text) + " is a model program: a scenario flies one that controls");
-      }
-    }
-    if (plant.part == nullptr || !program.position) continue;
-    scenario.plant = plant.position;
-    scenario.program = *program.position;
-    document_.scenarios.push_back(std::move(scenario));
-  }
-}
-
 void InputSet::properties(const File& file, const Plant& plant) {
   if (!file.whole) return;
-  const Part* part = plant.part;
+  const Part* part = plant.model ? nullptr : plant.part;
   if (part == nullptr && parts_.size() == 1 && document_.plants.size() == 1) part = &parts_.front();
   if (part == nullptr) {
     // A plant with errors has been told of.
@@ -354,14 +341,6 @@ void InputSet::properties(const File& file, const Plant& plant) {
   // The program that some speak of is needed where they are decided.
   auto stated = lower_properties(sources_, *file.properties, {file.index, 0, 0}, part->plant, true, diagnostics_);
   std::move(stated.begin(), stated.end(), std::back_inserter(properties_));
-}
-
-const File* InputSet::referred(const File& from, const grammar::String& path, Kind kind) {
-  const File* file = files_.open(from, path);
-  if (file == nullptr || file->kind == kind || file->kind == Kind::document) return file;
-  diagnostics_.error(kind == Kind::plant ? Code::no_plant : Code::no_program, path.span,
-                     backquoted(path.text) + " holds no " + (kind == Kind::plant ? "plant" : "control program"));
-  return nullptr;
 }
 
 }  // namespace rmpl::compiler

@@ -45,9 +45,9 @@ class InputSet {
 
   /// A plant of the document; `part` is null where it has errors, so that what refers to it is not judged by it.
   struct Plant {
-    std::size_t position = 0;
-    const Part* part = nullptr;
-    bool model = false;  ///< it holds model programs, and is one: it is among the models of the document
+    std::size_t position = 0;               ///< among the plants, where it is no model
+    const Part* part = nullptr;             ///< of a model, its facade; null too where it cannot be flown
+    std::optional<std::size_t> model = {};  ///< it is, or holds, model programs: its position among the models
   };
   /// Where execution of a program starts, as the user said it.
   struct Entry {
@@ -64,6 +64,12 @@ class InputSet {
   /// The files that the user named. Throws base::InputError that tells of all that cannot be read.
   Roots opened(std::span<const std::string> paths, const Options& options);
   Plant plant(const Roots& roots, grammar::Span blame);
+  /// Keeps the part of a plant of the document, and the plant itself until all is compiled: large ones are not copied.
+  const Part& add_part(std::size_t position, Part part);
+  /// The facade of a model of the document as a part; null where it cannot be flown.
+  const Part* facade(std::size_t model, const std::vector<grammar::Span>& declared);
+  /// The plant that a scenario flies.
+  Plant flown(const File& scenarios, const grammar::PlantPart& part);
   /// A plant with model programs as one of these; nothing where a component does not move in steps.
   std::optional<automata::ModelProgram> in_steps(const Part& plant);
   /// The model program of a definition in one of the files, as a part; null where there is none.
@@ -72,7 +78,8 @@ class InputSet {
   /// A program of the document. A model program has no position among those that control a plant.
   struct Program {
     std::optional<std::size_t> position;  ///< nothing: it has errors, or is a model program
-    bool model = false;
+    std::optional<std::size_t> model;     ///< its position among the models
+    std::vector<grammar::Span> declared;  ///< of the model, per variable, where
   };
   Program program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
   /// The program, or the model program with its places; neither where there are errors.
@@ -80,6 +87,7 @@ class InputSet {
     std::optional<LoweredProgram> program;
     std::optional<automata::ModelProgram> model;
     ProgramPlaces model_places = {};
+    std::vector<grammar::Span> declared = {};  ///< of the model program, per variable, where
   };
   Lowered lower_program(const Roots& roots, const Entry& entry, const Part* plant, grammar::Span blame);
   /// The same from sources that are read; `plant` as above.
@@ -89,8 +97,9 @@ class InputSet {
   std::optional<std::size_t> start(const Definitions& definitions, const Entry& entry, grammar::Span blame);
   void scenarios(const File& file);
   void properties(const File& file, const Plant& plant);
-  /// A file that a scenario names; null where it is missing or of another kind, and then it has been reported.
-  const File* referred(const File& from, const grammar::String& path, Kind kind);
+  /// The file of a scenario's control program; null where it is missing or of another kind, and then that has been
+  /// reported.
+  const File* controlling(const File& scenarios, const grammar::String& path);
 
   grammar::Sources& sources_;
   grammar::Diagnostics& diagnostics_;
@@ -101,9 +110,11 @@ class InputSet {
   std::vector<ProgramPlaces> places_;        ///< per program of the document
   std::vector<ProgramPlaces> model_places_;  ///< per model program of the document
   std::vector<automata::PlantProperty> properties_;
-  std::vector<grammar::Span> adopted_;  ///< per program that a compiled document brought, that document
-  std::deque<Part> parts_;              ///< of plants without errors; a deque, for they are referred to
+  std::vector<grammar::Span> adopted_;               ///< per program that a compiled document brought, that document
+  std::deque<Part> parts_;                           ///< of plants without errors; a deque, for they are referred to
+  std::vector<std::pair<std::size_t, Part*>> lent_;  ///< by position of the plant, which stays in its part till the end
   std::map<Roots, Plant> plants_;
+  std::map<std::size_t, const Part*> facades_;                                      ///< by position of the model
   std::map<std::pair<const File*, std::string>, std::optional<Part>> model_types_;  ///< by file and definition
   std::map<std::tuple<Roots, std::string, const Part*>, Program> programs_;
 };

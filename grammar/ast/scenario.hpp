@@ -19,10 +19,11 @@ struct ProgramPart {
   std::optional<Name> main;
 };
 
-/// `plant "mars_lander.tcca" rules only;`
+/// `plant "mars_lander.tcca" rules only;` or, of a model program, `plant "camera.rmpl" main Camera;`
 struct PlantPart {
   Span span;
   String path;
+  std::optional<Name> main;
   bool rules_only = false;
 };
 

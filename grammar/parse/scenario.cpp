@@ -22,9 +22,10 @@ const auto program_part_def =
     record[Keyword("program") > field<&ProgramPart::path>[string] >
            -(Keyword("main") > field<&ProgramPart::main>[name]) > named("`main` or `;`", semicolon)];
 
-const auto plant_part_def = record[Keyword("plant") > field<&PlantPart::path>[string] >
-                                   -(set<&PlantPart::rules_only, true>[Keyword("rules")] > Keyword("only")) >
-                                   named("`rules only` or `;`", semicolon)];
+const auto plant_part_def =
+    record[Keyword("plant") > field<&PlantPart::path>[string] > -(Keyword("main") > field<&PlantPart::main>[name]) >
+           -(set<&PlantPart::rules_only, true>[Keyword("rules")] > Keyword("only")) >
+           named("`main`, `rules only` or `;`", semicolon)];
 
 const auto cycle_part_def = record[Keyword("cycle") > field<&CyclePart::period>[duration] > semicolon];
 const auto duration_part_def = record[Keyword("duration") > field<&DurationPart::duration>[duration] > semicolon];

@@ -12,8 +12,8 @@ constexpr std::array table = {
         Code::document_schema, "not a compiled document",
         "The JSON is not what `rmplc compile` writes: a key is missing, unknown or there twice, or its value has the "
         "wrong type or names what is not there. The message gives the path in the document.",
-        R"({"format": "rmpl-automata", "version": 1, "plants": 3, "programs": [], "scenarios": []})",
-        R"({"format": "rmpl-automata", "version": 1, "plants": [], "programs": [], "scenarios": []})"},
+        R"({"format": "rmpl-automata", "version": 2, "plants": 3, "programs": [], "scenarios": []})",
+        R"({"format": "rmpl-automata", "version": 2, "plants": [], "programs": [], "scenarios": []})"},
 };
 
 }  // namespace

@@ -40,7 +40,9 @@ plant Tap {
         Code::condition_never_holds, "condition never holds",
         "No state of the plant satisfies the condition: the domains, the mode constraints and the interconnections "
         "contradict it. A wait for it never ends, a step that depends on it is never reached, and a watch for it "
-        "watches nothing. In a model program a condition holds where what is told entails it: this one follows from "
+        "watches nothing. So it is where it speaks of a command: a program knows modes and readings, not what it "
+        "commands. "
+        "In a model program a condition holds where what is told entails it: this one follows from "
         "nothing that is told anywhere the program can come to, whatever is commanded. What is seen is not told. Where "
         "nothing is told of a variable that a plant may connect, the finding is a note.",
         "P() :: {\n  when engine = on & engine = off donext valve = open\n}",

@@ -21,7 +21,7 @@ constexpr double as_good_as_all = 0.995;
 }  // namespace
 
 Recorder::Recorder(const automata::Document& document, const automata::Scenario& scenario)
-    : scenario_(scenario), plant_(document.plants[scenario.plant]) {
+    : scenario_(scenario), plant_(document.plant_of(scenario)) {
   flight_.name = scenario.name;
   flight_.plant = &plant_;
   flight_.program = &document.programs[scenario.program];
@@ -83,12 +83,12 @@ void Recorder::note_state(const CycleRecord& record) {
   }
   if (record.estimate != estimate_) {
     estimate_ = record.estimate;
-    for (std::size_t c = 0; c < estimate_.size(); ++c) flight_.estimate[c].set(record.time, estimate_[c]);
+    for (std::size_t c = 0; c < flight_.estimate.size(); ++c) flight_.estimate[c].set(record.time, estimate_[c]);
   }
   if (record.truth != nullptr && *record.truth != truth_) {
     truth_ = *record.truth;
-    flight_.truth.resize(truth_.size());
-    for (std::size_t c = 0; c < truth_.size(); ++c) flight_.truth[c].set(record.time, truth_[c]);
+    flight_.truth.resize(plant_.components.size());
+    for (std::size_t c = 0; c < flight_.truth.size(); ++c) flight_.truth[c].set(record.time, truth_[c]);
   }
 }
 

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 # Measures how the time of an estimation cycle grows, and draws it: docs/growth-*.svg.
 # SPDX-License-Identifier: MIT
-"""Usage: tests/bench/growth.py [BIN [DOCS]]   BIN defaults to build/release/bin; without DOCS nothing is drawn.
+"""Usage: tests/bench/growth.py [BIN [DOCS [TABLE…]]]   BIN defaults to build/release/bin; without DOCS, or with - for it,
+nothing is drawn. Tables are components, kappa, observations and model-programs; all where none is named.
 
 The plants are trees: each component is a switch that passes power on to two others, may be commanded, and can fail open,
 stuck or unknown; a sensor reads what comes out of it. All of it is one connected group. Of each run the tables show the
 median, the 99th percentile and the worst cycle, as `rmpl-run estimate --stats` tells them.
+
+The model programs are pumps in parallel, of five locations each (model_program_bench.cpp); the table shows medians.
 """
 
 import json
@@ -20,7 +23,8 @@ import plot
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else SOURCE / "build/release/bin"
-DOCS = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+DOCS = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 and sys.argv[2] != "-" else None
+ASKED = sys.argv[3:]
 CYCLES = 2000
 COMPONENTS = (10, 20, 50, 100, 200, 500, 1000)
 KAPPAS = (1, 2, 4, 8, 16, 32, 64, 128, 256)
@@ -115,10 +119,40 @@ def table(name: str, label: str, xs: tuple[int, ...], rows: list[tuple[float, fl
                   linear_x=min(xs) == 0)
 
 
+def model_programs() -> None:
+    """Runs the benchmark, whose medians are in microseconds."""
+    done = subprocess.run([BIN.parent / "tests/bin/bench", "--benchmark_filter=model_", "--benchmark_format=json"],
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True)
+    series: dict[str, dict[int, float]] = {}
+    for run in json.loads(done.stdout)["benchmarks"]:
+        name, locations = run["name"].split("/")
+        series.setdefault(name.removeprefix("model_"), {})[int(locations)] = run["median_us"] / 1000
+    sizes = sorted({locations for points in series.values() for locations in points})
+    print("| locations | " + " | ".join(f"{name}, ms" for name in series) + " |\n" + "|---" * (1 + len(series)) + "|")
+    for size in sizes:
+        cells = [f"{points[size]:.3g}" if size in points else "" for points in series.values()]
+        print(f"| {size} | " + " | ".join(cells) + " |")
+    print(flush=True)
+    if DOCS:
+        plot.draw(DOCS / "growth-model-programs.svg", "locations", "ms an update",
+                  {name: sorted(points.items()) for name, points in series.items()}, linear_x=False)
+
+
 def main() -> None:
-    table("components", "components", COMPONENTS, [measure(n, 16, min(n, 100)) for n in COMPONENTS])
-    table("kappa", "states kept (100 components)", KAPPAS, [measure(100, k, 99) for k in KAPPAS])
-    table("observations", "sensors (100 components)", OBSERVATIONS, [measure(100, 16, o) for o in OBSERVATIONS])
+    tables = {
+        "components": lambda: table("components", "components", COMPONENTS,
+                                    [measure(n, 16, min(n, 100)) for n in COMPONENTS]),
+        "kappa": lambda: table("kappa", "states kept (100 components)", KAPPAS, [measure(100, k, 99) for k in KAPPAS]),
+        "observations": lambda: table("observations", "sensors (100 components)", OBSERVATIONS,
+                                      [measure(100, 16, o) for o in OBSERVATIONS]),
+        "model-programs": model_programs,
+    }
+    unknown = [name for name in ASKED if name not in tables]
+    if unknown:
+        sys.exit(f"{unknown[0]} is no table; expected one of {', '.join(tables)}")
+    for name, make in tables.items():
+        if not ASKED or name in ASKED:
+            make()
 
 
 if __name__ == "__main__":

@@ -94,14 +94,14 @@ void run(benchmark::State& state, const runtime::MarkingOptions& options, bool l
 
 /// An update with k = 16; the argument is the number of locations.
 void model_update(benchmark::State& state) { run(state, {.k = 16}); }
-BENCHMARK(model_update)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(model_update)->ArgsProduct({{10, 20, 50, 100, 200, 500, 1000}})->Unit(benchmark::kMillisecond);
 
 /// The same, and the 16 best markings of the product are listed with what they entail.
 void model_belief(benchmark::State& state) { run(state, {.k = 16}, true); }
-BENCHMARK(model_belief)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(model_belief)->ArgsProduct({{10, 20, 50, 100, 200, 500, 1000}})->Unit(benchmark::kMillisecond);
 
 /// The 16 most likely histories of the last 20 updates, at every update.
 void model_window(benchmark::State& state) { run(state, {.k = 16, .window = 20}); }
-BENCHMARK(model_window)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(model_window)->ArgsProduct({{10, 20, 50, 100, 200}})->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,8 +1,8 @@
 // Fuzzes what follows a text that compiles: flights, estimates, plans and checks, each within small limits. Two engines
 // that must agree are asked where there are two.
 //
-// The input is a file of each kind, in the order program, plant, scenario, parted by lines `====`.
-// SPDX-License-Identifier: MIT
+// The input is a file of each kind, in the order program, plant, scenario, and as a fourth, where there is one, what
+// the others import as `software.rmpl`; parted by lines `====`. SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -30,6 +30,7 @@ namespace {
 
 /// A mutation can make any model: what is larger would only cost time.
 constexpr std::size_t most_components = 8;
+constexpr std::size_t most_locations = 40;
 constexpr std::size_t most_states = 300;
 constexpr std::uint64_t most_cycles = 60;
 
@@ -123,10 +124,11 @@ void within_limits(const Run& run) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<std::string> parts = parts_of({reinterpret_cast<const char*>(data), size});
-  if (parts.size() != 3) return 0;
+  if (parts.size() != 3 && parts.size() != 4) return 0;
   compiler::Memory files;
   const std::vector<std::string> paths = {"main.rmpl", "plant.tcca", "flight.scn"};
   for (std::size_t i = 0; i < paths.size(); ++i) files.put(paths[i], parts[i]);
+  if (parts.size() == 4) files.put("software.rmpl", parts[3]);
   const compiler::Compilation compiled = compiler::compile(paths, {}, files);
   if (!compiled.ok()) return 0;
   const automata::Document& document = compiled.document();
@@ -137,6 +139,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     within_limits([&] { check_plant(plant); });
     within_limits([&] { plan(plant); });
     for (const automata::Program& program : document.programs) within_limits([&] { check_program(program, plant); });
+  }
+  for (const automata::ModelProgram& model : document.models) {
+    if (model.locations.size() > most_locations || model.controls.size() > most_components) return 0;
   }
   within_limits([&] { fly(document); });
   return 0;

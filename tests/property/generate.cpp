@@ -168,8 +168,10 @@ class PlantDraw {
     component.transitions.push_back(t);
   }
 
-  /// Keeps the sum of the fault probabilities of a mode at most 1, whatever guards hold together.
+  /// Keeps the sum of the fault probabilities of a mode at most 1, whatever guards hold together; but for a few, in
+  /// which the faults share a step.
   void draw_fault(Transition& t, double& left) {
+    if (chance(2)) left = 1;
     constexpr double most_of_a_rate = 0.25;  // more than any of these gives in a step of the tests
     if (left >= most_of_a_rate && chance(25)) {
       t.weight = {Weight::Kind::rate, pick<double>({0.001, 0.125, 0})};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "tests/reference/models.hpp"
 
@@ -16,12 +17,16 @@ using automata::ModeId;
 using automata::Transition;
 using automata::Weight;
 
-double entering(const Component& component, ModeId fault) {
+/// The likeliest way from a nominal mode, all ways tried out that pass no fault twice.
+double entering(const Component& component, ModeId fault, const std::set<ModeId>& behind = {}) {
+  if (!component.modes[fault.index()].fault) return 1;
+  std::set<ModeId> passed = behind;
+  if (!passed.insert(fault).second) return 0;
   double most = 0;
   for (const Transition& t : component.transitions) {
     if (t.to != fault) continue;
     const double p = t.weight.kind == Weight::Kind::rate ? 1 - std::exp(-t.weight.value) : t.weight.value;
-    most = std::max(most, p);
+    most = std::max(most, p * entering(component, t.from, passed));
   }
   return most;
 }

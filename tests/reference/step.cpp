@@ -119,6 +119,10 @@ std::vector<double> Step::distribution(std::size_t component, const automata::Sy
     }
   }
 
+  if (nominal_share <= 0) {
+    for (double& probability : result) probability /= 1 - nominal_share;
+    return result;
+  }
   if (!untimed.empty()) {
     share(nominal_share, untimed, result);
   } else {

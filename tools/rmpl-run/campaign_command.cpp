@@ -121,6 +121,10 @@ std::uint64_t reference_cycles(const Campaign& campaign) {
 
 Campaign prepare(const automata::Document& document, const Options& options) {
   const automata::Scenario& scenario = selected(document, options);
+  if (scenario.model) {
+    throw base::InputError("scenario '" + scenario.name + "': '" + document.plant_of(scenario).name +
+                           "' is, or holds, a model program, which does not say what its faults are");
+  }
   Campaign campaign{document, scenario, {}, options.runs, {}, {}};
   const automata::Plant& plant = campaign.plant();
   if (scenario.rules_only) {

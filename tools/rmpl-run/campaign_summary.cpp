@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 #include "automata/assignment_text.hpp"
@@ -20,15 +21,21 @@ using Row = std::vector<std::string>;
 
 constexpr Ticks soon = Ticks::of_seconds(10);
 
+/// With two decimals, or as many as keep what is not all, or not none, from looking so.
 std::string percent(double share) {
+  constexpr int most_decimals = 12;
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2f %%", 100 * share);
+  for (int decimals = 2; decimals <= most_decimals; ++decimals) {
+    std::snprintf(text.data(), text.size(), "%.*f %%", decimals, 100 * share);
+    const double told = std::strtod(text.data(), nullptr);
+    if ((told > 0 || share == 0) && (told < 100 || share == 1)) break;
+  }
   return text.data();
 }
 
 /// `95 of 100: 95.00 % (88.72 % to 98.36 %)`.
 std::string share(std::uint64_t count, std::uint64_t trials) {
-  const std::string text = std::to_string(count) + " of " + std::to_string(trials);
+  std::string text = std::to_string(count) + " of " + std::to_string(trials);
   if (trials == 0) return text;
   const runtime::Interval interval = runtime::clopper_pearson(count, trials);
   return text + ": " + percent(static_cast<double>(count) / static_cast<double>(trials)) + " (" +
@@ -95,11 +102,9 @@ std::string table(const std::string& caption, const std::vector<Row>& rows, bool
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
       const bool column = head && r == 0;
       const std::string tag = column || c == 0 ? "th" : "td";
-      text += "<" + tag +
-              (column   ? " scope=\"col\""
-               : c == 0 ? " scope=\"row\""
-                        : "") +
-              ">" + escaped(rows[r][c]) + "</" + tag + ">";
+      text.append("<").append(tag);
+      if (column || c == 0) text += column ? " scope=\"col\"" : " scope=\"row\"";
+      text.append(">").append(escaped(rows[r][c])).append("</").append(tag).append(">");
     }
     text += "</tr>\n";
   }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "automata/assignment_text.hpp"
+#include "automata/facade.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/diagnose/diagnose.hpp"
@@ -99,6 +100,10 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
   return text;
 }
 
+[[noreturn]] void refuse_mode(const std::string& name) {
+  throw base::InputError("--observe: '" + name + "' is a component: no sensor reads its mode; expected an attribute");
+}
+
 /// A model program, or a plant that holds one, is diagnosed by its threads.
 ExitStatus run_model(const automata::ModelProgram& program, const Options& options, const Common& common) {
   const runtime::DiagnoseOptions& search = options.search;
@@ -107,8 +112,11 @@ ExitStatus run_model(const automata::ModelProgram& program, const Options& optio
                            ": --all-minimal, --first, --count and --scenario are about plants of components, "
                            "and this is, or holds, a model program");
   }
-  return diagnose_model(program, options.plant, assignments_option(options.observe, program, "--observe", common),
-                        search.k, search.ratio, options.stats, common);
+  const auto observation = assignments_option(options.observe, program, "--observe", common);
+  for (const automata::Assignment& reading : observation) {
+    if (automata::is_mode(program, reading.variable)) refuse_mode(program.variables.name(reading.variable));
+  }
+  return diagnose_model(program, options.plant, observation, search.k, search.ratio, options.stats, common);
 }
 
 ExitStatus run(Options options, const Common& common) {
@@ -121,9 +129,7 @@ ExitStatus run(Options options, const Common& common) {
   const auto observation = options.scenario.empty() ? assignments_option(options.observe, plant, "--observe", common)
                                                     : competition_observation(options.scenario, plant);
   for (const automata::Assignment& reading : observation) {
-    if (!plant.component_of(reading.variable)) continue;
-    throw base::InputError("--observe: '" + plant.variables.name(reading.variable) +
-                           "' is a component: no sensor reads its mode; expected an attribute");
+    if (plant.component_of(reading.variable)) refuse_mode(plant.variables.name(reading.variable));
   }
   if (options.search.first && options.search.count_only) {
     throw base::InputError("--first and --count exclude each other: one diagnosis, or how many there are");

@@ -191,7 +191,7 @@ class Flight {
     }
     before_ = line;
     write(json_,
-          {line, estimate, belief, options_.stats && !start ? &cost : nullptr, window_ ? &history_ : nullptr,
+          {line, estimate, belief, options_.stats ? &cost : nullptr, window_ ? &history_ : nullptr,
            live_ ? &*live_ : nullptr, options_.ranks},
           plant_);
     return std::string(json_.text()) + "\n";

@@ -90,7 +90,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const compiler::Compilation compilation = load({options.program, options.plant}, common, {options.main});
   const automata::Document& document = compilation.document();
   const automata::Program& program = only_program(document, options.program);
-  const automata::Plant& plant = only_plant(document, options.plant);
+  const automata::Plant& plant = only_controlled_plant(document, options.plant);
   std::vector<runtime::CycleObserver*> observers;
   std::optional<runtime::TraceWriter> trace;
   if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, program, options.trace, options.detail));
@@ -109,7 +109,9 @@ ExitStatus run(const Options& options, const Common& common) {
   const auto channel = make_channel(options);
   LiveResult result;
   if (options.address.empty() || channel->connected()) {
-    result = runtime::run_live(program, plant, *channel, live, observers);
+    const auto engines = is_model_program(document) ? runtime::make_engines(document.models.front(), live.engines)
+                                                    : runtime::make_engines(plant, live.engines);
+    result = runtime::run_live(program, *engines, *channel, live, observers);
     if (trace) trace->keep();
   } else {
     result.end = interrupted() ? LiveResult::End::interrupted : LiveResult::End::abandoned;

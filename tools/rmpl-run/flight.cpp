@@ -119,7 +119,7 @@ runtime::ScenarioOptions run_options(const Task& task, const FlightOptions& opti
 Flown fly(const Task& task, const FlightOptions& options, const Common& common, InTurn& voices, std::size_t position,
           std::size_t count) {
   const automata::Scenario& scenario = *task.scenario;
-  const automata::Plant& plant = task.document->plants[scenario.plant];
+  const automata::Plant& plant = task.document->plant_of(scenario);
   const automata::Program& program = task.document->programs[scenario.program];
   const base::Painter painter = output_painter(common.color);
   const auto tell = [&](const std::string& text) { voices.say(position, InTurn::To::output, text); };

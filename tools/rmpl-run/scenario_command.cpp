@@ -53,7 +53,7 @@ std::vector<Task> tasks_of(const std::vector<compiler::Compilation>& compilation
   std::vector<std::string_view> names;
   for (std::size_t f = 0; f < compilations.size(); ++f) {
     const automata::Document& document = compilations[f].document();
-    if (is_model_program(document)) {
+    if (document.scenarios.empty() && is_model_program(document)) {
       throw base::InputError(options.files[f] +
                              ": this is a model program: expected --commands, the list of commands to draw it under");
     }
@@ -66,8 +66,12 @@ std::vector<Task> tasks_of(const std::vector<compiler::Compilation>& compilation
       if (!options.only.empty() &&
           std::find(options.only.begin(), options.only.end(), scenario.name) == options.only.end())
         continue;
-      auto& graph = graphs[scenario.plant];
-      if (!graph) graph = runtime::reconfiguration_graph(document.plants[scenario.plant]);
+      std::shared_ptr<const runtime::NominalGraph> graph;
+      if (!scenario.model) {
+        auto& known = graphs[scenario.plant];
+        if (!known) known = runtime::reconfiguration_graph(document.plants[scenario.plant]);
+        graph = known;
+      }
       result.push_back({options.files[f], &document, &scenario, graph});
     }
   }
@@ -142,7 +146,7 @@ std::vector<ReportFile::Subject> models_of(const std::vector<Task>& tasks) {
   std::vector<ReportFile::Subject> result;
   for (const Task& task : tasks) {
     const automata::Document& document = *task.document;
-    result.push_back({&document.plants[task.scenario->plant], &document.programs[task.scenario->program]});
+    result.push_back({&document.plant_of(*task.scenario), &document.programs[task.scenario->program]});
   }
   return result;
 }
@@ -172,6 +176,7 @@ ExitStatus run_model(const FlightOptions& options, const Common& common) {
 ExitStatus run(const FlightOptions& options, const Common& common) {
   if (!options.commands.empty()) return run_model(options, common);
   check_standard_input(options.files);
+  if (options.to < options.from) throw base::InputError("--to: expected a time that is not before --from");
   std::vector<compiler::Compilation> compilations;
   for (const std::string& file : options.files) compilations.push_back(load({file}, common));
   const std::vector<Task> tasks = tasks_of(compilations, options);

@@ -43,7 +43,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const automata::Program& program = only_program(document, options.program);
   base::InputFile input(options.log);
   const bool modelled = !options.plant.empty() || !document.plants.empty();
-  const automata::Plant* const plant = modelled ? &only_plant(document, options.plant) : nullptr;
+  const automata::Plant* const plant = modelled ? &only_controlled_plant(document, options.plant) : nullptr;
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
   if (base::is_read_again(options.log)) {
     print(modelled ? runtime::sequence_log(program, *plant, input.stream(), input.name())

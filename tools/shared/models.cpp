@@ -35,8 +35,8 @@ const auto& only(const Things& things, const automata::Document& document, const
   const std::string expected = std::string("expected one ") + what + ", as in a " + ending + " file";
   if (things.empty() && !document.models.empty()) {
     throw base::InputError(paths + ": " + expected + ", and '" + document.models.front().name +
-                           "' is, or holds, a model program, which rmpl-run estimate, diagnose and scenario "
-                           "--commands, tcca-check reachability and safety take");
+                           "' is, or holds, a model program, which rmpl-run estimate, diagnose, scenario and "
+                           "execute, tcca-check reachability and safety take");
   }
   if (things.empty()) throw base::InputError(paths + ": " + expected + ", and there is none in it");
   throw base::InputError(paths + ": " + expected + ", and there are " + std::to_string(things.size()));
@@ -58,6 +58,14 @@ const automata::ModelProgram& only_model_program(const automata::Document& docum
 
 bool is_model_program(const automata::Document& document) {
   return document.plants.empty() && !document.models.empty();
+}
+
+const automata::Plant& only_controlled_plant(const automata::Document& document, const std::string& paths) {
+  if (!is_model_program(document)) return only_plant(document, paths);
+  const automata::ModelProgram& program = only_model_program(document, paths);
+  const auto facade = document.facades.find(0);
+  if (facade != document.facades.end()) return facade->second;
+  throw base::InputError(paths + ": expected every control of '" + program.name + "' to have a default");
 }
 
 void refuse_start(const automata::ModelProgram& program, const std::string& paths) {

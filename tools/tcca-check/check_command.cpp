@@ -107,6 +107,7 @@ std::vector<PlantProperty> read_properties(const Options& options, const Common&
   if (!compiled.properties) throw Rejected{};
   std::vector<PlantProperty> all = std::move(*compiled.properties);
   std::vector<std::string_view> names;
+  names.reserve(all.size());
   for (const PlantProperty& property : all) names.emplace_back(property.name);
   for (const std::string& name : options.only) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -125,6 +126,7 @@ std::vector<PlantProperty> read_properties(const Options& options, const Common&
 std::vector<verifier::Question> questions_of(const std::vector<PlantProperty>& stated, const automata::Plant& plant,
                                              const Options& options) {
   std::vector<verifier::Question> questions;
+  questions.reserve(stated.size());
   for (const PlantProperty& p : stated) {
     questions.push_back({property_of(p, plant),
                          {.period = p.period,
@@ -166,6 +168,10 @@ ExitStatus run(const Options& options, const Common& common) {
   const Subject subject{plant, program_of(document, options, paths)};
   const std::vector<PlantProperty> stated = read_properties(options, common, subject);
   std::vector<verifier::Question> questions = questions_of(stated, plant, options);
+  std::vector<verifier::Property> asked;
+  asked.reserve(questions.size());
+  for (const verifier::Question& question : questions) asked.push_back(question.property);
+  if (!common.quiet) warn_of_commands(asked, plant);
   TraceReport report(options.report, subject);
   verifier::Slices slices(plant);
   std::vector<verifier::Answer> answers =

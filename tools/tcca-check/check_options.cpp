@@ -3,7 +3,9 @@
 #include "tools/tcca-check/check_options.hpp"
 
 #include <cstdio>
+#include <set>
 
+#include "automata/controls.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/progress.hpp"
 
@@ -88,6 +90,20 @@ ExitStatus status_of(Verdict verdict) {
       return ExitStatus::undecided;
   }
   return ExitStatus::internal_error;
+}
+
+void warn_of_commands(const std::vector<verifier::Property>& asked, const automata::Plant& plant) {
+  std::set<automata::VariableId> told;
+  for (const verifier::Property& property : asked) {
+    for (const automata::Formula& formula : verifier::formulas_of(property)) {
+      for (const automata::VariableId variable : automata::variables_of(formula)) {
+        if (!automata::is_control(plant, variable) || !told.insert(variable).second) continue;
+        tell("warning: '" + plant.variables.name(variable) +
+             "' is commanded: what is asked is about states, which allow any value of it and imply none; a flight sees "
+             "the command in force");
+      }
+    }
+  }
 }
 
 void warn_of_no_start(const char* consequence) {

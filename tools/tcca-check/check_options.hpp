@@ -11,6 +11,7 @@
 #include "automata/plant.hpp"
 #include "tools/shared/options.hpp"
 #include "verifier/property/commands.hpp"
+#include "verifier/property/property.hpp"
 #include "verifier/search/limits.hpp"
 #include "verifier/verdict/answer.hpp"
 
@@ -67,5 +68,7 @@ ExitStatus status_of(verifier::Verdict verdict);
 
 /// Says that no initial state is possible; `consequence` is what follows, such as "nothing is reachable".
 void warn_of_no_start(const char* consequence);
+/// Says, once a control, that what is asked speaks of commands, which are no part of a state.
+void warn_of_commands(const std::vector<verifier::Property>& asked, const automata::Plant& plant);
 
 }  // namespace rmpl::tools

@@ -89,7 +89,7 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
           "--check endless-wait");
     }
     property.fastest = options.window.fastest && is_at_a_moment(property.kind);
-    result.push_back(std::move(property));
+    result.emplace_back(std::move(property));
   }
   return result;
 }
@@ -217,6 +217,7 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
   const automata::Plant& plant = only_plant(document, paths);
   const Subject subject{plant, &program};
   const std::vector<Property> properties = properties_of(plant, options, common);
+  if (!common.quiet) warn_of_commands(properties, plant);
   const Freedom& freedom = options.freedom;
   const CheckOptions free{.period = freedom.period,
                           .faults = options.cut_sets ? *options.cut_sets : freedom.faults.value_or(0),

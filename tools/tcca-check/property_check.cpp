@@ -91,6 +91,7 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   if (of_model != nullptr) check_window(of_model->window, options.freedom.period);
   const Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::Property asked = ask(plant);
+  if (!common.quiet) warn_of_commands({asked}, plant);
   if (common.verbose) {
     tell("checking " + verifier::name_of(asked) + " of " + plant.name + ": " + std::to_string(plant.components.size()) +
          " components, " + std::to_string(plant.controls.size()) + " controls");

@@ -81,12 +81,7 @@ class Search {
     };
     return base::multiply_out(moves.parts, take, put_back, [&] {
       meter_.poll();
-      Marking marking = moves.certain;
-      for (const MarkingOutcome* outcome : taken) {
-        marking.insert(marking.end(), outcome->marked.begin(), outcome->marked.end());
-      }
-      std::sort(marking.begin(), marking.end());
-      const Number number = step_.number(marking);
+      const Number number = step_.number(united(moves, taken));
       return step_.possible(number) && visit(number, improbable);
     });
   }

@@ -74,7 +74,10 @@ class Timetable {
     if (legs_.back().end) {
       for (const ClockBound& b : *legs_.back().end) schedule_.constrain(restarted(b), left_.back(), b.clock);
     } else if (observer_.timed(legs_.back().phase)) {
-      schedule_.constrain(stopwatch_, left_.back(), *observer_.accepted());
+      // A response that comes too late is so as it comes, however long one waits behind it.
+      const Phase phase = legs_.back().phase;
+      const bool comes = observer_.answers(phase, observer_.next(phase, legs_.back().modes));
+      schedule_.constrain(stopwatch_, comes ? entered_.back() : left_.back(), *observer_.accepted());
     }
   }
 

@@ -42,4 +42,18 @@ std::string name_of(const Property& property) {
                     property);
 }
 
+std::vector<automata::Formula> formulas_of(const Property& property) {
+  using Formulas = std::vector<automata::Formula>;
+  return std::visit(base::Overloaded{[](const Reachability& p) { return Formulas{p.target}; },
+                                     [](const Safety& p) { return Formulas{p.never}; },
+                                     [](const Response& p) {
+                                       return Formulas{p.after, p.then};
+                                     },
+                                     [](const Stuck&) { return Formulas{}; },
+                                     [](const ProgramProperty& p) {
+                                       return Formulas{p.formula, p.then};
+                                     }},
+                    property);
+}
+
 }  // namespace rmpl::verifier

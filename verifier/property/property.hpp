@@ -85,6 +85,8 @@ using Property = std::variant<Reachability, Safety, Response, Stuck, ProgramProp
 std::string_view name_of(ProgramProperty::Kind kind);
 /// `reachability`, `safety`, `response`, `stuck`, or the name of what is asked of a program.
 std::string name_of(const Property& property);
+/// What it says of states, each formula once; `true` where it says nothing.
+std::vector<automata::Formula> formulas_of(const Property& property);
 
 /// What is free in a check.
 struct CheckOptions {

@@ -62,6 +62,7 @@ std::string waiting_text(const Subject& subject, const Witness& witness) {
     text += std::string(first ? " at `" : ", `") + location.label + "`" + in_brackets(location.origin);
     first = false;
   }
+  if (!last.conflicts.empty()) return text + ": goals that contradict each other are not acted on";
   if (last.outcome == runtime::Reconfiguration::Outcome::no_plan) return text + ": " + no_plan_text(subject, witness);
   for (std::size_t h = 0; h < witness.hindrances.size() && h < most_hindrances; ++h) {
     text += (h == 0 ? ": " : "; ") + to_text(subject.plant, witness.hindrances[h]);

@@ -11,7 +11,7 @@ namespace {
 
 const automata::Plant* plant_of(const automata::Document& document, std::size_t program) {
   for (const automata::Scenario& scenario : document.scenarios) {
-    if (scenario.program == program) return &document.plants[scenario.plant];
+    if (scenario.program == program) return &document.plant_of(scenario);
   }
   for (const automata::Plant& plant : document.plants) {
     if (plant.variables == document.programs[program].variables) return &plant;
@@ -28,10 +28,11 @@ std::vector<BoundProgram> bound_programs(const LintInput& input) {
     BoundProgram bound{document.programs[p], plant_of(document, p), input.programs[p], {}, {}};
     for (const automata::Scenario& scenario : document.scenarios) {
       if (scenario.program != p) continue;
+      bound.model = scenario.model ? &document.models[*scenario.model] : nullptr;
       bound.cycle = std::max(bound.cycle, scenario.cycle);
       bound.also.insert(bound.also.end(), scenario.truth.begin(), scenario.truth.end());
       for (const automata::ForcedMode& forced : scenario.forced) {
-        const automata::Component& component = document.plants[scenario.plant][forced.component];
+        const automata::Component& component = document.plant_of(scenario)[forced.component];
         bound.also.push_back({component.mode, automata::ValueId(forced.mode.index())});
       }
     }

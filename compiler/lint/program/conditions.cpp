@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "automata/assignment_text.hpp"
+#include "automata/controls.hpp"
+#include "automata/logic/given.hpp"
+#include "base/product.hpp"
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/program/bound_programs.hpp"
 #include "compiler/lint/program/consequences.hpp"
@@ -30,6 +33,7 @@ struct Judged {
   const PlacedCondition* condition = nullptr;
   std::vector<automata::Origin> blamed;
   std::string unreached;
+  std::string commanded = {};  ///< of what never holds: the control that it speaks of, and that no state determines
 };
 
 class Judge {
@@ -46,13 +50,62 @@ class Judge {
     if (!possible_.can_fail(condition.formula)) {
       return {Verdict::always, &condition, possible_.blame(negation(condition.formula)), {}};
     }
-    if (bound_.plant == nullptr) return {Verdict::open, &condition, {}, {}};
+    if (std::string control = undetermined(condition.formula); !control.empty()) {
+      return {Verdict::never, &condition, {}, {}, std::move(control)};
+    }
+    if (bound_.plant == nullptr || bound_.model != nullptr) return {Verdict::open, &condition, {}, {}};
     if (!reach_) reach_.emplace(*bound_.plant, bound_.also);
     std::string unreached = unreached_modes(condition.formula);
     if (unreached.empty() || possible_.can_hold(automata::conjunction({condition.formula, reach_->formula()}))) {
       return {Verdict::open, &condition, {}, {}};
     }
     return {Verdict::out_of_reach, &condition, {}, std::move(unreached)};
+  }
+
+  /// A control for which a formula is implied in no state, whatever else holds: what is in force is no part of what a
+  /// program knows, and nothing in the model or of what is read determines it. Empty where there is none.
+  std::string undetermined(const Formula& formula) {
+    if (bound_.plant == nullptr) return {};
+    constexpr std::size_t most = 256;
+    std::vector<std::vector<Assignment>> values;
+    std::size_t combinations = 1;
+    for (const automata::VariableId variable : variables_of(formula)) {
+      if (!is_control(*bound_.plant, variable) || is_constrained(variable)) continue;
+      auto& own = values.emplace_back();
+      for (std::size_t v = 0; v < bound_.plant->variables[variable].values.size(); ++v) {
+        own.push_back({variable, automata::ValueId(v)});
+      }
+      combinations *= own.size();
+      if (combinations > most) return {};
+    }
+    if (values.empty()) return {};
+    std::vector<Formula> all;
+    base::for_each_combination(values, [&](const std::vector<Assignment>& command) {
+      all.push_back(automata::with_values(formula, command));
+    });
+    if (possible_.can_hold(automata::conjunction(std::move(all)))) return {};
+    return bound_.plant->variables.name(values.front().front().variable);
+  }
+
+  /// Whether a sensor reads the variable, or something in the model says of it.
+  [[nodiscard]] bool is_constrained(automata::VariableId variable) const {
+    const auto speaks = [&](const Formula& formula) {
+      const auto variables = variables_of(formula);
+      return std::binary_search(variables.begin(), variables.end(), variable);
+    };
+    const automata::Plant& plant = *bound_.plant;
+    const auto& seen = plant.observables;
+    return std::find(seen.begin(), seen.end(), variable) != seen.end() ||
+           std::any_of(plant.interconnections.begin(), plant.interconnections.end(),
+                       [&](const auto& q) { return speaks(q.constraint); }) ||
+           std::any_of(plant.components.begin(), plant.components.end(),
+                       [&](const automata::Component& component) {
+                         return std::any_of(component.modes.begin(), component.modes.end(),
+                                            [&](const automata::Mode& mode) { return speaks(mode.constraint); });
+                       }) ||
+           (bound_.model != nullptr &&
+            std::any_of(bound_.model->locations.begin(), bound_.model->locations.end(),
+                        [&](const automata::ModelLocation& location) { return speaks(location.told); }));
   }
 
   /// The modes that a formula speaks of, or that stand for what it speaks of, and that are never reached.
@@ -89,6 +142,11 @@ void report(const LintInput& input, grammar::Span span, const Judged& judged, gr
   const bool holds = judged.verdict == Verdict::always;
   auto& finding = add_finding(found, holds ? Code::condition_always_holds : Code::condition_never_holds, span,
                               text + (holds ? " always holds: " : " can never hold: ") + (holds ? always : never));
+  if (!judged.commanded.empty()) {
+    finding.suggestion =
+        backquoted(judged.commanded) +
+        " is commanded, and a program knows modes and readings: ask for the mode that the command leads to";
+  }
   constexpr std::size_t shown = 4;
   for (std::size_t b = 0; b < std::min(shown, judged.blamed.size()); ++b) {
     finding.notes.push_back({input.places.at(judged.blamed[b]), holds ? "this makes it hold" : "this contradicts it"});

@@ -130,9 +130,7 @@ void Executive::read_back(const automata::Observation& observations) {
         {Event::Kind::cut, "the search ended early; the belief may lack states", std::nullopt, std::nullopt});
   }
   knowledge_.assignments.clear();
-  for (std::size_t c = 0; c < estimate.modes.size(); ++c) {
-    knowledge_.assignments.push_back({model_.components[c].mode, automata::ValueId(estimate.modes[c].index())});
-  }
+  automata::append_known(model_, estimate.modes, knowledge_.assignments);
   // Observations that contradict the estimate would make every constraint entailed, so they are not handed on.
   if (estimate.consistent) {
     knowledge_.assignments.insert(knowledge_.assignments.end(), observations.begin(), observations.end());

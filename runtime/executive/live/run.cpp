@@ -5,19 +5,16 @@
 #include <array>
 
 #include "runtime/executive/cycle/executive.hpp"
-#include "runtime/executive/scenario/engines.hpp"
 #include "runtime/executive/scenario/moment.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 
 namespace rmpl::runtime {
 
-LiveResult run_live(const automata::Program& program, const automata::Plant& model, Channel& channel,
-                    const LiveRun& options, const std::vector<CycleObserver*>& observers) {
-  automata::PlantStep step(model);
-  const auto estimator = make_estimator(step, options.engines);
-  const auto reconfigurer = make_recovery(step, options.engines);
-  LivePlant plant(model, channel, options.cycle, options.plant);
-  Executive executive(program, model, *estimator, *reconfigurer, plant, plant, options.cycle);
+LiveResult run_live(const automata::Program& program, Engines& engines, Channel& channel, const LiveRun& options,
+                    const std::vector<CycleObserver*>& observers) {
+  LivePlant plant(engines.model(), channel, options.cycle, options.plant);
+  Executive executive(program, engines.model(), engines.estimator(), engines.reconfigurer(), plant, plant,
+                      options.cycle);
   const auto look = [&](const CycleRecord& record) {
     for (CycleObserver* observer : observers) observer->observe(record);
   };

@@ -9,6 +9,7 @@
 
 #include "automata/program.hpp"
 #include "runtime/executive/live/live_plant.hpp"
+#include "runtime/executive/scenario/engines.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 
@@ -19,7 +20,7 @@ struct LiveRun {
   automata::Ticks duration = automata::Ticks::infinite();     ///< the run ends with the cycle that reaches it
   automata::Ticks give_up = automata::Ticks::of_seconds(60);  ///< without a plant for so long, the run ends
   LiveOptions plant;
-  ScenarioOptions engines;  ///< its engines and their options
+  ScenarioOptions engines;  ///< what `make_engines` is told
 };
 
 struct LiveResult {
@@ -33,8 +34,8 @@ struct LiveResult {
 /// Runs until the program has ended, the duration is over, no plant was there for too long, or an interruption. The
 /// cycle in which an interruption comes is cut short, and is observed like the others. Observers see every cycle, from
 /// cycle 0 on, in order.
-LiveResult run_live(const automata::Program& program, const automata::Plant& model, Channel& channel,
-                    const LiveRun& options, const std::vector<CycleObserver*>& observers);
+LiveResult run_live(const automata::Program& program, Engines& engines, Channel& channel, const LiveRun& options,
+                    const std::vector<CycleObserver*>& observers);
 
 /// How it ended, and what became of the commands; ends with a line feed.
 std::string summary(const LiveResult& result, automata::Ticks give_up);

@@ -25,6 +25,10 @@ class PlantInterface {
   [[nodiscard]] virtual const std::vector<Event>& happenings() const = 0;
   /// Whether something that was scripted still lies ahead.
   [[nodiscard]] virtual bool more_to_come() const = 0;
+  /// Whether something whose time has come waits for an occasion.
+  [[nodiscard]] virtual bool waits_for_occasion() const { return false; }
+  /// The run is over, at `now`. Throws base::InputError where what was scripted until then never had an occasion.
+  virtual void finish(automata::Ticks /*now*/) const {}
 };
 
 }  // namespace rmpl::runtime

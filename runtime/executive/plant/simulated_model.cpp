@@ -3,15 +3,16 @@
 #include "runtime/executive/plant/simulated_model.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
+#include "automata/assignment_text.hpp"
 #include "base/error.hpp"
 #include "base/limit_error.hpp"
 
 namespace rmpl::runtime {
 
 using automata::Assignment;
-using automata::Marking;
 using automata::MarkingMoves;
 using automata::MarkingOutcome;
 using automata::MarkingStep;
@@ -22,37 +23,47 @@ constexpr std::size_t most_tries = std::size_t{1} << 16;
 
 }  // namespace
 
-SimulatedModel::SimulatedModel(const automata::ModelProgram& program, std::uint64_t seed)
+SimulatedModel::SimulatedModel(const automata::ModelProgram& program, std::uint64_t seed, const Wanted& wanted)
     : step_(program), moves_(seed, 1), readings_(seed, 2) {
-  draw(step_.rules().initial(), step_.initial(), "no start is consistent");
+  if (draw(step_.rules().initial(), step_.initial(), wanted)) return;
+  throw base::InputError(wanted.empty() ? "no start is consistent"
+                                        : "no start has " + to_text(program.variables, wanted));
 }
 
-void SimulatedModel::step(const automata::Command& command) {
+bool SimulatedModel::step(const automata::Command& command, const Wanted& wanted) {
   step_.command(command);
   if (!step_.permits(marking_)) throw base::InputError("the command contradicts what is told");
-  draw(step_.moves(marking_), step_.ways(marking_), "nothing that is consistent can follow");
+  if (draw(step_.moves(marking_), step_.ways(marking_), wanted)) return true;
+  if (wanted.empty()) throw base::InputError("nothing that is consistent can follow");
+  return false;
 }
 
-void SimulatedModel::draw(const MarkingMoves& moves, const MarkingStep::Ways& ways, const char* what) {
+bool SimulatedModel::draw(const MarkingMoves& moves, const MarkingStep::Ways& ways, const Wanted& wanted) {
   if (ways) {
-    if (ways->empty()) throw base::InputError(what);
-    marking_ = drawn(*ways, moves_.uniform()).target;
+    std::vector<MarkingStep::Way> fitting;
+    if (!wanted.empty()) {
+      std::copy_if(ways->begin(), ways->end(), std::back_inserter(fitting),
+                   [&](const MarkingStep::Way& way) { return step_.entails(way.target, wanted); });
+    }
+    const std::vector<MarkingStep::Way>& open = wanted.empty() ? *ways : fitting;
+    if (open.empty()) return false;
+    marking_ = drawn(open, moves_.uniform()).target;
   } else {
+    MarkingStep::Number reached = 0;
     std::size_t tries = 0;
     do {
       if (tries++ == most_tries) {
+        if (!wanted.empty()) return false;
         throw base::LimitError("none of " + std::to_string(most_tries) + " draws came to a consistent marking");
       }
-      Marking marking = moves.certain;
-      for (const auto& part : moves.parts) {
-        const MarkingOutcome& outcome = drawn(part, moves_.uniform());
-        marking.insert(marking.end(), outcome.marked.begin(), outcome.marked.end());
-      }
-      std::sort(marking.begin(), marking.end());
-      marking_ = step_.number(marking);
-    } while (!step_.possible(marking_));
+      std::vector<const MarkingOutcome*> outcomes;
+      for (const auto& part : moves.parts) outcomes.push_back(&drawn(part, moves_.uniform()));
+      reached = step_.number(united(moves, outcomes));
+    } while (!step_.possible(reached) || !step_.entails(reached, wanted));
+    marking_ = reached;
   }
   if (step_.forget_but({marking_})) marking_ = 0;
+  return true;
 }
 
 automata::Observation SimulatedModel::read() {

@@ -61,9 +61,9 @@ std::string_view name_of(Verdict verdict) {
   return {};
 }
 
-Expectations::Expectations(automata::PlantStep& step, const automata::Program& program,
+Expectations::Expectations(const automata::Plant& plant, automata::Theory& theory, const automata::Program& program,
                            const automata::Scenario& scenario)
-    : step_(step), program_(program), judgements_(scenario.expectations.size()) {
+    : plant_(plant), theory_(theory), program_(program), judgements_(scenario.expectations.size()) {
   for (const Expectation& expectation : scenario.expectations) {
     if (expectation.truth && scenario.rules_only) {
       throw base::InputError(to_text(expectation.origin) + ": 'expect " + expectation.text +
@@ -80,7 +80,7 @@ Expectations::Expectations(automata::PlantStep& step, const automata::Program& p
 }
 
 Expectations::Question Expectations::ask(const automata::Formula& formula) {
-  return {&formula, step_.theory().encode(formula), {}, automata::speaks_of_control(step_.plant(), formula)};
+  return {&formula, theory_.encode(formula), {}, automata::speaks_of_control(plant_, formula)};
 }
 
 bool Expectations::holds(Question& question, const Side& side) {
@@ -88,12 +88,12 @@ bool Expectations::holds(Question& question, const Side& side) {
   if (commanded_anew) {
     const auto [at, fresh] = question.by_command.try_emplace(command_);
     if (fresh) {
-      const auto given = automata::assignments_of(step_.plant(), command_);
-      at->second = step_.theory().encode(automata::with_values(*question.formula, given));
+      const auto given = automata::assignments_of(plant_, command_);
+      at->second = theory_.encode(automata::with_values(*question.formula, given));
     }
     question.handle = at->second;
   }
-  if (side.changed || commanded_anew) question.answer = step_.theory().entails(side.known, question.handle);
+  if (side.changed || commanded_anew) question.answer = theory_.entails(side.known, question.handle);
   return question.answer;
 }
 
@@ -106,9 +106,7 @@ void Expectations::know(const CycleRecord& record) {
   };
   const auto add_modes = [&](Side& side, const automata::Modes& modes) {
     side.next.clear();
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      side.next.push_back({step_.plant().components[c].mode, automata::ValueId(modes[c].index())});
-    }
+    automata::append_known(plant_, modes, side.next);
   };
   add_modes(estimate_, record.estimate);
   if (record.consistent) {
@@ -126,8 +124,8 @@ void Expectations::observe(const CycleRecord& record, bool ended) {
 }
 
 std::string Expectations::evidence(const Expectation& expectation, const CycleRecord& record) const {
-  const std::string what = circumstances(expectation.condition, record, step_.plant(), expectation.truth);
-  const std::string done = deed(record, step_.plant());
+  const std::string what = circumstances(expectation.condition, record, plant_, expectation.truth);
+  const std::string done = deed(record, plant_);
   return what + (what.empty() || done.empty() ? "" : "; ") + done;
 }
 
@@ -172,7 +170,7 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
     case Expectation::Kind::no_plan:
       if (const Event* event = find(record, Event::Kind::no_plan)) {
         judgement = {Verdict::failed, record.start, "a goal was without a plan",
-                     (event->component ? step_.plant()[*event->component].name + ": " : "") + event->message};
+                     (event->component ? plant_[*event->component].name + ": " : "") + event->message};
       }
       break;
   }

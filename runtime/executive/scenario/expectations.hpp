@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "automata/logic/theory.hpp"
+#include "automata/plant.hpp"
 #include "automata/scenario.hpp"
-#include "automata/step/plant_step.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 
 namespace rmpl::runtime {
@@ -33,9 +34,10 @@ std::string_view name_of(Judgement::Verdict verdict);
 /// force in that cycle.
 class Expectations {
  public:
-  /// Keeps references to all. Throws base::InputError where an expectation speaks of the truth and nothing is
-  /// simulated.
-  Expectations(automata::PlantStep& step, const automata::Program& program, const automata::Scenario& scenario);
+  /// `theory`: of the plant's model. Keeps references to all. Throws base::InputError where an expectation speaks of
+  /// the truth and nothing is simulated.
+  Expectations(const automata::Plant& plant, automata::Theory& theory, const automata::Program& program,
+               const automata::Scenario& scenario);
 
   /// Looks at a cycle; `ended` says that the program has ended in it.
   void observe(const CycleRecord& record, bool ended);
@@ -80,7 +82,8 @@ class Expectations {
   [[nodiscard]] Judgement at_the_end(const Watch& watch, const CycleRecord& last) const;
   [[nodiscard]] std::string evidence(const automata::Expectation& expectation, const CycleRecord& record) const;
 
-  automata::PlantStep& step_;
+  const automata::Plant& plant_;
+  automata::Theory& theory_;
   const automata::Program& program_;
   Side estimate_, truth_;
   automata::ControlAction command_;  ///< in force in the cycle that ends

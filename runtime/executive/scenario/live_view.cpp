@@ -56,8 +56,8 @@ LiveView::LiveView(const automata::Plant& plant, const automata::Program& progra
 
 void LiveView::observe(const CycleRecord& record) {
   story_.observe(record);
-  for (std::size_t c = 0; c < now_.estimate.size(); ++c) {
-    if (record.estimate[c] != now_.estimate[c]) since_[c] = record.time;
+  for (std::size_t c = 0; c < since_.size(); ++c) {
+    if (now_.estimate.empty() || record.estimate[c] != now_.estimate[c]) since_[c] = record.time;
   }
   now_.time = record.time;
   now_.estimate = record.estimate;
@@ -92,7 +92,7 @@ std::string LiveView::progress(std::size_t width) const {
 /// Components with their modes, as many as there is room for: faults first, then what changed last.
 std::vector<std::string> LiveView::believed(std::size_t width, std::size_t rows) const {
   std::vector<std::size_t> order;
-  for (std::size_t c = 0; c < now_.estimate.size(); ++c) order.push_back(c);
+  for (std::size_t c = 0; c < since_.size() && !now_.estimate.empty(); ++c) order.push_back(c);
   const auto faulty = [&](std::size_t c) { return plant_.components[c].modes[now_.estimate[c].index()].fault; };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return faulty(a) != faulty(b) ? faulty(a) : since_[a] > since_[b];

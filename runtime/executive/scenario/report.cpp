@@ -33,7 +33,7 @@ std::string summary_line(const automata::Expectation& expectation, const Judgeme
 std::string heading(const automata::Document& document, const automata::Scenario& scenario, std::uint64_t seed,
                     base::Painter painter) {
   return painter.strong(scenario.name) + "\n" + "program " + document.programs[scenario.program].name + ", plant " +
-         document.plants[scenario.plant].name + (scenario.rules_only ? " (rules only)" : "") + ", a cycle of " +
+         document.plant_of(scenario).name + (scenario.rules_only ? " (rules only)" : "") + ", a cycle of " +
          format_seconds(scenario.cycle) + " s, seed " + std::to_string(seed) + "\n";
 }
 

@@ -8,17 +8,10 @@
 #include "runtime/executive/cycle/clock.hpp"
 #include "runtime/executive/cycle/executive.hpp"
 #include "runtime/executive/plant/scripted_plant.hpp"
-#include "runtime/executive/plant/simulated_plant.hpp"
 #include "runtime/executive/scenario/engines.hpp"
 
 namespace rmpl::runtime {
 namespace {
-
-std::unique_ptr<PlantInterface> make_plant(const automata::Plant& model, const automata::Scenario& scenario,
-                                           std::uint64_t seed, const ScenarioOptions& options) {
-  if (scenario.rules_only) return std::make_unique<ScriptedPlant>(model, scenario);
-  return std::make_unique<SimulatedPlant>(model, scenario, seed, options.awaited);
-}
 
 std::unique_ptr<Clock> make_clock(const ScenarioOptions& options) {
   if (options.real_time) return std::make_unique<PacedClock>(options.interrupted);
@@ -38,7 +31,6 @@ Judgement::Verdict ScenarioResult::verdict() const {
 
 ScenarioResult run_scenario(const automata::Document& document, const automata::Scenario& scenario,
                             const ScenarioOptions& options, const std::vector<CycleObserver*>& observers) {
-  const automata::Plant& model = document.plants[scenario.plant];
   const automata::Program& program = document.programs[scenario.program];
   if (scenario.cycle.count <= 0) {
     throw base::InputError("scenario '" + scenario.name + "': expected a cycle above 0 s");
@@ -46,13 +38,15 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
   ScenarioResult result;
   result.seed = options.seed.value_or(scenario.seed);
 
-  automata::PlantStep step(model);
-  const auto estimator = make_estimator(step, options);
-  const auto reconfigurer = make_recovery(step, options);
-  const auto plant = make_plant(model, scenario, result.seed, options);
+  const auto engines = scenario.model ? make_engines(document.models[*scenario.model], options)
+                                      : make_engines(document.plants[scenario.plant], options);
+  const std::unique_ptr<PlantInterface> plant = scenario.rules_only
+                                                    ? std::make_unique<ScriptedPlant>(engines->model(), scenario)
+                                                    : engines->simulate(scenario, result.seed);
   const auto clock = make_clock(options);
-  Expectations expectations(step, program, scenario);
-  Executive executive(program, model, *estimator, *reconfigurer, *plant, *clock, scenario.cycle);
+  Expectations expectations(engines->model(), engines->theory(), program, scenario);
+  Executive executive(program, engines->model(), engines->estimator(), engines->reconfigurer(), *plant, *clock,
+                      scenario.cycle);
 
   if (options.measured) executive.measure();
   const auto look = [&](const CycleRecord& record) {
@@ -61,7 +55,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
     for (CycleObserver* observer : observers) observer->observe(record);
   };
   const auto more_to_decide = [&] {
-    return expectations.waiting() || (expectations.watching() && plant->more_to_come());
+    return expectations.waiting() || (expectations.watching() && plant->more_to_come()) || plant->waits_for_occasion();
   };
   look(executive.record());
   while (executive.record().time < scenario.duration && (!executive.ended() || more_to_decide())) {
@@ -69,6 +63,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
     if (result.interrupted) break;
     look(executive.run_cycle());
   }
+  if (!result.interrupted) plant->finish(executive.record().time);
   result.cycles = executive.record().cycle;
   result.time = executive.record().time;
   expectations.close(executive.record(), result.interrupted);

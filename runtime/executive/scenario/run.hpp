@@ -43,8 +43,9 @@ struct ScenarioResult {
 };
 
 /// The run is over when its duration is; or when the program has ended and no expectation but `never` is open, unless
-/// such a one is and the scenario has something in store. Observers see every cycle, from cycle 0 on, in order. Throws
-/// base::InputError where the model leaves the simulated plant no state to be in.
+/// such a one is and the scenario has something in store, or what it forces waits for an occasion. Observers see every
+/// cycle, from cycle 0 on, in order. Throws base::InputError where the model leaves the simulated plant no state to be
+/// in.
 ScenarioResult run_scenario(const automata::Document& document, const automata::Scenario& scenario,
                             const ScenarioOptions& options, const std::vector<CycleObserver*>& observers);
 

@@ -194,7 +194,7 @@ std::string Story::why_diagnosed(const CycleRecord& record, automata::ComponentI
 }
 
 void Story::tell_estimate(const CycleRecord& record) {
-  for (std::size_t c = 0; c < estimate_.size(); ++c) {
+  for (std::size_t c = 0; c < plant_.components.size(); ++c) {
     if (record.estimate[c] == estimate_[c]) continue;
     const automata::Component& component = plant_.components[c];
     const automata::Mode& to = component.modes[record.estimate[c].index()];

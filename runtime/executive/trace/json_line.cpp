@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/trace/json_line.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
+#include "automata/facade.hpp"
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/rank.hpp"
 
@@ -121,8 +123,9 @@ JsonLine& JsonLine::assignments(std::span<const automata::Assignment> assignment
 
 JsonLine& JsonLine::modes(const automata::Modes& modes, const automata::Plant& plant) {
   open('{');
-  for (std::size_t i = 0; i < modes.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(modes.size(), plant.components.size()); ++i) {
     const automata::Component& component = plant.components[i];
+    if (automata::is_open(plant, component, modes[i])) continue;
     key(component.name).string(component.modes[modes[i].index()].name);
   }
   return close('}');

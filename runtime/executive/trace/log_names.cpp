@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "automata/controls.hpp"
+#include "automata/facade.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 
@@ -55,10 +56,15 @@ bool plays(const automata::Plant& plant, Role role, automata::VariableId variabl
       return automata::is_control(plant, variable);
     case Role::estimate:
       return plant.component_of(variable).has_value();
-    case Role::observations:
-      return !plant.component_of(variable);
+    case Role::observations:  // what the software of a facade tells may be seen
+      return !plant.component_of(variable) ||
+             std::find(plant.observables.begin(), plant.observables.end(), variable) != plant.observables.end();
   }
   return false;
+}
+
+[[noreturn]] void refuse_mode(const std::string& name) {
+  throw base::InputError(" '" + name + "' is a component: no sensor reads its mode; expected an attribute");
 }
 
 automata::ValueId value_of(const automata::Variable& variable, const std::string& value) {
@@ -75,9 +81,7 @@ automata::ValueId value_of(const automata::Variable& variable, const std::string
 Assignment resolve(const automata::Plant& plant, LogReader::Role role, const std::string& name,
                    const std::string& value) {
   const auto variable = plant.variables.find(name);
-  if (role == Role::observations && variable && plant.component_of(*variable)) {
-    throw base::InputError(" '" + name + "' is a component: no sensor reads its mode; expected an attribute");
-  }
+  if (role == Role::observations && variable && !plays(plant, role, *variable)) refuse_mode(name);
   if (!variable || !plays(plant, role, *variable)) {
     throw base::InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant.name + "'" +
                            base::suggestion(name, candidates(plant, role)));
@@ -94,6 +98,7 @@ Assignment resolve(const automata::ModelProgram& program, LogReader::Role role, 
     for (const automata::Variable& variable : program.variables) names.emplace_back(variable.name);
   }
   const auto variable = program.variables.find(name);
+  if (role == Role::observations && variable && automata::is_mode(program, *variable)) refuse_mode(name);
   if (!variable || std::find(names.begin(), names.end(), name) == names.end()) {
     const std::string noun = role == Role::command ? "control variable" : "variable";
     throw base::InputError(" '" + name + "' is no " + noun + " of model program '" + program.name + "'" +

@@ -27,9 +27,9 @@ struct DiagnoseOptions {
 /// Components that are faulty, each in one fault mode; all others are in some nominal mode.
 struct Diagnosis {
   /// The prior of the assignment, a product over all components. A component is in a fault mode if it began there,
-  /// with the initial probability, or if it began in no fault mode and entered this one, with the probability of the
-  /// likeliest fault transition into it (a rate counts over one second); the nominal modes together have the rest. It
-  /// is not divided by the probability of the observations.
+  /// with the initial probability, or if it began in no fault mode and came to this one, with the probability of the
+  /// likeliest way of fault transitions from a nominal mode (a rate counts over one second); the nominal modes together
+  /// have the rest. It is not divided by the probability of the observations.
   double probability = 0;
   double log_probability = 0;  ///< its natural logarithm: of thousands of components the product may underflow
   std::vector<std::pair<automata::ComponentId, automata::ModeId>> faults;  ///< in order of component

@@ -24,6 +24,24 @@ using automata::VariableId;
 constexpr ValueId no{0};
 constexpr ValueId yes{1};
 
+/// Per mode the probability of the likeliest way to it by fault transitions, from any nominal mode; 1 for these.
+std::vector<double> ways_to_faults(const Component& component) {
+  std::vector<double> way(component.modes.size(), 0.0);
+  for (std::size_t m = 0; m < way.size(); ++m) way[m] = component.modes[m].fault ? 0.0 : 1.0;
+  // A way goes through each fault once, so that after as many rounds none is found that is likelier.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Transition& t : component.transitions) {
+      if (!component.is_fault(t) || t.from == t.to) continue;
+      const double longer = way[t.from.index()] * t.weight.fault_probability(automata::Ticks::of_seconds(1));
+      if (longer <= way[t.to.index()]) continue;
+      way[t.to.index()] = longer;
+      changed = true;
+    }
+  }
+  return way;
+}
+
 }  // namespace
 
 Statuses statuses_of(const Component& component) {
@@ -35,16 +53,13 @@ Statuses statuses_of(const Component& component) {
   for (const ModeId fault : statuses.faults) faulty_at_first += component.initial[fault.index()];
   statuses.priors.push_back(0);
   double faulty = 0;
+  const std::vector<double> ways = ways_to_faults(component);
   for (const ModeId fault : statuses.faults) {
-    double entered = 0;
-    for (const Transition& t : component.transitions) {
-      if (t.to != fault) continue;
-      entered = std::max(entered, t.weight.fault_probability(automata::Ticks::of_seconds(1)));
-    }
-    statuses.priors.push_back(component.initial[fault.index()] + std::max(0.0, 1 - faulty_at_first) * entered);
+    const double entered = std::max(0.0, 1 - faulty_at_first) * ways[fault.index()];
+    statuses.priors.push_back(component.initial[fault.index()] + entered);
     faulty += statuses.priors.back();
   }
-  // Each fault was taken from the source that makes it likeliest, so that together they may exceed 1.
+  // Each fault was taken on the way that makes it likeliest, so that together they may exceed 1.
   statuses.priors[0] = statuses.nominals.empty() ? 0.0 : std::max(0.0, 1 - faulty);
   const double sum = statuses.priors[0] + faulty;
   for (double& prior : statuses.priors) prior = sum > 0 ? prior / sum : 0.0;

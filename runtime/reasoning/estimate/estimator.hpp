@@ -102,6 +102,8 @@ class Estimator {
   /// (explain/explainer.hpp), not for every cycle. Of `refuted`, components of different groups are not looked at.
   [[nodiscard]] virtual std::optional<automata::Modes> likeliest_without(
       automata::ComponentId component, automata::ModeId mode, const std::vector<RefutedModes>& refuted) const = 0;
+  /// Whether `likeliest_without` ever tells anything; where it does not, no diagnosis is explained.
+  [[nodiscard]] virtual bool tells_rivals() const { return true; }
   /// The share of the belief that is in these modes, summed over clocks.
   [[nodiscard]] virtual double probability_of(const automata::Modes& modes) const = 0;
   /// How many independent groups the belief is kept as.

@@ -115,7 +115,7 @@ class Links {
 /// Copies one group out of a program.
 class Extraction {
  public:
-  Extraction(const ModelProgram& whole, std::vector<LocationId> locations, std::vector<VariableId> variables)
+  Extraction(const ModelProgram& whole, std::vector<LocationId> locations, const std::vector<VariableId>& variables)
       : whole_(whole), location_(whole.locations.size()), variable_(whole.variables.size()) {
     group_.locations = std::move(locations);
     for (std::size_t i = 0; i < group_.locations.size(); ++i) location_[group_.locations[i].index()] = LocationId(i);
@@ -201,7 +201,7 @@ void add_guarded(const ModelProgram& program, LocationId location, std::set<Vari
 
 }  // namespace
 
-MarkingGroups::MarkingGroups(const ModelProgram& program) : homes_(program.variables.size()) {
+MarkingGroups::MarkingGroups(const ModelProgram& program) : program_(program), homes_(program.variables.size()) {
   Links links(program);
   std::map<std::size_t, Members> members;  // by root
   for (std::size_t l = 0; l < program.locations.size(); ++l) {
@@ -242,6 +242,26 @@ MarkingGroups::MarkingGroups(const ModelProgram& program) : homes_(program.varia
       groups_.back().program.constraints.emplace_back(extraction.formula(told.constraint), told.origin);
     }
   }
+}
+
+MarkingGroup MarkingGroups::joined(const std::vector<std::size_t>& groups) const {
+  std::set<LocationId> locations;
+  std::set<VariableId> variables;
+  for (const std::size_t g : groups) {
+    locations.insert(groups_[g].locations.begin(), groups_[g].locations.end());
+    variables.insert(groups_[g].variables.begin(), groups_[g].variables.end());
+  }
+  Extraction extraction(program_, {locations.begin(), locations.end()}, {variables.begin(), variables.end()});
+  MarkingGroup result = extraction.take();
+  result.variables.assign(variables.begin(), variables.end());
+  for (const automata::Interconnection& constraint : program_.constraints) {
+    for (const Formula& conjunct : conjuncts_of(constraint.constraint)) {
+      const auto read = variables_of(conjunct);
+      const bool own = std::all_of(read.begin(), read.end(), [&](VariableId v) { return variables.contains(v); });
+      if (own) result.program.constraints.emplace_back(extraction.formula(conjunct), constraint.origin);
+    }
+  }
+  return result;
 }
 
 std::vector<automata::Observation> MarkingGroups::divide(const automata::Observation& observation) const {

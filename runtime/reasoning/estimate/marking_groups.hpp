@@ -28,6 +28,7 @@ struct MarkingGroup {
 /// in every group of theirs.
 class MarkingGroups {
  public:
+  /// Keeps a reference to the program.
   explicit MarkingGroups(const automata::ModelProgram& program);
 
   [[nodiscard]] std::size_t size() const { return groups_.size(); }
@@ -40,11 +41,21 @@ class MarkingGroups {
   [[nodiscard]] std::vector<automata::Observation> divide(const automata::Observation& observation) const;
   [[nodiscard]] std::vector<automata::Command> divide(const automata::Command& command) const;
 
- private:
+  /// Some of the groups as one, as a program of its own.
+  [[nodiscard]] MarkingGroup joined(const std::vector<std::size_t>& groups) const;
+
+  /// Where a variable is.
   struct Home {
     std::size_t group = 0;
     automata::VariableId variable;  ///< there
   };
+  /// None where no group tells anything of it.
+  [[nodiscard]] const std::optional<Home>& home(automata::VariableId variable) const {
+    return homes_[variable.index()];
+  }
+
+ private:
+  const automata::ModelProgram& program_;
   std::vector<MarkingGroup> groups_;
   std::vector<std::optional<Home>> homes_;  ///< per variable
   std::vector<automata::Assignment> always_;

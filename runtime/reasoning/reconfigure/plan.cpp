@@ -35,7 +35,7 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
       case Reconfiguration::Outcome::nothing_to_do:
         plan.outcome = plan.commands.empty() ? Plan::Outcome::nothing_to_do : Plan::Outcome::plan;
         plan.states.push_back(current);
-        if (!plan.goal_state) plan.goal_state = std::move(current);
+        plan.goal_state = std::move(current);
         return plan;
       case Reconfiguration::Outcome::no_plan:
         return no_plan(std::move(answer));
@@ -47,6 +47,7 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
         if (*answer.expected == current) {
           plan.outcome = Plan::Outcome::plan;
           plan.states.push_back(current);
+          plan.goal_state = current;
           if (!plan.commands.empty()) return plan;
           plan.commands.push_back(std::move(answer.action));
           plan.states.push_back(current);

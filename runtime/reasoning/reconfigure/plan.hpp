@@ -15,8 +15,7 @@ namespace rmpl::runtime {
 struct Plan {
   enum class Outcome { plan, no_plan, nothing_to_do };
   Outcome outcome = Outcome::nothing_to_do;
-  /// With `plan` and `nothing_to_do`: the one that the first answer told. With `no_plan`: the one that was aimed at, if
-  /// any.
+  /// With `plan` and `nothing_to_do`: where it ends. With `no_plan`: the one that was aimed at, if any.
   std::optional<automata::Modes> goal_state;
   std::vector<automata::ControlAction> commands;   ///< with `plan`: at least one; idle means to wait
   std::vector<automata::Modes> states;             ///< with `plan`: before each command, and in the end

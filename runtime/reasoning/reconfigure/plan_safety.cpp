@@ -67,11 +67,20 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
   };
   for (const ComponentId c : seeds) seek(c, objective.target[c.index()]);
   while (!open.empty()) {
-    const auto [component, wanted] = open.back();
+    const ComponentId component = open.back().first;
+    const ModeId wanted = open.back().second;
     open.pop_back();
     const Policy& policy = policies_.of(component, objective.permitted);
-    const NominalTransition* t = policy.next(modes[component.index()], wanted);
-    if (t != nullptr && !t->timed) result.relied[component.index()] = true;
+    const ModeId mode = modes[component.index()];
+    const NominalTransition* t = policy.next(mode, wanted);
+    // Where time takes it to a mode that is no farther from the target, nothing is lost.
+    const bool strays =
+        std::any_of(graph_.transitions(component).begin(), graph_.transitions(component).end(),
+                    [&](const NominalTransition& leaving) {
+                      const auto& left = policy.distance(leaving.to, wanted);
+                      return leaving.from == mode && leaving.timed && (!left || policy.distance(mode, wanted) < left);
+                    });
+    if (t != nullptr && !t->timed && strays) result.relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
       for (const NominalTransition& way : graph_.transitions(component)) {
         if (is_parallel(component, way, *t, objective.permitted)) rely(component, way);

@@ -99,14 +99,30 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, c
   return std::holds_alternative<PlannedStep>(likely.first) ? likely : found;
 }
 
+/// Of what moves in a step, what its command brings about; else the first.
+static automata::ComponentId moved_by(const NominalOutcome& outcome, bool idle) {
+  const auto commanded = std::find_if(outcome.moves.begin(), outcome.moves.end(),
+                                      [&](const NominalMove& move) { return !idle && move.transition->commanded; });
+  return (commanded != outcome.moves.end() ? *commanded : outcome.moves.front()).component;
+}
+
+/// Of the components that are to move, the one for which another moves: itself, or the first on whose way it is.
+automata::ComponentId Planner::served_by(const Modes& modes, const Objective& objective, automata::ComponentId moved) {
+  if (astray(modes, objective, moved)) return moved;
+  std::optional<automata::ComponentId> first;
+  for (const automata::ComponentId c : ordered_[objective.part]) {
+    if (!astray(modes, objective, c)) continue;
+    if (followed(modes, objective, std::span(&c, 1)).moved[moved.index()]) return c;
+    if (!first) first = c;
+  }
+  return first.value_or(moved);
+}
+
 /// Uniform-cost search over the nominal successors of the whole part: fewest irreversible steps, then fewest steps.
 /// The same rules on irreversible steps hold; what is achieved may be undone on the path. Each path is one that can be
 /// gone, whatever is taken for one.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
                                const SearchSpace& space) {
-  const auto& components = ordered_[objective.part];
-  const automata::ComponentId served =
-      *std::find_if(components.begin(), components.end(), [&](auto c) { return astray(modes, objective, c); });
   bool excluded = false;
   std::unordered_map<Modes, Path, automata::ModesHash> paths;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -131,7 +147,11 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
     entry.path->settled = true;
     const Path reached = *entry.path;
     const Modes& current = reached.state;
-    if (arrived(current, objective)) return {std::move(first_steps[reached.first]), excluded, current};
+    if (arrived(current, objective)) {
+      PlannedStep& first = first_steps[reached.first];
+      first.serves = served_by(modes, objective, first.component);
+      return {std::move(first), excluded, current};
+    }
     if (++settled > search_limit || space.tried > trial_limit) {
       otherwise.reason += "; the search for another way was given up after " + std::to_string(settled - 1) + " states";
       return {std::move(otherwise), excluded, {}, true};
@@ -158,7 +178,8 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
         std::size_t first = reached.first;
         if (first == none) {
           first = first_steps.size();
-          first_steps.push_back({action, outcome.moves.front().component, served, outcome, off.empty()});
+          const automata::ComponentId moved = moved_by(outcome, off.empty());
+          first_steps.push_back({action, moved, moved, outcome, off.empty()});
         }
         offer(outcome.modes, cost, first);
       }

@@ -98,12 +98,15 @@ class Planner {
   /// The order of goals. `commands_first`: downstream first, but commands for others go out while that waits.
   enum class Order { commands_first, downstream_first, lasting_first };
   enum class Waits { safe, any };
-  /// A walk to the goal state: its first step, or why it does not get there; whether each of its waits is safe; and
+  /// A walk to the goal state: its first step, or why it does not get there; how many of its waits are unsafe; and
   /// whether it has commands `meanwhile`.
   struct Trace {
     NextStep first;
-    bool safe, asides;
+    std::size_t unsafe;  ///< waits; of a walk that leads nowhere more than any walk has
+    bool asides;
     automata::Modes end;
+    bool loses = false;  ///< on the way something that was achieved
+    [[nodiscard]] bool safe() const { return unsafe == 0; }
   };
   /// What a search finds; `excluded`: ways were left out because of unsafe waits.
   struct Found {
@@ -170,6 +173,8 @@ class Planner {
   struct Followed {
     std::vector<bool> relied, moved;
   };
+  automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,
+                                  automata::ComponentId moved);
   Followed followed(const automata::Modes& modes, const Objective& objective,
                     std::span<const automata::ComponentId> seeds);
   /// Per component, whether its mode is its goal, or what a policy that leads another there requires or commands from.

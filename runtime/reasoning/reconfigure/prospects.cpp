@@ -159,6 +159,16 @@ Permitted Prospects::permitted(const Modes& target) const {
   return permitted;
 }
 
+std::pair<std::uint64_t, std::size_t> Prospects::effort(const Modes& modes, const Modes& target) const {
+  std::pair<std::uint64_t, std::size_t> sum{0, 0};
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const ComponentId id(c);
+    sum.first += *steps(id, target[c]);
+    sum.second += modes[c] != target[c] && !commandable(id) ? 1 : 0;
+  }
+  return sum;
+}
+
 Prospects::Barrier Prospects::barrier(ComponentId component, const std::vector<bool>& wanted) const {
   const auto& own = passed_[component.index()];
   Barrier first;

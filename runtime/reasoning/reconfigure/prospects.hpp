@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "automata/state.hpp"
@@ -25,6 +26,10 @@ class Prospects {
   [[nodiscard]] const std::optional<std::uint32_t>& steps(automata::ComponentId c, automata::ModeId m) const {
     return steps_[c.index()][m.index()];
   }
+  /// What a goal state takes before all else: irreversible steps, then components moved that are not commandable. Each
+  /// of its modes can be aimed at.
+  [[nodiscard]] std::pair<std::uint64_t, std::size_t> effort(const automata::Modes& modes,
+                                                             const automata::Modes& target) const;
   /// Modes that the component can pass, on the way to one that it can be aimed at.
   [[nodiscard]] const std::vector<std::vector<bool>>& passed() const { return passed_; }
   /// Modes that it may come to with all controls idle, its own among them.

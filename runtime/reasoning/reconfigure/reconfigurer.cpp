@@ -10,9 +10,11 @@
 
 #include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/reconfigure/part_plans.hpp"
 #include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/planner.hpp"
 #include "runtime/reasoning/reconfigure/prospects.hpp"
+#include "runtime/reasoning/reconfigure/pursuit.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
 #include "runtime/reasoning/reconfigure/upkeep.hpp"
 
@@ -46,6 +48,7 @@ class PolicyReconfigurer : public Reconfigurer {
         parts_(step.plant(), graph_->restless()),
         interpreter_(step, *graph_),
         planner_(step, *graph_, parts_),
+        plans_(planner_, parts_),
         goals_(step) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
@@ -70,23 +73,8 @@ class PolicyReconfigurer : public Reconfigurer {
   /// What may be done while what is needed waits.
   enum class Beside { nothing, housekeeping };
 
-  /// The next step of one part; whether it achieves what does not last, and whether the part has to be waited for.
-  struct Offer {
-    IslandPlan plan;
-    std::size_t part;
-    bool brief, waits;
-  };
-  /// What the goal needs of a goal state, and the parts' plans for it.
-  struct Needed {
-    std::vector<ComponentId> components;
-    Modes target;  ///< the estimate, with those changes alone
-    Permitted permitted;
-    std::vector<bool> wanted;
-    std::vector<Offer> offers;
-  };
-  /// Failed plans after which those for rewards are told apart no more, and after which no more are looked for.
+  /// Failed plans after which those for rewards are told apart no more.
   static constexpr std::size_t exact_failures = 32;
-  static constexpr std::size_t failure_limit = 256;
   static constexpr std::size_t housekeeping_trials = 1u << 11;
 
   [[nodiscard]] Reconfiguration at_rest(std::optional<Modes> modes) const {
@@ -150,79 +138,23 @@ class PolicyReconfigurer : public Reconfigurer {
     return result;
   }
 
-  /// The first command that need not be put off until another part has been waited for; else the first wait; else the
-  /// first command.
-  static std::size_t best(const std::vector<Offer>& offers) {
-    const auto waiting = std::count_if(offers.begin(), offers.end(), [](const Offer& o) { return o.waits; });
-    const auto rank = [&](const Offer& o) {
-      if (o.plan.first.idle) return 1;
-      return o.brief && waiting > (o.waits ? 1 : 0) ? 2 : 0;
-    };
-    const auto at = std::min_element(offers.begin(), offers.end(),
-                                     [&](const Offer& a, const Offer& b) { return rank(a) < rank(b); });
-    return static_cast<std::size_t>(at - offers.begin());
-  }
-
-  /// Parts do not touch each other, so each is planned by itself, in the order of goals. An impasse, and its part.
-  std::optional<std::pair<Impasse, std::size_t>> plan(const Modes& modes, Objective objective,
-                                                      std::vector<Offer>& offers) {
-    std::vector<bool> planned(parts_.count());
-    for (const ComponentId c : planner_.order()) {
-      const std::size_t part = parts_.of(c);
-      if (!objective.wanted[c.index()] || modes[c.index()] == objective.target[c.index()] || planned[part]) continue;
-      planned[part] = true;
-      objective.part = part;
-      auto found = planner_.next(modes, objective);
-      if (auto* impasse = std::get_if<Impasse>(&found)) return std::pair{std::move(*impasse), part};
-      auto& way = std::get<IslandPlan>(found);
-      const bool brief = planner_.is_brief(way.first, objective);
-      offers.push_back({std::move(way), part, brief, planner_.has_waits(modes, objective)});
-    }
-    return std::nullopt;
-  }
-
   /// First what the goal needs.
   Reconfiguration towards(const Modes& modes, Asked& asked, Beside meanwhile) {
     const Goal& goal = asked.goal;
     const Prospects prospects(*graph_, modes, goal, false);
     planner_.renew_budget();
-    Needed needed;
-    std::size_t failures = 0;
-    std::optional<Impasse> obstacle;
-    std::optional<Modes> refused;
-    auto interpreted = interpreter_.interpret(
-        modes, goal, prospects, [&](const Modes& candidate) -> std::optional<std::vector<ComponentId>> {
-          needed = Needed{interpreter_.needed(modes, candidate, goal), modes, {}, std::vector<bool>(modes.size()), {}};
-          for (const ComponentId c : needed.components) {
-            needed.target[c.index()] = candidate[c.index()];
-            needed.wanted[c.index()] = true;
-          }
-          // What the goal asks for and has is to be there still, or again.
-          for (std::size_t c = 0; c < modes.size(); ++c) {
-            needed.wanted[c] = needed.wanted[c] || goal.restricts(ComponentId(c));
-          }
-          needed.permitted = prospects.permitted(needed.target);
-          auto failed = plan(modes, {needed.target, needed.permitted, 0, needed.wanted}, needed.offers);
-          if (!failed) return std::nullopt;
-          if (!obstacle) {
-            obstacle = std::move(failed->first);
-            refused = candidate;
-          }
-          std::vector<ComponentId> blamed;
-          if (++failures >= failure_limit) return blamed;
-          for (const ComponentId c : needed.components) {
-            if (parts_.of(c) == failed->second) blamed.push_back(c);
-          }
-          return blamed;
-        });
+    Pursuit pursuit(step_, interpreter_, plans_, parts_, modes, goal, prospects);
+    auto interpreted = pursuit.run();
     checked_ += interpreter_.checked();
     if (auto* impasse = std::get_if<Impasse>(&interpreted)) {
-      Impasse barred = obstacle ? std::move(*obstacle) : std::move(*impasse);
+      Impasse barred = std::move(*impasse);
+      barred.why.conjunct = open_conjunct(modes, goal, barred.component);
       barred.why.purpose = Reason::Purpose::goal;
-      barred.why.conjunct = open_conjunct(modes, goal, {});
-      return refusal(std::move(barred), std::move(refused));
+      auto alone = barred_alone(modes, goal);
+      return alone ? std::move(*alone) : refusal(std::move(barred), pursuit.refused());
     }
-    const PlannedStep& step = needed.offers[best(needed.offers)].plan.first;
+    const Needed& needed = pursuit.needed();
+    const PlannedStep& step = PartPlans::best(needed.offers);
     Reconfiguration result;
     const bool waits = step.idle && meanwhile == Beside::housekeeping;
     if (auto aside = waits ? beside(modes, std::get<Modes>(interpreted), needed, prospects, asked) : std::nullopt) {
@@ -235,9 +167,30 @@ class PolicyReconfigurer : public Reconfigurer {
     return result;
   }
 
+  /// The answer to the first conjunct that has no plan by itself; nothing where each has one.
+  std::optional<Reconfiguration> barred_alone(const Modes& modes, const Goal& goal) {
+    const std::vector<Formula> conjuncts = conjuncts_of(goal.formula());
+    const auto now = assignments_of(step_.plant(), modes);
+    for (std::uint32_t i = 0; i < conjuncts.size() && conjuncts.size() > 1; ++i) {
+      if (step_.theory().entails(now, step_.theory().encode(conjuncts[i]))) continue;
+      const Goal alone(conjuncts[i], step_.plant(), step_.theory());
+      const Prospects prospects(*graph_, modes, alone, false);
+      planner_.renew_budget();
+      Pursuit pursuit(step_, interpreter_, plans_, parts_, modes, alone, prospects);
+      auto interpreted = pursuit.run();
+      checked_ += interpreter_.checked();
+      if (auto* impasse = std::get_if<Impasse>(&interpreted)) {
+        impasse->why.purpose = Reason::Purpose::goal;
+        impasse->why.conjunct = i;
+        return refusal(std::move(*impasse), pursuit.refused());
+      }
+    }
+    return std::nullopt;
+  }
+
   /// What housekeeping aims at where the plan for what is needed ends; nothing where the goal is not entailed there.
   std::optional<Modes> aim(const Modes& modes, const Needed& needed, Asked& asked) {
-    Modes end = end_of(modes, needed.offers);
+    Modes end = plans_.end_of(modes, needed.offers);
     auto& aims = asked.memory.aims;
     if (const auto known = aims.find(end); known != aims.end()) return known->second;
     if (!interpreter_.entailed(end, asked.goal) || !step_.possible(end)) return std::nullopt;
@@ -262,11 +215,13 @@ class PolicyReconfigurer : public Reconfigurer {
       aim[c.index()] = target[c.index()];
       std::vector<bool> wanted(modes.size());
       wanted[c.index()] = true;
+      std::vector<bool> resting = way;
+      resting[c.index()] = false;
       const auto others_rest = [&](const Modes& after) {
         for (std::size_t i = 0; i < after.size(); ++i) {
-          if (way[i] && i != c.index() && after[i] != modes[i]) return false;
+          if (resting[i] && after[i] != modes[i]) return false;
         }
-        return upkeep.keeps(standing, after);
+        return upkeep.leaves(resting, standing, after, needed.target) && upkeep.keeps(standing, after);
       };
       const Permitted permitted = prospects.permitted(aim);
       planner_.renew_budget(housekeeping_trials);
@@ -301,10 +256,11 @@ class PolicyReconfigurer : public Reconfigurer {
             wanted[c] = moved[c] || prospects.commandable(ComponentId(c));
           }
           const Permitted permitted = prospects.permitted(candidate);
-          const auto failed = plan(modes, {candidate, permitted, 0, wanted, keeps, std::move(moved), number}, offers);
+          const auto failed =
+              plans_.plan(modes, {candidate, permitted, 0, wanted, keeps, std::move(moved), number}, offers);
           if (!failed) return std::nullopt;
           std::vector<ComponentId> blamed;
-          if (++failures >= failure_limit) return blamed;
+          if (++failures >= Pursuit::failure_limit) return blamed;
           for (const ComponentId c : parts_.components(failed->second)) {
             if (failures < exact_failures || candidate[c.index()] != modes[c.index()]) blamed.push_back(c);
           }
@@ -313,18 +269,9 @@ class PolicyReconfigurer : public Reconfigurer {
     checked_ += interpreter_.checked();
     if (std::holds_alternative<Impasse>(interpreted) || offers.empty()) return achieved(modes);
     const Modes& target = std::get<Modes>(interpreted);
-    Reconfiguration result = told(modes, offers[best(offers)].plan.first, target, goal, Reason::Purpose::reward);
-    result.goal_state = end_of(modes, offers);
+    Reconfiguration result = told(modes, PartPlans::best(offers), target, goal, Reason::Purpose::reward);
+    result.goal_state = plans_.end_of(modes, offers);
     return result;
-  }
-
-  /// Where the parts' plans end.
-  [[nodiscard]] Modes end_of(const Modes& modes, const std::vector<Offer>& offers) const {
-    Modes end = modes;
-    for (const Offer& offer : offers) {
-      for (const ComponentId c : parts_.components(offer.part)) end[c.index()] = offer.plan.end[c.index()];
-    }
-    return end;
   }
 
   Upkeep& upkeep_of(Asked& asked) {
@@ -372,6 +319,7 @@ class PolicyReconfigurer : public Reconfigurer {
   Parts parts_;
   GoalInterpreter interpreter_;
   Planner planner_;
+  PartPlans plans_;
   RecentGoals<Memory> goals_;
   std::uint64_t numbers_ = 0;  ///< given so far
   std::size_t checked_ = 0;

@@ -41,7 +41,7 @@ WholeRewards whole_rewards(const automata::Plant& plant) {
     count += 1;
   }
   const double room = std::ldexp(1.0, 53) / (count * count);
-  while (finest < 0 && spread * std::pow(10.0, -finest) > room) ++finest;
+  while (spread * std::pow(10.0, -finest) > room) ++finest;
   WholeRewards whole;
   for (const automata::Component& component : plant.components) {
     auto& units = whole.emplace_back();

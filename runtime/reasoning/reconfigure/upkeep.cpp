@@ -113,6 +113,43 @@ std::vector<bool> Upkeep::losable(const Modes& modes) {
   return result;
 }
 
+Upkeep::Standing Upkeep::standing(const Modes& modes) {
+  Standing standing{had(modes), losable(modes), {}};
+  standing.drift = drift_;
+  return standing;
+}
+
+std::vector<std::size_t> Upkeep::steps_to(ComponentId component, automata::ModeId aim) const {
+  const auto& transitions = graph_.transitions(component);
+  std::vector<std::size_t> steps(drift_[component.index()].size(), transitions.size() + 1);
+  steps[aim.index()] = 0;
+  for (bool fewer = true; fewer;) {
+    fewer = false;
+    for (const NominalTransition& t : transitions) {
+      if (!t.possible || steps[t.to.index()] + 1 >= steps[t.from.index()]) continue;
+      steps[t.from.index()] = steps[t.to.index()] + 1;
+      fewer = true;
+    }
+  }
+  return steps;
+}
+
+bool Upkeep::leaves(const std::vector<bool>& some, const Standing& before, const Modes& after, const Modes& target) {
+  follow(after);
+  return std::all_of(involved_.begin(), involved_.end(), [&](ComponentId c) {
+    if (!some[c.index()]) return true;
+    const auto& could = before.drift[c.index()];
+    const auto& can = drift_[c.index()];
+    const automata::ModeId aim = target[c.index()];
+    if (could[aim.index()] && !can[aim.index()]) return false;
+    const std::vector<std::size_t> steps = steps_to(c, aim);
+    for (std::size_t m = 0; m < can.size(); ++m) {
+      if (can[m] && !could[m] && steps[m] > steps[after[c.index()].index()]) return false;
+    }
+    return true;
+  });
+}
+
 bool Upkeep::keeps(const Standing& before, const Modes& after) {
   const std::vector<bool> now = had(after);
   for (std::size_t part = 0; part < now.size(); ++part) {

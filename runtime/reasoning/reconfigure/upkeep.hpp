@@ -24,11 +24,19 @@ class Upkeep {
   struct Standing {
     std::vector<bool> had;      ///< the part is so
     std::vector<bool> losable;  ///< it may be lost by itself, where it is so
+    /// By component, by mode: whether it may come to that by itself; of those that matter.
+    std::vector<std::vector<bool>> drift;
   };
-  Standing standing(const automata::Modes& modes) { return {had(modes), losable(modes)}; }
+  Standing standing(const automata::Modes& modes);
 
   /// Whether each part that was had is there in the modes, and can be lost by itself only if it could before.
   bool keeps(const Standing& before, const automata::Modes& after);
+
+  /// Whether those of some components that matter can come by themselves to the modes in `target` if they could before,
+  /// and to no others than before but such as are no farther from there: what is on the way of a wait goes on as it
+  /// would, or better.
+  bool leaves(const std::vector<bool>& some, const Standing& before, const automata::Modes& after,
+              const automata::Modes& target);
 
  private:
   /// By part: whether it is so; whether it may be lost by itself, where it is.
@@ -37,6 +45,9 @@ class Upkeep {
   /// The modes that the components that matter may come to by themselves, in `drift_`.
   void follow(const automata::Modes& modes);
   bool rest_may_fail();
+  /// By mode of a component: nominal transitions from there to one of its modes, more than there are where none lead
+  /// there.
+  [[nodiscard]] std::vector<std::size_t> steps_to(automata::ComponentId component, automata::ModeId aim) const;
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;

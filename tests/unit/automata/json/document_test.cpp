@@ -84,7 +84,22 @@ Document sample() {
                                    Ticks::of_seconds(60),
                                    "expect truth …",
                                    {}});
-  return {{plant}, {program}, {sample_model()}, {scenario}};
+  Document document{{plant}, {program}, {}, {scenario}};
+  add_model(document, sample_model());
+  ModelProgram flown = sample_model();
+  flown.components = {{flown.variables.find("x").value(), {ValueId(1)}}};
+  Program bound = program;
+  bound.variables = flown.variables;
+  bound.locations[1].goal = {{flown.components.front().mode, ValueId(1)}};
+  bound.locations[1].arcs.clear();
+  document.programs.push_back(bound);
+  Scenario over_model;
+  over_model.name = "software";
+  over_model.program = 1;
+  over_model.model = add_model(document, flown);
+  over_model.forced.push_back({Ticks::of_seconds(5), ComponentId(0), ModeId(1), {"a.scn", 9, 1}});
+  document.scenarios.push_back(over_model);
+  return document;
 }
 
 TEST(Document, RoundTripKeepsEverythingAndEveryByte) {
@@ -107,16 +122,25 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
       EXPECT_THAT(error.what(), testing::HasSubstr(why)) << pointer;
     }
   };
-  refuses("/version", 2, "/version: expected 1");
-  refuses("/plants/0/components/0/initial/0", 1.5, "/plants/0/components/0/initial/0: expected a probability");
-  refuses("/plants/0/components/0/initial/0", 0.1, "sum to 1");
-  refuses("/plants/0/components/0/transitions/0/to", "onn", "not 'onn'");
-  refuses("/plants/0/components/0/transitions/0/timing/lower", "inf", "lower finite");
-  refuses("/plants/0/components/0/transitions/0/timing/lower", -5, "whole n");
-  refuses("/plants/0/variables/1/name", "pump", "a name that is new");
+  refuses("/version", 1, "/version: expected 2");
+  refuses("/plants/0/types/0/components/0/initial/0", 1.5,
+          "/plants/0/types/0/components/0/initial/0: expected a probability");
+  refuses("/plants/0/types/0/components/0/initial/0", 0.1, "sum to 1");
+  refuses("/plants/0/types/0/components/0/transitions/0/to", "onn", "not 'onn'");
+  refuses("/plants/0/types/0/components/0/transitions/0/timing/lower", "inf", "lower finite");
+  refuses("/plants/0/types/0/components/0/transitions/0/timing/lower", -5, "whole n");
+  refuses("/plants/0/types/0/variables/1/name", "", "a name that is new");
   refuses("/plants/0/interconnections/0/constraint", Json::object(),
           "/plants/0/interconnections/0/constraint: expected a formula");
   refuses("/plants/0/controls/0/variable", "pump", "attribute");
+  refuses("/plants/0/instances/0/type", "Pomp", "expected the name of a type before, not 'Pomp'");
+  refuses("/plants/0/instances/0/name", "", "/plants/0/instances/0/name: expected a name without dots");
+  refuses("/plants/0/instances/0/name", "a.b", "expected a name without dots");
+  refuses("/plants/0/instances/1", {{"name", "pump"}, {"type", "Pump"}}, "expected a name that is new");
+  refuses("/plants/0/instances/0/initial", {1, 0}, "expected a probability for each mode");
+  refuses("/plants/0/types/1", good["plants"][0]["types"][0], "/plants/0/types/1/name: expected a name that is new");
+  refuses("/programs/0/plant", 1, "/programs/0/plant: expected a whole number below 1");
+  refuses("/programs/0/variables", Json::array(), "expected a plant or variables, not both");
   refuses("/plants/0/name", "P\x1b[31m", "without control characters");
   refuses("/programs/0/locations/1/arcs/0/target", 3, "below 3");
   refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
@@ -167,7 +191,7 @@ TEST(Document, KeysThatItDoesNotHaveAreRefusedAnywhere) {
 
 TEST(Document, TwoWeightsOfOneTransitionAreRefused) {
   Json bad = to_json(sample());
-  bad["plants"][0]["components"][0]["transitions"][1]["probability"] = 0.5;
+  bad["plants"][0]["types"][0]["components"][0]["transitions"][1]["probability"] = 0.5;
   EXPECT_THROW(document_from_json(bad), JsonError);
 }
 

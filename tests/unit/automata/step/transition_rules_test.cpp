@@ -50,6 +50,16 @@ TEST_F(Rules, FaultsThatReachOneLeaveNothing) {
   EXPECT_EQ(moves(s(1), s(1)).size(), 1u);
 }
 
+TEST_F(Rules, FaultsOfMoreThanOneShareTheStep) {
+  add(2, std::nullopt, {Weight::Kind::probability, 0.9});
+  add(1, std::nullopt, {Weight::Kind::rate, 1e6});
+  component.modes[1].fault = true;
+  const auto both = moves(s(1), s(1));
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_DOUBLE_EQ(both[0].probability, 1 / 1.9);
+  EXPECT_DOUBLE_EQ(both[1].probability, 0.9 / 1.9);
+}
+
 TEST_F(Rules, WhatIsPossibleHasAProbability) {
   add(1, Timing{s(0), Ticks::infinite(), {Density::Kind::normal, 1e9, 1}}, {});
   const auto early = moves(s(1), s(1));  // a billion standard deviations before the mean

@@ -158,6 +158,15 @@ TEST_F(PlantErrors, ModulesThatMultiplyEndInAnError) {
   EXPECT_THAT(found.front(), HasSubstr("RMPL0010"));
 }
 
+TEST_F(PlantErrors, NothingMoreIsSaidOfWhatHasNoRoom) {
+  std::string text = "component C { output x : { p, q }; mode m; initial m; }\nmodule M0 { c : C; }\n";
+  for (int i = 1; i < 20; ++i) {
+    text += "module M" + std::to_string(i) + " { a, b : M" + std::to_string(i - 1) + "; }\n";
+  }
+  const auto found = errors("p.tcca", text + "plant P { m, n : M19; o : M19; o.a.b.c.x = n.b.c.x; observe o.c.x; }\n");
+  EXPECT_THAT(found, ElementsAre(HasSubstr("RMPL0010")));
+}
+
 TEST_F(PlantErrors, AreCollected) {
   EXPECT_THAT(
       in_component("m -> o; m -> f; m -> n when q = x in [2 s, 1 s];"),

@@ -1,0 +1,37 @@
+// One untimed transition after the other.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/reconfigure/lasting.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rmpl::runtime {
+
+using automata::ComponentId;
+
+std::optional<std::vector<ComponentId>> undone_by_itself(automata::Modes state, const std::vector<bool>& wanted,
+                                                         const Goal& goal, automata::PlantStep& step,
+                                                         GoalInterpreter& interpreter) {
+  const automata::ControlAction idle = idle_action(step.plant());
+  if (!step.possible(state) || !step.permits(state, idle)) return std::nullopt;
+  for (std::size_t c = 0; c < state.size(); ++c) {
+    if (!wanted[c]) continue;
+    const ComponentId component(c);
+    for (const automata::TransitionId id : step.enabled(component, state, idle).untimed) {
+      const automata::Transition& t = step.plant()[component].transitions[id.index()];
+      if (t.to == t.from) continue;
+      const automata::ModeId here = std::exchange(state[c], t.to);
+      const bool kept = interpreter.entailed(state, goal);
+      state[c] = here;
+      if (kept) continue;
+      std::vector<ComponentId> blamed = step.locality().support_of(t.guard).components;
+      blamed.push_back(component);
+      std::sort(blamed.begin(), blamed.end());
+      blamed.erase(std::unique(blamed.begin(), blamed.end()), blamed.end());
+      return blamed;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rmpl::runtime

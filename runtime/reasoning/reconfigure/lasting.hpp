@@ -1,0 +1,23 @@
+// Whether a goal that is achieved lasts.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/goal.hpp"
+#include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
+
+namespace rmpl::runtime {
+
+/// In a state that entails the goal, all controls idle, an untimed transition of a component that is `wanted` may take
+/// the goal away again, as that of a load does that has lost its supply. Which components are to blame: that one, and
+/// those that its guard reads. Nothing where it lasts, as far as untimed transitions can tell.
+std::optional<std::vector<automata::ComponentId>> undone_by_itself(automata::Modes state,
+                                                                   const std::vector<bool>& wanted, const Goal& goal,
+                                                                   automata::PlantStep& step,
+                                                                   GoalInterpreter& interpreter);
+
+}  // namespace rmpl::runtime
