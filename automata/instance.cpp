@@ -1,4 +1,4 @@
-// Instances: every list of the type goes behind that of the whole.
+// Instances: what is taken of every list goes behind what is there.
 // SPDX-License-Identifier: MIT
 #include "automata/instance.hpp"
 
@@ -19,25 +19,38 @@ void shift(Formula& formula, std::ptrdiff_t offset) {
   for (Formula& operand : formula.operands) shift(operand, offset);
 }
 
+void append(Plant& to, const Plant& from, const PlantStretch& stretch, Renaming renamed) {
+  const auto offset =
+      static_cast<std::ptrdiff_t>(to.variables.size()) - static_cast<std::ptrdiff_t>(stretch.variables.begin);
+  for (std::size_t v = stretch.variables.begin; v < stretch.variables.end; ++v) {
+    const Variable& variable = from.variables[VariableId(v)];
+    to.variables.add({renamed(variable.name), variable.values});
+  }
+  for (std::size_t c = stretch.components.begin; c < stretch.components.end; ++c) {
+    Component& component = to.components.emplace_back(from.components[c]);
+    component.name = renamed(component.name);
+    shift(component.mode, offset);
+    for (Mode& mode : component.modes) shift(mode.constraint, offset);
+    for (Transition& transition : component.transitions) shift(transition.guard, offset);
+  }
+  for (std::size_t q = stretch.interconnections.begin; q < stretch.interconnections.end; ++q) {
+    shift(to.interconnections.emplace_back(from.interconnections[q]).constraint, offset);
+  }
+  for (std::size_t c = stretch.controls.begin; c < stretch.controls.end; ++c) {
+    shift(to.controls.emplace_back(from.controls[c]).variable, offset);
+  }
+  for (std::size_t o = stretch.observables.begin; o < stretch.observables.end; ++o) {
+    shift(to.observables.emplace_back(from.observables[o]), offset);
+  }
+}
+
 void instantiate(Plant& whole, std::string_view instance, const Plant& type) {
-  const auto offset = static_cast<std::ptrdiff_t>(whole.variables.size());
-  for (const Variable& variable : type.variables) {
-    whole.variables.add({qualified(instance, variable.name), variable.values});
-  }
-  for (const Component& component : type.components) {
-    Component& copy = whole.components.emplace_back(component);
-    copy.name = qualified(instance, component.name);
-    shift(copy.mode, offset);
-    for (Mode& mode : copy.modes) shift(mode.constraint, offset);
-    for (Transition& transition : copy.transitions) shift(transition.guard, offset);
-  }
-  for (const Interconnection& interconnection : type.interconnections) {
-    shift(whole.interconnections.emplace_back(interconnection).constraint, offset);
-  }
-  for (const Control& control : type.controls) {
-    shift(whole.controls.emplace_back(control).variable, offset);
-  }
-  for (const VariableId observable : type.observables) shift(whole.observables.emplace_back(observable), offset);
+  const PlantStretch all{{0, type.variables.size()},
+                         {0, type.components.size()},
+                         {0, type.interconnections.size()},
+                         {0, type.controls.size()},
+                         {0, type.observables.size()}};
+  append(whole, type, all, [&](const std::string& name) { return qualified(instance, name); });
 }
 
 }  // namespace rmpl::automata

@@ -90,16 +90,9 @@ class Print {
   std::uint64_t hash_ = base::hash_seed;
 };
 
-/// From one of a list to before another.
-struct Range {
-  std::size_t begin = 0, end = 0;
-  [[nodiscard]] bool has(std::size_t i) const { return i >= begin && i < end; }
-};
-
 /// The neighbours that may be one instance.
-struct Stretch {
+struct Stretch : PlantStretch {
   std::string name;
-  Range variables, components, interconnections, controls, observables;
 
   [[nodiscard]] bool has(VariableId id) const { return variables.has(id.index()); }
   [[nodiscard]] bool has(const Formula& formula) const {
@@ -136,7 +129,8 @@ std::optional<Division> division_of(const Plant& plant) {
     return name.empty() || (name.find('.') == std::string::npos && !modes.contains(VariableId(v)));
   };
   while (own.variables < plant.variables.size() && is_own(own.variables)) ++own.variables;
-  const Stretch itself{{}, {0, own.variables}, {}, {}, {}, {}};
+  Stretch itself;
+  itself.variables.end = own.variables;
   while (own.components < plant.components.size() && itself.has(plant.components[own.components].mode)) {
     if (!itself.has(plant.components[own.components++])) return std::nullopt;
   }
@@ -188,28 +182,8 @@ std::optional<Division> division_of(const Plant& plant) {
 Plant cut(const Plant& plant, const Stretch& stretch) {
   const std::size_t prefix = stretch.name.size() + 1;
   const auto local = [&](const std::string& name) { return name.size() < prefix ? "" : name.substr(prefix); };
-  const auto offset = -static_cast<std::ptrdiff_t>(stretch.variables.begin);
   Plant part;
-  for (std::size_t v = stretch.variables.begin; v < stretch.variables.end; ++v) {
-    const Variable& variable = plant.variables[VariableId(v)];
-    part.variables.add({local(variable.name), variable.values});
-  }
-  for (std::size_t c = stretch.components.begin; c < stretch.components.end; ++c) {
-    Component& component = part.components.emplace_back(plant.components[c]);
-    component.name = local(component.name);
-    shift(component.mode, offset);
-    for (Mode& mode : component.modes) shift(mode.constraint, offset);
-    for (Transition& transition : component.transitions) shift(transition.guard, offset);
-  }
-  for (std::size_t q = stretch.interconnections.begin; q < stretch.interconnections.end; ++q) {
-    shift(part.interconnections.emplace_back(plant.interconnections[q]).constraint, offset);
-  }
-  for (std::size_t c = stretch.controls.begin; c < stretch.controls.end; ++c) {
-    shift(part.controls.emplace_back(plant.controls[c]).variable, offset);
-  }
-  for (std::size_t o = stretch.observables.begin; o < stretch.observables.end; ++o) {
-    shift(part.observables.emplace_back(plant.observables[o]), offset);
-  }
+  append(part, plant, stretch, local);
   return part;
 }
 

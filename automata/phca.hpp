@@ -74,6 +74,9 @@ struct CommandedVariable {
   bool operator==(const CommandedVariable&) const = default;
 };
 
+/// A value for each commanded variable of a model program, by position; nothing where it is unknown.
+using Command = std::vector<std::optional<ValueId>>;
+
 /// A component of a plant whose modes became locations (semantics 8, "A model program in a plant").
 struct ModelledComponent {
   VariableId mode;              ///< its values are the modes; no sensor reads it

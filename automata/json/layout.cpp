@@ -24,8 +24,7 @@ class Layout {
       return;
     }
     const std::size_t before = text_.size();
-    const std::size_t used = text_.size() - line_ + behind;
-    if (used < width && on_line(json, before + width - used)) return;
+    if (before + behind < line_ + width && on_line(json, line_ + width - behind)) return;
     text_.resize(before);
     text_ += json.is_object() ? '{' : '[';
     bool first = true;
@@ -35,7 +34,7 @@ class Layout {
       text_ += '\n';
       line_ = text_.size();
       text_.append(indent + 2, ' ');
-      if (json.is_object()) text_ += Json(item.key()).dump() + ": ";
+      if (json.is_object()) write_key(item.key());
       write(*item, indent + 2, 1);
     }
     text_ += '\n';
@@ -55,11 +54,16 @@ class Layout {
     for (auto item = json.begin(); item != json.end(); ++item) {
       if (!first) text_ += ", ";
       first = false;
-      if (json.is_object()) text_ += Json(item.key()).dump() + ": ";
+      if (json.is_object()) write_key(item.key());
       if (!on_line(*item, limit)) return false;
     }
     text_ += json.is_object() ? '}' : ']';
     return text_.size() <= limit;
+  }
+
+  void write_key(const std::string& key) {
+    text_ += Json(key).dump();
+    text_ += ": ";
   }
 
   std::string text_;

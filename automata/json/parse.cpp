@@ -32,7 +32,7 @@ class Reader : public nlohmann::json_sax<Json> {
   bool number_float(double value, const std::string&) override { return add(value); }
   bool string(std::string& value) override { return add(std::move(value)); }
   bool binary(Json::binary_t& value) override { return add(std::move(value)); }
-  bool start_object(std::size_t) override { return open(object_with_room(usual_keys)); }
+  bool start_object(std::size_t) override { return open(Json::object()); }
   bool start_array(std::size_t) override { return open(Json::array()); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
@@ -45,6 +45,7 @@ class Reader : public nlohmann::json_sax<Json> {
       return true;
     }
     if (members.size() > few_keys) open_.back().keys.insert(name);
+    if (members.empty()) members.reserve(usual_keys);
     // Not `emplace`, which looks through all that are there.
     members.emplace_back(std::move(name), Json());
     slot_ = &members.back().second;

@@ -260,6 +260,18 @@ bool Theory::allows_other(std::span<const Assignment> assumptions, Assignment as
   return solve(assumptions, -literal(assignment));
 }
 
+bool Theory::leaves_open(std::span<const Assignment> assumptions, Assignment assignment) {
+  const Literal read = literal(assignment);
+  if (!value(read)) return true;
+  if (maintenance_ && maintenance_->follows(read)) {
+    conflict_.clear();
+    maintenance_->explain(read);
+    blame(assumptions, *maintenance_);
+    return false;
+  }
+  return allows_other(assumptions, assignment);
+}
+
 std::vector<Assignment> Theory::minimal_conflict(std::vector<Assignment> conflict, Handle formula) {
   for (std::size_t i = 0; i < conflict.size();) {
     std::vector<Assignment> less = conflict;

@@ -49,12 +49,15 @@ class Theory {
   bool allows(std::span<const Assignment> assumptions, Handle formula);
   /// Whether store and assumptions can hold together with another value of the variable.
   bool allows_other(std::span<const Assignment> assumptions, Assignment assignment);
+  /// The same, where `consistent` of these assumptions was the last question and was answered by yes: the model that it
+  /// found, or what is known to follow, most often tells, and no question is asked.
+  bool leaves_open(std::span<const Assignment> assumptions, Assignment assignment);
   /// Whether store and assumptions imply the formula; an inconsistent store implies everything.
   bool entails(std::span<const Assignment> assumptions, Handle formula);
 
   /// After `consistent` or `allows` returned false: assumptions that contradict the store by themselves (a conflict in
-  /// the sense of livingstone), in the order in which they were given; after `entails` returned true: assumptions that
-  /// are enough for that. Not always minimal.
+  /// the sense of livingstone), in the order in which they were given; after `entails` returned true, or
+  /// one of the two above false: assumptions that are enough for that. Not always minimal.
   [[nodiscard]] const std::vector<Assignment>& conflict() const { return conflict_; }
   /// Assumptions that contradict the store by themselves, none of which can be spared: from some that do, with the
   /// formula or without. A question for each.

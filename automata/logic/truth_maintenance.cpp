@@ -291,6 +291,8 @@ void TruthMaintenance::adopt(std::span<const Literal> assumptions, const Sat& so
 
 void TruthMaintenance::explain(Literal literal) {
   const Literal from[] = {literal};
+  // What an explanation under the same assumptions blamed.
+  for (const Variable blamed : support_) blamed_[blamed] = 0;
   [[maybe_unused]] const Variable guess = trace(from);
   CHECK(guess == 0 && "what follows rests on no guess");
   for (const Variable blamed : support_) blamed_[blamed] = wanted_[blamed];

@@ -14,9 +14,6 @@
 
 namespace rmpl::automata {
 
-/// A value for each commanded variable of a model program, by position; nothing where it is unknown.
-using Command = std::vector<std::optional<ValueId>>;
-
 /// The command of some assignments of commanded variables; the others have their idle values.
 Command command_from(const ModelProgram& program, std::span<const Assignment> assignments);
 

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "automata/dependencies/marking_groups.hpp"
 #include "automata/step/marking_step.hpp"
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/best_tuples.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/marking_groups.hpp"
 #include "runtime/reasoning/estimate/marking_parts.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
 #include "runtime/reasoning/estimate/product.hpp"
@@ -253,7 +253,7 @@ class MarkingBeam final : public MarkingEstimator {
   }
 
   std::size_t k_, listed_, candidates_;
-  MarkingGroups groups_;
+  automata::MarkingGroups groups_;
   std::deque<MarkingStep> steps_;
   std::vector<Tracked> tracked_;
   MarkingEstimate estimate_;

@@ -6,11 +6,11 @@
 #include <deque>
 #include <optional>
 
+#include "automata/dependencies/marking_groups.hpp"
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/best_tuples.hpp"
 #include "runtime/reasoning/estimate/marking_beam.hpp"
 #include "runtime/reasoning/estimate/marking_filter.hpp"
-#include "runtime/reasoning/estimate/marking_groups.hpp"
 #include "runtime/reasoning/estimate/marking_parts.hpp"
 #include "runtime/reasoning/estimate/marking_window.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
@@ -120,7 +120,7 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
   }
 
   MarkingOptions options_;
-  MarkingGroups groups_;
+  automata::MarkingGroups groups_;
   std::deque<MarkingFilter> filters_;  ///< a filter stays where it is
   std::optional<MarkingWindow> window_;
   MarkingEstimate estimate_;

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "automata/dependencies/marking_groups.hpp"
 #include "automata/step/program_rules.hpp"
-#include "runtime/reasoning/estimate/marking_groups.hpp"
 
 namespace rmpl::runtime {
 
 /// `parts`: by group, composites included.
-inline automata::Marking joined(const MarkingGroups& groups, const std::vector<const automata::Marking*>& parts) {
+inline automata::Marking joined(const automata::MarkingGroups& groups,
+                                const std::vector<const automata::Marking*>& parts) {
   automata::Marking result;
   for (std::size_t g = 0; g < parts.size(); ++g) {
     for (const automata::LocationId l : *parts[g]) result.push_back(groups[g].locations[l.index()]);
@@ -22,7 +23,7 @@ inline automata::Marking joined(const MarkingGroups& groups, const std::vector<c
 }
 
 /// What the groups' markings entail of the whole program's variables.
-inline std::vector<automata::Assignment> joined(const MarkingGroups& groups,
+inline std::vector<automata::Assignment> joined(const automata::MarkingGroups& groups,
                                                 const std::vector<const std::vector<automata::Assignment>*>& parts) {
   std::vector<automata::Assignment> result = groups.always();
   for (std::size_t g = 0; g < parts.size(); ++g) {

@@ -16,7 +16,7 @@ namespace rmpl::runtime {
 using automata::Marking;
 using automata::MarkingStep;
 
-MarkingWindow::MarkingWindow(const MarkingGroups& groups, std::size_t updates, std::size_t k)
+MarkingWindow::MarkingWindow(const automata::MarkingGroups& groups, std::size_t updates, std::size_t k)
     : groups_(groups), updates_(updates), k_(k), trellis_(groups.size()) {
   for (std::size_t g = 0; g < groups.size(); ++g) steps_.emplace_back(groups[g].program, Trellis::most);
 }

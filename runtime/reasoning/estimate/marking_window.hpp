@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "automata/dependencies/marking_groups.hpp"
 #include "automata/step/marking_step.hpp"
 #include "runtime/reasoning/estimate/marking_estimator.hpp"
-#include "runtime/reasoning/estimate/marking_groups.hpp"
 #include "runtime/reasoning/estimate/trellis.hpp"
 
 namespace rmpl::runtime {
@@ -22,7 +22,7 @@ using GroupBelief = std::vector<std::pair<automata::Marking, double>>;
 class MarkingWindow {
  public:
   /// Over the last `updates`, at least 1; `k` trajectories. Keeps a reference to the groups.
-  MarkingWindow(const MarkingGroups& groups, std::size_t updates, std::size_t k);
+  MarkingWindow(const automata::MarkingGroups& groups, std::size_t updates, std::size_t k);
 
   /// Begins anew at time 0 with a belief, by group.
   void start(std::vector<GroupBelief> belief);
@@ -45,7 +45,7 @@ class MarkingWindow {
   void begin(std::size_t group);
   bool extend(std::size_t group, const Told& told, Reading reading);
 
-  const MarkingGroups& groups_;
+  const automata::MarkingGroups& groups_;
   std::size_t updates_, k_;
   std::deque<automata::MarkingStep> steps_;    ///< by group
   std::vector<Trellis> trellis_;               ///< by group

@@ -109,6 +109,7 @@ bool OpenReadings::may_be_implied(Assignment reading) {
 /// Choices of modes are looked at one by one; each that leaves the reading open, or does not allow it, rules out all
 /// that agree with it on what that rests on.
 bool OpenReadings::look_for_modes_that_imply(Assignment reading) {
+  if (implied_by(Modes(plant_.components.size()), reading)) return true;
   OptimalSearch::Costs costs;
   for (const automata::Component& component : plant_.components) costs.emplace_back(component.modes.size(), 0.0);
   OptimalSearch search(costs);
@@ -161,7 +162,8 @@ OpenReadings::Patch OpenReadings::patch(std::vector<Attribute> inside, const Mod
 
 OpenReadings::Lemma OpenReadings::work_out(const Modes& modes, Assignment reading) {
   Lemma lemma{{}, {}, false};
-  if (!step_.theory().allows_other(assignments_of(plant_, modes), reading)) {
+  if (!leaves_open(modes, reading)) {
+    if (possible_) implied_.insert_or_assign(key(reading), true);
     for (const Assignment& needed : step_.theory().conflict()) {
       lemma.components.push_back(*owner_[needed.variable.index()]);
     }
@@ -173,6 +175,23 @@ OpenReadings::Lemma OpenReadings::work_out(const Modes& modes, Assignment readin
   }
   for (const ComponentId c : lemma.components) lemma.modes.push_back(modes[c.index()]);
   return lemma;
+}
+
+/// Whether the store of the modes allows another value. Many readings are asked about under the same modes on end, and
+/// one question to the theory serves them as long as nobody else asks one.
+bool OpenReadings::leaves_open(const Modes& modes, Assignment reading) {
+  automata::Theory& theory = step_.theory();
+  if (theory.questions() != questions_ || modes != told_modes_) {
+    store_ = assignments_of(plant_, modes);
+    told_modes_ = modes;
+    possible_ = theory.consistent(store_);
+    questions_ = theory.questions();
+  }
+  return possible_ && theory.leaves_open(store_, reading);
+}
+
+bool OpenReadings::implied_by(const Modes& modes, Assignment reading) {
+  return !leaves_open(modes, reading) && possible_;
 }
 
 /// Of a reading that is open, if that shows within the limits.

@@ -62,6 +62,8 @@ class OpenReadings {
   void merge_equals();
   void index_readers();
   [[nodiscard]] Patch patch(std::vector<Attribute> inside, const automata::Modes& modes) const;
+  bool leaves_open(const automata::Modes& modes, automata::Assignment reading);
+  bool implied_by(const automata::Modes& modes, automata::Assignment reading);
   Lemma work_out(const automata::Modes& modes, automata::Assignment reading);
   bool look_for_modes_that_imply(automata::Assignment reading);
   std::optional<Patch> open_patch(const automata::Modes& modes, automata::Assignment reading);
@@ -84,6 +86,12 @@ class OpenReadings {
   std::vector<std::vector<std::uint32_t>> readers_;               ///< by attribute: positions in `told_`
   std::unordered_map<std::uint64_t, std::vector<Lemma>> lemmas_;  ///< by reading; looked up, never iterated
   std::unordered_map<std::uint64_t, bool> implied_;               ///< by reading: `may_be_implied`
+
+  // The last question to the theory that was asked for modes.
+  automata::Modes told_modes_;
+  std::vector<automata::Assignment> store_;  ///< of `told_modes_`
+  std::size_t questions_ = 0;                ///< that were asked in all when it was answered
+  bool possible_ = false;
 
   // While one reading is worked out.
   const automata::Modes* modes_ = nullptr;

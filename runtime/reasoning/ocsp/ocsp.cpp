@@ -14,19 +14,6 @@ void ConflictSet::add(Conflict conflict) {
   std::sort(conflict.begin(), conflict.end());
   if (std::find(conflicts_.begin(), conflicts_.end(), conflict) != conflicts_.end()) return;
   conflicts_.push_back(std::move(conflict));
-  disagreement_.push_back(0);
-}
-
-const Conflict* ConflictSet::contained_in(std::span<const std::uint32_t> candidate) const {
-  for (std::size_t i = 0; i < conflicts_.size(); ++i) {
-    const Conflict& conflict = conflicts_[i];
-    const auto disagrees = [&](const Decision& d) { return candidate[d.variable] != d.value; };
-    if (!conflict.empty() && disagrees(conflict[disagreement_[i]])) continue;
-    const auto found = std::find_if(conflict.begin(), conflict.end(), disagrees);
-    if (found == conflict.end()) return &conflict;
-    disagreement_[i] = static_cast<std::uint32_t>(found - conflict.begin());
-  }
-  return nullptr;
 }
 
 namespace {
@@ -64,7 +51,12 @@ void OptimalSearch::restart(std::span<const Domain* const> domains, std::shared_
   conflicts_ = conflicts ? std::move(conflicts) : std::make_shared<ConflictSet>();
   candidate_.assign(domains.size(), 0);
   rank_.assign(domains.size(), 0);
-  fixed_.assign(domains.size(), 0);
+  deviating_.clear();
+  fixed_in_.assign(domains.size(), 0);
+  split_number_ = 0;
+  of_cheapest_.clear();
+  first_watched_.assign(domains.size(), none);
+  next_watched_.clear();
   queue_.clear();
   splits_.clear();
   alternatives_.clear();
@@ -97,6 +89,7 @@ void OptimalSearch::restart(std::span<const Domain* const> domains, std::shared_
     if (choices.empty()) return;
     root.cost += choices.front().units;
   }
+  for (std::size_t x = 0; x < choices_.size(); ++x) candidate_[x] = choices_[x].front().value;
   push(root);
 }
 
@@ -105,7 +98,7 @@ OptimalSearch::Outcome OptimalSearch::next(const Check& check) {
   while (!queue_.empty()) {
     const Node node = queue_.front();
     take_candidate(node);
-    const Conflict* known = conflicts_->contained_in(candidate_);
+    const Conflict* known = known_conflict(node);
     if (known == nullptr && budget_ == 0) return Outcome::budget;
 
     std::pop_heap(queue_.begin(), queue_.end(), by_priority);
@@ -132,6 +125,7 @@ OptimalSearch::Outcome OptimalSearch::next(const Check& check) {
     } else {
       split(node, *conflict);
     }
+    if (budget_ == 0 && !queue_.empty()) return Outcome::budget;
   }
   return Outcome::exhausted;
 }
@@ -180,12 +174,13 @@ const OptimalSearch::Alternative& OptimalSearch::alternative(std::uint32_t split
   Split& parent = splits_[split];
   const auto begin = alternatives_.begin() + static_cast<std::ptrdiff_t>(parent.alternatives.begin);
   if (position >= parent.in_order) {
-    const auto earlier = [this](const Alternative& a, const Alternative& b) {
+    const auto earlier = [&](const Alternative& a, const Alternative& b) {
       if (a.delta != b.delta) return a.delta < b.delta;
       if (a.variable == b.variable) return false;
       const Alternative& first = a.variable < b.variable ? a : b;
       const std::span<const PricedValue> choices = choices_[first.variable];
-      const bool first_is_smaller = choices[first.rank].value < choices[first.rank - 1].value;
+      const std::uint32_t present = choices[rank_in(parent.node, first.variable)].value;
+      const bool first_is_smaller = choices[first.rank].value < present;
       return first_is_smaller == (a.variable < b.variable);
     };
     const std::uint32_t wanted = std::min(parent.alternatives.size, std::max(4u, 4 * parent.in_order));
@@ -195,28 +190,89 @@ const OptimalSearch::Alternative& OptimalSearch::alternative(std::uint32_t split
   return begin[static_cast<std::ptrdiff_t>(position)];
 }
 
+std::uint32_t OptimalSearch::rank_in(const Node& node, std::uint32_t variable) const {
+  for (const Deviation& deviation : std::span(deviations_).subspan(node.deviations.begin, node.deviations.size)) {
+    if (deviation.variable == variable) return deviation.rank;
+  }
+  return 0;
+}
+
 void OptimalSearch::take_candidate(const Node& node) {
-  std::fill(rank_.begin(), rank_.end(), 0);
+  const auto take = [this](std::uint32_t variable, std::uint32_t rank) {
+    rank_[variable] = rank;
+    candidate_[variable] = choices_[variable][rank].value;
+  };
+  for (const std::uint32_t variable : deviating_) take(variable, 0);
+  deviating_.clear();
   for (std::uint32_t i = 0; i < node.deviations.size; ++i) {
     const Deviation& deviation = deviations_[node.deviations.begin + i];
-    rank_[deviation.variable] = deviation.rank;
+    take(deviation.variable, deviation.rank);
+    deviating_.push_back(deviation.variable);
   }
-  for (std::size_t x = 0; x < choices_.size(); ++x) candidate_[x] = choices_[x][rank_[x]].value;
+}
+
+/// Other searches may have found some.
+void OptimalSearch::watch_new_conflicts() {
+  const std::vector<Conflict>& conflicts = conflicts_->conflicts();
+  for (std::size_t i = next_watched_.size(); i < conflicts.size(); ++i) {
+    const auto watched = std::find_if(conflicts[i].begin(), conflicts[i].end(), [this](const Decision& d) {
+      return choices_[d.variable].front().value != d.value;
+    });
+    if (watched == conflicts[i].end()) {
+      of_cheapest_.push_back(static_cast<std::uint32_t>(i));
+      next_watched_.push_back(none);
+    } else {
+      next_watched_.push_back(std::exchange(first_watched_[watched->variable], static_cast<std::uint32_t>(i)));
+    }
+  }
+}
+
+/// The first conflict, in order of adding, that the node's candidate holds; null where there is none. It lasts until
+/// the next is added.
+const Conflict* OptimalSearch::known_conflict(const Node& node) {
+  watch_new_conflicts();
+  const std::vector<Conflict>& conflicts = conflicts_->conflicts();
+  const auto held = [&](std::uint32_t i) {
+    return std::all_of(conflicts[i].begin(), conflicts[i].end(),
+                       [this](const Decision& d) { return candidate_[d.variable] == d.value; });
+  };
+  const auto of_cheapest = std::find_if(of_cheapest_.begin(), of_cheapest_.end(), held);
+  std::uint32_t first = of_cheapest == of_cheapest_.end() ? none : *of_cheapest;
+  for (const Deviation& deviation : std::span(deviations_).subspan(node.deviations.begin, node.deviations.size)) {
+    for (std::uint32_t i = first_watched_[deviation.variable]; i != none; i = next_watched_[i]) {
+      if (i < first && held(i)) first = i;
+    }
+  }
+  return first == none ? nullptr : &conflicts[first];
+}
+
+/// Whether a conflict says that the decision, which is not the cheapest of its variable, cannot be made at all.
+bool OptimalSearch::excluded(const Decision& decision) const {
+  const std::vector<Conflict>& conflicts = conflicts_->conflicts();
+  for (std::uint32_t i = first_watched_[decision.variable]; i != none; i = next_watched_[i]) {
+    if (conflicts[i].size() == 1 && conflicts[i].front() == decision) return true;
+  }
+  return false;
 }
 
 /// Divides the node, whose candidate makes all decisions of `conflict`, into the ways out of it. A variable that is
 /// fixed or has no choice left gives no way out. The candidate itself is left behind.
 void OptimalSearch::split(const Node& node, std::span<const Decision> conflict) {
-  std::fill(fixed_.begin(), fixed_.end(), std::uint8_t{0});
+  ++split_number_;
   for (const Node* ancestor = &node; ancestor->split != none; ancestor = &splits_[ancestor->split].node) {
-    for (std::uint32_t i = 0; i < ancestor->position; ++i) fixed_[alternative(ancestor->split, i).variable] = 1;
+    for (std::uint32_t i = 0; i < ancestor->position; ++i) {
+      fixed_in_[alternative(ancestor->split, i).variable] = split_number_;
+    }
   }
   const auto begin = alternatives_.size();
   for (const Decision& d : conflict) {
+    if (fixed_in_[d.variable] == split_number_) continue;
     const std::span<const PricedValue> choices = choices_[d.variable];
-    const std::uint32_t rank = rank_[d.variable];
-    if (fixed_[d.variable] != 0 || rank + 1 == choices.size()) continue;
-    alternatives_.push_back({d.variable, rank + 1, choices[rank + 1].units - choices[rank].units});
+    const std::uint32_t present = rank_[d.variable];
+    std::uint32_t rank = present + 1;
+    while (rank < choices.size() && excluded({d.variable, choices[rank].value})) ++rank;
+    if (rank == choices.size()) continue;
+    alternatives_.push_back({d.variable, rank, choices[rank].units - choices[present].units});
   }
   if (alternatives_.size() == begin) return;
   splits_.push_back(

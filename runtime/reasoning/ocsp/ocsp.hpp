@@ -32,16 +32,10 @@ class ConflictSet {
  public:
   /// Keeps a conflict, in order of variable; one that is there already is not kept twice.
   void add(Conflict conflict);
-  /// The first conflict, in order of adding, all of whose decisions `candidate` (a value per variable) makes; or null.
-  /// The pointer lasts until the next `add`. Cost: about one comparison a conflict while candidates resemble each
-  /// other.
-  [[nodiscard]] const Conflict* contained_in(std::span<const std::uint32_t> candidate) const;
   [[nodiscard]] const std::vector<Conflict>& conflicts() const { return conflicts_; }
 
  private:
   std::vector<Conflict> conflicts_;
-  /// Per conflict, where the last candidate disagreed with it: most often the next one disagrees there as well.
-  mutable std::vector<std::uint32_t> disagreement_;
 };
 
 /// One search. Each node stands for a set of assignments, and these sets never overlap: the values below the node's are
@@ -49,7 +43,11 @@ class ConflictSet {
 /// variable. A node whose candidate holds a conflict is split on it: the i-th child keeps the first i - 1 decisions and
 /// gives up the i-th; a solution is split likewise on all its decisions. Children come in order of cost, so a pop adds
 /// at most two nodes to the queue: its next sibling and its first child. A candidate that holds a known conflict is
-/// never checked.
+/// never checked, and a value that is a conflict by itself is no way out of another.
+///
+/// Each conflict is watched at its first decision that is not the cheapest of its variable: a candidate can hold it
+/// only if that is among its deviations from the cheapest. A pop looks at the conflicts watched at the variables that
+/// deviate, and at those that speak of cheapest values alone; its cost does not grow with the number of variables.
 class OptimalSearch {
  public:
   /// `costs[x][v]`: what value v of variable x costs, at least 0; +infinity where x cannot take it.
@@ -81,7 +79,7 @@ class OptimalSearch {
   enum class Outcome {
     solution,   ///< `values` and `cost` tell it
     exhausted,  ///< there is no further solution
-    budget      ///< the budget ran out; `set_budget` and `next` go on from here
+    budget      ///< the last check that it allows was made; `set_budget` and `next` go on from here
   };
 
   /// `conflicts` may be shared with other searches and is added to; without it the search has its own. Sums of costs
@@ -103,7 +101,8 @@ class OptimalSearch {
 
   /// No solution to come costs less than this; +infinity when there is none.
   [[nodiscard]] double bound() const;
-  /// How many candidates may still be checked; unlimited to begin with.
+  /// How many candidates may still be checked; unlimited to begin with. With none, `next` still drops what holds a
+  /// known conflict, and tells `exhausted` where that was all.
   void set_budget(std::size_t candidates) { budget_ = candidates; }
   /// How many candidates were checked.
   [[nodiscard]] std::size_t checked() const { return checked_; }
@@ -142,8 +141,12 @@ class OptimalSearch {
 
   [[nodiscard]] bool later(const Node& a, const Node& b) const;
   [[nodiscard]] std::uint32_t value(const Deviation& deviation) const;
+  [[nodiscard]] std::uint32_t rank_in(const Node& node, std::uint32_t variable) const;
   const Alternative& alternative(std::uint32_t split, std::uint32_t position);
   void take_candidate(const Node& node);
+  void watch_new_conflicts();
+  [[nodiscard]] const Conflict* known_conflict(const Node& node);
+  [[nodiscard]] bool excluded(const Decision& decision) const;
   void split(const Node& node, std::span<const Decision> conflict);
   void push(Node node);
   void push_child(std::uint32_t split, std::uint32_t position);
@@ -158,8 +161,13 @@ class OptimalSearch {
   std::vector<Deviation> deviations_;      ///< pool; of one node in order of variable
   std::vector<std::uint32_t> candidate_;   ///< of the node that is being looked at
   std::vector<std::uint32_t> rank_;        ///< likewise
-  std::vector<std::uint8_t> fixed_;        ///< likewise
-  std::vector<Decision> decisions_;        ///< the candidate as decisions, to split a solution on
+  std::vector<std::uint32_t> deviating_;   ///< likewise, the variables whose rank is not 0
+  std::vector<std::uint32_t> fixed_in_;    ///< per variable, the last split that it was fixed in
+  std::uint32_t split_number_ = 0;
+  std::vector<std::uint32_t> of_cheapest_;    ///< conflicts that speak of cheapest values alone, ascending
+  std::vector<std::uint32_t> first_watched_;  ///< per variable, the last conflict that is watched there, or none
+  std::vector<std::uint32_t> next_watched_;   ///< per conflict, the one before it that is watched at the same variable
+  std::vector<Decision> decisions_;           ///< the candidate as decisions, to split a solution on
   std::size_t budget_ = std::numeric_limits<std::size_t>::max();
   std::size_t checked_ = 0;
 };

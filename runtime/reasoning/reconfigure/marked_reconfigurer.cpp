@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "automata/assignment_text.hpp"
+#include "automata/dependencies/marking_groups.hpp"
 #include "base/check.hpp"
-#include "runtime/reasoning/estimate/marking_groups.hpp"
 #include "runtime/reasoning/reconfigure/marking_planner.hpp"
 
 namespace rmpl::runtime {
@@ -38,7 +38,7 @@ std::vector<Assignment> assignments_in(const Formula& goal) {
 /// Some groups as one program, with the planner of it.
 class Field {
  public:
-  explicit Field(MarkingGroup group) : group_(std::move(group)), planner_(group_.program) {}
+  explicit Field(automata::MarkingGroup group) : group_(std::move(group)), planner_(group_.program) {}
   Field(const Field&) = delete;
   Field& operator=(const Field&) = delete;
 
@@ -57,7 +57,7 @@ class Field {
   }
 
  private:
-  MarkingGroup group_;
+  automata::MarkingGroup group_;
   MarkingPlanner planner_;
 };
 
@@ -227,7 +227,7 @@ class MarkedReconfigurer final : public Reconfigurer {
 
   const ModelProgram& program_;
   const automata::MarkedPlant& plant_;
-  MarkingGroups groups_;
+  automata::MarkingGroups groups_;
   std::map<std::vector<std::size_t>, std::unique_ptr<Field>> fields_;  ///< by groups, as they are asked for
 };
 

@@ -142,10 +142,8 @@ class PolicyReconfigurer : public Reconfigurer {
   Reconfiguration towards(const Modes& modes, Asked& asked, Beside meanwhile) {
     const Goal& goal = asked.goal;
     const Prospects prospects(*graph_, modes, goal, false);
-    planner_.renew_budget();
     Pursuit pursuit(step_, interpreter_, plans_, parts_, modes, goal, prospects);
-    auto interpreted = pursuit.run();
-    checked_ += interpreter_.checked();
+    auto interpreted = result_of(pursuit);
     if (auto* impasse = std::get_if<Impasse>(&interpreted)) {
       Impasse barred = std::move(*impasse);
       barred.why.conjunct = open_conjunct(modes, goal, barred.component);
@@ -167,6 +165,14 @@ class PolicyReconfigurer : public Reconfigurer {
     return result;
   }
 
+  /// With the whole budget.
+  std::variant<Modes, Impasse> result_of(Pursuit& pursuit) {
+    planner_.renew_budget();
+    auto result = pursuit.run();
+    checked_ += interpreter_.checked();
+    return result;
+  }
+
   /// The answer to the first conjunct that has no plan by itself; nothing where each has one.
   std::optional<Reconfiguration> barred_alone(const Modes& modes, const Goal& goal) {
     const std::vector<Formula> conjuncts = conjuncts_of(goal.formula());
@@ -175,10 +181,8 @@ class PolicyReconfigurer : public Reconfigurer {
       if (step_.theory().entails(now, step_.theory().encode(conjuncts[i]))) continue;
       const Goal alone(conjuncts[i], step_.plant(), step_.theory());
       const Prospects prospects(*graph_, modes, alone, false);
-      planner_.renew_budget();
       Pursuit pursuit(step_, interpreter_, plans_, parts_, modes, alone, prospects);
-      auto interpreted = pursuit.run();
-      checked_ += interpreter_.checked();
+      auto interpreted = result_of(pursuit);
       if (auto* impasse = std::get_if<Impasse>(&interpreted)) {
         impasse->why.purpose = Reason::Purpose::goal;
         impasse->why.conjunct = i;

@@ -1,23 +1,16 @@
 // What has to do with what in a model program, by union and find over locations and variables.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/marking_groups.hpp"
+#include "automata/dependencies/marking_groups.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "base/partition.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::automata {
 namespace {
-
-using automata::Condition;
-using automata::Formula;
-using automata::GuardedArc;
-using automata::LocationId;
-using automata::ModelLocation;
-using automata::ModelProgram;
-using automata::VariableId;
 
 /// Locations, then variables.
 class Links {
@@ -32,8 +25,8 @@ class Links {
     }
     find_told();
     for (std::size_t l = 0; l < program.locations.size(); ++l) link(l);
-    for (const automata::InitialDraw& draw : program.initial) {
-      for (const automata::InitialBranch& branch : draw.branches) {
+    for (const InitialDraw& draw : program.initial) {
+      for (const InitialBranch& branch : draw.branches) {
         for (const LocationId started : branch.started) link_started(draw.choice.index(), started.index());
       }
     }
@@ -52,10 +45,10 @@ class Links {
       for (const VariableId v : variables_of(formula)) told_[v.index()] = true;
     };
     std::vector<bool> commanded(program_.variables.size(), false);
-    for (const automata::CommandedVariable& control : program_.controls) commanded[control.variable.index()] = true;
+    for (const CommandedVariable& control : program_.controls) commanded[control.variable.index()] = true;
     for (std::size_t v = 0; v < commanded.size(); ++v) told_[v] = !commanded[v];
     for (const ModelLocation& location : program_.locations) read(location.told);
-    for (const automata::Interconnection& constraint : program_.constraints) {
+    for (const Interconnection& constraint : program_.constraints) {
       read(constraint.constraint);
       for (const Formula& conjunct : conjuncts_of(constraint.constraint)) {
         const auto variables = variables_of(conjunct);
@@ -100,7 +93,7 @@ class Links {
       return;
     }
     link_read(l, location.told);
-    for (const automata::TransitionFunction& function : location.functions) {
+    for (const TransitionFunction& function : location.functions) {
       for (const LocationId started : function.started) partition_.join(l, started.index());
       link_arcs(l, function.arcs);
     }
@@ -134,7 +127,7 @@ class Extraction {
       if (const auto& seen = variable_[v.index()]) own.observables.push_back(*seen);
     }
     for (const LocationId l : group_.locations) own.locations.push_back(location(whole_.locations[l.index()]));
-    for (const automata::InitialDraw& draw : whole_.initial) {
+    for (const InitialDraw& draw : whole_.initial) {
       if (!location_[draw.choice.index()]) continue;
       own.initial.push_back(draw);
       own.initial.back().choice = *location_[draw.choice.index()];
@@ -144,8 +137,7 @@ class Extraction {
   }
   [[nodiscard]] Formula formula(const Formula& whole) const {
     return renamed(
-        whole, [&](VariableId v) { return *variable_[v.index()]; },
-        [](VariableId, automata::ValueId value) { return value; });
+        whole, [&](VariableId v) { return *variable_[v.index()]; }, [](VariableId, ValueId value) { return value; });
   }
   [[nodiscard]] const std::optional<VariableId>& variable(VariableId whole) const { return variable_[whole.index()]; }
 
@@ -165,7 +157,7 @@ class Extraction {
     own.told = formula(own.told);
     own.maintenance.constraint = formula(own.maintenance.constraint);
     rename(own.arcs);
-    for (automata::TransitionFunction& function : own.functions) {
+    for (TransitionFunction& function : own.functions) {
       rename(function.started);
       rename(function.arcs);
     }
@@ -182,7 +174,7 @@ class Extraction {
 struct Members {
   std::set<LocationId> locations;
   std::set<VariableId> variables;
-  std::vector<automata::Interconnection> constraints;
+  std::vector<Interconnection> constraints;
 };
 
 void add_guarded(const ModelProgram& program, LocationId location, std::set<VariableId>& variables) {
@@ -196,7 +188,7 @@ void add_guarded(const ModelProgram& program, LocationId location, std::set<Vari
   const ModelLocation& own = program.locations[location.index()];
   for (const VariableId v : variables_of(own.maintenance.constraint)) variables.insert(v);
   add(own.arcs);
-  for (const automata::TransitionFunction& function : own.functions) add(function.arcs);
+  for (const TransitionFunction& function : own.functions) add(function.arcs);
 }
 
 }  // namespace
@@ -208,7 +200,7 @@ MarkingGroups::MarkingGroups(const ModelProgram& program) : program_(program), h
     if (program.locations[l].composite && !program.locations[l].arcs.empty()) members[links.root(LocationId(l))];
     if (!program.locations[l].composite) members[links.root(LocationId(l))];
   }
-  for (const automata::Interconnection& constraint : program.constraints) {
+  for (const Interconnection& constraint : program.constraints) {
     for (Formula& conjunct : conjuncts_of(constraint.constraint)) {
       const auto variables = variables_of(conjunct);
       const std::size_t root =
@@ -226,7 +218,7 @@ MarkingGroups::MarkingGroups(const ModelProgram& program) : program_(program), h
     }
   }
   for (std::size_t v = 0; v < program.variables.size(); ++v) {
-    if (program.variables[VariableId(v)].values.size() == 1) always_.push_back({VariableId(v), automata::ValueId(0)});
+    if (program.variables[VariableId(v)].values.size() == 1) always_.push_back({VariableId(v), ValueId(0)});
     const auto own = members.find(links.root(VariableId(v)));
     if (own != members.end() && links.told(VariableId(v))) own->second.variables.insert(VariableId(v));
   }
@@ -238,7 +230,7 @@ MarkingGroups::MarkingGroups(const ModelProgram& program) : program_(program), h
     }
     groups_.push_back(extraction.take());
     groups_.back().variables.assign(part.variables.begin(), part.variables.end());
-    for (const automata::Interconnection& told : part.constraints) {
+    for (const Interconnection& told : part.constraints) {
       groups_.back().program.constraints.emplace_back(extraction.formula(told.constraint), told.origin);
     }
   }
@@ -254,7 +246,7 @@ MarkingGroup MarkingGroups::joined(const std::vector<std::size_t>& groups) const
   Extraction extraction(program_, {locations.begin(), locations.end()}, {variables.begin(), variables.end()});
   MarkingGroup result = extraction.take();
   result.variables.assign(variables.begin(), variables.end());
-  for (const automata::Interconnection& constraint : program_.constraints) {
+  for (const Interconnection& constraint : program_.constraints) {
     for (const Formula& conjunct : conjuncts_of(constraint.constraint)) {
       const auto read = variables_of(conjunct);
       const bool own = std::all_of(read.begin(), read.end(), [&](VariableId v) { return variables.contains(v); });
@@ -264,9 +256,9 @@ MarkingGroup MarkingGroups::joined(const std::vector<std::size_t>& groups) const
   return result;
 }
 
-std::vector<automata::Observation> MarkingGroups::divide(const automata::Observation& observation) const {
-  std::vector<automata::Observation> result(groups_.size());
-  for (const automata::Assignment& reading : observation) {
+std::vector<Observation> MarkingGroups::divide(const Observation& observation) const {
+  std::vector<Observation> result(groups_.size());
+  for (const Assignment& reading : observation) {
     if (const auto& home = homes_[reading.variable.index()]) {
       result[home->group].push_back({home->variable, reading.value});
     }
@@ -274,13 +266,13 @@ std::vector<automata::Observation> MarkingGroups::divide(const automata::Observa
   return result;
 }
 
-std::vector<automata::Command> MarkingGroups::divide(const automata::Command& command) const {
-  std::vector<automata::Command> result;
+std::vector<Command> MarkingGroups::divide(const Command& command) const {
+  std::vector<Command> result;
   for (const MarkingGroup& group : groups_) {
-    automata::Command& own = result.emplace_back();
+    Command& own = result.emplace_back();
     for (const std::size_t c : group.controls) own.push_back(command[c]);
   }
   return result;
 }
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::automata

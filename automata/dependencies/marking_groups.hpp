@@ -8,16 +8,15 @@
 
 #include "automata/phca.hpp"
 #include "automata/state.hpp"
-#include "automata/step/marking_store.hpp"
 
-namespace rmpl::runtime {
+namespace rmpl::automata {
 
 /// Some threads of a model program as a program of its own, with its own numbering of locations and variables.
 struct MarkingGroup {
-  automata::ModelProgram program;
-  std::vector<automata::LocationId> locations;  ///< in the whole program, ascending; none where all are constraints
-  std::vector<automata::VariableId> variables;  ///< likewise
-  std::vector<std::size_t> controls;            ///< positions in the whole program's `controls`, ascending
+  ModelProgram program;
+  std::vector<LocationId> locations;  ///< in the whole program, ascending; none where all are constraints
+  std::vector<VariableId> variables;  ///< likewise
+  std::vector<std::size_t> controls;  ///< positions in the whole program's `controls`, ascending
 };
 
 /// The finest partition such that, given the command, what one group does depends on itself alone. Linked are: a
@@ -29,17 +28,17 @@ struct MarkingGroup {
 class MarkingGroups {
  public:
   /// Keeps a reference to the program.
-  explicit MarkingGroups(const automata::ModelProgram& program);
+  explicit MarkingGroups(const ModelProgram& program);
 
   [[nodiscard]] std::size_t size() const { return groups_.size(); }
   [[nodiscard]] const MarkingGroup& operator[](std::size_t group) const { return groups_[group]; }
 
   /// Variables that have one value only.
-  [[nodiscard]] const std::vector<automata::Assignment>& always() const { return always_; }
+  [[nodiscard]] const std::vector<Assignment>& always() const { return always_; }
   /// The part of an observation that is a group's, for all of them. What no group tells anything of is nobody's: it is
   /// as likely in one marking as in another.
-  [[nodiscard]] std::vector<automata::Observation> divide(const automata::Observation& observation) const;
-  [[nodiscard]] std::vector<automata::Command> divide(const automata::Command& command) const;
+  [[nodiscard]] std::vector<Observation> divide(const Observation& observation) const;
+  [[nodiscard]] std::vector<Command> divide(const Command& command) const;
 
   /// Some of the groups as one, as a program of its own.
   [[nodiscard]] MarkingGroup joined(const std::vector<std::size_t>& groups) const;
@@ -47,18 +46,16 @@ class MarkingGroups {
   /// Where a variable is.
   struct Home {
     std::size_t group = 0;
-    automata::VariableId variable;  ///< there
+    VariableId variable;  ///< there
   };
   /// None where no group tells anything of it.
-  [[nodiscard]] const std::optional<Home>& home(automata::VariableId variable) const {
-    return homes_[variable.index()];
-  }
+  [[nodiscard]] const std::optional<Home>& home(VariableId variable) const { return homes_[variable.index()]; }
 
  private:
-  const automata::ModelProgram& program_;
+  const ModelProgram& program_;
   std::vector<MarkingGroup> groups_;
   std::vector<std::optional<Home>> homes_;  ///< per variable
-  std::vector<automata::Assignment> always_;
+  std::vector<Assignment> always_;
 };
 
-}  // namespace rmpl::runtime
+}  // namespace rmpl::automata
