@@ -91,6 +91,16 @@ void collect(const automata::Plant& plant, std::size_t component, const automata
   }
 }
 
+/// The modes that a component comes to from where it may start, as it is meant to, by such transitions.
+template <class Usable>
+std::set<ModeId> usual_modes(const automata::Component& automaton, const std::vector<const Transition*>& transitions,
+                             const Usable& usable) {
+  std::set<ModeId> result;
+  for (std::size_t m = 0; m < automaton.modes.size(); ++m)
+    if (automaton.initial[m] > 0 && !automaton.modes[m].fault) result.merge(closure(transitions, ModeId(m), usable));
+  return result;
+}
+
 }  // namespace
 
 std::set<ModeId> named_modes(const automata::Plant& plant, std::size_t component, const automata::Formula& goal) {
@@ -105,6 +115,11 @@ bool is_forbidden(const Step& step, std::size_t component, const Transition& t, 
   const auto transitions = nominal_transitions(step, component);
   const auto further = closure(transitions, t.to, [](const Transition&) { return true; });
   if (further.contains(t.from)) return false;
+  const auto usual = usual_modes(automaton, transitions, [](const Transition&) { return true; });
+  const auto safe = usual_modes(automaton, transitions, [&](const Transition& u) {
+    return closure(transitions, u.to, [](const Transition&) { return true; }).contains(u.from);
+  });
+  if (!usual.contains(t.from) && (!usual.contains(t.to) || safe.contains(t.to))) return false;
   const std::set<ModeId> named = named_modes(step.plant(), component, goal);
   return std::none_of(named.begin(), named.end(), [&](ModeId m) { return further.contains(m); });
 }

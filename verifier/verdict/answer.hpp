@@ -42,6 +42,11 @@ struct Answer {
   Progress progress;
 };
 
+/// Whether it holds as nothing can violate it: of itself, or as no run starts.
+inline bool holds_vacuously(const Answer& answer) {
+  return answer.vacuous || (answer.startless && answer.verdict == Verdict::holds);
+}
+
 /// Of all together: violated where one is, else undecided where one is. Those that only warn are left out.
 Verdict overall(const std::vector<Property>& properties, const std::vector<Answer>& answers);
 

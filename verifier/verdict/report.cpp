@@ -74,7 +74,7 @@ ordered_json check_json(const Subject& subject, const Property& property, bool c
   ordered_json check = {{"property", name_of(property)}, {"verdict", to_text(answer.verdict)}};
   if (is_warning(property)) check["level"] = "warning";
   check.update(claim_of(subject.plant, property));
-  if (answer.vacuous) check["vacuous"] = true;
+  if (holds_vacuously(answer)) check["vacuous"] = true;
   add_cut_off(check, answer);
   if (cut_sets) check["cut_sets"] = json_of_cut_sets(subject, answer);
   if (!answer.witness) return check;
@@ -119,7 +119,7 @@ ordered_json to_json(const Subject& subject, const Question& question, const Ans
   ordered_json json = {{"property", name_of(question.property)},
                        {"question", question_json(subject.plant, question)},
                        {"verdict", to_text(answer.verdict)}};
-  if (answer.vacuous) json["vacuous"] = true;
+  if (holds_vacuously(answer)) json["vacuous"] = true;
   if (const std::string why = reason(answer); !why.empty()) json["reason"] = why;
   add_cut_off(json, answer);
   if (answer.witness) {

@@ -27,7 +27,9 @@ std::string remark(const Claim& claim) {
   if (!claim.decided()) return reason(claim.answer);
   const bool partly = !claim.answer.witness && claim.answer.cut_off.stuck;
   std::string text = !claim.expect_violated ? "" : claim.as_expected() ? "as expected" : "expected to be violated";
-  if (claim.answer.vacuous) text += (text.empty() ? "" : "; ") + ("vacuous: " + vacuity(claim.question.property));
+  if (holds_vacuously(claim.answer)) {
+    text += (text.empty() ? "" : "; ") + ("vacuous: " + vacuity(claim.question.property, claim.answer));
+  }
   if (partly) text += (text.empty() ? "" : "; ") + std::string("on runs that get stuck, only up to there");
   return text;
 }

@@ -56,7 +56,7 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
       return stuck_text(violated);
     case Kind::undone:
       return violated ? "what a goal achieved can be taken away for reward"
-                      : "no command for reward takes away what a goal achieved";
+                      : "no command for reward takes away, as it is sent, what a goal achieved";
     case Kind::never:
       return "'" + property.text + "' " + (violated ? "can hold" : "never holds") + text_of(property.window);
     case Kind::response:
@@ -136,7 +136,8 @@ std::string reason(const Answer& answer) {
   return reason(answer.limit, answer.progress);
 }
 
-std::string vacuity(const Property& property) {
+std::string vacuity(const Property& property, const Answer& answer) {
+  if (answer.startless) return "no initial state is possible";
   const auto* asked = std::get_if<ProgramProperty>(&property);
   if (asked != nullptr && asked->kind == Kind::finally) return "it never ends";
   const bool response = asked != nullptr && asked->kind == Kind::response;
@@ -148,7 +149,7 @@ std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();
   const bool partly = !found && answer.cut_off.stuck;
-  const std::string vacuously = answer.vacuous ? ", as " + vacuity(property) : "";
+  const std::string vacuously = holds_vacuously(answer) ? ", as " + vacuity(property, answer) : "";
   return meaning_of(property, found) + vacuously + (partly ? "; on runs that get stuck, only up to there" : "");
 }
 

@@ -35,6 +35,28 @@ std::vector<std::vector<bool>> closure(const std::vector<NominalTransition>& tra
   return leads;
 }
 
+/// A repair may take several steps: a mode that is come to only by way of a fault belongs to it, and so does the step
+/// that leads on from there, or back to where the component may be without any step that cannot be undone.
+void mark_ends_of_repairs(const Component& component, std::vector<NominalTransition>& transitions) {
+  const auto from_start = [&](const auto& usable) {
+    std::vector<bool> reached(component.modes.size());
+    for (std::size_t m = 0; m < reached.size(); ++m) reached[m] = component.initial[m] > 0 && !component.modes[m].fault;
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (const NominalTransition& t : transitions) {
+        if (!reached[t.from.index()] || reached[t.to.index()] || !usable(t)) continue;
+        reached[t.to.index()] = grown = true;
+      }
+    }
+    return reached;
+  };
+  const std::vector<bool> without_fault = from_start([](const NominalTransition&) { return true; });
+  const std::vector<bool> revocably = from_start([](const NominalTransition& t) { return t.reversible; });
+  for (NominalTransition& t : transitions) {
+    if (!without_fault[t.from.index()] && (!without_fault[t.to.index()] || revocably[t.to.index()])) t.repair = true;
+  }
+}
+
 /// `x != v` reads like this where the domain is small: all values but one of three or more.
 bool is_inequality(const automata::Plant& plant, const Formula& atom) {
   const std::size_t size = plant.variables[atom.variable].values.size();
@@ -111,6 +133,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant) : index_(plant) {
     }
     leads_.push_back(closure(transitions, component.modes.size()));
     for (NominalTransition& t : transitions) t.reversible = leads_[c][t.to.index()][t.from.index()];
+    mark_ends_of_repairs(component, transitions);
   }
   dependents_.resize(plant.components.size());
   for (std::size_t c = 0; c < transitions_.size(); ++c) {

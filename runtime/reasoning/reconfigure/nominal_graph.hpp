@@ -19,7 +19,7 @@ struct NominalTransition {
   automata::ModeId from, to;
   bool timed = false;
   bool bounded = false;     ///< timed, and due at the latest at some time: what has no upper bound may never happen
-  bool repair = false;      ///< leaves a fault mode
+  bool repair = false;      ///< leaves a fault mode, or ends what began so (semantics 5)
   bool reversible = false;  ///< nominal transitions lead back from `to` to `from`: computed, not declared (6.3.1)
   bool possible = false;    ///< some state has mode `to`; else the transition is never taken, whatever enables it
   bool comes_by_itself = false;  ///< some precondition asks neither for a command nor for modes of others
@@ -56,8 +56,7 @@ class NominalGraph {
     return static_cast<std::size_t>(&transition - transitions_[component.index()].data());
   }
 
-  /// Whether a transition needs no leave: it can be undone, or leaves a fault (no nominal transition enters one, so it
-  /// is the current mode).
+  /// Whether a transition needs no leave: it can be undone, or is part of a repair (semantics 5).
   [[nodiscard]] static bool harmless(const NominalTransition& transition) {
     return transition.reversible || transition.repair || transition.from == transition.to;
   }

@@ -106,7 +106,10 @@ std::optional<PlannedStep> Planner::meanwhile(const Modes& modes, const Objectiv
     auto* const command = std::get_if<PlannedStep>(&choice);
     if (command != nullptr && !command->idle && waits_on(command->outcome.modes)) return std::move(*command);
   }
-  return std::nullopt;
+  auto step = preparation(modes, objective, served, std::span(&objective.target[served.index()], 1),
+                          [&](const PlannedStep& command) { return waits_on(command.outcome.modes); });
+  if (step) step->serves = served;
+  return step;
 }
 
 bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {

@@ -15,12 +15,14 @@ using automata::Modes;
 
 namespace {
 
-/// Of paths of one length that with fewer commands goes first, then that with the earlier ones: what takes time is not
-/// waited for before what can be commanded at once.
+/// Steps are cycles in which something happens that has to do with the goal. Of paths of one length that with fewer
+/// commands goes first, then that with the earlier ones: what takes time is not waited for before what can be commanded
+/// at once. Then that with the fewest cycles.
 struct Cost {
   Distance distance;
   std::size_t commands = 0;
   std::size_t late = 0;  ///< how many steps stand before each command, summed
+  std::size_t cycles = 0;
   auto operator<=>(const Cost&) const = default;
 };
 
@@ -81,21 +83,22 @@ std::vector<Planner::OffIdle> Planner::promising(const Modes& modes, const Objec
   return some;
 }
 
-/// Promising actions first; where they do not get there, all. Where the budget ends that, the promising ones again,
+/// Promising actions first; where they do not get there, all, but for a reward: nothing is moved only so that something
+/// else may be worth more. Where the budget ends that, the promising ones again,
 /// with states taken for one that differ in what has no part in the goal.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits) {
   const auto& all = actions(objective.part);
   const std::vector<OffIdle> some = promising(modes, objective);
   const std::vector<bool> everything(modes.size(), true);
-  Found found = search(modes, objective, otherwise, waits, {some, everything, tried_});
+  const std::vector<bool> involved = upstream(modes, objective, true).components;
+  Found found = search(modes, objective, otherwise, waits, {some, everything, involved, tried_});
   if (std::holds_alternative<PlannedStep>(found.first)) return found;
-  if (!found.given_up && some.size() != all.size()) {
-    found = search(modes, objective, otherwise, waits, {all, everything, tried_});
+  if (!found.given_up && some.size() != all.size() && !objective.keeps) {
+    found = search(modes, objective, otherwise, waits, {all, everything, involved, tried_});
     if (std::holds_alternative<PlannedStep>(found.first)) return found;
   }
   if (!found.given_up) return found;
-  const std::vector<bool> involved = upstream(modes, objective, true).components;
-  Found likely = search(modes, objective, otherwise, waits, {some, involved, tried_alike_});
+  Found likely = search(modes, objective, otherwise, waits, {some, involved, involved, tried_alike_});
   return std::holds_alternative<PlannedStep>(likely.first) ? likely : found;
 }
 
@@ -118,7 +121,8 @@ automata::ComponentId Planner::served_by(const Modes& modes, const Objective& ob
   return first.value_or(moved);
 }
 
-/// Uniform-cost search over the nominal successors of the whole part: fewest irreversible steps, then fewest steps.
+/// Uniform-cost search over the nominal successors of the whole part: fewest irreversible steps, then fewest steps that
+/// have to do with the goal.
 /// The same rules on irreversible steps hold; what is achieved may be undone on the path. Each path is one that can be
 /// gone, whatever is taken for one.
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
@@ -171,7 +175,12 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
           cost.commands += 1;
           cost.late += cost.distance.steps;
         }
-        cost.distance.steps += 1;
+        // What has no part in the goal may do as it likes meanwhile.
+        const bool counts = !off.empty() || std::any_of(outcome.moves.begin(), outcome.moves.end(), [&](const auto& m) {
+          return space.involved[m.component.index()];
+        });
+        cost.distance.steps += counts ? 1 : 0;
+        cost.cycles += 1;
         for (const NominalMove& move : outcome.moves) {
           cost.distance.irreversible += NominalGraph::harmless(*move.transition) ? 0 : 1;
         }

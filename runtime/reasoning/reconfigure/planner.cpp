@@ -101,12 +101,7 @@ Planner::NextStep Planner::achieve(const Modes& modes, const Objective& objectiv
                                    std::span<const ModeId> wanted) {
   const Plant& plant = nominal_.plant();
   const ModeId current = modes[component.index()];
-  const Policy& policy = policies_.of(component, objective.permitted);
-  const ModeId* nearest = nullptr;
-  for (const ModeId& mode : wanted) {
-    const auto& distance = policy.distance(current, mode);
-    if (distance && (nearest == nullptr || *distance < *policy.distance(current, *nearest))) nearest = &mode;
-  }
+  const ModeId* const nearest = nearest_of(modes, objective, component, wanted);
   if (nearest == nullptr) {
     return Impasse{component,
                    "no permitted nominal transitions lead '" + plant[component].name + "' from " +
@@ -125,10 +120,29 @@ Planner::NextStep Planner::achieve(const Modes& modes, const Objective& objectiv
                     .component = component,
                     .aim = *nearest}};
   }
+  const Policy& policy = policies_.of(component, objective.permitted);
   return bring_about(modes, objective, component, *policy.next(current, *nearest));
 }
 
+const ModeId* Planner::nearest_of(const Modes& modes, const Objective& objective, ComponentId component,
+                                  std::span<const ModeId> wanted) {
+  const Policy& policy = policies_.of(component, objective.permitted);
+  const ModeId current = modes[component.index()];
+  const ModeId* nearest = nullptr;
+  for (const ModeId& mode : wanted) {
+    const auto& distance = policy.distance(current, mode);
+    if (distance && (nearest == nullptr || *distance < *policy.distance(current, *nearest))) nearest = &mode;
+  }
+  return nearest;
+}
+
 namespace {
+
+std::vector<ModeId> modes_in(const Requirement& requirement) {
+  std::vector<ModeId> result;
+  for (const ValueId v : requirement.values) result.emplace_back(v.index());
+  return result;
+}
 
 bool is_met(const ModeRequirement& r, const Modes& modes) {
   const auto& values = r.requirement->values;
@@ -158,13 +172,29 @@ std::optional<Distance> Planner::distance(const Modes& modes, const Objective& o
   return sum;
 }
 
-const ModeRequirement* Planner::first_pending(const Modes& modes, const Way& way) const {
-  const ModeRequirement* first = nullptr;
+std::vector<const ModeRequirement*> Planner::pending(const Modes& modes, const Way& way) const {
+  std::vector<const ModeRequirement*> result;
   for (const ModeRequirement& r : way.modes) {
-    if (is_met(r, modes)) continue;
-    if (first == nullptr || order_.rank(r.component) < order_.rank(first->component)) first = &r;
+    if (!is_met(r, modes)) result.push_back(&r);
   }
-  return first;
+  std::stable_sort(result.begin(), result.end(), [&](const ModeRequirement* a, const ModeRequirement* b) {
+    return order_.rank(a->component) < order_.rank(b->component);
+  });
+  return result;
+}
+
+std::vector<Planner::Choice> Planner::choices(const Modes& modes, const Objective& objective, ComponentId component,
+                                              const NominalTransition& next) {
+  std::vector<Choice> result;
+  for (const NominalTransition& t : graph_.transitions(component)) {
+    if (!is_parallel(component, t, next, objective.permitted)) continue;
+    for (const Way& way : ways_.of(component, t)) result.push_back({distance(modes, objective, way), &t, &way});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Choice& a, const Choice& b) {
+    if (!a.distance || !b.distance) return a.distance.has_value() && !b.distance;
+    return std::pair(*a.distance, a.transition->timed) < std::pair(*b.distance, b.transition->timed);
+  });
+  return result;
 }
 
 /// The step of a way of which only the command is missing.
@@ -208,28 +238,11 @@ Planner::NextStep Planner::bring_about(const Modes& modes, const Objective& obje
     return "'" + nominal_.plant()[component].name + "' to go from " + name(component, next.from) + " to " +
            name(component, next.to);
   };
-  struct Choice {
-    std::optional<Distance> distance;
-    const NominalTransition* transition;
-    const Way* way;
-  };
-  std::vector<Choice> choices;
-  for (const NominalTransition& t : graph_.transitions(component)) {
-    if (!is_parallel(component, t, next, objective.permitted)) continue;
-    for (const Way& way : ways_.of(component, t)) choices.push_back({distance(modes, objective, way), &t, &way});
-  }
-  std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
-    if (!a.distance || !b.distance) return a.distance.has_value() && !b.distance;
-    return std::pair(*a.distance, a.transition->timed) < std::pair(*b.distance, b.transition->timed);
-  });
-
   std::optional<Impasse> obstacle;
-  for (const auto& [distance, transition, way] : choices) {
+  for (const auto& [distance, transition, way] : choices(modes, objective, component, next)) {
     std::optional<NextStep> choice;
-    if (const ModeRequirement* const pending = first_pending(modes, *way)) {
-      std::vector<ModeId> wanted;
-      for (const ValueId v : pending->requirement->values) wanted.emplace_back(v.index());
-      choice = achieve(modes, objective, pending->component, wanted);
+    if (const auto lacking = pending(modes, *way); !lacking.empty()) {
+      choice = achieve(modes, objective, lacking.front()->component, modes_in(*lacking.front()->requirement));
       if (auto* stuck = std::get_if<Impasse>(&*choice)) stuck->reason += ", as it takes for " + purpose();
     } else {
       choice = command(modes, objective, component, *transition, *way->precondition);
@@ -239,6 +252,27 @@ Planner::NextStep Planner::bring_about(const Modes& modes, const Objective& obje
   }
   CHECK(obstacle && "a transition in the graph has a precondition");
   return *obstacle;
+}
+
+std::optional<PlannedStep> Planner::preparation(const Modes& modes, const Objective& objective, ComponentId component,
+                                                std::span<const ModeId> wanted,
+                                                base::FunctionRef<bool(const PlannedStep&)> suits) {
+  const ModeId* const nearest = nearest_of(modes, objective, component, wanted);
+  if (nearest == nullptr || *nearest == modes[component.index()] || order_.in_cycle(component)) return std::nullopt;
+  const NominalTransition& next =
+      *policies_.of(component, objective.permitted).next(modes[component.index()], *nearest);
+  const std::vector<Choice> ways = choices(modes, objective, component, next);
+  const auto& [distance, transition, way] = ways.front();
+  const auto lacking = pending(modes, *way);
+  if (lacking.empty()) {
+    NextStep step = command(modes, objective, component, *transition, *way->precondition);
+    auto* const planned = std::get_if<PlannedStep>(&step);
+    return planned != nullptr && !planned->idle && suits(*planned) ? std::optional(std::move(*planned)) : std::nullopt;
+  }
+  for (const ModeRequirement* const r : lacking) {
+    if (auto step = preparation(modes, objective, r->component, modes_in(*r->requirement), suits)) return step;
+  }
+  return std::nullopt;
 }
 
 }  // namespace rmpl::runtime

@@ -12,6 +12,7 @@
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
 #include "base/bounded_cache.hpp"
+#include "base/function_ref.hpp"
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
 #include "runtime/reasoning/reconfigure/impasse.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
@@ -125,7 +126,12 @@ class Planner {
   NextStep walk(const automata::Modes& modes, const Objective& objective, Order order);
   /// Of the components that are astray, the first that can be brought on without reaching a goal too early.
   NextStep advance(const automata::Modes& modes, const Objective& objective, Order order);
-  /// While one goal waits, the first command for another, no part of its way, after which it waits as before.
+  /// The first command that suits on the nearest way of a component, whatever of it is to be achieved first.
+  std::optional<PlannedStep> preparation(const automata::Modes& modes, const Objective& objective,
+                                         automata::ComponentId component, std::span<const automata::ModeId> wanted,
+                                         base::FunctionRef<bool(const PlannedStep&)> suits);
+  /// While one goal waits, the first command after which it waits as before: for another goal, no part of its way, or
+  /// for what its way needs beside what it waits for.
   std::optional<PlannedStep> meanwhile(const automata::Modes& modes, const Objective& objective,
                                        const PlannedStep& waiting);
   /// The next step of a component that is astray, to its target.
@@ -149,10 +155,12 @@ class Planner {
     std::vector<bool> components, variables;
   };
   Upstream upstream(const automata::Modes& modes, const Objective& objective, bool achieved);
-  /// The actions that a search tries, the components that it tells states apart by, and what it counts its trials in.
+  /// The actions that a search tries, the components that it tells states apart by, those that have to do with the
+  /// goal, and what it counts its trials in.
   struct SearchSpace {
     std::span<const OffIdle> actions;
     const std::vector<bool>& told_apart;
+    const std::vector<bool>& involved;
     std::size_t& tried;
   };
   Found search(const automata::Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits);
@@ -182,9 +190,20 @@ class Planner {
 
   /// How far away the requirements of a way are; nothing where one of them cannot be met.
   std::optional<Distance> distance(const automata::Modes& modes, const Objective& objective, const Way& way);
-  /// Of the requirements that the modes do not meet yet, the one furthest downstream, and of several of its component
-  /// the first; or null.
-  [[nodiscard]] const ModeRequirement* first_pending(const automata::Modes& modes, const Way& way) const;
+  /// The requirements that the modes do not meet yet, those furthest downstream first.
+  [[nodiscard]] std::vector<const ModeRequirement*> pending(const automata::Modes& modes, const Way& way) const;
+  /// Of the modes that are wanted of a component, the nearest by its policy; null where none can be come to.
+  const automata::ModeId* nearest_of(const automata::Modes& modes, const Objective& objective,
+                                     automata::ComponentId component, std::span<const automata::ModeId> wanted);
+  /// One way to bring a step about.
+  struct Choice {
+    std::optional<Distance> distance;
+    const NominalTransition* transition;
+    const Way* way;
+  };
+  /// All of them, the nearest first.
+  std::vector<Choice> choices(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+                              const NominalTransition& next);
   [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
   [[nodiscard]] std::string name(automata::ComponentId component, automata::ModeId mode) const;
 
