@@ -12,6 +12,8 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <pugixml.hpp>
+#include <system_error>
 
 #include "base/output_file.hpp"
 #include "tools/shared/exit_status.hpp"
@@ -27,13 +29,16 @@ std::atomic<bool> ours = false;
   std::_Exit(static_cast<int>(status));
 }
 
+/// What operator new calls before it gives up. Nothing is unwound: a solver that lacked memory half-way may not be
+/// destroyed, and a string stream would go on with half a text.
+[[noreturn]] void on_lack_of_memory() { end(ExitStatus::undecided, "", "out of memory"); }
+
 [[noreturn]] void on_terminate() {
   constexpr const char* internal = "internal error, nothing is claimed: ";
   try {
     if (const auto reason = std::current_exception()) std::rethrow_exception(reason);
-  } catch (const std::bad_alloc&) {
-    end(ExitStatus::undecided, "", "out of memory");
   } catch (const std::exception& error) {
+    if (tells_lack_of_memory(error)) on_lack_of_memory();
     end(ExitStatus::internal_error, internal, error.what());
   } catch (...) {
     end(ExitStatus::internal_error, internal, "an exception that nobody caught");
@@ -43,12 +48,15 @@ std::atomic<bool> ours = false;
 
 /// Libraries exit by themselves for lack of memory alone.
 void on_exit() {
-  if (!ours) end(ExitStatus::undecided, "", "out of memory");
+  if (!ours) on_lack_of_memory();
 }
 
-/// What operator new calls before it gives up. Nothing is unwound: a solver that lacked memory half-way may not be
-/// destroyed, and a string stream would go on with half a text.
-[[noreturn]] void on_lack_of_memory() { end(ExitStatus::undecided, "", "out of memory"); }
+/// Where pugixml gets none, it leaves out what it was to add, and goes on.
+void* allocate_for_xml(std::size_t size) noexcept {
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) on_lack_of_memory();
+  return memory;
+}
 
 /// Abort and segmentation fault as they were before.
 struct sigaction abort_before = {}, fault_before = {};
@@ -58,7 +66,7 @@ struct sigaction abort_before = {}, fault_before = {};
 extern "C" void on_failure(int signal, siginfo_t* about, void*) {
   constexpr std::uintptr_t null_page = 1U << 16;
   const bool null = signal == SIGABRT || reinterpret_cast<std::uintptr_t>(about->si_addr) < null_page;
-  if (errno == ENOMEM && null) end(ExitStatus::undecided, "", "out of memory");
+  if (errno == ENOMEM && null) on_lack_of_memory();
   sigaction(signal, signal == SIGABRT ? &abort_before : &fault_before, nullptr);
   if (about->si_code <= 0) std::raise(signal);  // it was sent; else what failed is tried again, and fails
 }
@@ -67,6 +75,7 @@ extern "C" void on_failure(int signal, siginfo_t* about, void*) {
 __attribute__((constructor(101))) void choose_last_words() noexcept {
   std::set_terminate(on_terminate);
   std::set_new_handler(on_lack_of_memory);
+  pugi::set_memory_management_functions(allocate_for_xml, std::free);
   struct sigaction action = {};
   action.sa_sigaction = on_failure;
   action.sa_flags = SA_SIGINFO;
@@ -75,6 +84,12 @@ __attribute__((constructor(101))) void choose_last_words() noexcept {
 }
 
 }  // namespace
+
+bool tells_lack_of_memory(const std::exception& error) noexcept {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  return system != nullptr && system->code() == std::errc::not_enough_memory;
+}
 
 void exit_is_a_failure() noexcept { std::atexit(on_exit); }
 

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <exception>
 #include <memory>
-#include <new>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -146,12 +145,10 @@ int Program::run(int count, const char* const* arguments) noexcept {
   } catch (const base::LimitError& error) {
     tell(error.what());
     status = ExitStatus::undecided;
-  } catch (const std::bad_alloc&) {
-    tell("out of memory");
-    status = ExitStatus::undecided;
   } catch (const std::exception& error) {
-    tell(std::string("internal error, nothing is claimed: ") + error.what());
-    status = ExitStatus::internal_error;
+    const bool memory = tells_lack_of_memory(error);
+    tell(memory ? "out of memory" : std::string("internal error, nothing is claimed: ") + error.what());
+    status = memory ? ExitStatus::undecided : ExitStatus::internal_error;
   }
   exit_is_ours();
   return static_cast<int>(status);

@@ -6,8 +6,11 @@
 
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <new>
+#include <pugixml.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "base/check.hpp"
 
@@ -22,6 +25,19 @@ void fail(const Error& error) noexcept {
 
 TEST(LastWordsDeathTest, LackOfMemoryIsALimit) {
   EXPECT_EXIT(fail(std::bad_alloc()), testing::ExitedWithCode(3), "unit_tools: out of memory");
+}
+
+TEST(LastWordsDeathTest, SoIsACallOfTheSystemThatLacksIt) {
+  const std::system_error error(std::make_error_code(std::errc::not_enough_memory), "cannot make absolute path");
+  EXPECT_EXIT(fail(error), testing::ExitedWithCode(3), "unit_tools: out of memory");
+}
+
+/// It would go on without what it was to add.
+TEST(LastWordsDeathTest, SoIsAnXmlDocumentThatLacksIt) {
+  if (RMPL_SANITIZED) GTEST_SKIP() << "the sanitizer ends what asks for so much";
+  constexpr auto too_much = std::numeric_limits<std::ptrdiff_t>::max();
+  EXPECT_EXIT(pugi::get_memory_allocation_function()(too_much), testing::ExitedWithCode(3),
+              "unit_tools: out of memory");
 }
 
 TEST(LastWordsDeathTest, AFailedCheckIsAnInternalError) {
