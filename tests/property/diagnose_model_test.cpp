@@ -83,7 +83,7 @@ std::map<Marking, double> reached(const automata::MarkingRules& rules, const std
       if (!known.contains(marking)) known[marking] = valuations(rules, marking, worlds);
       for (const std::vector<bool>& holds : known[marking]) {
         const auto moves = rules.moves(marking, [&](std::size_t c) { return holds[c]; });
-        base::for_each_combination(moves.parts, [&](const std::vector<automata::MarkingOutcome>& outcomes) {
+        base::for_each_combination(moves.parts, [&, way = way](const std::vector<automata::MarkingOutcome>& outcomes) {
           Marking target = moves.certain;
           double there = way;
           for (const auto& outcome : outcomes) {
@@ -207,7 +207,7 @@ RC_GTEST_PROP(DiagnoseModel, RunsStayWithinTheThreads, ()) {
     for (const auto& [marked, likely] : now) {
       check(marked, likely);
       step.for_each_next(marked, commands,
-                         [&](const reference::MarkedSet& to, double probability, unsigned improbable) {
+                         [&, likely = likely](const reference::MarkedSet& to, double probability, unsigned improbable) {
                            if (probability > 0 && step.allows(to, automata::constant(true)))
                              next[to] |= likely && improbable == 0;
                          });

@@ -111,6 +111,10 @@ ExitStatus Program::parse_and_run(int count, const char* const* arguments) {
   return ExitStatus::done;
 }
 
+static std::string not_a_switch(const std::string& path, const std::string& name, const std::string& value) {
+  return path + ": '" + name + "' is true or false, not '" + value + "'";
+}
+
 /// What the command line does not say is as the settings have it.
 void Program::take_settings(const CLI::App& command) {
   settings_ = find_settings(first_file(command));
@@ -119,7 +123,7 @@ void Program::take_settings(const CLI::App& command) {
     if (option->count() > 0) continue;
     if (option->get_expected_max() == 0) {
       if (value != "true" && value != "false") {
-        throw base::InputError(settings_.path + ": '" + name + "' is true or false, not '" + value + "'");
+        throw base::InputError(not_a_switch(settings_.path, name, value));
       }
       (name == "quiet" ? common_.quiet : common_.verbose) = value == "true";
       continue;

@@ -21,7 +21,7 @@ std::optional<std::pair<Impasse, std::size_t>> PartPlans::plan(const Modes& mode
     auto found = planner_.next(modes, objective);
     if (auto* impasse = std::get_if<Impasse>(&found)) return std::pair{std::move(*impasse), part};
     auto& way = std::get<IslandPlan>(found);
-    const bool brief = planner_.is_brief(way.first, objective);
+    const bool brief = planner_.is_brief(way, objective);
     offers.push_back({std::move(way), part, brief, planner_.has_waits(modes, objective)});
   }
   return std::nullopt;

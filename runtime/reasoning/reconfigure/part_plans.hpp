@@ -28,6 +28,10 @@ class PartPlans {
   /// Each part by itself, in the order of goals; the part of the objective is of no account. An impasse, and its part.
   std::optional<std::pair<Impasse, std::size_t>> plan(const automata::Modes& modes, Objective objective,
                                                       std::vector<Offer>& offers);
+  /// What the ways lead through.
+  Planner::Followed followed(const automata::Modes& modes, const Objective& objective) {
+    return planner_.followed(modes, objective);
+  }
   /// Where the plans end.
   [[nodiscard]] automata::Modes end_of(const automata::Modes& modes, const std::vector<Offer>& offers) const;
   /// Of at least one: the first command that need not be put off until another part has been waited for; else the first

@@ -21,31 +21,29 @@ bool Planner::is_safe(const Modes& modes, const Objective& objective, const Cont
   std::vector<ComponentId> others = nominal_.fleeting(modes, action, objective.part);
   std::erase_if(others, [&](ComponentId c) { return outcome.modes[c.index()] != modes[c.index()]; });
   if (others.empty()) return true;
-  const std::vector<bool> relied = relied_on(modes, objective);
+  const std::vector<bool> relied = followed_in_part(modes, objective).relied;
   return std::none_of(others.begin(), others.end(), [&](ComponentId c) { return relied[c.index()]; });
 }
 
-std::vector<bool> Planner::relied_on(const Modes& modes, const Objective& objective) {
+Planner::Followed Planner::followed_in_part(const Modes& modes, const Objective& objective) {
   std::vector<ComponentId> seeds;
   for (const ComponentId c : parts_.components(objective.part)) {
     if (objective.wanted[c.index()]) seeds.push_back(c);
   }
-  return followed(modes, objective, seeds).relied;
+  return followed(modes, objective, seeds);
 }
 
-std::vector<bool> Planner::on_the_way(const Modes& modes, const Objective& objective) {
+Planner::Followed Planner::followed(const Modes& modes, const Objective& objective) {
   std::vector<ComponentId> seeds;
   for (std::size_t c = 0; c < modes.size(); ++c) {
     if (objective.wanted[c]) seeds.emplace_back(c);
   }
-  Followed way = followed(modes, objective, seeds);
-  for (std::size_t c = 0; c < modes.size(); ++c) way.relied[c] = way.relied[c] || way.moved[c];
-  return std::move(way.relied);
+  return followed(modes, objective, seeds);
 }
 
 Planner::Followed Planner::followed(const Modes& modes, const Objective& objective,
                                     std::span<const ComponentId> seeds) {
-  Followed result{std::vector<bool>(modes.size()), std::vector<bool>(modes.size())};
+  Followed result{std::vector<bool>(modes.size()), std::vector<bool>(modes.size()), false};
   std::set<std::pair<ComponentId, ModeId>> sought;
   std::vector<std::pair<ComponentId, ModeId>> open;
   const auto seek = [&](ComponentId c, ModeId wanted) {
@@ -82,6 +80,7 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
                     });
     if (t != nullptr && !t->timed && strays) result.relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
+      result.waits = result.waits || t->timed;
       for (const NominalTransition& way : graph_.transitions(component)) {
         if (is_parallel(component, way, *t, objective.permitted)) rely(component, way);
       }
@@ -100,38 +99,43 @@ std::optional<PlannedStep> Planner::meanwhile(const Modes& modes, const Objectiv
     const auto* const step = std::get_if<PlannedStep>(&next);
     return step != nullptr && step->idle && step->component == waiting.component;
   };
+  const auto prepare = [&](ComponentId c) {
+    auto step = preparation(modes, objective, c, std::span(&objective.target[c.index()], 1),
+                            [&](const PlannedStep& command) { return waits_on(command.outcome.modes); });
+    if (step) step->serves = c;
+    return step;
+  };
   for (const ComponentId c : ordered_[objective.part]) {
     if (way.relied[c.index()] || way.moved[c.index()] || !astray(modes, objective, c)) continue;
-    NextStep choice = approach(modes, objective, c);
-    auto* const command = std::get_if<PlannedStep>(&choice);
-    if (command != nullptr && !command->idle && waits_on(command->outcome.modes)) return std::move(*command);
+    if (auto step = prepare(c)) return step;
   }
-  auto step = preparation(modes, objective, served, std::span(&objective.target[served.index()], 1),
-                          [&](const PlannedStep& command) { return waits_on(command.outcome.modes); });
-  if (step) step->serves = served;
-  return step;
+  return prepare(served);
 }
 
 bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
   const Modes& reached = step.outcome.modes;
-  const auto brief = nominal_.fleeting(reached, idle_, objective.part);
+  const std::vector<ComponentId> brief = brief_goals(reached, objective);
   return std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(), [&](const NominalMove& move) {
-    const ComponentId c = move.component;
-    return objective.wanted[c.index()] && reached[c.index()] == objective.target[c.index()] &&
-           std::find(brief.begin(), brief.end(), c) != brief.end();
+    return std::find(brief.begin(), brief.end(), move.component) != brief.end();
   });
 }
 
+bool Planner::is_brief(const IslandPlan& plan, const Objective& objective) {
+  if (is_brief(plan.first, objective)) return true;
+  return !has_waits(plan.first.outcome.modes, objective) && !brief_goals(plan.end, objective).empty();
+}
+
+/// The goals that are achieved, and may be undone by a timed transition of their own.
+std::vector<ComponentId> Planner::brief_goals(const Modes& modes, const Objective& objective) {
+  std::vector<ComponentId> brief = nominal_.fleeting(modes, idle_, objective.part);
+  std::erase_if(brief, [&](ComponentId c) {
+    return !objective.wanted[c.index()] || modes[c.index()] != objective.target[c.index()];
+  });
+  return brief;
+}
+
 bool Planner::has_waits(const Modes& modes, const Objective& objective) {
-  for (const ComponentId c : parts_.components(objective.part)) {
-    if (!objective.wanted[c.index()]) continue;
-    const ModeId target = objective.target[c.index()];
-    const Policy& policy = policies_.of(c, objective.permitted);
-    for (const auto* t = policy.next(modes[c.index()], target); t != nullptr; t = policy.next(t->to, target)) {
-      if (t->timed) return true;
-    }
-  }
-  return false;
+  return followed_in_part(modes, objective).waits;
 }
 
 }  // namespace rmpl::runtime

@@ -78,15 +78,21 @@ class Planner {
   std::optional<automata::ControlAction> resting_action(const automata::Modes& modes) {
     return nominal_.resting_action(modes);
   }
-  /// The components that the ways of the wanted ones lead through, themselves among them.
-  std::vector<bool> on_the_way(const automata::Modes& modes, const Objective& objective);
+  /// What the policies that lead components to their targets go through: modes that they rely on, components that they
+  /// move, themselves among them.
+  struct Followed {
+    std::vector<bool> relied, moved;
+    bool waits;  ///< for timed transitions of these
+  };
+  /// Of the wanted components.
+  Followed followed(const automata::Modes& modes, const Objective& objective);
 
   /// Components in the order in which their goals are achieved.
   [[nodiscard]] const std::vector<automata::ComponentId>& order() const { return order_.downstream_first(); }
 
-  /// Whether the step achieves a goal that a timed transition may undo.
-  bool is_brief(const PlannedStep& step, const Objective& objective);
-  /// Whether a timed transition stands in the policies that lead from the modes to the target.
+  /// Whether the step achieves a goal that a timed transition may undo, or begins what does without a wait.
+  bool is_brief(const IslandPlan& plan, const Objective& objective);
+  /// Whether a timed transition stands in the ways that lead from the modes to the target.
   bool has_waits(const automata::Modes& modes, const Objective& objective);
 
   /// States that a search visits at most, before it gives up.
@@ -96,6 +102,8 @@ class Planner {
 
  private:
   using NextStep = std::variant<PlannedStep, Impasse>;
+  bool is_brief(const PlannedStep& step, const Objective& objective);
+  std::vector<automata::ComponentId> brief_goals(const automata::Modes& modes, const Objective& objective);
   /// The order of goals. `commands_first`: downstream first, but commands for others go out while that waits.
   enum class Order { commands_first, downstream_first, lasting_first };
   enum class Waits { safe, any };
@@ -176,17 +184,12 @@ class Planner {
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
                const NominalOutcome& outcome);
-  /// What the policies that lead the seeds to their targets go through: modes that they rely on, components that they
-  /// move.
-  struct Followed {
-    std::vector<bool> relied, moved;
-  };
   automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,
                                   automata::ComponentId moved);
   Followed followed(const automata::Modes& modes, const Objective& objective,
                     std::span<const automata::ComponentId> seeds);
-  /// Per component, whether its mode is its goal, or what a policy that leads another there requires or commands from.
-  std::vector<bool> relied_on(const automata::Modes& modes, const Objective& objective);
+  /// Of the wanted components of the part.
+  Followed followed_in_part(const automata::Modes& modes, const Objective& objective);
 
   /// How far away the requirements of a way are; nothing where one of them cannot be met.
   std::optional<Distance> distance(const automata::Modes& modes, const Objective& objective, const Way& way);

@@ -29,8 +29,38 @@ std::variant<Modes, Impasse> Pursuit::run() {
 /// Nothing where the candidate will do; else what is to blame.
 std::optional<Pursuit::Blamed> Pursuit::judge(const Modes& candidate) {
   need(candidate);
-  auto failed = plans_.plan(modes_, {needed_.target, needed_.permitted, 0, needed_.wanted}, needed_.offers);
-  return failed ? blame(candidate, std::move(*failed)) : lost(candidate);
+  if (auto failed = plan()) return blame(candidate, std::move(*failed));
+  if (any_) return std::nullopt;
+  auto undone = undone_at_end();
+  if (undone && leaves_aside(candidate, *undone)) {
+    Needed before = needed_;
+    need(candidate);
+    if (plan()) {
+      needed_ = std::move(before);
+    } else {
+      undone = undone_at_end();
+    }
+  }
+  return undone ? lost(candidate, std::move(*undone)) : std::nullopt;
+}
+
+std::optional<std::pair<Impasse, std::size_t>> Pursuit::plan() {
+  return plans_.plan(modes_, {needed_.target, needed_.permitted, 0, needed_.wanted}, needed_.offers);
+}
+
+/// What is to blame for a goal that does not last where the plan ends; nothing where it does.
+std::optional<Pursuit::Blamed> Pursuit::undone_at_end() {
+  return undone_by_itself(plans_.end_of(modes_, needed_.offers), needed_.wanted, goal_, step_, interpreter_);
+}
+
+/// Whether the plan ends with something that the goal rests on elsewhere than the candidate has it. It is needed then.
+bool Pursuit::leaves_aside(const Modes& candidate, const Blamed& undone) {
+  const Modes end = plans_.end_of(modes_, needed_.offers);
+  bool some = false;
+  for (const ComponentId c : undone) {
+    if (end[c.index()] != candidate[c.index()]) some = rested_on_.insert(c).second || some;
+  }
+  return some;
 }
 
 void Pursuit::need(const Modes& candidate) {
@@ -52,21 +82,18 @@ void Pursuit::need(const Modes& candidate) {
   needed_.permitted = prospects_.permitted(needed_.target);
 }
 
-/// What is to blame for a goal that does not last; nothing where it does, or need not any more.
-std::optional<Pursuit::Blamed> Pursuit::lost(const Modes& candidate) {
-  if (any_) return std::nullopt;
-  auto blamed = undone_by_itself(plans_.end_of(modes_, needed_.offers), needed_.wanted, goal_, step_, interpreter_);
-  if (!blamed) return std::nullopt;
+/// A goal state that does not last: the first is remembered; nothing where no others are looked for any more.
+std::optional<Pursuit::Blamed> Pursuit::lost(const Modes& candidate, Blamed blamed) {
   const auto chosen = [&](ComponentId c) { return needed_.target[c.index()] == candidate[c.index()]; };
-  if (!std::all_of(blamed->begin(), blamed->end(), chosen)) {
-    blamed->clear();
-    for (std::size_t c = 0; c < modes_.size(); ++c) blamed->emplace_back(c);
+  if (!std::all_of(blamed.begin(), blamed.end(), chosen)) {
+    blamed.clear();
+    for (std::size_t c = 0; c < modes_.size(); ++c) blamed.emplace_back(c);
   }
   const auto effort = prospects_.effort(modes_, candidate);
   any_ = ++passed_ == passing_limit || (passing_ && effort > passing_->effort);
   if (!passing_) passing_ = Passing{candidate, needed_, effort};
   if (any_) return std::nullopt;
-  rested_on_.insert(blamed->begin(), blamed->end());
+  rested_on_.insert(blamed.begin(), blamed.end());
   return blamed;
 }
 
@@ -99,7 +126,13 @@ void Pursuit::lay_ground() {
     some = some || modes_[c.index()] != needed_.target[c.index()];
   }
   std::vector<Offer> offers;
-  if (some && !plans_.plan(modes_, {target, needed_.permitted, 0, wanted}, offers)) needed_.offers = std::move(offers);
+  if (!some || plans_.plan(modes_, {target, needed_.permitted, 0, wanted}, offers)) return;
+  // A way that moves it again is no way from there: the outlet that is to be shut in the end is open while a tank runs
+  // down.
+  const Planner::Followed rest = plans_.followed(target, {needed_.target, needed_.permitted, 0, needed_.wanted});
+  const bool stays = std::none_of(rested_on_.begin(), rested_on_.end(),
+                                  [&](ComponentId c) { return !goal_.restricts(c) && rest.moved[c.index()]; });
+  if (stays) needed_.offers = std::move(offers);
 }
 
 }  // namespace rmpl::runtime

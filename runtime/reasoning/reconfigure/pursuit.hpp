@@ -63,7 +63,10 @@ class Pursuit {
 
   std::optional<Blamed> judge(const automata::Modes& candidate);
   void need(const automata::Modes& candidate);
-  std::optional<Blamed> lost(const automata::Modes& candidate);
+  std::optional<std::pair<Impasse, std::size_t>> plan();
+  std::optional<Blamed> undone_at_end();
+  bool leaves_aside(const automata::Modes& candidate, const Blamed& undone);
+  std::optional<Blamed> lost(const automata::Modes& candidate, Blamed blamed);
   Blamed blame(const automata::Modes& candidate, std::pair<Impasse, std::size_t> failed);
   void lay_ground();
 

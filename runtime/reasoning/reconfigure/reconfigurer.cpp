@@ -211,7 +211,9 @@ class PolicyReconfigurer : public Reconfigurer {
                                     const Prospects& prospects, Asked& asked) {
     Upkeep& upkeep = upkeep_of(asked);
     const Upkeep::Standing standing = upkeep.standing(modes);
-    const std::vector<bool> way = planner_.on_the_way(modes, {needed.target, needed.permitted, 0, needed.wanted});
+    const auto followed = planner_.followed(modes, {needed.target, needed.permitted, 0, needed.wanted});
+    std::vector<bool> way = followed.relied;
+    for (std::size_t c = 0; c < way.size(); ++c) way[c] = way[c] || followed.moved[c];
     for (const ComponentId c : planner_.order()) {
       const bool broken = step_.plant()[c].modes[modes[c.index()].index()].fault;
       if ((way[c.index()] && !broken) || target[c.index()] == modes[c.index()]) continue;
