@@ -26,7 +26,7 @@ BIN = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else SOURCE / "build/releas
 DOCS = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 and sys.argv[2] != "-" else None
 ASKED = sys.argv[3:]
 CYCLES = 2000
-COMPONENTS = (10, 20, 50, 100, 200, 500, 1000)
+COMPONENTS = (10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 KAPPAS = (1, 2, 4, 8, 16, 32, 64, 128, 256)
 OBSERVATIONS = (0, 10, 20, 40, 60, 80, 100)
 
