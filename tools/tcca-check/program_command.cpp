@@ -127,9 +127,9 @@ ScenarioFrame frame_of(const ProgramOptions& options, const Subject& subject) {
   return frame;
 }
 
-/// Writes the first violation that a flight shows as a scenario, to `path`. One of dense time is looked for again in
-/// cycles.
-void write_scenario(const std::string& path, base::OutputFile& file, const ScenarioFrame& frame, const Subject& subject,
+/// Writes the first violation that a flight shows as a scenario, to `path`: false where there is none. One of dense
+/// time is looked for again in cycles. It is kept by the caller, once nothing else can fail.
+bool write_scenario(const std::string& path, base::OutputFile& file, const ScenarioFrame& frame, const Subject& subject,
                     automata::PlantStep& step, const std::vector<Property>& properties,
                     const std::vector<Answer>& answers, const CheckOptions& free, const Common& common,
                     const verifier::Limits& limits) {
@@ -157,8 +157,7 @@ void write_scenario(const std::string& path, base::OutputFile& file, const Scena
         refused = rehearse(path, text, subject.plant, *witness, limits.interrupted);
         if (!refused) {
           file.write(text);
-          file.keep();
-          return;
+          return true;
         }
         patient.patience *= 8;
       } while (verifier::is_about_patience(property) && patient.patience < most_patience);
@@ -170,6 +169,7 @@ void write_scenario(const std::string& path, base::OutputFile& file, const Scena
   } else if (!common.quiet) {
     tell("nothing is violated, so no scenario is written");
   }
+  return false;
 }
 
 std::string text_of(const Subject& subject, const std::vector<Property>& properties, const CheckOptions& free,
@@ -198,13 +198,15 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
       common, [&] { return text_of(subject, properties, free, answers, options, common); },
       [&] { return verifier::to_json(subject, question, answers); },
       [&] { return verifier::to_junit(subject, properties, answers); });
-  if (frame) write_scenario(options.scenario, *file, *frame, subject, step, properties, answers, free, common, bounds);
+  const bool shown = frame && write_scenario(options.scenario, *file, *frame, subject, step, properties, answers, free,
+                                             common, bounds);
   std::vector<runtime::Flight> flights;
   for (std::size_t p = 0; p < properties.size(); ++p) {
     auto own = flights_of(subject, verifier::name_of(properties[p]), properties[p], free, answers[p]);
     std::move(own.begin(), own.end(), std::back_inserter(flights));
   }
   report.write(std::move(flights), subject, common.quiet);
+  if (shown) file->keep();
   return status_of(verifier::overall(properties, answers));
 }
 
