@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 #include "runtime/reasoning/reconfigure/preconditions.hpp"
 
@@ -18,19 +19,30 @@ using automata::TransitionId;
 
 namespace {
 
-/// Per mode, the modes that the transitions lead to.
-std::vector<std::vector<bool>> closure(const std::vector<NominalTransition>& transitions, std::size_t modes) {
-  std::vector<std::vector<bool>> leads(modes, std::vector<bool>(modes));
-  for (std::size_t m = 0; m < modes; ++m) {
-    auto& reached = leads[m];
-    reached[m] = true;
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (const NominalTransition& t : transitions) {
-        if (!reached[t.from.index()] || reached[t.to.index()]) continue;
-        reached[t.to.index()] = grown = true;
-      }
+constexpr auto any = [](const NominalTransition&) { return true; };
+
+/// The modes that the usable transitions lead to from those reached, these among them.
+template <class Usable>
+std::vector<bool> closure(const std::vector<NominalTransition>& transitions, std::vector<bool> reached,
+                          const Usable& usable) {
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const NominalTransition& t : transitions) {
+      if (!reached[t.from.index()] || reached[t.to.index()] || !usable(t)) continue;
+      reached[t.to.index()] = grown = true;
     }
+  }
+  return reached;
+}
+
+/// Per mode, the modes that the transitions lead to.
+std::vector<std::vector<bool>> closures(const std::vector<NominalTransition>& transitions, std::size_t modes) {
+  std::vector<std::vector<bool>> leads;
+  leads.reserve(modes);
+  for (std::size_t m = 0; m < modes; ++m) {
+    std::vector<bool> start(modes);
+    start[m] = true;
+    leads.push_back(closure(transitions, std::move(start), any));
   }
   return leads;
 }
@@ -38,20 +50,11 @@ std::vector<std::vector<bool>> closure(const std::vector<NominalTransition>& tra
 /// A repair may take several steps: a mode that is come to only by way of a fault belongs to it, and so does the step
 /// that leads on from there, or back to where the component may be without any step that cannot be undone.
 void mark_ends_of_repairs(const Component& component, std::vector<NominalTransition>& transitions) {
-  const auto from_start = [&](const auto& usable) {
-    std::vector<bool> reached(component.modes.size());
-    for (std::size_t m = 0; m < reached.size(); ++m) reached[m] = component.initial[m] > 0 && !component.modes[m].fault;
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (const NominalTransition& t : transitions) {
-        if (!reached[t.from.index()] || reached[t.to.index()] || !usable(t)) continue;
-        reached[t.to.index()] = grown = true;
-      }
-    }
-    return reached;
-  };
-  const std::vector<bool> without_fault = from_start([](const NominalTransition&) { return true; });
-  const std::vector<bool> revocably = from_start([](const NominalTransition& t) { return t.reversible; });
+  std::vector<bool> start(component.modes.size());
+  for (std::size_t m = 0; m < start.size(); ++m) start[m] = component.initial[m] > 0 && !component.modes[m].fault;
+  const std::vector<bool> without_fault = closure(transitions, start, any);
+  const std::vector<bool> revocably =
+      closure(transitions, start, [](const NominalTransition& t) { return t.reversible; });
   for (NominalTransition& t : transitions) {
     if (!without_fault[t.from.index()] && (!without_fault[t.to.index()] || revocably[t.to.index()])) t.repair = true;
   }
@@ -131,7 +134,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant) : index_(plant) {
         added.commanded = added.commanded && modes < precondition.size();
       }
     }
-    leads_.push_back(closure(transitions, component.modes.size()));
+    leads_.push_back(closures(transitions, component.modes.size()));
     for (NominalTransition& t : transitions) t.reversible = leads_[c][t.to.index()][t.from.index()];
     mark_ends_of_repairs(component, transitions);
   }
