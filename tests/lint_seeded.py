@@ -87,6 +87,26 @@ component Arm {
 }
 """
 
+# Lit some time after there is power, which there is not at the start.
+LAMP = [
+    ("plant Feed {", """\
+component Lamp {
+  input  power : { zero, nominal };
+  output lit   : { no, yes };
+  initial dark;
+  mode dark   { lit = no };
+  mode bright { lit = yes };
+  dark   -> bright when power = nominal in [2 s, 4 s];
+  bright -> dark   when power = zero;
+}
+
+plant Feed {
+  lamp   : Lamp;
+  lamp.power = heater.power;
+  observe lamp.lit;
+"""),
+]
+
 # What is wrong, the codes one of which tells of it, and the edits: a text and what stands in its place.
 SEEDED = [
     ("the way into a mode is forgotten", 530, ("  closed -> open   when cmd = open;\n", "")),
@@ -139,6 +159,8 @@ SEEDED = [
     ("a weight of a transition that is alone", 550, ("closed -> open   when cmd = open;", "closed -> open   when cmd = open with 0.9;")),
     ("a transition that is to restart a clock", 548, ("heating -> off     when cmd = off;", "heating -> off     when cmd = off;\n  heating -> heating when cmd = off in [1 s, 2 s];"), ("when cmd != off in [30 s, 60 s];", "when cmd = on in [30 s, 60 s];"), ("  heating -> off     when cmd = off;\n", "")),
     ("a transition that says what stays so", 548, ("closed -> open   when cmd = open;", "closed -> open   when cmd = open;\n  closed -> closed when cmd = close;")),
+    ("a delay from a command", 551, ("closed -> open   when cmd = open;", "closed -> open   when cmd = open in [2 s, 3 s];")),
+    ("a delay from what another component brings about", 551, *LAMP),
     ("a plant without sensors", 549, ("  observe tank.gauge, driver.status, valve.switch, valve.outlet, heater.temp, heater.power;\n", "")),
     ("a fault among the outcomes of a transition that takes time", 547, ("heating -> hot     when cmd != off in [30 s, 60 s];", "heating -> { hot with 0.9, broken with 0.1 } when cmd != off in [30 s, 60 s];")),
 ]
@@ -161,6 +183,7 @@ CLEAN = [
     ("a fault that looks like one nominal mode of two", ("fault stuck  { outlet = low & switch = wide }", "fault stuck  { outlet = low & switch = shut }")),
     ("faults that look alike, but one can be left", ("  fault broken  { temp = cold & power = zero };", "  fault broken  { temp = cold & power = zero };\n  fault blown   { temp = cold & power = zero };\n  any nominal -> blown with rate 1e-5 /h;\n  blown -> off when cmd = off;")),
     ("a transition that holds off what takes time", ("heating -> off     when cmd = off;", "heating -> off     when cmd = off;\n  heating -> heating when cmd = on;")),
+    ("a delay from what is there at the start", *LAMP, ("  heater : Heater;", "  heater : Heater { initial hot; };")),
     ("a command that only a constraint reads", ("{ none, on, off, open, close };\n  output out", "{ none, on, off, open, close, test };\n  output out"), ("{ off, on, tripped }", "{ off, on, tripped, testing }"), ("& status = on }", "& (cmd = test <-> status = testing) & status in { on, testing } }")),
 ]
 

@@ -263,13 +263,15 @@ bool Theory::allows_other(std::span<const Assignment> assumptions, Assignment as
 bool Theory::leaves_open(std::span<const Assignment> assumptions, Assignment assignment) {
   const Literal read = literal(assignment);
   if (!value(read)) return true;
-  if (maintenance_ && maintenance_->follows(read)) {
-    conflict_.clear();
-    maintenance_->explain(read);
-    blame(assumptions, *maintenance_);
-    return false;
-  }
-  return allows_other(assumptions, assignment);
+  return !derived(assumptions, read) && allows_other(assumptions, assignment);
+}
+
+bool Theory::derived(std::span<const Assignment> assumptions, Literal conclusion) {
+  if (!maintenance_ || !maintenance_->follows(conclusion)) return false;
+  conflict_.clear();
+  maintenance_->explain(conclusion);
+  blame(assumptions, *maintenance_);
+  return true;
 }
 
 std::vector<Assignment> Theory::minimal_conflict(std::vector<Assignment> conflict, Handle formula) {
@@ -296,11 +298,7 @@ bool Theory::entails(std::span<const Assignment> assumptions, Handle formula) {
     // A model at hand refutes most that is not implied, and propagation derives most that is.
     if (!solve(assumptions, true_)) return true;
     if (!value(conclusion)) return false;
-    if (maintenance_->follows(conclusion)) {
-      maintenance_->explain(conclusion);
-      blame(assumptions, *maintenance_);
-      return true;
-    }
+    if (derived(assumptions, conclusion)) return true;
   }
   return !solve(assumptions, -conclusion);
 }

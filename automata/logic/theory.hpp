@@ -87,6 +87,8 @@ class Theory {
   bool solve(std::span<const Assignment> assumptions, Literal extra);
   template <class Reasoner>
   void blame(std::span<const Assignment> assumptions, const Reasoner& reasoner);
+  /// Whether propagation has derived the literal from the assumptions asked last; if so, those to blame are known.
+  bool derived(std::span<const Assignment> assumptions, Literal conclusion);
   [[nodiscard]] bool value(Literal literal) const {
     return maintenance_ ? maintenance_->value(literal) : sat_->value(literal);
   }

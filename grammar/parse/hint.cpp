@@ -48,6 +48,12 @@ std::string_view without_blank_behind(std::string_view text) {
   return text;
 }
 
+std::string_view without_blank_before(std::string_view text) {
+  const char* end = text.data() + text.size();
+  const char* begin = skip_blank(text.data(), end);
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
 /// The word or number that ends a text, but for blank behind it. (A comment between them hides it: then no hint.)
 std::string_view last_word(std::string_view text) {
   text = without_blank_behind(text);
@@ -182,6 +188,11 @@ std::optional<Hint> sign_hint(const Unexpected& place) {
   if (place.found == "=" && place.expected.find("`default`") != std::string_view::npos)
     return did_you_mean("default", place.found);
   if (place.found == "%") return say("a probability is a number from 0 to 1");
+  if (place.found == "*" && without_blank_before(place.behind).starts_with("->")) {
+    Hint all = did_you_mean("any", place.found);
+    all.suggestion += " `any nominal` leaves out the faults";
+    return all;
+  }
   if (place.expected == "`::`" || (place.expected == "`(`" && place.found == "::")) {
     return say("a definition is written `Name() :: { … }`");
   }
@@ -217,10 +228,9 @@ Hint reserved(std::string_view word) {
 /// A reserved word where the signs behind it show that a name was meant.
 std::optional<Hint> reserved_hint(const Unexpected& place) {
   if (!is_reserved(place.found) || place.found == "true" || place.found == "false") return std::nullopt;
-  const char* end = place.behind.data() + place.behind.size();
-  const char* next = skip_blank(place.behind.data(), end);
-  if (next == end) return std::nullopt;
-  const std::string_view sign = token_at(next, end);
+  const std::string_view next = without_blank_before(place.behind);
+  if (next.empty()) return std::nullopt;
+  const std::string_view sign = token_at(next.data(), next.data() + next.size());
   const bool name = sign == ":" || sign == "=" || sign == "!=" || sign == "->" || sign == ";" || sign == ",";
   return name ? std::optional(reserved(place.found)) : std::nullopt;
 }

@@ -126,6 +126,7 @@ enum class Code : std::uint16_t {
   idle_transition = 548,
   unobserved_plant = 549,
   unused_weight = 550,
+  late_guard = 551,
   // Compiled documents.
   document_schema = 600,
   // Properties.

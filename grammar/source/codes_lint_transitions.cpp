@@ -49,12 +49,14 @@ plant Door {
         "anew is a mode of its own. In a mode without time bounds it is a note.",
         R"(component Valve {
   input  cmd      : { none, open, keep };
-  output position : { shut, wide };
+  output position : { shut, between, wide };
   initial closed;
-  mode closed { position = shut };
-  mode open   { position = wide };
-  closed -> open when cmd = open in [2 s, 3 s];
-  closed -> closed when cmd = keep;
+  mode closed  { position = shut };
+  mode opening { position = between };
+  mode open    { position = wide };
+  closed  -> opening when cmd = open;
+  opening -> open    when cmd != keep in [2 s, 3 s];
+  opening -> opening when cmd = keep;
 }
 plant Feed {
   valve : Valve;
@@ -63,11 +65,13 @@ plant Feed {
 })",
         R"(component Valve {
   input  cmd      : { none, open };
-  output position : { shut, wide };
+  output position : { shut, between, wide };
   initial closed;
-  mode closed { position = shut };
-  mode open   { position = wide };
-  closed -> open when cmd = open in [2 s, 3 s];
+  mode closed  { position = shut };
+  mode opening { position = between };
+  mode open    { position = wide };
+  closed  -> opening when cmd = open;
+  opening -> open in [2 s, 3 s];
 }
 plant Feed {
   valve : Valve;
@@ -81,15 +85,17 @@ plant Feed {
         "whatever its weight; one that takes time competes with others by its times alone.",
         R"(component Valve {
   input  cmd      : { none, open, close };
-  output position : { shut, wide, between };
+  output position : { shut, wide, moving, between };
   initial closed;
-  mode closed { position = shut };
-  mode open   { position = wide };
-  mode ajar   { position = between };
-  closed -> open when cmd = open;
-  open -> closed when cmd = close in [1 s, 2 s] with 0.9;
-  open -> ajar   when cmd = close in [1 s, 2 s] with 0.1;
-  ajar -> closed when cmd = close;
+  mode closed  { position = shut };
+  mode open    { position = wide };
+  mode closing { position = moving };
+  mode ajar    { position = between };
+  closed  -> open    when cmd = open;
+  open    -> closing when cmd = close;
+  closing -> closed in [1 s, 2 s] with 0.9;
+  closing -> ajar   in [1 s, 2 s] with 0.1;
+  ajar    -> closing when cmd = close;
 }
 plant Feed {
   valve : Valve;
@@ -98,14 +104,53 @@ plant Feed {
 })",
         R"(component Valve {
   input  cmd      : { none, open, close };
-  output position : { shut, wide, between };
+  output position : { shut, wide, moving, between };
+  initial closed;
+  mode closed  { position = shut };
+  mode open    { position = wide };
+  mode closing { position = moving };
+  mode ajar    { position = between };
+  closed  -> open    when cmd = open;
+  open    -> closing when cmd = close;
+  closing -> { closed with 0.9, ajar with 0.1 } in [1 s, 2 s];
+  ajar    -> closing when cmd = close;
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})"},
+    CodeInfo{
+        Code::late_guard, "guard that begins after the clock",
+        "Time bounds are counted from when the mode was entered, not from when the guard began to hold. A guard that "
+        "waits for a command, or that holds wherever the mode is left and never where it is entered, begins to hold at "
+        "any time after: where that is past the upper bound, the transition is overdue and is taken in the next step, "
+        "without any delay. A delay from a cause is a mode of its own. A lower bound alone, `after 5 s`, may be meant: "
+        "before that nothing is obeyed.",
+        R"(component Valve {
+  input  cmd      : { none, open, close };
+  output position : { shut, wide };
   initial closed;
   mode closed { position = shut };
   mode open   { position = wide };
-  mode ajar   { position = between };
-  closed -> open when cmd = open;
-  open -> { closed with 0.9, ajar with 0.1 } when cmd = close in [1 s, 2 s];
-  ajar -> closed when cmd = close;
+  closed -> open when cmd = open in [2 s, 3 s];
+  open -> closed when cmd = close;
+}
+plant Feed {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.position;
+})",
+        R"(component Valve {
+  input  cmd      : { none, open, close };
+  output position : { shut, between, wide };
+  initial closed;
+  mode closed  { position = shut };
+  mode opening { position = between };
+  mode open    { position = wide };
+  closed -> opening when cmd = open;
+  opening -> open in [2 s, 3 s];
+  open -> closed when cmd = close;
 }
 plant Feed {
   valve : Valve;

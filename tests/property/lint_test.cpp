@@ -18,12 +18,14 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/lint.hpp"
+#include "tests/reference/models.hpp"
 #include "tests/reference/reachability.hpp"
 
 namespace rmpl::property {
 namespace {
 
 using automata::ComponentId;
+using automata::Formula;
 using automata::ModeId;
 using automata::Plant;
 using automata::Transition;
@@ -294,6 +296,59 @@ RC_GTEST_PROP(PlantLint, UnusedWeightsAreThoseThatShareWithNothing, ()) {
   Model without = model;
   for (const auto& [c, t] : found) without.plant.components[c].transitions[t].weight = {};
   RC_ASSERT(move_alike(model.plant, without.plant, slow));
+}
+
+/// Whether the guard of a transition can hold in no situation that `counts`.
+template <class Counts>
+bool never_holds(const PlantLint& slow, const reference::Models& models, const Plant& plant, const Formula& guard,
+                 const Counts& counts) {
+  const auto situations = slow.situations();
+  return std::none_of(situations.begin(), situations.end(), [&](const auto& situation) {
+    const auto& [modes, action] = situation;
+    return counts(modes, action) && models.allows(reference::assumptions_of(plant, modes, action), guard);
+  });
+}
+
+RC_GTEST_PROP(PlantLint, LateGuardsNeverHoldWhereTheirModeIsEntered, ()) {
+  const Model model = any_plant();
+  const Plant& plant = model.plant;
+  PlantAnalysis analysis(plant);
+  const PlantLint slow(plant);
+  const reference::Models models(plant);
+  const Pairs found = of_transitions(find_late_guards(analysis));
+  RC_TAG(found.empty() ? "none" : "some");
+  RC_ASSERT(found == nominal_where(plant, analysis, [&](std::size_t c, std::size_t, const Transition& own) {
+              const automata::Support support = analysis.locality().support_of(own.guard);
+              const bool bounded = own.timing && !own.timing->upper.is_infinite() && own.timing->upper.count > 0;
+              if (!bounded || own.guard.is_true() || own.from == own.to || support.reads(ComponentId(c))) return false;
+              if (!support.controls.empty()) {
+                const auto idle = [&](const automata::Modes& modes, const automata::ControlAction& action) {
+                  return modes[c] == own.from &&
+                         std::all_of(support.controls.begin(), support.controls.end(),
+                                     [&](std::size_t u) { return action[u] == plant.controls[u].idle; });
+                };
+                return !never_holds(slow, models, plant, automata::constant(true), idle) &&
+                       never_holds(slow, models, plant, own.guard, idle);
+              }
+              const auto starts = [&](const automata::Modes& modes, const automata::ControlAction&) {
+                return modes[c] == own.from && slow.initial().contains({c, own.from.index()}) &&
+                       std::all_of(support.components.begin(), support.components.end(), [&](ComponentId read) {
+                         return slow.initial().contains({read.index(), modes[read.index()].index()});
+                       });
+              };
+              if (!never_holds(slow, models, plant, own.guard, starts)) return false;
+              const auto& ways = plant.components[c].transitions;
+              for (std::size_t w = 0; w < ways.size(); ++w) {
+                if (ways[w].to != own.from || ways[w].from == own.from) continue;
+                if (!analysis.can_happen({ComponentId(c), automata::TransitionId(w)})) continue;
+                const auto before = [&](const automata::Modes& modes, const automata::ControlAction&) {
+                  return modes[c] == ways[w].from;
+                };
+                if (!never_holds(slow, models, plant, automata::conjunction({ways[w].guard, own.guard}), before))
+                  return false;
+              }
+              return true;
+            }));
 }
 
 RC_GTEST_PROP(PlantLint, WhatNothingCommandedContradictsIsInNoSituation, ()) {

@@ -47,6 +47,12 @@ std::vector<PlantTransition> find_idle_transitions(PlantAnalysis& analysis);
 /// outcomes; and those beside which none without time bounds that leads elsewhere is ever enabled.
 std::vector<PlantTransition> find_unused_weights(PlantAnalysis& analysis);
 
+/// Nominal transitions within finite time bounds, which are counted from when their mode was entered, whose guards, by
+/// then, do not hold: they read a command, and hold under no modes while none is given; or they read none, and hold in
+/// no initial state and together with no guard by which the mode is entered. Guards that depend on the component's own
+/// mode are left out.
+std::vector<PlantTransition> find_late_guards(PlantAnalysis& analysis);
+
 /// Values of control variables that nothing allows, in modes that are reached.
 std::vector<automata::Assignment> find_impossible_commands(PlantAnalysis& analysis);
 /// A mode that is reached, and possible under some command, but not while nothing is commanded; with the idle values

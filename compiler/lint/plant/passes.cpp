@@ -61,6 +61,7 @@ std::span<const LintCode> plant_lint_codes() {
       LintCode{Code::unread_command, LintGroup::unused, Severity::warning},
       LintCode{Code::unused_attribute, LintGroup::unused, Severity::warning},
       LintCode{Code::timed_fault, LintGroup::timing, Severity::warning},
+      LintCode{Code::late_guard, LintGroup::timing, Severity::warning},
       LintCode{Code::idle_transition, LintGroup::suspicious, Severity::warning},
       LintCode{Code::unused_weight, LintGroup::suspicious, Severity::warning},
       LintCode{Code::unobserved_plant, LintGroup::observability, Severity::note},

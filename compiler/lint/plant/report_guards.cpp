@@ -1,5 +1,5 @@
-// Told: guards that never hold, that overlap, or whose transitions something always goes before; transitions without
-// effect.
+// Told: guards that never hold, that overlap, that begin too late, or whose transitions something always goes before;
+// transitions without effect.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
@@ -131,12 +131,12 @@ bool is_redundant(PlantReport& report, PlantTransition late, const std::vector<T
   });
 }
 
-void report_shadows(PlantReport& report) {
+void report_shadows(PlantReport& report, const std::vector<Shadow>& shadows) {
   std::vector<PlantTransition> found;
   std::map<PlantTransition, std::vector<TransitionId>> by;
-  for (Shadow& shadow : find_shadowed_transitions(report.analysis())) {
+  for (const Shadow& shadow : shadows) {
     found.push_back({shadow.component, shadow.transition});
-    by[found.back()] = std::move(shadow.by);
+    by[found.back()] = shadow.by;
   }
   std::set<grammar::Span> redundant;
   for (const auto& [late, early] : by) redundant.insert(report.at(late));
@@ -189,14 +189,39 @@ void report_unused_weights(PlantReport& report) {
   }
 }
 
+void report_late_guards(PlantReport& report, const std::vector<Shadow>& shadows) {
+  std::vector<PlantTransition> found = find_late_guards(report.analysis());
+  std::erase_if(found, [&](const PlantTransition& late) {  // told as never taken
+    return std::any_of(shadows.begin(), shadows.end(), [&](const Shadow& shadow) {
+      return PlantTransition{shadow.component, shadow.transition} == late;
+    });
+  });
+  for (const Written& written : as_written(report, found)) {
+    const automata::Transition& transition = report[written.first];
+    const automata::Timing& timing = *transition.timing;
+    auto& finding = report.add(Code::late_guard, report.at(written.first),
+                               "the time bounds of the transition from " + ends(report, written.first) + " of " +
+                                   report.name(written.instances) + " are counted from when " +
+                                   report.mode({written.first.component, transition.from}) +
+                                   " was entered: where its guard begins to hold after " +
+                                   automata::format_seconds(timing.upper) + " s, it is taken without delay");
+    // A lower bound alone says from when on something is obeyed.
+    if (timing.lower == timing.upper || !report.all(written.instances)) finding.severity = grammar::Severity::note;
+    finding.suggestion =
+        "a delay from a cause is a mode of its own: let the guard lead there, and the time on from there";
+  }
+}
+
 }  // namespace
 
 void report_guards(PlantReport& report) {
+  const std::vector<Shadow> shadows = find_shadowed_transitions(report.analysis());
   report_impossible_guards(report);
   report_overlaps(report);
-  report_shadows(report);
+  report_shadows(report, shadows);
   report_idle(report);
   report_unused_weights(report);
+  report_late_guards(report, shadows);
 }
 
 }  // namespace rmpl::compiler
