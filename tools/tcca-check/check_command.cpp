@@ -179,6 +179,9 @@ ExitStatus run(const Options& options, const Common& common) {
   if (std::any_of(answers.begin(), answers.end(), [](const verifier::Answer& a) { return a.startless; })) {
     warn_of_no_start("nothing is reachable");
   }
+  for (std::size_t q = 0; q < questions.size() && !common.quiet; ++q) {
+    if (warn_of_held_command(questions[q], answers[q], slices)) break;
+  }
   std::vector<verifier::Claim> claims;
   for (std::size_t q = 0; q < stated.size(); ++q) {
     claims.push_back({stated[q].name, std::move(questions[q]), stated[q].expect_violated, std::move(answers[q])});

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <set>
 
+#include "automata/assignment_text.hpp"
 #include "automata/controls.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/progress.hpp"
+#include "verifier/property/held_command.hpp"
 
 namespace rmpl::tools {
 
@@ -104,6 +106,23 @@ void warn_of_commands(const std::vector<verifier::Property>& asked, const automa
       }
     }
   }
+}
+
+bool warn_of_held_command(const verifier::Question& question, const verifier::Answer& answer,
+                          verifier::Slices& slices) {
+  const verifier::CheckOptions& options = question.options;
+  const bool none_found = answer.verdict != Verdict::undecided && !answer.witness;
+  const bool of_program = std::holds_alternative<verifier::ProgramProperty>(question.property);
+  if (options.period || options.commands == verifier::Commands::none || !none_found || of_program) return false;
+  const automata::Plant& plant = slices.plant();
+  const auto held = verifier::find_held_mode(plant, slices.cone(formulas_of(question.property)));
+  if (!held) return false;
+  const automata::Component& component = plant[held->component];
+  tell("warning: in dense time commands are given at an instant, and time passes with all controls idle: that '" +
+       component.name + "' stays in '" + component.modes[held->mode.index()].name + "' while " +
+       to_text(plant.variables, held->command) +
+       " is held was not looked at; --time T looks at it, and a program where it holds it");
+  return true;
 }
 
 void warn_of_no_start(const char* consequence) {

@@ -13,6 +13,7 @@
 #include "verifier/property/commands.hpp"
 #include "verifier/property/property.hpp"
 #include "verifier/search/limits.hpp"
+#include "verifier/slice/slices.hpp"
 #include "verifier/verdict/answer.hpp"
 
 namespace rmpl::tools {
@@ -68,6 +69,9 @@ ExitStatus status_of(verifier::Verdict verdict);
 
 /// Says that no initial state is possible; `consequence` is what follows, such as "nothing is reachable".
 void warn_of_no_start(const char* consequence);
+/// Says, where no run was found in dense time, that a mode in the cone of the question lasts only while a command is
+/// held, which no run there does. Whether there was something to say.
+bool warn_of_held_command(const verifier::Question& question, const verifier::Answer& answer, verifier::Slices& slices);
 /// Says, once a control, that what is asked speaks of commands, which are no part of a state.
 void warn_of_commands(const std::vector<verifier::Property>& asked, const automata::Plant& plant);
 
