@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 LINES = 200_000  # more than anyone estimates between the first line and the signal
 
@@ -37,6 +38,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
     assert errors.decode() == f"rmpl-run: interrupted after {len(lines)} line{'s' * (len(lines) != 1)}\n", errors
     print(f"{len(lines)} whole lines")
     within_a_line(plant, programs)
+    within_an_update(programs)
     return 0
 
 
@@ -48,6 +50,28 @@ def within_a_line(plant: pathlib.Path, programs: pathlib.Path) -> None:
         first = run.stdout.readline()
         run.send_signal(signal.SIGINT)
         rest, errors = run.communicate(timeout=60)
+    assert json.loads(first)["time"] == 1 and not rest, first + rest
+    assert run.returncode == 3, f"exit {run.returncode}"
+    assert errors.decode() == "rmpl-run: interrupted after 1 line\n", errors
+
+
+def within_an_update(programs: pathlib.Path) -> None:
+    """The whole belief of many components, none of which is seen: one update would take minutes."""
+    many = range(9)
+    component = """component T { output a : { x, y }; initial m; mode m { a = x }; mode n { a = y }; fault f; fault g { a = y };
+        m -> n in [1 s, 5 s]; n -> m in [2 s, 3 s]; any -> f with 0.1; m, n -> g with 0.05; f -> g with 0.02; }"""
+    tied = " | ".join(f"c{i}.a = x" for i in many) + " | c0.a != x"
+    with tempfile.TemporaryDirectory() as folder:
+        plant = pathlib.Path(folder, "tied.tcca")
+        plant.write_text(f"{component} plant P {{ {' '.join(f'c{i} : T;' for i in many)} {tied}; }}", encoding="utf-8")
+        with subprocess.Popen([programs / "rmpl-run", "estimate", plant, "--estimator", "exact", "-k", "1", "--log", "-"],
+                              stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0) as run:
+            run.stdin.write(b'{"time": 1}\n')
+            first = run.stdout.readline()
+            run.stdin.write(b'{"time": 2}\n')
+            time.sleep(1)
+            run.send_signal(signal.SIGTERM)
+            rest, errors = run.communicate(timeout=30)
     assert json.loads(first)["time"] == 1 and not rest, first + rest
     assert run.returncode == 3, f"exit {run.returncode}"
     assert errors.decode() == "rmpl-run: interrupted after 1 line\n", errors

@@ -30,6 +30,8 @@ ExitStatus within_limits(const Run& run) {
     return run();
   } catch (const runtime::TooManyStates& error) {
     throw base::LimitError(error.what());
+  } catch (const runtime::Interrupted& error) {
+    throw base::LimitError(error.what());
   }
 }
 

@@ -90,6 +90,7 @@ runtime::EstimatorOptions estimator_options(const Options& options) {
   estimator.ranks = options.ranks;
   estimator.live_clocks_only = options.live_clocks;
   estimator.account = options.stats;
+  estimator.interruption = &interruption();
   return estimator;
 }
 
@@ -176,6 +177,8 @@ class Flight {
       }
       belief = listed(estimator_->belief(), options_);
       if (window_) tell_history();
+    } catch (const runtime::Interrupted&) {
+      return std::nullopt;
     } catch (const runtime::TooManyStates& error) {
       throw base::LimitError(name + ":" + std::to_string(line.number) + ": " + error.what() +
                              (options_.window ? "; expected no --window, or independent groups of fewer states"

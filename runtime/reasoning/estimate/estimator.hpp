@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -27,6 +29,12 @@ struct BeliefEntry {
 class TooManyStates : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A calculation was ended from outside. What was to be worked out is lost, and the estimator with it.
+class Interrupted : public std::exception {
+ public:
+  [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
 };
 
 /// Most probable first; ties in order of modes (components, then modes, in declaration order), then of clock starts.
@@ -76,6 +84,12 @@ struct EstimatorOptions {
   /// k-best: the bound of what is missing takes into account which readings no modes imply; finding out may cost more
   /// than the estimate.
   bool account = false;
+  /// Set from outside, it ends an update that goes on: throws Interrupted. Nothing does where there is none.
+  const std::atomic<bool>* interruption = nullptr;
+
+  void go_on() const {
+    if (interruption != nullptr && interruption->load(std::memory_order_relaxed)) throw Interrupted();
+  }
 };
 
 /// Modes of some components that what is seen does not allow together.

@@ -74,6 +74,7 @@ class Exact final : public ListedFilter {
     SystemState target = entry.state;
     const auto visit = [&](const auto& self, std::size_t component, double probability) -> void {
       if (component == moves.size()) {
+        options_.go_on();
         targets[target] += probability;
         return;
       }
@@ -91,6 +92,7 @@ class Exact final : public ListedFilter {
   bool weigh(const Targets& targets, const automata::Observation& observation) {
     posterior_.clear();
     for (const auto& [state, probability] : targets) {
+      options_.go_on();
       const double factor = step_.observation_factor(state.modes, observation);
       const double conditioned = probability * (options_.observation_factor || factor == 0 ? factor : 1.0);
       if (conditioned > 0) posterior_.push_back({state, conditioned});
