@@ -118,10 +118,12 @@ std::string text_of(const automata::Plant& plant, const std::vector<PlanRisk>& r
   for (const PlanRisk& risk : risks) {
     const automata::Component& component = plant[risk.leaving.component];
     const automata::Transition& leaving = component.transitions[risk.leaving.transition.index()];
-    text += "step " + std::to_string(risk.wait + 1) + " waits, and meanwhile '" + component.name + "' may go from '" +
-            component.modes[leaving.from.index()].name + "' to '" + component.modes[leaving.to.index()].name +
-            "' by itself" + (leaving.origin.line == 0 ? "" : " (" + short_place(leaving.origin) + ")") +
-            ": how long each takes is not compared\n";
+    text += "step " + std::to_string(risk.wait + 1) + " waits, and meanwhile '" + component.name + "' " +
+            (leaving.timing ? "may go" : "goes") + " from '" + component.modes[leaving.from.index()].name + "' to '" +
+            component.modes[leaving.to.index()].name + "' by itself" +
+            (leaving.origin.line == 0 ? "" : " (" + short_place(leaving.origin) + ")") +
+            (leaving.timing ? ": how long each takes is not compared\n"
+                            : ": what is waited for would have to come in that very step\n");
   }
   return text;
 }

@@ -41,6 +41,7 @@ class GoalInterpreter {
   /// Whether the store of these modes implies the goal.
   bool entailed(const automata::Modes& modes, const Goal& goal);
 
+  [[nodiscard]] const WholeRewards& rewards() const { return rewards_; }
   /// How many candidates the last interpretation checked.
   [[nodiscard]] std::size_t checked() const { return checked_; }
 

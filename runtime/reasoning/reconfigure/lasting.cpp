@@ -9,6 +9,19 @@ namespace rmpl::runtime {
 
 using automata::ComponentId;
 
+namespace {
+
+/// A component, and those that the guard of its transition reads.
+std::vector<ComponentId> behind(ComponentId component, const automata::Transition& t, const automata::PlantStep& step) {
+  std::vector<ComponentId> blamed = step.locality().support_of(t.guard).components;
+  blamed.push_back(component);
+  std::sort(blamed.begin(), blamed.end());
+  blamed.erase(std::unique(blamed.begin(), blamed.end()), blamed.end());
+  return blamed;
+}
+
+}  // namespace
+
 std::optional<std::vector<ComponentId>> undone_by_itself(automata::Modes state, const std::vector<bool>& wanted,
                                                          const Goal& goal, automata::PlantStep& step,
                                                          GoalInterpreter& interpreter) {
@@ -23,15 +36,24 @@ std::optional<std::vector<ComponentId>> undone_by_itself(automata::Modes state, 
       const automata::ModeId here = std::exchange(state[c], t.to);
       const bool kept = interpreter.entailed(state, goal);
       state[c] = here;
-      if (kept) continue;
-      std::vector<ComponentId> blamed = step.locality().support_of(t.guard).components;
-      blamed.push_back(component);
-      std::sort(blamed.begin(), blamed.end());
-      blamed.erase(std::unique(blamed.begin(), blamed.end()), blamed.end());
-      return blamed;
+      if (!kept) return behind(component, t, step);
     }
   }
   return std::nullopt;
+}
+
+std::vector<ComponentId> left_by_itself(const automata::Modes& state, ComponentId component,
+                                        automata::PlantStep& step) {
+  const automata::ControlAction idle = idle_action(step.plant());
+  if (!step.possible(state) || !step.permits(state, idle)) return {};
+  const automata::Enabled& enabled = step.enabled(component, state, idle);
+  for (const auto* transitions : {&enabled.untimed, &enabled.timed}) {
+    for (const automata::TransitionId id : *transitions) {
+      const automata::Transition& t = step.plant()[component].transitions[id.index()];
+      if (t.to != t.from) return behind(component, t, step);
+    }
+  }
+  return {};
 }
 
 }  // namespace rmpl::runtime

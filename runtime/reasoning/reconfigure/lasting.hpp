@@ -20,4 +20,9 @@ std::optional<std::vector<automata::ComponentId>> undone_by_itself(automata::Mod
                                                                    automata::PlantStep& step,
                                                                    GoalInterpreter& interpreter);
 
+/// In a state, all controls idle, a component may leave its mode by itself, at once or in time. Which components are to
+/// blame: that one, and those that its guard reads. None where it stays.
+std::vector<automata::ComponentId> left_by_itself(const automata::Modes& state, automata::ComponentId component,
+                                                  automata::PlantStep& step);
+
 }  // namespace rmpl::runtime

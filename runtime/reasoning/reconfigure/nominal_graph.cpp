@@ -105,6 +105,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant) : index_(plant) {
   Preconditions finder(plant);
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const Component& component = plant.components[c];
+    components_.emplace_back(c);
     auto& transitions = transitions_.emplace_back();
     for (std::size_t i = 0; i < component.transitions.size(); ++i) {
       const automata::Transition& t = component.transitions[i];

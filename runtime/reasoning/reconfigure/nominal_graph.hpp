@@ -44,6 +44,13 @@ class NominalGraph {
  public:
   explicit NominalGraph(const automata::Plant& plant);
 
+  /// All of the plant.
+  [[nodiscard]] const std::vector<automata::ComponentId>& components() const { return components_; }
+  /// How many modes the component has.
+  [[nodiscard]] std::size_t mode_count(automata::ComponentId component) const {
+    return leads_[component.index()].size();
+  }
+
   /// In declaration order.
   [[nodiscard]] const std::vector<NominalTransition>& transitions(automata::ComponentId component) const {
     return transitions_[component.index()];
@@ -85,6 +92,7 @@ class NominalGraph {
 
  private:
   automata::PlantIndex index_;
+  std::vector<automata::ComponentId> components_;
   std::vector<std::vector<NominalTransition>> transitions_;
   std::vector<std::vector<std::vector<bool>>> leads_;           ///< per component, from, to
   std::vector<std::vector<automata::ComponentId>> dependents_;  ///< by component: others whose preconditions read it

@@ -284,6 +284,15 @@ std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const Control
   return result;
 }
 
+bool NominalStep::springs_back(const Modes& modes, const ControlAction& action, ComponentId component) {
+  if (!tolerates(modes, action)) return false;
+  const auto& untimed = step_.enabled(component, modes, action).untimed;
+  return std::any_of(untimed.begin(), untimed.end(), [&](TransitionId id) {
+    const NominalTransition& t = nominal(component, id);
+    return t.from != t.to && t.possible;
+  });
+}
+
 std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t part,
                                                   const Permitted& permitted) {
   std::vector<NominalOutcome> result;

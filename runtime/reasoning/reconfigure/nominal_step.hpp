@@ -65,6 +65,10 @@ class NominalStep {
   std::vector<automata::ComponentId> fleeting(const automata::Modes& modes, const automata::ControlAction& action,
                                               std::size_t part);
 
+  /// Whether an untimed nominal transition ends the component's mode in the step in which the action is in force.
+  bool springs_back(const automata::Modes& modes, const automata::ControlAction& action,
+                    automata::ComponentId component);
+
   /// Every way a step may go in the part, where the action risks nothing that is not permitted: each combination of
   /// untimed transitions, where some are enabled; else each timed transition by itself. Those that change nothing are
   /// left out.

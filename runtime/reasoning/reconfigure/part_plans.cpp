@@ -22,7 +22,8 @@ std::optional<std::pair<Impasse, std::size_t>> PartPlans::plan(const Modes& mode
     if (auto* impasse = std::get_if<Impasse>(&found)) return std::pair{std::move(*impasse), part};
     auto& way = std::get<IslandPlan>(found);
     const bool brief = planner_.is_brief(way, objective);
-    offers.push_back({std::move(way), part, brief, planner_.has_waits(modes, objective)});
+    const bool passing = planner_.is_passing(way.first, objective);
+    offers.push_back({std::move(way), part, brief, passing, planner_.has_waits(modes, objective)});
   }
   return std::nullopt;
 }
@@ -39,6 +40,7 @@ const PlannedStep& PartPlans::best(const std::vector<Offer>& offers) {
   const auto waiting = std::count_if(offers.begin(), offers.end(), [](const Offer& o) { return o.waits; });
   const auto rank = [&](const Offer& o) {
     if (o.plan.first.idle) return 1;
+    if (o.passing) return 3;
     return o.brief && waiting > (o.waits ? 1 : 0) ? 2 : 0;
   };
   return std::min_element(offers.begin(), offers.end(),

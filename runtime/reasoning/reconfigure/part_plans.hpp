@@ -13,11 +13,12 @@
 
 namespace rmpl::runtime {
 
-/// The next step of one part; whether it achieves what does not last, and whether the part has to be waited for.
+/// The next step of one part; whether it achieves what may not last, or what is gone in the next step; and whether the
+/// part has to be waited for.
 struct Offer {
   IslandPlan plan;
   std::size_t part;
-  bool brief, waits;
+  bool brief, passing, waits;
 };
 
 /// Keeps references to both.
@@ -35,7 +36,7 @@ class PartPlans {
   /// Where the plans end.
   [[nodiscard]] automata::Modes end_of(const automata::Modes& modes, const std::vector<Offer>& offers) const;
   /// Of at least one: the first command that need not be put off until another part has been waited for; else the first
-  /// wait; else the first command.
+  /// wait; else the first command, of what is gone in the next step last.
   static const PlannedStep& best(const std::vector<Offer>& offers);
 
  private:

@@ -24,22 +24,59 @@ std::vector<const automata::Transition*> taken(const Plan& plan, std::size_t ste
   return result;
 }
 
-/// From a step on that waits for what takes time: the components on whose modes it rests, and all that is still to
-/// come.
+/// The components that take time in a step of the plan.
+std::vector<ComponentId> waited_for(const Plan& plan, std::size_t step, const automata::Plant& plant) {
+  std::vector<ComponentId> result;
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const auto ways = taken(plan, step, plant.components[c], c);
+    if (std::any_of(ways.begin(), ways.end(), [](const automata::Transition* t) { return t->timing.has_value(); })) {
+      result.emplace_back(c);
+    }
+  }
+  return result;
+}
+
+/// From a step on: the components on whose modes it rests, and all that is still to come.
 std::set<ComponentId> relied_on(const Plan& plan, std::size_t from, automata::PlantStep& step) {
   std::set<ComponentId> result;
-  bool takes_time = false;
   for (std::size_t i = from; i < plan.commands.size(); ++i) {
     for (std::size_t c = 0; c < step.plant().components.size(); ++c) {
       for (const automata::Transition* t : taken(plan, i, step.plant().components[c], c)) {
-        takes_time = takes_time || (i == from && t->timing);
         if (t->guard.is_true()) continue;
         const auto& support = step.locality().support_of(t->guard).components;
         result.insert(support.begin(), support.end());
       }
     }
   }
-  return takes_time ? result : std::set<ComponentId>{};
+  return result;
+}
+
+/// What leaves at once, by which something waited for has lost its ground before it can come: of each component the
+/// first such transition.
+std::vector<TransitionOf> lost_at_once(const Plan& plan, std::size_t at, automata::PlantStep& step,
+                                       const std::vector<ComponentId>& waiting) {
+  std::vector<TransitionOf> leaving;
+  automata::Modes after = plan.states[at];
+  for (std::size_t c = 0; c < after.size(); ++c) {
+    const ComponentId component(c);
+    for (const TransitionId id : step.enabled(component, plan.states[at], plan.commands[at]).untimed) {
+      const automata::ModeId to = step.plant()[component].transitions[id.index()].to;
+      if (to == after[c] || to != plan.states[at + 1][c]) continue;
+      after[c] = to;
+      leaving.push_back({component, id});
+      break;
+    }
+  }
+  const auto goes_on = [&](ComponentId c) {
+    const auto& timed = step.enabled(c, after, plan.commands[at]).timed;
+    return std::any_of(timed.begin(), timed.end(), [&](TransitionId id) {
+      return step.plant()[c].transitions[id.index()].to == plan.states[at + 1][c.index()];
+    });
+  };
+  if (leaving.empty() || !step.possible(after) || std::all_of(waiting.begin(), waiting.end(), goes_on)) return {};
+  const std::set<ComponentId> relied = relied_on(plan, at, step);
+  std::erase_if(leaving, [&](const TransitionOf& t) { return !relied.contains(t.component); });
+  return leaving;
 }
 
 /// Whether the component stays in the mode that it is in before this command, to which the plan took it, or on which
@@ -58,14 +95,16 @@ std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step, cons
   const std::vector<ComponentId> decisive = step.locality().support_of(goal).components;
   const automata::ControlAction idle = idle_action(step.plant());
   for (std::size_t i = 0; i < plan.commands.size(); ++i) {
-    if (plan.commands[i] != idle) continue;
-    const std::set<ComponentId> relied = relied_on(plan, i, step);
+    const std::vector<ComponentId> waiting = waited_for(plan, i, step.plant());
+    if (waiting.empty() && plan.commands[i] != idle) continue;
+    for (const TransitionOf& leaving : lost_at_once(plan, i, step, waiting)) risks.push_back({i, leaving});
+    const std::set<ComponentId> relied = waiting.empty() ? std::set<ComponentId>{} : relied_on(plan, i, step);
     for (std::size_t c = 0; c < step.plant().components.size(); ++c) {
       const ComponentId component(c);
       const bool asked =
           relied.contains(component) || std::find(decisive.begin(), decisive.end(), component) != decisive.end();
       if (!is_kept(plan, i, c, asked)) continue;
-      const auto& timed = step.enabled(component, plan.states[i], idle).timed;
+      const auto& timed = step.enabled(component, plan.states[i], plan.commands[i]).timed;
       const auto leaving = std::find_if(timed.begin(), timed.end(), [&](TransitionId id) {
         const automata::Transition& t = step.plant()[component].transitions[id.index()];
         return t.to != t.from && !t.timing->upper.is_infinite();

@@ -11,15 +11,16 @@
 
 namespace rmpl::runtime {
 
-/// A wait, and a component that may leave meanwhile, by a timed transition with an upper bound, a mode that it is to
-/// keep to the end: the plan took it there, or the goal depends on it. Whether it is in time depends on durations,
-/// which no plan compares.
+/// A wait, be it with a command in force, and a component that may leave meanwhile, by a timed transition with an upper
+/// bound, a mode that it is to keep to the end: the plan took it there, or the goal depends on it. Whether it is in
+/// time depends on durations, which no plan compares. Or one that leaves at once, by an untimed transition, a mode
+/// without which what is waited for does not come.
 struct PlanRisk {
   std::size_t wait;  ///< position among the commands
   TransitionOf leaving;
 };
 
-/// In order of waits, then components; of each component the first such transition.
+/// In order of waits, what leaves at once first, then components; of each component the first such transition.
 std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal);
 
 }  // namespace rmpl::runtime

@@ -13,16 +13,35 @@ using automata::ComponentId;
 using automata::ControlAction;
 using automata::ModeId;
 using automata::Modes;
+using automata::ValueId;
 
 bool Planner::is_safe(const Modes& modes, const Objective& objective, const ControlAction& action,
                       const NominalOutcome& outcome) {
   const auto& moves = outcome.moves;
-  if (std::none_of(moves.begin(), moves.end(), [](const NominalMove& m) { return m.transition->timed; })) return true;
+  const auto takes_time = [](const NominalMove& m) { return m.transition->timed; };
+  if (std::none_of(moves.begin(), moves.end(), takes_time)) return true;
+  // What is waited for does not come any more where something else takes its ground away at once.
+  Modes at_once = modes;
+  for (const NominalMove& move : moves) {
+    if (!takes_time(move)) at_once[move.component.index()] = move.transition->to;
+  }
+  const auto goes_on = [&](const NominalMove& move) { return !takes_time(move) || stands(*move.transition, at_once); };
+  if (!std::all_of(moves.begin(), moves.end(), goes_on)) return false;
   std::vector<ComponentId> others = nominal_.fleeting(modes, action, objective.part);
   std::erase_if(others, [&](ComponentId c) { return outcome.modes[c.index()] != modes[c.index()]; });
   if (others.empty()) return true;
   const std::vector<bool> relied = followed_in_part(modes, objective).relied;
   return std::none_of(others.begin(), others.end(), [&](ComponentId c) { return relied[c.index()]; });
+}
+
+/// Whether the modes meet what some precondition of the transition asks of other components.
+bool Planner::stands(const NominalTransition& transition, const Modes& modes) const {
+  return std::any_of(transition.preconditions.begin(), transition.preconditions.end(), [&](const Precondition& p) {
+    return std::all_of(p.begin(), p.end(), [&](const Requirement& r) {
+      const auto other = index_.component_of(r.variable);
+      return !other || std::binary_search(r.values.begin(), r.values.end(), ValueId(modes[other->index()].index()));
+    });
+  });
 }
 
 Planner::Followed Planner::followed_in_part(const Modes& modes, const Objective& objective) {
@@ -123,6 +142,15 @@ bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
 bool Planner::is_brief(const IslandPlan& plan, const Objective& objective) {
   if (is_brief(plan.first, objective)) return true;
   return !has_waits(plan.first.outcome.modes, objective) && !brief_goals(plan.end, objective).empty();
+}
+
+bool Planner::is_passing(const PlannedStep& step, const Objective& objective) {
+  const Modes& reached = step.outcome.modes;
+  return std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(), [&](const NominalMove& move) {
+    const ComponentId c = move.component;
+    return objective.wanted[c.index()] && reached[c.index()] == objective.target[c.index()] &&
+           nominal_.springs_back(reached, idle_, c);
+  });
 }
 
 /// The goals that are achieved, and may be undone by a timed transition of their own.

@@ -92,6 +92,8 @@ class Planner {
 
   /// Whether the step achieves a goal that a timed transition may undo, or begins what does without a wait.
   bool is_brief(const IslandPlan& plan, const Objective& objective);
+  /// Whether the step achieves a goal that an untimed transition undoes in the next.
+  bool is_passing(const PlannedStep& step, const Objective& objective);
   /// Whether a timed transition stands in the ways that lead from the modes to the target.
   bool has_waits(const automata::Modes& modes, const Objective& objective);
 
@@ -184,6 +186,7 @@ class Planner {
   /// Whether the step is no wait, or a safe one.
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
                const NominalOutcome& outcome);
+  [[nodiscard]] bool stands(const NominalTransition& transition, const automata::Modes& modes) const;
   automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,
                                   automata::ComponentId moved);
   Followed followed(const automata::Modes& modes, const Objective& objective,

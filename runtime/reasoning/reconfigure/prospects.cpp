@@ -12,18 +12,14 @@ using automata::ModeId;
 using automata::Modes;
 
 Prospects::Prospects(const NominalGraph& graph, const Modes& modes, const Goal& goal, bool keeping)
-    : graph_(graph), modes_(modes), goal_(goal), steps_(modes.size()), commandable_(modes.size()) {
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    drift_.emplace_back(goal.named()[c].size())[modes[c].index()] = true;
-  }
-  passed_ = drift_;
-  spread(drift_, [&](ComponentId, const NominalTransition& t) {
-    for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
-      if (t.silent[i] && supported(t.preconditions[i], drift_)) return true;
-    }
-    return false;
-  });
-  spread(passed_, [&](ComponentId c, const NominalTransition& t) {
+    : graph_(graph),
+      modes_(modes),
+      goal_(goal),
+      drift_(drift_from(graph, modes)),
+      passed_(only(graph, modes)),
+      steps_(modes.size()),
+      commandable_(modes.size()) {
+  spread(graph, passed_, graph.components(), [&](ComponentId c, const NominalTransition& t) {
     if (!supported(t)) return false;
     if (drifts(c, t)) return true;
     const bool leave = NominalGraph::harmless(t) || graph_.leads_to_named(c, t.to, goal_.named());
@@ -33,47 +29,16 @@ Prospects::Prospects(const NominalGraph& graph, const Modes& modes, const Goal& 
   find_commandable();
 }
 
-/// What a component reaches is looked at again where one that it depends on has come further.
-template <class Usable>
-void Prospects::spread(std::vector<std::vector<bool>>& reached, const Usable& usable) const {
-  std::vector<std::size_t> queue(reached.size());
-  std::iota(queue.begin(), queue.end(), std::size_t{0});
-  std::vector<bool> queued(reached.size(), true);
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const std::size_t c = queue[next];
-    queued[c] = false;
-    bool further = false;
-    for (bool grown = true; grown;) {
-      grown = false;
-      for (const NominalTransition& t : graph_.transitions(ComponentId(c))) {
-        if (!reached[c][t.from.index()] || reached[c][t.to.index()] || !t.possible) continue;
-        if (usable(ComponentId(c), t)) reached[c][t.to.index()] = grown = further = true;
-      }
-    }
-    if (!further) continue;
-    for (const ComponentId dependent : graph_.dependents(ComponentId(c))) {
-      if (queued[dependent.index()]) continue;
-      queued[dependent.index()] = true;
-      queue.push_back(dependent.index());
-    }
-  }
-}
-
-bool Prospects::supported(const Precondition& precondition, const std::vector<std::vector<bool>>& reached) const {
-  return std::all_of(precondition.begin(), precondition.end(),
-                     [&](const Requirement& r) { return graph_.meets(r, reached); });
-}
-
 bool Prospects::supported(const NominalTransition& t) const {
   return std::any_of(t.preconditions.begin(), t.preconditions.end(),
-                     [&](const Precondition& s) { return supported(s, passed_); });
+                     [&](const Precondition& s) { return runtime::supported(graph_, s, passed_); });
 }
 
 /// Whether it may be taken with all controls idle.
 bool Prospects::drifts(ComponentId c, const NominalTransition& t) const {
   if (!drift_[c.index()][t.from.index()] || !drift_[c.index()][t.to.index()]) return false;
   for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
-    if (t.silent[i] && supported(t.preconditions[i], drift_)) return true;
+    if (t.silent[i] && runtime::supported(graph_, t.preconditions[i], drift_)) return true;
   }
   return false;
 }
@@ -125,7 +90,7 @@ bool Prospects::felt(ComponentId c, const NominalTransition& t) const {
       met = met && now;
     }
     if (!asks && met) return false;
-    felt = felt || (asks && supported(precondition, passed_));
+    felt = felt || (asks && runtime::supported(graph_, precondition, passed_));
   }
   return felt;
 }

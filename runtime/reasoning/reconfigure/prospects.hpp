@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "automata/state.hpp"
+#include "runtime/reasoning/reconfigure/drift.hpp"
 #include "runtime/reasoning/reconfigure/goal.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 
@@ -31,9 +32,9 @@ class Prospects {
   [[nodiscard]] std::pair<std::uint64_t, std::size_t> effort(const automata::Modes& modes,
                                                              const automata::Modes& target) const;
   /// Modes that the component can pass, on the way to one that it can be aimed at.
-  [[nodiscard]] const std::vector<std::vector<bool>>& passed() const { return passed_; }
+  [[nodiscard]] const Reached& passed() const { return passed_; }
   /// Modes that it may come to with all controls idle, its own among them.
-  [[nodiscard]] const std::vector<std::vector<bool>>& drift() const { return drift_; }
+  [[nodiscard]] const Reached& drift() const { return drift_; }
   /// Whether some control can bring about or prevent the component's next step, directly or through others.
   [[nodiscard]] bool commandable(automata::ComponentId c) const { return commandable_[c.index()]; }
 
@@ -50,9 +51,6 @@ class Prospects {
   [[nodiscard]] Barrier barrier(automata::ComponentId component, const std::vector<bool>& wanted) const;
 
  private:
-  template <class Usable>
-  void spread(std::vector<std::vector<bool>>& reached, const Usable& usable) const;
-  [[nodiscard]] bool supported(const Precondition& precondition, const std::vector<std::vector<bool>>& reached) const;
   [[nodiscard]] bool supported(const NominalTransition& t) const;
   [[nodiscard]] bool drifts(automata::ComponentId c, const NominalTransition& t) const;
   [[nodiscard]] bool felt(automata::ComponentId c, const NominalTransition& t) const;
@@ -62,7 +60,7 @@ class Prospects {
   const NominalGraph& graph_;
   const automata::Modes& modes_;
   const Goal& goal_;
-  std::vector<std::vector<bool>> drift_, passed_;
+  Reached drift_, passed_;
   std::vector<std::vector<std::optional<std::uint32_t>>> steps_;
   std::vector<bool> commandable_;
 };

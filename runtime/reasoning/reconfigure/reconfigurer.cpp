@@ -3,12 +3,18 @@
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <map>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <variant>
 
+#include "runtime/reasoning/reconfigure/course.hpp"
+#include "runtime/reasoning/reconfigure/drift.hpp"
 #include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
+#include "runtime/reasoning/reconfigure/lasting.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/part_plans.hpp"
 #include "runtime/reasoning/reconfigure/parts.hpp"
@@ -49,7 +55,8 @@ class PolicyReconfigurer : public Reconfigurer {
         interpreter_(step, *graph_),
         planner_(step, *graph_, parts_),
         plans_(planner_, parts_),
-        goals_(step) {}
+        goals_(step),
+        course_(step, *graph_, parts_) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
     if (goal.is_true()) return at_rest(std::nullopt);
@@ -61,21 +68,28 @@ class PolicyReconfigurer : public Reconfigurer {
   }
 
  private:
+  /// What is done for reward: all that is worth more; what stays worth more whatever goes on by itself; nothing.
+  enum class For : std::uint8_t { rewards, lasting_rewards, nothing };
+
+  struct Answered {
+    For reward = For::rewards;
+    Reconfiguration answer;
+  };
+
   struct Memory {
     /// Of what housekeeping keeps: the goal, by what of it may be lost by itself as it begins.
     std::map<std::vector<bool>, std::uint64_t> numbers;
     std::optional<Upkeep> upkeep;  ///< once it was asked for
-    std::unordered_map<Modes, Reconfiguration, automata::ModesHash> answers;
+    std::unordered_map<Modes, Answered, automata::ModesHash> answers;
     std::unordered_map<Modes, Modes, automata::ModesHash> aims;  ///< by where what is needed ends
   };
   using Asked = RecentGoals<Memory>::Entry;
 
-  /// What may be done while what is needed waits.
-  enum class Beside { nothing, housekeeping };
-
   /// Failed plans after which those for rewards are told apart no more.
   static constexpr std::size_t exact_failures = 32;
   static constexpr std::size_t housekeeping_trials = 1u << 11;
+  /// Steps that are followed from a state.
+  static constexpr std::size_t longest_path = 1u << 8;
 
   [[nodiscard]] Reconfiguration at_rest(std::optional<Modes> modes) const {
     Reconfiguration answer;
@@ -84,43 +98,55 @@ class PolicyReconfigurer : public Reconfigurer {
     return answer;
   }
 
-  /// The answer, and those along the plan that it begins: the goal state is chosen anew in every state, by what is best
-  /// from there, so that choices that are equally good could lead in a circle. Where they do nothing more is done for
-  /// reward: commands come to an end.
+  /// The answer, and those along the plan that it begins, and where things go from there by themselves: the goal state
+  /// is chosen anew in every state, by what is best from there, so that choices that are equally good, or that do not
+  /// last, could lead in a circle. Where they do less is done for reward: commands come to an end.
   Reconfiguration settled(const Modes& modes, Asked& asked) {
     auto& answers = asked.memory.answers;
-    if (const auto known = answers.find(modes); known != answers.end()) return known->second;
+    if (const auto known = answers.find(modes); known != answers.end()) return known->second.answer;
     if (answers.size() >= answer_limit) answers.clear();
-    std::vector<std::pair<Modes, Reconfiguration>> path;
-    Modes current = modes;
-    while (!answers.contains(current)) {
-      const auto again = std::find_if(path.begin(), path.end(), [&](const auto& p) { return p.first == current; });
-      if (again != path.end()) {
-        for (auto at = again; at != path.end(); ++at) {
-          const bool is_entailed = interpreter_.entailed(at->first, asked.goal);
-          at->second = is_entailed ? achieved(at->first) : towards(at->first, asked, Beside::nothing);
-        }
+    std::vector<Modes> path;
+    std::optional<Modes> current = modes;
+    for (std::size_t steps = 0; current && steps < longest_path; ++steps) {
+      const auto again = std::find(path.begin(), path.end(), *current);
+      if (again == path.end()) {
+        const auto [at, fresh] = answers.try_emplace(*current);
+        if (fresh) at->second.answer = answer(*current, asked, For::rewards);
+        path.push_back(std::move(*current));
+      } else if (do_less({again, path.end()}, asked)) {
+        path.erase(std::next(again), path.end());
+      } else {
         break;
       }
-      path.emplace_back(current, answer(current, asked));
-      // What the goal needs is never given up, whatever it leads through.
-      const Reconfiguration& found = path.back().second;
-      if (found.why.purpose == Reason::Purpose::goal || !found.expected || *found.expected == current) break;
-      current = *found.expected;
+      const Reconfiguration& here = answers.at(path.back()).answer;
+      // What a goal needs is never given up, whatever it leads through.
+      current = here.why.purpose == Reason::Purpose::goal ? std::nullopt : course_.next(path.back(), here.expected);
     }
-    Reconfiguration result = path.front().second;
-    for (auto& [state, found] : path) answers.insert_or_assign(std::move(state), std::move(found));
-    return result;
+    return answers.at(modes).answer;
   }
 
-  Reconfiguration answer(const Modes& modes, Asked& asked) {
+  /// In states that follow each other in a circle less is done for reward than in the one of them where most is.
+  /// Whether anything was.
+  bool do_less(std::span<const Modes> circle, Asked& asked) {
+    For most = For::nothing;
+    for (const Modes& modes : circle) most = std::min(most, asked.memory.answers.at(modes).reward);
+    if (most == For::nothing) return false;
+    const For less = most == For::rewards ? For::lasting_rewards : For::nothing;
+    for (const Modes& modes : circle) {
+      Answered& answered = asked.memory.answers.at(modes);
+      if (answered.reward < less) answered = {less, answer(modes, asked, less)};
+    }
+    return true;
+  }
+
+  Reconfiguration answer(const Modes& modes, Asked& asked, For reward) {
     Reconfiguration result;
     if (!step_.possible(modes)) {
       result = refusal({std::nullopt, "the estimated modes contradict each other"}, {});
     } else if (interpreter_.entailed(modes, asked.goal)) {
-      result = housekeeping(modes, asked);
+      result = reward == For::nothing ? achieved(modes) : housekeeping(modes, asked, reward);
     } else {
-      result = towards(modes, asked, Beside::housekeeping);
+      result = towards(modes, asked, reward);
     }
     if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = idle_;
     return result;
@@ -139,7 +165,7 @@ class PolicyReconfigurer : public Reconfigurer {
   }
 
   /// First what the goal needs.
-  Reconfiguration towards(const Modes& modes, Asked& asked, Beside meanwhile) {
+  Reconfiguration towards(const Modes& modes, Asked& asked, For reward) {
     const Goal& goal = asked.goal;
     const Prospects prospects(*graph_, modes, goal, false);
     Pursuit pursuit(step_, interpreter_, plans_, parts_, modes, goal, prospects);
@@ -154,8 +180,9 @@ class PolicyReconfigurer : public Reconfigurer {
     const Needed& needed = pursuit.needed();
     const PlannedStep& step = PartPlans::best(needed.offers);
     Reconfiguration result;
-    const bool waits = step.idle && meanwhile == Beside::housekeeping;
-    if (auto aside = waits ? beside(modes, std::get<Modes>(interpreted), needed, prospects, asked) : std::nullopt) {
+    const bool waits = step.idle && reward != For::nothing;
+    if (auto aside =
+            waits ? beside(modes, std::get<Modes>(interpreted), needed, prospects, asked, reward) : std::nullopt) {
       result = told(modes, *aside, std::get<Modes>(interpreted), goal, Reason::Purpose::reward);
     } else {
       result = told(modes, step, needed.target, goal, Reason::Purpose::goal);
@@ -200,7 +227,7 @@ class PolicyReconfigurer : public Reconfigurer {
     if (!interpreter_.entailed(end, asked.goal) || !step_.possible(end)) return std::nullopt;
     if (aims.size() >= answer_limit) aims.clear();
     const std::size_t checked = checked_;
-    const Reconfiguration rest = housekeeping(end, asked);
+    const Reconfiguration rest = housekeeping(end, asked, For::rewards);
     checked_ = checked;
     return aims.emplace(std::move(end), *rest.goal_state).first->second;
   }
@@ -208,7 +235,7 @@ class PolicyReconfigurer : public Reconfigurer {
   /// While what is needed waits, a command for components that are no part of the way, or a repair of one: nothing is
   /// served by leaving a fault while time passes.
   std::optional<PlannedStep> beside(const Modes& modes, const Modes& target, const Needed& needed,
-                                    const Prospects& prospects, Asked& asked) {
+                                    const Prospects& prospects, Asked& asked, For reward) {
     Upkeep& upkeep = upkeep_of(asked);
     const Upkeep::Standing standing = upkeep.standing(modes);
     const auto followed = planner_.followed(modes, {needed.target, needed.permitted, 0, needed.wanted});
@@ -233,13 +260,16 @@ class PolicyReconfigurer : public Reconfigurer {
       planner_.renew_budget(housekeeping_trials);
       auto found = planner_.next(modes, {aim, permitted, parts_.of(c), wanted, others_rest, wanted, std::nullopt});
       auto* const plan = std::get_if<IslandPlan>(&found);
-      if (plan != nullptr && !plan->first.idle) return std::move(plan->first);
+      if (plan == nullptr || plan->first.idle) continue;
+      const bool pays = broken || reward == For::rewards ||
+                        worth_more(parts_.of(c), prospects.drift(), drift_from(*graph_, plan->end));
+      if (pays) return std::move(plan->first);
     }
     return std::nullopt;
   }
 
   /// Then housekeeping: what is worth more, under which the goal stays entailed.
-  Reconfiguration housekeeping(const Modes& modes, Asked& asked) {
+  Reconfiguration housekeeping(const Modes& modes, Asked& asked, For reward) {
     const Goal& goal = asked.goal;
     Upkeep& upkeep = upkeep_of(asked);
     const Upkeep::Standing standing = upkeep.standing(modes);
@@ -248,23 +278,29 @@ class PolicyReconfigurer : public Reconfigurer {
     const auto number = goal.rest() ? std::nullopt : std::optional(known);
     const Prospects prospects(*graph_, modes, goal, true);
     planner_.renew_budget(housekeeping_trials);
-    std::vector<Offer> offers;
     std::size_t failures = 0;
     const auto keeps = [&](const Modes& after) { return upkeep.keeps(standing, after); };
+    std::vector<bool> moved(modes.size());
+    const auto plan_for = [&](const Modes& candidate, std::vector<Offer>& offers) {
+      std::vector<bool> wanted(modes.size());
+      for (std::size_t c = 0; c < modes.size(); ++c) {
+        moved[c] = candidate[c] != modes[c];
+        wanted[c] = moved[c] || prospects.commandable(ComponentId(c));
+      }
+      const Permitted permitted = prospects.permitted(candidate);
+      offers.clear();
+      return plans_.plan(modes, {candidate, permitted, 0, wanted, keeps, moved, number}, offers);
+    };
+    std::vector<Offer> offers;
     auto interpreted = interpreter_.interpret(
         modes, goal, prospects, [&](const Modes& candidate) -> std::optional<std::vector<ComponentId>> {
-          offers.clear();
-          if (candidate == modes) return std::nullopt;
-          std::vector<bool> wanted(modes.size());
-          std::vector<bool> moved(modes.size());
           for (std::size_t c = 0; c < modes.size(); ++c) {
-            moved[c] = candidate[c] != modes[c];
-            wanted[c] = moved[c] || prospects.commandable(ComponentId(c));
+            if (candidate[c] == modes[c] || goal.named()[c][candidate[c].index()]) continue;
+            if (auto blamed = left_by_itself(candidate, ComponentId(c), step_); !blamed.empty()) return blamed;
           }
-          const Permitted permitted = prospects.permitted(candidate);
-          const auto failed =
-              plans_.plan(modes, {candidate, permitted, 0, wanted, keeps, std::move(moved), number}, offers);
-          if (!failed) return std::nullopt;
+          const auto failed = plan_for(candidate, offers);
+          if (!failed && reward == For::rewards) return std::nullopt;
+          if (!failed) return worth_no_more(prospects.drift(), plans_.end_of(modes, offers), offers);
           std::vector<ComponentId> blamed;
           if (++failures >= Pursuit::failure_limit) return blamed;
           for (const ComponentId c : parts_.components(failed->second)) {
@@ -275,9 +311,44 @@ class PolicyReconfigurer : public Reconfigurer {
     checked_ += interpreter_.checked();
     if (std::holds_alternative<Impasse>(interpreted) || offers.empty()) return achieved(modes);
     const Modes& target = std::get<Modes>(interpreted);
+    const Modes end = plans_.end_of(modes, offers);
+    // What the rest comes to stay upon comes first, where it has a plan by itself: a supply before its load.
+    std::vector<Offer> ground;
+    if (const auto first = rested_on(modes, end); first && !plan_for(*first, ground)) offers = std::move(ground);
     Reconfiguration result = told(modes, PartPlans::best(offers), target, goal, Reason::Purpose::reward);
-    result.goal_state = plans_.end_of(modes, offers);
+    result.goal_state = end;
     return result;
+  }
+
+  /// The components of a part that is not worth more where its plan ends than it is now: what is gained is lost again
+  /// by itself, there or elsewhere. Nothing where each part is.
+  std::optional<std::vector<ComponentId>> worth_no_more(const Reached& now, const Modes& end,
+                                                        const std::vector<Offer>& offers) {
+    const Reached then = drift_from(*graph_, end);
+    for (const Offer& offer : offers) {
+      if (!worth_more(offer.part, now, then)) return parts_.components(offer.part);
+    }
+    return std::nullopt;
+  }
+
+  bool worth_more(std::size_t part, const Reached& before, const Reached& after) {
+    const std::vector<ComponentId>& components = parts_.components(part);
+    return lasting_reward(interpreter_.rewards(), after, components) >
+           lasting_reward(interpreter_.rewards(), before, components);
+  }
+
+  /// Of the moves to a state, those without which others would not stay; nothing where there are none.
+  std::optional<Modes> rested_on(const Modes& modes, const Modes& end) {
+    Modes ground = modes;
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      if (modes[c] == end[c]) continue;
+      Modes alone = modes;
+      alone[c] = end[c];
+      for (const ComponentId b : left_by_itself(alone, ComponentId(c), step_)) {
+        if (b != ComponentId(c)) ground[b.index()] = end[b.index()];
+      }
+    }
+    return ground == modes ? std::nullopt : std::optional(std::move(ground));
   }
 
   Upkeep& upkeep_of(Asked& asked) {
@@ -327,6 +398,7 @@ class PolicyReconfigurer : public Reconfigurer {
   Planner planner_;
   PartPlans plans_;
   RecentGoals<Memory> goals_;
+  Course course_;
   std::uint64_t numbers_ = 0;  ///< given so far
   std::size_t checked_ = 0;
 };

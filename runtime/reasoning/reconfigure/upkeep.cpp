@@ -48,26 +48,7 @@ void Upkeep::follow(const Modes& modes) {
     drift_[c.index()].assign(step_.plant()[c].modes.size(), false);
     drift_[c.index()][modes[c.index()].index()] = true;
   }
-  const auto comes_by_itself = [&](const NominalTransition& t) {
-    for (std::size_t p = 0; p < t.preconditions.size(); ++p) {
-      const Precondition& precondition = t.preconditions[p];
-      if (t.silent[p] && std::all_of(precondition.begin(), precondition.end(),
-                                     [&](const Requirement& r) { return graph_.meets(r, drift_); })) {
-        return true;
-      }
-    }
-    return false;
-  };
-  for (bool more = true; more;) {
-    more = false;
-    for (const ComponentId c : involved_) {
-      auto& reached = drift_[c.index()];
-      for (const NominalTransition& t : graph_.transitions(c)) {
-        if (!reached[t.from.index()] || reached[t.to.index()] || !t.possible || !comes_by_itself(t)) continue;
-        reached[t.to.index()] = more = true;
-      }
-    }
-  }
+  drift(graph_, drift_, involved_);
 }
 
 /// Whether some of the modes that the components may come to leave the rest of the goal open.

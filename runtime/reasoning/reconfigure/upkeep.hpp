@@ -6,6 +6,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/drift.hpp"
 #include "runtime/reasoning/reconfigure/goal.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 
@@ -25,7 +26,7 @@ class Upkeep {
     std::vector<bool> had;      ///< the part is so
     std::vector<bool> losable;  ///< it may be lost by itself, where it is so
     /// By component, by mode: whether it may come to that by itself; of those that matter.
-    std::vector<std::vector<bool>> drift;
+    Reached drift;
   };
   Standing standing(const automata::Modes& modes);
 
@@ -55,7 +56,7 @@ class Upkeep {
   std::vector<automata::ComponentId> restricted_;  ///< those of which the goal asks for modes, a part each
   std::vector<automata::ComponentId> support_;     ///< those that decide the rest, which is the last part
   std::vector<automata::ComponentId> involved_;    ///< all these, and what their transitions depend on
-  std::vector<std::vector<bool>> drift_;           ///< by component, by mode; of those involved
+  Reached drift_;                                  ///< by component, by mode; of those involved
 };
 
 }  // namespace rmpl::runtime
