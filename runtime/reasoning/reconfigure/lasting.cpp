@@ -56,4 +56,18 @@ std::vector<ComponentId> left_by_itself(const automata::Modes& state, ComponentI
   return {};
 }
 
+std::optional<automata::Modes> rested_on(const automata::Modes& modes, const automata::Modes& end,
+                                         automata::PlantStep& step) {
+  automata::Modes ground = modes;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (modes[c] == end[c]) continue;
+    automata::Modes alone = modes;
+    alone[c] = end[c];
+    for (const ComponentId b : left_by_itself(alone, ComponentId(c), step)) {
+      if (b != ComponentId(c)) ground[b.index()] = end[b.index()];
+    }
+  }
+  return ground == modes ? std::nullopt : std::optional(std::move(ground));
+}
+
 }  // namespace rmpl::runtime

@@ -25,4 +25,9 @@ std::optional<std::vector<automata::ComponentId>> undone_by_itself(automata::Mod
 std::vector<automata::ComponentId> left_by_itself(const automata::Modes& state, automata::ComponentId component,
                                                   automata::PlantStep& step);
 
+/// Of the moves from some modes to others, those without which another would not stay where it goes; nothing where
+/// there are none.
+std::optional<automata::Modes> rested_on(const automata::Modes& modes, const automata::Modes& end,
+                                         automata::PlantStep& step);
+
 }  // namespace rmpl::runtime

@@ -300,9 +300,11 @@ class PolicyReconfigurer : public Reconfigurer {
           }
           const auto failed = plan_for(candidate, offers);
           if (!failed && reward == For::rewards) return std::nullopt;
-          if (!failed) return worth_no_more(prospects.drift(), plans_.end_of(modes, offers), offers);
+          auto lost = failed ? std::nullopt : worth_no_more(prospects.drift(), plans_.end_of(modes, offers), offers);
+          if (!failed && !lost) return std::nullopt;
           std::vector<ComponentId> blamed;
           if (++failures >= Pursuit::failure_limit) return blamed;
+          if (lost) return lost;
           for (const ComponentId c : parts_.components(failed->second)) {
             if (failures < exact_failures || candidate[c.index()] != modes[c.index()]) blamed.push_back(c);
           }
@@ -314,7 +316,7 @@ class PolicyReconfigurer : public Reconfigurer {
     const Modes end = plans_.end_of(modes, offers);
     // What the rest comes to stay upon comes first, where it has a plan by itself: a supply before its load.
     std::vector<Offer> ground;
-    if (const auto first = rested_on(modes, end); first && !plan_for(*first, ground)) offers = std::move(ground);
+    if (const auto first = rested_on(modes, end, step_); first && !plan_for(*first, ground)) offers = std::move(ground);
     Reconfiguration result = told(modes, PartPlans::best(offers), target, goal, Reason::Purpose::reward);
     result.goal_state = end;
     return result;
@@ -335,20 +337,6 @@ class PolicyReconfigurer : public Reconfigurer {
     const std::vector<ComponentId>& components = parts_.components(part);
     return lasting_reward(interpreter_.rewards(), after, components) >
            lasting_reward(interpreter_.rewards(), before, components);
-  }
-
-  /// Of the moves to a state, those without which others would not stay; nothing where there are none.
-  std::optional<Modes> rested_on(const Modes& modes, const Modes& end) {
-    Modes ground = modes;
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      if (modes[c] == end[c]) continue;
-      Modes alone = modes;
-      alone[c] = end[c];
-      for (const ComponentId b : left_by_itself(alone, ComponentId(c), step_)) {
-        if (b != ComponentId(c)) ground[b.index()] = end[b.index()];
-      }
-    }
-    return ground == modes ? std::nullopt : std::optional(std::move(ground));
   }
 
   Upkeep& upkeep_of(Asked& asked) {
