@@ -39,7 +39,7 @@ Of a model program, or a plant that holds one, a diagnosis names what is marked 
 an improbable draw: a branch that another one of its choose is likelier than, or a fault. The probability
 is that of these draws. Nothing is known of what was before; for that, use estimate --window.
 
-exit code: 0 done; 2 an input is wrong
+exit code: 0 done; 2 an input is wrong; 3 a limit was hit, or there was not enough memory
 
 examples:
   rmpl-run diagnose c17.tcca --observe 'N1 = true, N22.o = false'
@@ -167,7 +167,7 @@ void add_diagnose(Program& program) {
           ->option_text("FILE");
   require_one(*command, observe, readings);
   constexpr std::uint64_t most = 1'000'000'000;
-  add_whole_number(*command, "-k", options->search.k, 1, most, "how many diagnoses (default: 10)");
+  CLI::Option* k = add_whole_number(*command, "-k", options->search.k, 1, most, "how many diagnoses (default: 10)");
   const auto ratio = [](const std::string& text) {
     double value = 0;
     if (CLI::detail::lexical_cast(text, value) && value >= 1) return value;
@@ -176,7 +176,8 @@ void add_diagnose(Program& program) {
   add_read(*command, "--ratio", options->search.ratio, ratio, "none more than R times less likely than the best")
       ->option_text("R");
   command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
-  command->add_flag("--first", options->search.first, "only one with the fewest faults, which proves their number");
+  command->add_flag("--first", options->search.first, "only one with the fewest faults, which proves their number")
+      ->excludes(k);
   command->add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
   add_format(*command, program.common());
   command->add_flag("--stats", options->stats, "say on standard error what it cost");
