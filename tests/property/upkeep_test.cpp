@@ -20,6 +20,7 @@ using automata::ControlAction;
 using automata::Formula;
 using automata::Plant;
 using automata::PlantStep;
+using automata::Ticks;
 using automata::ValueId;
 using automata::VariableId;
 using Outcome = runtime::Reconfiguration::Outcome;
@@ -148,6 +149,29 @@ RC_GTEST_PROP(Upkeep, WhatCanBeHeldIsHeld, ()) {
     go_on(step, now, answer.action);
   }
   RC_ASSERT(held(step, now, goal));
+  RC_ASSERT(last_command < cycles / 2);
+}
+
+RC_GTEST_PROP(Upkeep, CommandsComeToAnEndWhileAGoalWaitsForEver, ()) {
+  Plant plant = draw_plant();
+  automata::Component& late = add_part(plant, "late", {"coming", "there"});
+  late.transitions.push_back(
+      move(0, 1, automata::constant(true), automata::Timing{Ticks::of_seconds(1), Ticks::infinite(), {}}));
+  const Formula goal = is(late.mode, ValueId(1));
+  RC_LOG() << rc::toString(Model{plant}) << std::endl;
+  PlantStep step(plant);
+  const auto reconfigurer = runtime::make_reconfigurer(step);
+  Moment now = at_rest(plant);
+  constexpr int cycles = 200;
+  int last_command = 0;
+  for (int cycle = 0; cycle < cycles; ++cycle) {
+    const runtime::Reconfiguration answer = reconfigurer->next(now.modes, goal);
+    RC_LOG() << cycle << ": " << rc::toString(now.modes) << " outcome " << static_cast<int>(answer.outcome)
+             << std::endl;
+    RC_ASSERT(answer.outcome != Outcome::no_plan);
+    if (answer.outcome == Outcome::command) last_command = cycle;
+    go_on(step, now, answer.action);
+  }
   RC_ASSERT(last_command < cycles / 2);
 }
 
