@@ -25,13 +25,20 @@ Course::Course(automata::PlantStep& step, const NominalGraph& graph, const Parts
 }
 
 std::optional<Modes> Course::next(const Modes& modes, const std::optional<Modes>& expected) {
-  if (expected && *expected != modes) return expected;
+  return expected && *expected != modes ? expected : by_itself(modes, modes);
+}
+
+std::optional<Modes> Course::meanwhile(const Modes& modes, const Modes& expected) { return by_itself(modes, expected); }
+
+/// What takes time stays where it is `awaited` elsewhere.
+std::optional<Modes> Course::by_itself(const Modes& modes, const Modes& awaited) {
   Modes at_once = modes;
   Modes in_time = modes;
   for (const ComponentId c : paid_) {
     const automata::Enabled& enabled = step_.enabled(c, modes, idle_);
     const auto& transitions = step_.plant()[c].transitions;
     for (const automata::TransitionId id : enabled.untimed) at_once[c.index()] = transitions[id.index()].to;
+    if (awaited[c.index()] != modes[c.index()]) continue;
     for (const automata::TransitionId id : enabled.timed) in_time[c.index()] = transitions[id.index()].to;
   }
   Modes& next = at_once != modes ? at_once : in_time;

@@ -20,8 +20,12 @@ class Course {
   /// Where a command leads; where it leads nowhere, what comes by itself in parts where something may be done for
   /// reward: at once, or else in time, all of that together. Nothing where that is nothing.
   std::optional<automata::Modes> next(const automata::Modes& modes, const std::optional<automata::Modes>& expected);
+  /// What comes by itself there before what is waited for, which `expected` has.
+  std::optional<automata::Modes> meanwhile(const automata::Modes& modes, const automata::Modes& expected);
 
  private:
+  std::optional<automata::Modes> by_itself(const automata::Modes& modes, const automata::Modes& awaited);
+
   automata::PlantStep& step_;
   automata::ControlAction idle_;
   std::vector<automata::ComponentId> paid_;  ///< of parts with a control, where modes are worth more than others

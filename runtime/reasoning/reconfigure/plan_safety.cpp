@@ -34,6 +34,17 @@ bool Planner::is_safe(const Modes& modes, const Objective& objective, const Cont
   return std::none_of(others.begin(), others.end(), [&](ComponentId c) { return relied[c.index()]; });
 }
 
+bool Planner::gives_up(const Modes& modes, const Objective& objective, const NominalOutcome& outcome) {
+  const auto leaves = [&](const NominalMove& move) {
+    return move.transition->to != move.transition->from && !astray(modes, objective, move.component) &&
+           !nominal_.springs_back(modes, idle_, move.component);
+  };
+  if (std::none_of(outcome.moves.begin(), outcome.moves.end(), leaves)) return false;
+  const std::vector<bool> relied = followed_in_part(modes, objective).relied;
+  return std::any_of(outcome.moves.begin(), outcome.moves.end(),
+                     [&](const NominalMove& move) { return leaves(move) && relied[move.component.index()]; });
+}
+
 /// Whether the modes meet what some precondition of the transition asks of other components.
 bool Planner::stands(const NominalTransition& transition, const Modes& modes) const {
   return std::any_of(transition.preconditions.begin(), transition.preconditions.end(), [&](const Precondition& p) {

@@ -165,7 +165,8 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
       automata::ControlAction action = idle_;
       for (const auto& [control, value] : off) action[control] = value;
       for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.part, objective.permitted)) {
-        if (waits == Waits::safe && !is_safe(current, objective, action, outcome)) {
+        const bool risks = waits != Waits::any && !is_safe(current, objective, action, outcome);
+        if (risks || (waits == Waits::grounded && gives_up(current, objective, outcome))) {
           excluded = true;
           continue;
         }

@@ -76,7 +76,8 @@ std::variant<IslandPlan, Impasse> Planner::planned(const Modes& modes, const Obj
     Trace other = follow(modes, objective, Order::lasting_first);
     if (other.safe()) return plan_of(other);
   }
-  Found safe = search(modes, objective, stuck == nullptr ? Impasse{} : *stuck, Waits::safe);
+  Found safe = stuck == nullptr ? search(modes, objective, Impasse{}, Waits::grounded)
+                                : search(modes, objective, *stuck, Waits::safe);
   if (std::holds_alternative<PlannedStep>(safe.first)) return plan_of(safe);
   if (stuck == nullptr) return plan_of(trace);
   if (!safe.excluded) return plan_of(safe);

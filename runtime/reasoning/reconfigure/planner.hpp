@@ -108,7 +108,8 @@ class Planner {
   std::vector<automata::ComponentId> brief_goals(const automata::Modes& modes, const Objective& objective);
   /// The order of goals. `commands_first`: downstream first, but commands for others go out while that waits.
   enum class Order { commands_first, downstream_first, lasting_first };
-  enum class Waits { safe, any };
+  /// `grounded`: safe, and nothing that the ways rest on is given up, in order to be safe.
+  enum class Waits { grounded, safe, any };
   /// A walk to the goal state: its first step, or why it does not get there; how many of its waits are unsafe; and
   /// whether it has commands `meanwhile`.
   struct Trace {
@@ -187,6 +188,9 @@ class Planner {
   bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
                const NominalOutcome& outcome);
   [[nodiscard]] bool stands(const NominalTransition& transition, const automata::Modes& modes) const;
+  /// Whether a component that is not to move leaves a mode that the ways of others rely on, or that was achieved; not
+  /// where it leaves it at once whatever is done.
+  bool gives_up(const automata::Modes& modes, const Objective& objective, const NominalOutcome& outcome);
   automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,
                                   automata::ComponentId moved);
   Followed followed(const automata::Modes& modes, const Objective& objective,

@@ -119,8 +119,13 @@ class PolicyReconfigurer : public Reconfigurer {
         break;
       }
       const Reconfiguration& here = answers.at(path.back()).answer;
-      // What a goal needs is never given up, whatever it leads through.
-      current = here.why.purpose == Reason::Purpose::goal ? std::nullopt : course_.next(path.back(), here.expected);
+      if (here.why.purpose != Reason::Purpose::goal) {
+        current = course_.next(path.back(), here.expected);
+      } else if (here.outcome == Reconfiguration::Outcome::wait) {
+        current = course_.meanwhile(path.back(), *here.expected);
+      } else {
+        current = std::nullopt;  // what a goal needs is never given up, whatever it leads through
+      }
     }
     return answers.at(modes).answer;
   }
@@ -181,7 +186,8 @@ class PolicyReconfigurer : public Reconfigurer {
     const PlannedStep& step = PartPlans::best(needed.offers);
     Reconfiguration result;
     const bool waits = step.idle && reward != For::nothing;
-    if (auto aside = waits ? beside(modes, std::get<Modes>(interpreted), needed, prospects, asked) : std::nullopt) {
+    if (auto aside =
+            waits ? beside(modes, std::get<Modes>(interpreted), needed, prospects, asked, reward) : std::nullopt) {
       result = told(modes, *aside, std::get<Modes>(interpreted), goal, Reason::Purpose::reward);
     } else {
       result = told(modes, step, needed.target, goal, Reason::Purpose::goal);
@@ -231,10 +237,10 @@ class PolicyReconfigurer : public Reconfigurer {
     return aims.emplace(std::move(end), *rest.goal_state).first->second;
   }
 
-  /// While what is needed waits, a command for components that are no part of the way, which stays worth more whatever
-  /// goes on by itself; or a repair of one: nothing is served by leaving a fault while time passes.
+  /// While what is needed waits, a command for components that are no part of the way, or a repair of one: nothing is
+  /// served by leaving a fault while time passes.
   std::optional<PlannedStep> beside(const Modes& modes, const Modes& target, const Needed& needed,
-                                    const Prospects& prospects, Asked& asked) {
+                                    const Prospects& prospects, Asked& asked, For reward) {
     Upkeep& upkeep = upkeep_of(asked);
     const Upkeep::Standing standing = upkeep.standing(modes);
     const auto followed = planner_.followed(modes, {needed.target, needed.permitted, 0, needed.wanted});
@@ -260,7 +266,8 @@ class PolicyReconfigurer : public Reconfigurer {
       auto found = planner_.next(modes, {aim, permitted, parts_.of(c), wanted, others_rest, wanted, std::nullopt});
       auto* const plan = std::get_if<IslandPlan>(&found);
       if (plan == nullptr || plan->first.idle) continue;
-      const bool pays = broken || worth_more(parts_.of(c), prospects.drift(), drift_from(*graph_, plan->end));
+      const bool pays = broken || reward == For::rewards ||
+                        worth_more(parts_.of(c), prospects.drift(), drift_from(*graph_, plan->end));
       if (pays) return std::move(plan->first);
     }
     return std::nullopt;
