@@ -65,7 +65,13 @@ Plant draw_plant() {
   plant.name = "Workshop";
   const std::size_t switches = up_to(1, 3);
   for (std::size_t i = 0; i < switches; ++i) add_switch(plant);
-  for (std::size_t i = up_to(0, 2); i > 0; --i) add_level(plant, switches);
+  for (std::size_t i = up_to(0, 2); i > 0; --i) {
+    add_level(plant, switches);
+    // Two that are worth something may circle in an order of events that no plan foresees.
+    if (i > 1) {
+      for (automata::Mode& mode : plant.components.back().modes) mode.reward = 0;
+    }
+  }
   return plant;
 }
 

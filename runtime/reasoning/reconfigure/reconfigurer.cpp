@@ -119,9 +119,10 @@ class PolicyReconfigurer : public Reconfigurer {
         break;
       }
       const Reconfiguration& here = answers.at(path.back()).answer;
+      const bool waits = here.outcome == Reconfiguration::Outcome::wait;
       if (here.why.purpose != Reason::Purpose::goal) {
-        current = course_.next(path.back(), here.expected);
-      } else if (here.outcome == Reconfiguration::Outcome::wait) {
+        current = course_.next(path.back(), waits ? std::nullopt : here.expected);
+      } else if (waits) {
         current = course_.meanwhile(path.back(), *here.expected);
       } else {
         current = std::nullopt;  // what a goal needs is never given up, whatever it leads through
