@@ -37,6 +37,7 @@ bool Planner::is_safe(const Modes& modes, const Objective& objective, const Cont
 bool Planner::gives_up(const Modes& modes, const Objective& objective, const NominalOutcome& outcome) {
   const auto leaves = [&](const NominalMove& move) {
     return move.transition->to != move.transition->from && !astray(modes, objective, move.component) &&
+           !(objective.wanted[move.component.index()] && move.transition->timed) &&
            !nominal_.springs_back(modes, idle_, move.component);
   };
   if (std::none_of(outcome.moves.begin(), outcome.moves.end(), leaves)) return false;

@@ -189,7 +189,7 @@ class Planner {
                const NominalOutcome& outcome);
   [[nodiscard]] bool stands(const NominalTransition& transition, const automata::Modes& modes) const;
   /// Whether a component that is not to move leaves a mode that the ways of others rely on, or that was achieved; not
-  /// where it leaves it at once whatever is done.
+  /// where it leaves it at once whatever is done, nor where what was achieved ends in time, and is achieved again.
   bool gives_up(const automata::Modes& modes, const Objective& objective, const NominalOutcome& outcome);
   automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,
                                   automata::ComponentId moved);
