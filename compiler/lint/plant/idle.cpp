@@ -4,32 +4,15 @@
 
 #include "compiler/lint/plant/beside.hpp"
 #include "compiler/lint/plant/findings.hpp"
+#include "compiler/lint/plant/nominal.hpp"
 
 namespace rmpl::compiler {
 
 using automata::Component;
-using automata::ComponentId;
 using automata::Transition;
-using automata::TransitionId;
 using automata::Weight;
 
 namespace {
-
-/// Nominal transitions that can happen, of which `holds` is so.
-template <class Holds>
-std::vector<PlantTransition> nominal_where(const PlantAnalysis& analysis, const Holds& holds) {
-  std::vector<PlantTransition> found;
-  const automata::Plant& plant = analysis.plant();
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    const Component& component = plant.components[c];
-    for (std::size_t t = 0; t < component.transitions.size(); ++t) {
-      const PlantTransition candidate{ComponentId(c), TransitionId(t)};
-      if (component.is_fault(component.transitions[t]) || !analysis.can_happen(candidate)) continue;
-      if (holds(component, component.transitions[t], candidate)) found.push_back(candidate);
-    }
-  }
-  return found;
-}
 
 /// Whether the transition has other outcomes.
 bool is_one_of_several(const Component& component, const Transition& transition) {

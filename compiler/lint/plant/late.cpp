@@ -2,9 +2,8 @@
 //
 // A clock runs from when its mode was entered. A delay that begins with its guard needs a guard that holds by then.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include "compiler/lint/plant/findings.hpp"
+#include "compiler/lint/plant/nominal.hpp"
 
 namespace rmpl::compiler {
 
@@ -85,20 +84,11 @@ class LateGuards {
 }  // namespace
 
 std::vector<PlantTransition> find_late_guards(PlantAnalysis& analysis) {
-  std::vector<PlantTransition> found;
   LateGuards guards(analysis);
-  const automata::Plant& plant = analysis.plant();
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    const Component& component = plant.components[c];
-    for (std::size_t t = 0; t < component.transitions.size(); ++t) {
-      const Transition& own = component.transitions[t];
-      const PlantTransition candidate{ComponentId(c), TransitionId(t)};
-      const bool bounded = own.timing && !own.timing->upper.is_infinite() && own.timing->upper > automata::Ticks{};
-      if (!bounded || own.guard.is_true() || own.from == own.to || component.is_fault(own)) continue;
-      if (analysis.can_happen(candidate) && guards.is_late(candidate)) found.push_back(candidate);
-    }
-  }
-  return found;
+  return nominal_where(analysis, [&](const Component&, const Transition& own, PlantTransition candidate) {
+    const bool bounded = own.timing && !own.timing->upper.is_infinite() && own.timing->upper > automata::Ticks{};
+    return bounded && !own.guard.is_true() && own.from != own.to && guards.is_late(candidate);
+  });
 }
 
 }  // namespace rmpl::compiler
