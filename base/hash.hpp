@@ -16,6 +16,15 @@ inline constexpr std::uint64_t hash_seed = 0x9e3779b97f4a7c15u;  // 2^64 over th
   return hash ^ (hash >> 29);
 }
 
+/// The hash of what `hash` stands for and a vector of identifiers of 32 bits, two to a word. What the length tells is
+/// left out: such keys have one length.
+template <class Ids>
+[[nodiscard]] constexpr std::uint64_t mix_ids(std::uint64_t hash, const Ids& ids) noexcept {
+  std::size_t i = 0;
+  for (; i + 1 < ids.size(); i += 2) hash = mix(hash, std::uint64_t{ids[i].value} << 32 | ids[i + 1].value);
+  return i < ids.size() ? mix(hash, ids[i].value) : hash;
+}
+
 /// Hash of a few words, such as a key of a cache.
 struct WordsHash {
   std::size_t operator()(const std::vector<std::uint64_t>& words) const noexcept {

@@ -38,10 +38,7 @@ class EnabledSets {
 };
 
 std::size_t PlantStep::StateActionHash::operator()(const StateAction& key) const noexcept {
-  std::uint64_t hash = base::hash_seed;
-  for (const ModeId mode : key.modes) hash = base::mix(hash, mode.value);
-  for (const ValueId value : key.action) hash = base::mix(hash, value.value);
-  return hash;
+  return base::mix_ids(base::mix_ids(base::hash_seed, key.modes), key.action);
 }
 
 PlantStep::PlantStep(const Plant& plant)

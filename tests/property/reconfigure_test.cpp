@@ -9,7 +9,9 @@
 #include <random>
 #include <set>
 
+#include "runtime/reasoning/reconfigure/nominal_step.hpp"
 #include "runtime/reasoning/reconfigure/one_step.hpp"
+#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/plan.hpp"
 #include "runtime/reasoning/reconfigure/policy.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
@@ -91,6 +93,41 @@ RC_GTEST_PROP(Reconfigure, PreconditionsAreWhatImpliesTheGuard, ()) {
                                             });
         RC_ASSERT(fit == (!weightless && slow.models().entails(store, transition.guard)));
       }
+    }
+  }
+}
+
+/// Where an action does not matter it enables what idling enables, and a search that leaves it out misses nothing.
+RC_GTEST_PROP(Reconfigure, WhatDoesNotMatterLeadsNowhereElse, ()) {
+  const Model model = *models(planning);
+  automata::PlantStep step(model.plant);
+  const runtime::NominalGraph graph(model.plant);
+  const runtime::Parts parts(model.plant, graph.restless());
+  runtime::NominalStep nominal(step, graph, parts);
+  runtime::Permitted all;
+  for (const automata::ComponentId c : graph.components()) all.emplace_back(graph.transitions(c).size(), true);
+  const auto idle = idle_action(model.plant);
+  for (int question = 0; question < 8; ++question) {
+    const Modes modes = *modes_of(model.plant);
+    const auto action = *actions_of(model.plant);
+    if (!step.permits(modes, idle) || !step.permits(modes, action)) continue;
+    runtime::OffIdle off;
+    for (std::size_t i = 0; i < idle.size(); ++i) {
+      if (action[i] != idle[i]) off.emplace_back(i, action[i]);
+    }
+    runtime::NominalStep::Rest rest = nominal.rest(modes);
+    const auto enabled = step.enabled(modes, action);
+    const auto anyway = step.enabled(modes, idle);
+    bool same = true;
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      same = same && enabled[c].untimed == anyway[c].untimed && enabled[c].timed == anyway[c].timed;
+    }
+    RC_ASSERT(nominal.matters(rest, off) == !same);
+    if (!same) continue;
+    for (std::size_t part = 0; part < parts.count(); ++part) {
+      std::set<Modes> reached;
+      for (const auto& outcome : nominal.outcomes(modes, idle, part, all)) reached.insert(outcome.modes);
+      for (const auto& outcome : nominal.outcomes(modes, action, part, all)) RC_ASSERT(reached.contains(outcome.modes));
     }
   }
 }

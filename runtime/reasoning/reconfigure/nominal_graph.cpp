@@ -111,7 +111,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant) : index_(plant) {
       const automata::Transition& t = component.transitions[i];
       const bool weightless = t.weight.kind != automata::Weight::Kind::none && !(t.weight.value > 0);
       if (component.is_fault(t) || weightless) continue;
-      auto preconditions = finder.of(ComponentId(c), TransitionId(i));
+      auto [preconditions, all] = finder.of(ComponentId(c), TransitionId(i));
       if (preconditions.empty()) continue;
       transitions.push_back({.id = TransitionId(i),
                              .from = t.from,
@@ -124,6 +124,7 @@ NominalGraph::NominalGraph(const automata::Plant& plant) : index_(plant) {
                              .comes_by_itself = false,
                              .commanded = true,
                              .preconditions = std::move(preconditions),
+                             .all_preconditions = all,
                              .silent = {}});
       NominalTransition& added = transitions.back();
       const auto about_mode = [&](const Requirement& r) { return index_.component_of(r.variable).has_value(); };

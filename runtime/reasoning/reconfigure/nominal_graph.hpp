@@ -25,7 +25,8 @@ struct NominalTransition {
   bool comes_by_itself = false;  ///< some precondition asks neither for a command nor for modes of others
   bool commanded = false;        ///< every precondition asks for some value of a control, be it the idle one
   std::vector<Precondition> preconditions;
-  std::vector<bool> silent;  ///< per precondition: it can be met with every control idle
+  bool all_preconditions = true;  ///< whatever consistent state and control action imply the guard fits one of them
+  std::vector<bool> silent;       ///< per precondition: it can be met with every control idle
 };
 
 /// Per component, per mode: whether the configuration goal names the mode (6.3.3).

@@ -28,6 +28,21 @@ double share(const automata::Transition& t) {
 
 }  // namespace
 
+NominalStep::NominalStep(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts)
+    : step_(step), graph_(graph), parts_(parts), readers_(step.plant().controls.size()) {
+  const automata::PlantIndex index(plant());
+  for (const ComponentId c : graph.components()) {
+    for (const NominalTransition& t : graph.transitions(c)) {
+      for (const Precondition& precondition : t.preconditions) {
+        for (const Requirement& r : precondition) {
+          const auto i = index.control_of(r.variable);
+          if (i && (readers_[*i].empty() || readers_[*i].back().transition != &t)) readers_[*i].push_back({c, &t});
+        }
+      }
+    }
+  }
+}
+
 const NominalTransition& NominalStep::nominal(ComponentId component, TransitionId id) const {
   const NominalTransition* const transition = graph_.find(component, id);
   CHECK(transition != nullptr && "what is enabled in a consistent store can be brought about");
@@ -290,6 +305,46 @@ bool NominalStep::springs_back(const Modes& modes, const ControlAction& action, 
   return std::any_of(untimed.begin(), untimed.end(), [&](TransitionId id) {
     const NominalTransition& t = nominal(component, id);
     return t.from != t.to && t.possible;
+  });
+}
+
+NominalStep::Rest NominalStep::rest(const Modes& modes) {
+  const ControlAction idle = idle_action(plant());
+  Rest rest{std::vector<automata::ValueId>(plant().variables.size()), tolerates(modes, idle)};
+  for (const ComponentId c : graph_.components()) {
+    rest.values[plant()[c].mode.index()] = automata::ValueId(modes[c.index()].index());
+  }
+  for (std::size_t i = 0; i < idle.size(); ++i) rest.values[plant().controls[i].variable.index()] = idle[i];
+  return rest;
+}
+
+bool NominalStep::matters(Rest& rest, const OffIdle& off) const {
+  if (!rest.tolerated) return true;
+  const auto met = [&](const Requirement& r) {
+    return std::binary_search(r.values.begin(), r.values.end(), rest.values[r.variable.index()]);
+  };
+  const auto enabled = [&](const NominalTransition& t) {
+    return std::any_of(t.preconditions.begin(), t.preconditions.end(),
+                       [&](const Precondition& p) { return std::all_of(p.begin(), p.end(), met); });
+  };
+  const auto put = [&](bool idle) {
+    for (const auto& [i, value] : off) {
+      rest.values[plant().controls[i].variable.index()] = idle ? plant().controls[i].idle : value;
+    }
+  };
+  const auto changes = [&](const NominalMove& reader) {
+    const NominalTransition& t = *reader.transition;
+    if (rest.values[plant()[reader.component].mode.index()].index() != t.from.index()) return false;
+    if (!t.all_preconditions) return true;
+    const bool anyway = enabled(t);
+    put(false);
+    const bool then = enabled(t);
+    put(true);
+    return then != anyway;
+  };
+  return std::any_of(off.begin(), off.end(), [&](const auto& control) {
+    const auto& readers = readers_[control.first];
+    return std::any_of(readers.begin(), readers.end(), changes);
   });
 }
 

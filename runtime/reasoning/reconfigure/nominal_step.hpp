@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "automata/state.hpp"
@@ -25,12 +27,14 @@ struct NominalOutcome {
   std::vector<NominalMove> moves;  ///< by component; those that change nothing are left out
 };
 
+/// A control action by the controls that are off their idle values, ascending, with their values.
+using OffIdle = std::vector<std::pair<std::size_t, automata::ValueId>>;
+
 /// The nominal part of semantics 3 for one part of the plant, without clocks: enabled untimed transitions are taken,
 /// enabled timed ones may fire or not. Enabledness is asked of `PlantStep`.
 class NominalStep {
  public:
-  NominalStep(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts)
-      : step_(step), graph_(graph), parts_(parts) {}
+  NominalStep(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts);
 
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
   /// Whether the store of the modes tolerates the action.
@@ -69,6 +73,17 @@ class NominalStep {
   bool springs_back(const automata::Modes& modes, const automata::ControlAction& action,
                     automata::ComponentId component);
 
+  /// A state with all controls idle: the values of modes and controls, by variable.
+  struct Rest {
+    std::vector<automata::ValueId> values;
+    bool tolerated;
+  };
+  Rest rest(const automata::Modes& modes);
+  /// Whether the action may enable other nominal transitions than idling does, or the state does not tolerate idling.
+  /// Where not, it leads to nothing that idling does not lead to. Read off the preconditions, of the transitions that
+  /// ask for what is off idle: no question to the store. The state is consistent.
+  bool matters(Rest& rest, const OffIdle& off) const;
+
   /// Every way a step may go in the part, where the action risks nothing that is not permitted: each combination of
   /// untimed transitions, where some are enabled; else each timed transition by itself. Those that change nothing are
   /// left out.
@@ -102,6 +117,7 @@ class NominalStep {
   automata::PlantStep& step_;
   const NominalGraph& graph_;
   const Parts& parts_;
+  std::vector<std::vector<NominalMove>> readers_;  ///< by control: the transitions whose preconditions read it
   std::optional<TransitionOf> refused_;
 };
 

@@ -71,7 +71,7 @@ Planner::Upstream Planner::upstream(const Modes& modes, const Objective& objecti
   return found;
 }
 
-std::vector<Planner::OffIdle> Planner::promising(const Modes& modes, const Objective& objective) {
+std::vector<OffIdle> Planner::promising(const Modes& modes, const Objective& objective) {
   const std::vector<bool> useful = upstream(modes, objective, false).variables;
   std::vector<OffIdle> some;
   const auto& controls = nominal_.plant().controls;
@@ -100,6 +100,18 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, c
   if (!found.given_up) return found;
   Found likely = search(modes, objective, otherwise, waits, {some, involved, involved, tried_alike_});
   return std::holds_alternative<PlannedStep>(likely.first) ? likely : found;
+}
+
+Planner::Found Planner::search_a_little(const Modes& modes, const Objective& objective) {
+  const std::size_t before = tried_;
+  const std::size_t before_alike = tried_alike_;
+  const std::size_t start = trial_limit - shortcut_trials;
+  tried_ = std::max(before, start);
+  tried_alike_ = std::max(before_alike, start);
+  Found found = search(modes, objective, Impasse{}, Waits::safe);
+  tried_ = before + (tried_ - std::max(before, start));
+  tried_alike_ = before_alike + (tried_alike_ - std::max(before_alike, start));
+  return found;
 }
 
 /// Of what moves in a step, what its command brings about; else the first.
@@ -160,10 +172,13 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
       otherwise.reason += "; the search for another way was given up after " + std::to_string(settled - 1) + " states";
       return {std::move(otherwise), excluded, {}, true};
     }
-    space.tried += space.actions.size();
+    NominalStep::Rest rest = nominal_.rest(current);
     for (const OffIdle& off : space.actions) {
       automata::ControlAction action = idle_;
       for (const auto& [control, value] : off) action[control] = value;
+      // Idling comes first, and costs no more than what changes nothing.
+      if (!off.empty() && !nominal_.matters(rest, off)) continue;
+      ++space.tried;
       for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.part, objective.permitted)) {
         const bool risks = waits != Waits::any && !is_safe(current, objective, action, outcome);
         if (risks || (waits == Waits::grounded && gives_up(current, objective, outcome))) {

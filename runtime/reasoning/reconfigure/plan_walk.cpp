@@ -62,7 +62,8 @@ std::variant<IslandPlan, Impasse> Planner::planned(const Modes& modes, const Obj
   Trace trace = follow(modes, objective, Order::commands_first);
   if (trace.safe() && trace.loses) {
     // What has to be achieved twice may be had in fewer steps.
-    Found shorter = search(modes, objective, Impasse{}, Waits::safe);
+    Found shorter =
+        objective.keeps ? search_a_little(modes, objective) : search(modes, objective, Impasse{}, Waits::safe);
     if (std::holds_alternative<PlannedStep>(shorter.first)) return plan_of(shorter);
   }
   if (trace.safe()) return plan_of(trace);

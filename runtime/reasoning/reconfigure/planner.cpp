@@ -18,7 +18,7 @@ using automata::Plant;
 using automata::ValueId;
 
 /// Idle; each control of the part off its idle value by itself; then what preconditions need of several at once.
-const std::vector<Planner::OffIdle>& Planner::actions(std::size_t part) {
+const std::vector<OffIdle>& Planner::actions(std::size_t part) {
   auto& known = actions_[part];
   if (known) return *known;
   const Plant& plant = nominal_.plant();

@@ -99,8 +99,10 @@ class Planner {
 
   /// States that a search visits at most, before it gives up.
   static constexpr std::size_t search_limit = 1u << 14;
-  /// Control actions that the searches of one answer try at most, over all states.
+  /// Control actions that the searches of one answer try at most, over all states, but for those that change nothing.
   static constexpr std::size_t trial_limit = 1u << 16;
+  /// Of those of housekeeping, for a shorter way than one that is known.
+  static constexpr std::size_t shortcut_trials = 1u << 7;
 
  private:
   using NextStep = std::variant<PlannedStep, Impasse>;
@@ -153,8 +155,6 @@ class Planner {
                        const NominalTransition& next);
   NextStep command(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                    const NominalTransition& transition, const Precondition& precondition);
-  /// A control action by the controls that are off their idle values, ascending, with their values.
-  using OffIdle = std::vector<std::pair<std::size_t, automata::ValueId>>;
   /// All actions that a search of a part tries.
   const std::vector<OffIdle>& actions(std::size_t part);
   /// The actions that can matter: those on controls that some transition needs of a component that is astray, or of one
@@ -177,6 +177,8 @@ class Planner {
   Found search(const automata::Modes& modes, const Objective& objective, const Impasse& otherwise, Waits waits);
   Found search(const automata::Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
                const SearchSpace& space);
+  /// With a small part of the budget: for a shorter way where there is one.
+  Found search_a_little(const automata::Modes& modes, const Objective& objective);
 
   /// Whether two transitions are one step of a policy: they lead from the same mode to the same mode, and the first may
   /// be taken.

@@ -21,6 +21,12 @@ struct Requirement {
 /// whichever of the permitted values are taken. None of them can be left out.
 using Precondition = std::vector<Requirement>;
 
+/// The preconditions of a guard, and whether they are all that it has.
+struct FoundPreconditions {
+  std::vector<Precondition> preconditions;
+  bool all = true;
+};
+
 /// Whether a precondition can be met with every control at its idle value.
 bool needs_no_command(const automata::Plant& plant, const automata::PlantIndex& index,
                       const Precondition& precondition);

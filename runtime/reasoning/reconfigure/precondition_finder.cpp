@@ -110,7 +110,7 @@ Theory PreconditionFinder::fresh_theory() const {
   return theory;
 }
 
-std::vector<Precondition> PreconditionFinder::preconditions() {
+FoundPreconditions PreconditionFinder::preconditions() {
   std::vector<Precondition> found{{}};
   for (std::size_t i = 0; i < conjuncts_.size(); ++i) {
     Question question{.asked = {questions_[i], ValueId(yes)},
@@ -143,8 +143,11 @@ std::vector<Precondition> PreconditionFinder::preconditions() {
   std::sort(found.begin(), found.end(), [&](const Precondition& a, const Precondition& b) {
     return std::tuple_cat(rank(a), std::tie(a)) < std::tuple_cat(rank(b), std::tie(b));
   });
-  if (found.size() > limit) found.resize(limit);
-  return found;
+  if (found.size() > limit) {
+    found.resize(limit);
+    all_ = false;
+  }
+  return {std::move(found), all_};
 }
 
 /// The unions that the store permits, without those that a wider one makes superfluous.
@@ -180,7 +183,11 @@ std::vector<Precondition> PreconditionFinder::part_preconditions(Question& quest
   theory_.tell_if(question.asked, question.guard);
   std::vector<Precondition> found;
   const std::vector<Assignment> wanted{question.asked, source_};
-  while (found.size() < limit && theory_.consistent(wanted)) {
+  while (theory_.consistent(wanted)) {
+    if (found.size() == limit) {
+      all_ = false;
+      break;
+    }
     const World proposal = read_world();
     std::vector<Assignment> decisions{source_};
     for (const VariableId v : question.decisions) decisions.push_back({v, proposal[v.index()]});

@@ -30,9 +30,9 @@ class PreconditionFinder {
   PreconditionFinder(const automata::Plant& plant, automata::Assignment source, const automata::Formula& guard);
 
   /// None when nothing can bring the guard about. Every consistent state and control action that imply the guard fit
-  /// one of them, unless there are more than `limit`. Sorted: fewest controls off their idle values first, then fewest
-  /// requirements, then by variables and values.
-  std::vector<Precondition> preconditions();
+  /// one of them, where they are all: no more than `limit` are listed, nor looked for of a conjunct. Sorted: fewest
+  /// controls off their idle values first, then fewest requirements, then by variables and values.
+  FoundPreconditions preconditions();
 
   static constexpr std::size_t limit = 256;
 
@@ -58,6 +58,7 @@ class PreconditionFinder {
   std::size_t variables_;  ///< how many it has without them
   automata::Theory theory_;
   std::size_t excluded_ = 0;  ///< by this theory
+  bool all_ = true;           ///< none was left out so far
   Regions regions_;
 };
 

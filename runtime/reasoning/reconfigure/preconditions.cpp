@@ -130,7 +130,7 @@ Plant Preconditions::plant_of(const automata::Relevance::Part& part) const {
   return own;
 }
 
-std::vector<Precondition> Preconditions::of(ComponentId component, TransitionId transition) {
+FoundPreconditions Preconditions::of(ComponentId component, TransitionId transition) {
   if (!has_states_) return {};
   const automata::Transition& t = plant_[component].transitions[transition.index()];
   std::vector<VariableId> about = variables_of(t.guard);
@@ -139,14 +139,14 @@ std::vector<Precondition> Preconditions::of(ComponentId component, TransitionId 
   const Assignment source{plant_[component].mode, ValueId(t.from.index())};
   Key question = question_about(part, source);
   write(question, t.guard, number_);
-  const std::vector<Precondition>* known = found_.find(question);
+  const FoundPreconditions* known = found_.find(question);
   if (known == nullptr) {
     known = &found_.add(std::move(question),
                         PreconditionFinder(plant_of(part), local(source), local(t.guard)).preconditions());
   }
   // Numbers ascend with variables, so what was sorted stays sorted.
-  std::vector<Precondition> result = *known;
-  for (Precondition& precondition : result) {
+  FoundPreconditions result = *known;
+  for (Precondition& precondition : result.preconditions) {
     for (Requirement& r : precondition) r.variable = part.variables[r.variable.index()];
   }
   return result;

@@ -23,7 +23,7 @@ class Preconditions {
   explicit Preconditions(const automata::Plant& plant);
 
   /// Of a transition's guard in its source mode (`PreconditionFinder::preconditions`).
-  std::vector<Precondition> of(automata::ComponentId component, automata::TransitionId transition);
+  FoundPreconditions of(automata::ComponentId component, automata::TransitionId transition);
   /// Whether some state of the plant has this mode.
   bool possible(automata::ComponentId component, automata::ModeId mode);
 
@@ -44,7 +44,7 @@ class Preconditions {
   std::vector<std::uint32_t> number_;  ///< by variable: its place in the part that is asked about
   /// Beyond about so many different questions they are forgotten.
   static constexpr std::size_t memory_limit = 1u << 12;
-  base::BoundedCache<Key, std::vector<Precondition>> found_{memory_limit};
+  base::BoundedCache<Key, FoundPreconditions> found_{memory_limit};
   base::BoundedCache<Key, bool> possible_{memory_limit};
 };
 
