@@ -271,6 +271,23 @@ std::optional<Hint> statement_hint(const Unexpected& place) {
   return std::nullopt;
 }
 
+/// Words that say what the place says already: `fault mode burnt`, `with probability 0.1`.
+std::optional<Hint> superfluous_hint(const Unexpected& place) {
+  const std::string_view last = last_word(place.before);
+  if (last == "mode" && first_word(place.before) == "fault" && is_word(place.found)) {
+    const std::string name(place.found);
+    return Hint{"a fault mode is declared `fault " + name + "`", joined(last, place.found), name};
+  }
+  if (last != "with" || (place.found != "probability" && place.found != "prob" && place.found != "p")) {
+    return std::nullopt;
+  }
+  const std::string_view rest = without_blank_before(place.behind);
+  const std::string_view number = rest.substr(0, rest.find_first_not_of("0123456789.eE"));
+  if (number.empty()) return say("a probability is written `with 0.001`");
+  return Hint{"a probability is written `with " + std::string(number) + "`", joined(place.found, number),
+              std::string(number)};
+}
+
 /// Where two words stand side by side, the first may be no name but a keyword misspelled.
 std::optional<Hint> word_before_hint(const Unexpected& place) {
   static const std::vector<std::string> keywords = {"if",       "unless", "when",     "whenever", "always", "next",
@@ -321,8 +338,8 @@ std::optional<Hint> keyword_hint(const Unexpected& place) {
 }  // namespace
 
 std::optional<Hint> hint(const Unexpected& place) {
-  for (const auto& find :
-       {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, statement_hint, word_before_hint, keyword_hint}) {
+  for (const auto& find : {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, superfluous_hint, statement_hint,
+                           word_before_hint, keyword_hint}) {
     if (auto found = find(place)) return found;
   }
   return std::nullopt;

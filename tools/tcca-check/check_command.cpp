@@ -182,6 +182,9 @@ ExitStatus run(const Options& options, const Common& common) {
   for (std::size_t q = 0; q < questions.size() && !common.quiet; ++q) {
     if (warn_of_held_command(questions[q], answers[q], slices)) break;
   }
+  for (std::size_t q = 0; q < questions.size() && !common.quiet; ++q) {
+    if (!answers[q].startless) warn_of_empty_claim(questions[q].property, questions[q].options, slices);
+  }
   std::vector<verifier::Claim> claims;
   for (std::size_t q = 0; q < stated.size(); ++q) {
     claims.push_back({stated[q].name, std::move(questions[q]), stated[q].expect_violated, std::move(answers[q])});

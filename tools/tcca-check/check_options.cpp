@@ -10,6 +10,7 @@
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/progress.hpp"
 #include "verifier/property/held_command.hpp"
+#include "verifier/slice/empty_claims.hpp"
 
 namespace rmpl::tools {
 
@@ -123,6 +124,19 @@ bool warn_of_held_command(const verifier::Question& question, const verifier::An
        to_text(plant.variables, held->command) +
        " is held was not looked at; --time T looks at it, and a program where it holds it");
   return true;
+}
+
+void warn_of_empty_claim(const verifier::Property& property, const verifier::CheckOptions& options,
+                         verifier::Slices& slices) {
+  const automata::Variables& variables = slices.plant().variables;
+  if (const auto event = verifier::out_of_reach(slices, property, options)) {
+    tell("warning: '" + automata::to_text(*event, variables) +
+         "' takes a fault, and none is permitted: --faults K, or 'faults K' in a property file, permits up to K");
+  }
+  if (const auto promise = verifier::there_anyway(slices, property)) {
+    tell("warning: every state satisfies '" + automata::to_text(*promise, variables) +
+         "': that it comes says nothing of the plant");
+  }
 }
 
 void warn_of_no_start(const char* consequence) {

@@ -227,6 +227,10 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
                           .fewest_faults = options.fewest_faults,
                           .cut_sets = options.cut_sets.has_value(),
                           .from = assignments_option(freedom.from, plant, "--from", common)};
+  if (!common.quiet && !options.each_fault) {
+    verifier::Slices slices(plant);
+    for (const Property& property : properties) warn_of_empty_claim(property, free, slices);
+  }
   automata::PlantStep step(plant);
   if (!options.each_fault) return run_check(options, common, subject, step, properties, free);
   TraceReport report(options.report, subject);

@@ -102,7 +102,10 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   const verifier::Question question{asked, check_options(plant, options, common), options.budget.bounds()};
   const verifier::Answer answer = verifier::check(slices, asked, question.options, limits(options.budget, common));
   if (answer.startless) warn_of_no_start("nothing is reachable");
-  if (!common.quiet) warn_of_held_command(question, answer, slices);
+  if (!common.quiet && !answer.startless) {
+    warn_of_held_command(question, answer, slices);
+    warn_of_empty_claim(asked, question.options, slices);
+  }
   print_answer(
       common,
       [&] {

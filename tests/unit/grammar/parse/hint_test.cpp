@@ -45,6 +45,8 @@ TEST(Hint, Signs) {
   EXPECT_EQ(in_program("a = b && c = d"), "`and` is written with one `&`");
   EXPECT_EQ(in_component("a => b;"), "an arrow is written `->`");
   EXPECT_EQ(in_component("* -> b with 0.1;"), "did you mean `any`? `any nominal` leaves out the faults");
+  EXPECT_EQ(in_component("fault mode burnt { a = b };"), "a fault mode is declared `fault burnt`");
+  EXPECT_EQ(in_component("a -> b with probability 0.1;"), "a probability is written `with 0.1`");
   EXPECT_EQ(in_component("a -> b with 1%;"), "a probability is a number from 0 to 1");
 }
 

@@ -1,0 +1,92 @@
+// Claims that a model decides: by its modes and constraints alone.
+// SPDX-License-Identifier: MIT
+#include "verifier/slice/empty_claims.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "base/overloaded.hpp"
+#include "verifier/property/initial_modes.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Component;
+using automata::ComponentId;
+using automata::Formula;
+using automata::ModeId;
+using Kind = ProgramProperty::Kind;
+
+namespace {
+
+/// The modes that transitions lead to that are no faults, by mode; the guards may say what they like.
+std::vector<bool> without_a_fault(const Component& component, const std::vector<ModeId>& start) {
+  std::vector<bool> reached(component.modes.size());
+  for (const ModeId m : start) reached[m.index()] = true;
+  for (bool more = true; more;) {
+    more = false;
+    for (const automata::Transition& t : component.transitions) {
+      if (!reached[t.from.index()] || reached[t.to.index()] || component.is_fault(t)) continue;
+      reached[t.to.index()] = more = true;
+    }
+  }
+  return reached;
+}
+
+/// What a property asks whether it happens.
+std::optional<Formula> event_of(const Property& property) {
+  return std::visit(base::Overloaded{[](const Reachability& p) { return std::optional(p.target); },
+                                     [](const Safety& p) { return std::optional(p.never); },
+                                     [](const Response&) { return std::optional<Formula>(); },
+                                     [](const Stuck&) { return std::optional<Formula>(); },
+                                     [](const ProgramProperty& p) {
+                                       return p.kind == Kind::never ? std::optional(p.formula) : std::nullopt;
+                                     }},
+                    property);
+}
+
+/// What a property asks to come.
+std::optional<Formula> promise_of(const Property& property) {
+  return std::visit(base::Overloaded{[](const Reachability& p) { return std::optional(p.target); },
+                                     [](const Safety&) { return std::optional<Formula>(); },
+                                     [](const Response& p) { return std::optional(p.then); },
+                                     [](const Stuck&) { return std::optional<Formula>(); },
+                                     [](const ProgramProperty& p) {
+                                       if (p.kind == Kind::response) return std::optional(p.then);
+                                       const bool comes = p.kind == Kind::eventually || p.kind == Kind::finally;
+                                       return comes ? std::optional(p.formula) : std::nullopt;
+                                     }},
+                    property);
+}
+
+}  // namespace
+
+bool takes_a_fault(Slices& slices, const Formula& formula, const std::vector<automata::Assignment>& from) {
+  const automata::Plant& plant = slices.plant();
+  const auto starts = initial_modes(plant, from);
+  std::vector<Formula> parts{formula};
+  for (const ComponentId c : slices.cone({&formula, 1})) {
+    const std::vector<bool> reached = without_a_fault(plant[c], starts[c.index()]);
+    std::vector<automata::ValueId> modes;
+    for (std::size_t m = 0; m < reached.size(); ++m) {
+      if (reached[m]) modes.emplace_back(m);
+    }
+    if (modes.size() < reached.size()) parts.push_back(automata::member(plant[c].mode, std::move(modes)));
+  }
+  if (parts.size() == 1) return false;
+  return !slices.can_hold(automata::conjunction(std::move(parts))) && slices.can_hold(formula);
+}
+
+std::optional<Formula> out_of_reach(Slices& slices, const Property& property, const CheckOptions& options) {
+  const bool none_permitted = options.faults == 0u && !options.fewest_faults && !options.cut_sets;
+  auto event = event_of(property);
+  if (!none_permitted || !event || !takes_a_fault(slices, *event, options.from)) return std::nullopt;
+  return event;
+}
+
+std::optional<Formula> there_anyway(Slices& slices, const Property& property) {
+  auto promise = promise_of(property);
+  if (!promise || slices.can_hold(automata::negation(*promise))) return std::nullopt;
+  return promise;
+}
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,25 @@
+// Claims that a model decides before any run of it is looked at (semantics 7).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "automata/logic/formula.hpp"
+#include "verifier/property/property.hpp"
+#include "verifier/slice/slices.hpp"
+
+namespace rmpl::verifier {
+
+/// Whether some state satisfies the formula, but none whose components are in modes that they come to without a fault,
+/// from those given by `from` or the initial ones, whatever guards say. Cost: two questions to the solver.
+bool takes_a_fault(Slices& slices, const automata::Formula& formula, const std::vector<automata::Assignment>& from);
+
+/// What the property asks whether it happens, where that takes a fault and none is permitted. Nothing of responses:
+/// their verdict tells that nothing asks.
+std::optional<automata::Formula> out_of_reach(Slices& slices, const Property& property, const CheckOptions& options);
+
+/// What the property asks to come, where every state satisfies it.
+std::optional<automata::Formula> there_anyway(Slices& slices, const Property& property);
+
+}  // namespace rmpl::verifier
