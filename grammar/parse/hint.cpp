@@ -288,6 +288,38 @@ std::optional<Hint> superfluous_hint(const Unexpected& place) {
               std::string(number)};
 }
 
+/// The modes that a transition leaves as a set, `{ a, b } -> c`.
+std::optional<Hint> source_hint(const Unexpected& place) {
+  if (place.found != "{" || !place.expected.starts_with("a declaration (`input`")) return std::nullopt;
+  const std::size_t close = place.behind.find('}');
+  if (close == std::string_view::npos || !without_blank_before(place.behind.substr(close + 1)).starts_with("->")) {
+    return std::nullopt;
+  }
+  const std::string modes(without_blank_behind(without_blank_before(place.behind.substr(0, close))));
+  return Hint{"the modes that a transition leaves are listed without braces: `" + modes + " -> …`",
+              joined(place.found, place.behind.substr(0, close + 1)), modes};
+}
+
+/// Words of temporal logic, where a property is claimed.
+std::optional<Hint> claim_hint(const Unexpected& place) {
+  const bool of_program = place.expected.starts_with("`terminates`");
+  if (!of_program && place.expected.find("`reach`") == std::string_view::npos) return std::nullopt;
+  constexpr std::array<std::string_view, 5> always{"always", "invariant", "globally", "forall", "holds"};
+  if (std::find(always.begin(), always.end(), place.found) != always.end()) {
+    return say("that c holds always is `never not (c)`");
+  }
+  constexpr std::array<std::string_view, 4> reach{"reachable", "reaches", "exists", "possible"};
+  if (!of_program && std::find(reach.begin(), reach.end(), place.found) != reach.end()) {
+    return did_you_mean("reach", place.found);
+  }
+  if (!of_program && (place.found == "eventually" || place.found == "finally")) {
+    return say("of runs under a program: `program " + std::string(place.found) +
+               " …`; of the plant alone: `after c within "
+               "5 s d`, or `reach c`");
+  }
+  return std::nullopt;
+}
+
 /// Where two words stand side by side, the first may be no name but a keyword misspelled.
 std::optional<Hint> word_before_hint(const Unexpected& place) {
   static const std::vector<std::string> keywords = {"if",       "unless", "when",     "whenever", "always", "next",
@@ -338,8 +370,8 @@ std::optional<Hint> keyword_hint(const Unexpected& place) {
 }  // namespace
 
 std::optional<Hint> hint(const Unexpected& place) {
-  for (const auto& find : {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, superfluous_hint, statement_hint,
-                           word_before_hint, keyword_hint}) {
+  for (const auto& find : {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, superfluous_hint, source_hint,
+                           claim_hint, statement_hint, word_before_hint, keyword_hint}) {
     if (auto found = find(place)) return found;
   }
   return std::nullopt;

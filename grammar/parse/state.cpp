@@ -119,6 +119,10 @@ const char* ParseState::resume(const char* start, const char* where, Resume how)
       if (open == 0 && behind > where) {
         const char* next = skip_blank(behind, end());
         const std::string_view ahead = next == end() ? std::string_view(";") : token_at(next, end());
+        if (ahead == "->") {  // nothing begins so: the braces were part of the statement
+          at = behind;
+          continue;
+        }
         if (how == Resume::at_semicolon && (ahead == ";" || ahead == "," || ahead == "}")) return behind;
         if (how != Resume::at_semicolon) return next != end() && ahead == ";" ? next + 1 : behind;
       }

@@ -13,7 +13,8 @@ namespace rmpl::runtime {
 struct Impasse {
   std::optional<automata::ComponentId> component;  ///< to blame, where there is one
   std::string reason;
-  Reason why = {};  ///< obstacle, component, aim and step
+  Reason why = {};                                             ///< obstacle, component, aim and step
+  std::optional<automata::ComponentId> serves = std::nullopt;  ///< the one on whose way it lies, where that is known
 };
 
 }  // namespace rmpl::runtime

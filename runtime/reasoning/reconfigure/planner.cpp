@@ -93,7 +93,11 @@ std::variant<IslandPlan, Impasse> Planner::next(const Modes& modes, const Object
 
 Planner::NextStep Planner::approach(const Modes& modes, const Objective& objective, ComponentId component) {
   NextStep choice = achieve(modes, objective, component, std::span(&objective.target[component.index()], 1));
-  if (auto* const step = std::get_if<PlannedStep>(&choice)) step->serves = component;
+  if (auto* const step = std::get_if<PlannedStep>(&choice)) {
+    step->serves = component;
+  } else {
+    std::get<Impasse>(choice).serves = component;
+  }
   return choice;
 }
 
@@ -227,6 +231,13 @@ Planner::NextStep Planner::command(const Modes& modes, const Objective& objectiv
     return Impasse{component,
                    "what causes " + purpose + " would let " + change(refused.component, "go", t.from, t.to) +
                        ", which is irreversible, and the goal does not name a mode that this leads to",
+                   why};
+  }
+  if (action && transition.timed && nominal_.springs_back(modes, *action, component)) {
+    why.obstacle = Reason::Obstacle::not_found;
+    return Impasse{component,
+                   "'" + plant[component].name + "' leaves " + name(component, transition.from) +
+                       " at once, before time can take it to " + name(component, transition.to),
                    why};
   }
   return Impasse{component, "every command that would cause " + purpose + " undoes what is achieved", why};

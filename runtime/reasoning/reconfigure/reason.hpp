@@ -35,7 +35,7 @@ struct Reason {
     unsupported,  ///< `step` would lead on, and nothing brings its guard about
     side_effect,  ///< what brings `step` about undoes what is achieved, or takes or risks a forbidden step
     excluded,     ///< the modes that are left exclude the goal, or each other
-    not_found     ///< the search was given up, or went in a circle
+    not_found     ///< the search was given up, or went in a circle, or `step` is overtaken by what takes no time
   };
   Purpose purpose = Purpose::none;
   Obstacle obstacle = Obstacle::none;

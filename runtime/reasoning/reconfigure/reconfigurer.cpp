@@ -178,7 +178,7 @@ class PolicyReconfigurer : public Reconfigurer {
     auto interpreted = result_of(pursuit);
     if (auto* impasse = std::get_if<Impasse>(&interpreted)) {
       Impasse barred = std::move(*impasse);
-      barred.why.conjunct = open_conjunct(modes, goal, barred.component);
+      barred.why.conjunct = open_conjunct(modes, goal, barred.serves ? barred.serves : barred.component);
       barred.why.purpose = Reason::Purpose::goal;
       auto alone = barred_alone(modes, goal);
       return alone ? std::move(*alone) : refusal(std::move(barred), pursuit.refused());

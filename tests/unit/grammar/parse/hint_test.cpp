@@ -50,6 +50,26 @@ TEST(Hint, Signs) {
   EXPECT_EQ(in_component("a -> b with 1%;"), "a probability is a number from 0 to 1");
 }
 
+TEST(Hint, ModesThatATransitionLeaves) {
+  EXPECT_EQ(in_component("{ a, b } -> c when d = e;"),
+            "the modes that a transition leaves are listed without braces: `a, b -> …`");
+  const test::Parsed<PlantFile> set(parse_plant, "component C { { a, b } -> c when d = e; a -> b; }");
+  EXPECT_EQ(set.diagnostics.all().size(), 1u);
+}
+
+TEST(Hint, WordsOfTemporalLogic) {
+  const auto in_property = [](const std::string& claim) {
+    const test::Parsed<PropertyFile> result(parse_properties, "property \"p\" { " + claim + " }");
+    return result.diagnostics.empty() ? "no error" : result.diagnostics.all()[0].suggestion.value_or("no hint");
+  };
+  EXPECT_EQ(in_property("always a = b;"), "that c holds always is `never not (c)`");
+  EXPECT_EQ(in_property("program always a = b;"), "that c holds always is `never not (c)`");
+  EXPECT_EQ(in_property("reachable a = b;"), "did you mean `reach`?");
+  EXPECT_EQ(
+      in_property("eventually a = b within 5 s;"),
+      "of runs under a program: `program eventually …`; of the plant alone: `after c within 5 s d`, or `reach c`");
+}
+
 TEST(Hint, UnitsAndValues) {
   EXPECT_EQ(in_component("a -> b after 30 sec;"), "did you mean `s`? Units of time are us, ms, s, min, h and d");
   EXPECT_EQ(in_component("a -> b with rate 1 / hour;"), "did you mean `h`? Units of time are us, ms, s, min, h and d");
