@@ -288,6 +288,22 @@ std::optional<Hint> superfluous_hint(const Unexpected& place) {
               std::string(number)};
 }
 
+/// What belongs to a mode, in another order or with other signs: `{ x = a; y = b }`, `reward 2 { … }`.
+std::optional<Hint> mode_hint(const Unexpected& place) {
+  if (place.found == "{" && place.expected.starts_with("`{`, `reward`")) {
+    return say("the constraint comes before the reward: `mode m { … } reward 2;`");
+  }
+  if (place.found == "reward" && place.expected.starts_with("a probability, `,`")) {
+    return say("a reward belongs to the mode: `mode m { … } reward 2;`");
+  }
+  const std::string_view first = first_word(place.before.substr(0, place.before.rfind('{')));
+  if (place.found != ";" || place.expected != "`}`" || (first != "mode" && first != "fault")) return std::nullopt;
+  const std::string_view next = without_blank_before(place.behind);
+  if (next.substr(0, next.find('\n')).find('}') == std::string_view::npos) return std::nullopt;
+  if (next.starts_with("}")) return Hint{"no `;` before the `}`", place.found, ""};
+  return Hint{"constraints are joined by `&`", place.found, " &"};
+}
+
 /// The modes that a transition leaves as a set, `{ a, b } -> c`.
 std::optional<Hint> source_hint(const Unexpected& place) {
   if (place.found != "{" || !place.expected.starts_with("a declaration (`input`")) return std::nullopt;
@@ -370,8 +386,8 @@ std::optional<Hint> keyword_hint(const Unexpected& place) {
 }  // namespace
 
 std::optional<Hint> hint(const Unexpected& place) {
-  for (const auto& find : {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, superfluous_hint, source_hint,
-                           claim_hint, statement_hint, word_before_hint, keyword_hint}) {
+  for (const auto& find : {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, superfluous_hint, mode_hint,
+                           source_hint, claim_hint, statement_hint, word_before_hint, keyword_hint}) {
     if (auto found = find(place)) return found;
   }
   return std::nullopt;

@@ -83,7 +83,7 @@ void ParseState::report_token(const char* where, std::string_view found, const s
   if (closed != '\0' && brackets_.open(closed, at) == nullptr) {
     error.suggestion = std::string("no `") + closed + "` is open here";
     error.fix.clear();
-  } else if (const char kind = expected_bracket(expected); kind != '\0') {
+  } else if (const char kind = expected_bracket(expected); kind != '\0' && (kind != '{' || !is_closed_in_line(at))) {
     note_unclosed(error, kind, at);
   }
   // A statement that ends with its line most likely lacks its `;` there.
@@ -101,11 +101,22 @@ void ParseState::note_unclosed(Diagnostic& error, char kind, const char* place) 
   error.notes.push_back({span(bracket, bracket + 1), std::string("this `") + kind + "` is not closed"});
 }
 
+/// Whether the line has opened a brace before the place and closes it behind.
+bool ParseState::is_closed_in_line(const char* place) const {
+  const char* line = place;
+  while (line != begin() && line[-1] != '\n') --line;
+  const char* const end_of_line = std::find(place, end(), '\n');
+  const auto opened = std::count(line, place, '{') - std::count(line, place, '}');
+  const char* const close = std::find(place, end_of_line, '}');
+  return opened == 1 && close != end_of_line && std::find(place, close, '{') == close;
+}
+
 const char* ParseState::resume(const char* start, const char* where, Resume how) const {
   const char* fault = skip_blank(where, end());
   if (fault == next_statement_ && how != Resume::at_semicolon && fault > start) return fault;
-  // A `;` that was not expected ends the statement, whatever braces it has left open.
-  if (fault != end() && *fault == ';') return how == Resume::at_semicolon ? fault : fault + 1;
+  // A `;` that was not expected ends the statement, whatever braces it has left open, but for such as its line closes.
+  const bool listed = how != Resume::at_semicolon && is_closed_in_line(fault);
+  if (fault != end() && *fault == ';' && !listed) return how == Resume::at_semicolon ? fault : fault + 1;
   std::size_t open = 0;
   for (const char* at = skip_blank(start, end()); at != end(); at = skip_blank(at, end())) {
     const std::string_view token = token_at(at, end());

@@ -63,6 +63,7 @@ class ParseState {
   };
 
  private:
+  [[nodiscard]] bool is_closed_in_line(const char* place) const;
   void report_token(const char* where, std::string_view found, const std::string& expected);
   /// Notes the bracket of this kind that is open at a place, if there is one.
   void note_unclosed(Diagnostic& error, char kind, const char* place);

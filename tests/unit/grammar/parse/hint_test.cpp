@@ -50,6 +50,17 @@ TEST(Hint, Signs) {
   EXPECT_EQ(in_component("a -> b with 1%;"), "a probability is a number from 0 to 1");
 }
 
+TEST(Hint, WhatBelongsToAMode) {
+  EXPECT_EQ(in_component("mode a { b = c; d = e };"), "constraints are joined by `&`");
+  EXPECT_EQ(in_component("fault a { b = c; };"), "no `;` before the `}`");
+  EXPECT_EQ(in_component("mode a reward 2 { b = c };"),
+            "the constraint comes before the reward: `mode m { … } reward 2;`");
+  EXPECT_EQ(in_component("initial a reward 2;"), "a reward belongs to the mode: `mode m { … } reward 2;`");
+  const test::Parsed<PlantFile> both(parse_plant,
+                                     "component C {\n  mode a { b = c; d = e };\n  mode f { b = c; };\n  a -> f;\n}");
+  EXPECT_EQ(both.diagnostics.all().size(), 2u);
+}
+
 TEST(Hint, ModesThatATransitionLeaves) {
   EXPECT_EQ(in_component("{ a, b } -> c when d = e;"),
             "the modes that a transition leaves are listed without braces: `a, b -> …`");
