@@ -51,9 +51,10 @@ struct Options {
 
 constexpr const char* footer =
     R"(Every run is the scenario with a seed of its own and --faults faults, each as soon as the model allows
-it from a random time of the flight on. What comes of a run depends on the scenario, --seed and its number alone. The same command goes
-on where one was ended, and shares the work with others that run at the same time: in two terminals, or
-under mpirun, over machines that share the folder. docs/campaigns.md explains the tables.
+it from a random time of the flight on. What comes of a run depends on the scenario, --seed and its
+number alone. The same command goes on where one was ended, and shares the work with others that run at
+the same time: in two terminals, or under mpirun, over machines that share the folder.
+docs/campaigns.md explains the tables.
 
 exit code: 0 done, whatever the runs came to; 2 an input is wrong; 3 interrupted
 
