@@ -55,6 +55,8 @@ const grammar::Findings& Compilation::findings() const { return result_->finding
 
 std::span<const File> Compilation::files() const { return result_->files; }
 
+void Compilation::forget_files() { result_->files = std::vector<File>(); }
+
 NameIndex Compilation::names() const {
   std::vector<const File*> files;
   for (const File& file : result_->files) files.push_back(&file);

@@ -45,8 +45,10 @@ class Compilation {
   [[nodiscard]] std::span<const ProgramPlaces> places() const;
   /// The same of its model programs.
   [[nodiscard]] std::span<const ProgramPlaces> model_places() const;
-  /// All that was read, with or without errors, by index.
+  /// All that was read, with or without errors, by index; nothing once that was forgotten.
   [[nodiscard]] std::span<const File> files() const;
+  /// Lets go of the files with their trees, a good part of what a large model takes: the document rests on none.
+  void forget_files();
   /// Every diagnostic, warnings too, and the texts that they speak of.
   [[nodiscard]] const grammar::Findings& findings() const;
   /// The names in all that was read, with or without errors (`compiler/session/names.hpp`).

@@ -22,6 +22,7 @@ compiler::Compilation load(const std::vector<std::string>& paths, const Common& 
   compiler::Compilation compilation = compiler::compile(paths, options);
   if (!compilation.ok() || !common.quiet) tell_findings(compilation.findings(), common);
   if (!compilation.ok()) throw Rejected{};
+  compilation.forget_files();
   return compilation;
 }
 
