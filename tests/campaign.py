@@ -121,7 +121,8 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
                     if ranks:
                         os.kill(ranks[-1], signal.SIGKILL)
                     run.wait(timeout=120)
-                if more:
+                # A rank that dies as the world is still set up takes mpirun with it.
+                if more and (bench.folder / f"{name}.csv").exists():
                     assert bench.csv(name) == bench.csv("alone"), "what the dead rank had begun is not done"
                 again = bench.run(name, *same, "--jobs", "1", before=world)
                 assert again.returncode == 0 and again.stdout == alone.stdout, again

@@ -74,8 +74,16 @@ void SimulatedPlant::force(std::vector<std::vector<automata::Move>>& moves, auto
 }
 
 void SimulatedPlant::force(std::vector<automata::Move>& moves, const automata::ForcedMode& forced) {
+  const automata::Component& component = plant_[forced.component];
+  const bool modelled =
+      !component.modes[forced.mode.index()].fault || state_.modes.empty() ||
+      std::any_of(moves.begin(), moves.end(), [&](const automata::Move& move) { return move.mode == forced.mode; });
+  happenings_.push_back(
+      {Event::Kind::forced,
+       to_text(component, forced.mode) + (modelled ? "" : ", to which the model has no transition now"),
+       forced.component,
+       {}});
   moves = {{forced.mode, 1.0}};
-  happenings_.push_back({Event::Kind::forced, to_text(plant_[forced.component], forced.mode), forced.component, {}});
 }
 
 void SimulatedPlant::draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
@@ -90,7 +98,9 @@ void SimulatedPlant::draw(const std::vector<std::vector<automata::Move>>& moves,
 void SimulatedPlant::give_up(automata::Ticks now) const {
   std::string message = "the simulated plant '" + plant_.name + "' has no consistent state to go to at " +
                         automata::format_seconds(now) + " s";
-  for (const Event& event : happenings_) message += ", with " + event.message + " forced";
+  for (const Event& event : happenings_) {
+    message += ", with " + to_text(plant_[*event.component], drawn_[event.component->index()]) + " forced";
+  }
   throw base::InputError(message + "; the last of " + std::to_string(draws_limit) +
                          " that were drawn contradicts the interconnections and mode constraints");
 }
