@@ -26,9 +26,11 @@ LONGEST = 120  # seconds
 def seconds(program, question):
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
-        subprocess.run([program, "program", *question], check=False, timeout=LONGEST, stdout=subprocess.DEVNULL)
+        done = subprocess.run([program, "program", *question], check=False, timeout=LONGEST, stdout=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
         return f"over {LONGEST} s"
+    if done.returncode not in (0, 1):
+        sys.exit(f"{program} gave no verdict: it ended with {done.returncode}")
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return f"{after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime:.2f} s"
 

@@ -5,6 +5,7 @@
 
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -16,6 +17,7 @@ PLANTS = {
     "tree on one bus": (lambda count: [HERE / "bus_tree", str(count)], "valve27.flow = on"),
 }
 LONGEST = 120  # processor seconds
+STOPPED = {124, 128 + signal.SIGXCPU, 128 + signal.SIGKILL, -signal.SIGXCPU, -signal.SIGKILL}  # for having taken longer
 
 
 def cost(program, plant, goal):
@@ -24,8 +26,10 @@ def cost(program, plant, goal):
                             stdout=subprocess.DEVNULL)
     _, status, used = os.wait4(plan.pid, 0)
     plan.returncode = os.waitstatus_to_exitcode(status)
-    if plan.returncode != 0:
+    if plan.returncode in STOPPED:
         return f"over {LONGEST} s | |"
+    if plan.returncode != 0:
+        sys.exit(f"{program} ended with {plan.returncode}")
     return f"{used.ru_utime + used.ru_stime:.2f} s | {used.ru_maxrss / 1024:.0f} MB |"
 
 
