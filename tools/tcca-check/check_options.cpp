@@ -136,6 +136,10 @@ void warn_of_empty_claim(const verifier::Property& property, const verifier::Che
   if (const auto promise = verifier::there_anyway(slices, property)) {
     tell("warning: every state satisfies '" + automata::to_text(*promise, variables) +
          "': that it comes says nothing of the plant");
+  } else if (verifier::answers_itself(slices, property)) {
+    const std::vector<automata::Formula> said = verifier::formulas_of(property);
+    tell("warning: whatever satisfies '" + automata::to_text(said.front(), variables) +
+         "' is its own answer: the response says nothing of the plant");
   }
 }
 

@@ -48,6 +48,9 @@ std::vector<ProgramProperty> asked_of(const automata::Plant& plant, const Progra
     never.window = options.window.window;
     result.push_back(std::move(never));
   }
+  const bool open = std::any_of(options.eventuallys.begin(), options.eventuallys.end(),
+                                [](const Promise& promise) { return !promise.within; });
+  if (options.within && !open) throw base::InputError("--within: each --eventually has a time of its own");
   for (const Promise& promise : options.eventuallys) {
     const auto within = promise.within ? promise.within : options.within;
     if (!within) throw base::InputError("--eventually: expected 'FORMULA within T', or a time in --within");

@@ -120,7 +120,8 @@ class ProgramCheck {
     }
   }
 
-  /// Whether no state at all satisfies what is never to hold, no run asks for a response, or none ends.
+  /// Whether no state at all satisfies what is never to hold, or no run lasts until that counts; no run asks for a
+  /// response, or none ends.
   bool is_vacuous(const ProgramProperty& property) {
     if (property.kind == Kind::finally) {
       return !searches_.search({.aim = Aim::ends_with, .test = [](const automata::Modes&) { return true; }});
@@ -128,7 +129,13 @@ class ProgramCheck {
     if (property.kind == Kind::response) {
       return !searches_.search({.aim = Aim::holds, .test = searches_.holds(property.formula, options_.entailed)});
     }
-    return property.kind == Kind::never && !step_.theory().allows({}, step_.theory().encode(property.formula));
+    if (property.kind != Kind::never) return false;
+    if (!step_.theory().allows({}, step_.theory().encode(property.formula))) return true;
+    if (!property.window.not_before) return false;
+    ProgramProperty anything = property;
+    anything.formula = automata::constant(true);
+    anything.fastest = false;
+    return !searches_.violation(anything, {});
   }
 
   const automata::Program& program_;

@@ -18,18 +18,35 @@ using Kind = ProgramProperty::Kind;
 
 namespace {
 
-/// The modes that transitions lead to that are no faults, by mode; the guards may say what they like.
-std::vector<bool> without_a_fault(const Component& component, const std::vector<ModeId>& start) {
+/// The modes that transitions lead to, by mode, with faults or without; the guards may say what they like.
+std::vector<bool> reached(const Component& component, const std::vector<ModeId>& start, bool faults) {
   std::vector<bool> reached(component.modes.size());
   for (const ModeId m : start) reached[m.index()] = true;
   for (bool more = true; more;) {
     more = false;
     for (const automata::Transition& t : component.transitions) {
-      if (!reached[t.from.index()] || reached[t.to.index()] || component.is_fault(t)) continue;
+      if (!reached[t.from.index()] || reached[t.to.index()] || (!faults && component.is_fault(t))) continue;
       reached[t.to.index()] = more = true;
     }
   }
   return reached;
+}
+
+/// The formula in the modes that components come to from those given by `from` or the initial ones.
+Formula among_reached(Slices& slices, const Formula& formula, const std::vector<automata::Assignment>& from,
+                      bool faults) {
+  const automata::Plant& plant = slices.plant();
+  const auto starts = initial_modes(plant, from);
+  std::vector<Formula> parts{formula};
+  for (const ComponentId c : slices.cone({&formula, 1})) {
+    const std::vector<bool> there = reached(plant[c], starts[c.index()], faults);
+    std::vector<automata::ValueId> modes;
+    for (std::size_t m = 0; m < there.size(); ++m) {
+      if (there[m]) modes.emplace_back(m);
+    }
+    if (modes.size() < there.size()) parts.push_back(automata::member(plant[c].mode, std::move(modes)));
+  }
+  return automata::conjunction(std::move(parts));
 }
 
 /// What a property asks whether it happens.
@@ -61,19 +78,8 @@ std::optional<Formula> promise_of(const Property& property) {
 }  // namespace
 
 bool takes_a_fault(Slices& slices, const Formula& formula, const std::vector<automata::Assignment>& from) {
-  const automata::Plant& plant = slices.plant();
-  const auto starts = initial_modes(plant, from);
-  std::vector<Formula> parts{formula};
-  for (const ComponentId c : slices.cone({&formula, 1})) {
-    const std::vector<bool> reached = without_a_fault(plant[c], starts[c.index()]);
-    std::vector<automata::ValueId> modes;
-    for (std::size_t m = 0; m < reached.size(); ++m) {
-      if (reached[m]) modes.emplace_back(m);
-    }
-    if (modes.size() < reached.size()) parts.push_back(automata::member(plant[c].mode, std::move(modes)));
-  }
-  if (parts.size() == 1) return false;
-  return !slices.can_hold(automata::conjunction(std::move(parts))) && slices.can_hold(formula);
+  return !slices.can_hold(among_reached(slices, formula, from, false)) &&
+         slices.can_hold(among_reached(slices, formula, from, true));
 }
 
 std::optional<Formula> out_of_reach(Slices& slices, const Property& property, const CheckOptions& options) {
@@ -81,6 +87,20 @@ std::optional<Formula> out_of_reach(Slices& slices, const Property& property, co
   auto event = event_of(property);
   if (!none_permitted || !event || !takes_a_fault(slices, *event, options.from)) return std::nullopt;
   return event;
+}
+
+bool answers_itself(Slices& slices, const Property& property) {
+  const auto itself = [&](const Formula& after, const Formula& then) {
+    for (const Formula* formula : {&after, &then}) {
+      for (const automata::VariableId v : automata::variables_of(*formula)) {
+        if (!slices.plant().component_of(v)) return false;
+      }
+    }
+    return slices.can_hold(after) && !slices.can_hold(automata::conjunction({after, automata::negation(then)}));
+  };
+  if (const auto* response = std::get_if<Response>(&property)) return itself(response->after, response->then);
+  const auto* asked = std::get_if<ProgramProperty>(&property);
+  return asked != nullptr && asked->kind == Kind::response && itself(asked->formula, asked->then);
 }
 
 std::optional<Formula> there_anyway(Slices& slices, const Property& property) {

@@ -11,8 +11,9 @@
 
 namespace rmpl::verifier {
 
-/// Whether some state satisfies the formula, but none whose components are in modes that they come to without a fault,
-/// from those given by `from` or the initial ones, whatever guards say. Cost: two questions to the solver.
+/// Whether some state satisfies the formula whose components are in modes that they come to, from those given by `from`
+/// or the initial ones, whatever guards say, but none in which they come there without a fault. Cost: two questions to
+/// the solver.
 bool takes_a_fault(Slices& slices, const automata::Formula& formula, const std::vector<automata::Assignment>& from);
 
 /// What the property asks whether it happens, where that takes a fault and none is permitted. Nothing of responses:
@@ -21,5 +22,8 @@ std::optional<automata::Formula> out_of_reach(Slices& slices, const Property& pr
 
 /// What the property asks to come, where every state satisfies it.
 std::optional<automata::Formula> there_anyway(Slices& slices, const Property& property);
+
+/// Whether a response asks of modes alone, and whatever asks for it is its answer.
+bool answers_itself(Slices& slices, const Property& property);
 
 }  // namespace rmpl::verifier

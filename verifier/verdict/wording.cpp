@@ -140,6 +140,9 @@ std::string vacuity(const Property& property, const Answer& answer) {
   if (answer.startless) return "no initial state is possible";
   const auto* asked = std::get_if<ProgramProperty>(&property);
   if (asked != nullptr && asked->kind == Kind::finally) return "it never ends";
+  if (asked != nullptr && asked->kind == Kind::never && asked->window.not_before) {
+    return "the program has ended by then on every run, or no state whatever satisfies it";
+  }
   const bool response = asked != nullptr && asked->kind == Kind::response;
   return response || std::holds_alternative<Response>(property) ? "what asks for it never happens"
                                                                 : "no state whatever satisfies it";

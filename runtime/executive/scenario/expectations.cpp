@@ -179,6 +179,7 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
 Judgement Expectations::at_the_end(const Watch& watch, const CycleRecord& last) const {
   switch (watch.expectation->kind) {
     case Expectation::Kind::never:
+      return {Verdict::met, last.time, watch.since ? "" : "what it waits for after 'after' never came true", {}};
     case Expectation::Kind::goal_conflict:
     case Expectation::Kind::no_plan:
       return {Verdict::met, last.time, {}, {}};

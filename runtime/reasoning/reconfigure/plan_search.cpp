@@ -15,11 +15,12 @@ using automata::Modes;
 
 namespace {
 
-/// Steps are cycles in which something happens that has to do with the goal. Of paths of one length that with fewer
-/// commands goes first, then that with the earlier ones: what takes time is not waited for before what can be commanded
-/// at once. Then that with the fewest cycles.
+/// Steps are cycles in which something happens that has to do with the goal. Of paths of one length that goes first
+/// which loses less of what was achieved, then that with fewer commands, then that with the earlier ones: what takes
+/// time is not waited for before what can be commanded at once. Then that with the fewest cycles.
 struct Cost {
   Distance distance;
+  std::size_t losses = 0;  ///< how often a component that is to be where it is leaves it
   std::size_t commands = 0;
   std::size_t late = 0;  ///< how many steps stand before each command, summed
   std::size_t cycles = 0;
@@ -198,6 +199,8 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
         cost.distance.steps += counts ? 1 : 0;
         cost.cycles += 1;
         for (const NominalMove& move : outcome.moves) {
+          const automata::ComponentId c = move.component;
+          cost.losses += objective.wanted[c.index()] && !astray(current, objective, c) ? 1 : 0;
           cost.distance.irreversible += NominalGraph::harmless(*move.transition) ? 0 : 1;
         }
         std::size_t first = reached.first;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/check.hpp"
@@ -187,16 +188,27 @@ std::vector<const ModeRequirement*> Planner::pending(const Modes& modes, const W
   return result;
 }
 
+std::size_t Planner::disturbed(const Modes& modes, const Way& way) const {
+  std::size_t count = 0;
+  for (const ModeRequirement& r : way.modes) {
+    if (!is_met(r, modes)) count += graph_.dependents(r.component).size();
+  }
+  return count;
+}
+
 std::vector<Planner::Choice> Planner::choices(const Modes& modes, const Objective& objective, ComponentId component,
                                               const NominalTransition& next) {
   std::vector<Choice> result;
   for (const NominalTransition& t : graph_.transitions(component)) {
     if (!is_parallel(component, t, next, objective.permitted)) continue;
-    for (const Way& way : ways_.of(component, t)) result.push_back({distance(modes, objective, way), &t, &way});
+    for (const Way& way : ways_.of(component, t)) {
+      result.push_back({distance(modes, objective, way), disturbed(modes, way), &t, &way});
+    }
   }
   std::stable_sort(result.begin(), result.end(), [](const Choice& a, const Choice& b) {
     if (!a.distance || !b.distance) return a.distance.has_value() && !b.distance;
-    return std::pair(*a.distance, a.transition->timed) < std::pair(*b.distance, b.transition->timed);
+    return std::tuple(*a.distance, a.transition->timed, a.disturbed) <
+           std::tuple(*b.distance, b.transition->timed, b.disturbed);
   });
   return result;
 }
@@ -250,7 +262,7 @@ Planner::NextStep Planner::bring_about(const Modes& modes, const Objective& obje
            name(component, next.to);
   };
   std::optional<Impasse> obstacle;
-  for (const auto& [distance, transition, way] : choices(modes, objective, component, next)) {
+  for (const auto& [distance, disturbed, transition, way] : choices(modes, objective, component, next)) {
     std::optional<NextStep> choice;
     if (const auto lacking = pending(modes, *way); !lacking.empty()) {
       choice = achieve(modes, objective, lacking.front()->component, modes_in(*lacking.front()->requirement));
@@ -273,7 +285,7 @@ std::optional<PlannedStep> Planner::preparation(const Modes& modes, const Object
   const NominalTransition& next =
       *policies_.of(component, objective.permitted).next(modes[component.index()], *nearest);
   const std::vector<Choice> ways = choices(modes, objective, component, next);
-  const auto& [distance, transition, way] = ways.front();
+  const auto& [distance, disturbed, transition, way] = ways.front();
   const auto lacking = pending(modes, *way);
   if (lacking.empty()) {
     NextStep step = command(modes, objective, component, *transition, *way->precondition);

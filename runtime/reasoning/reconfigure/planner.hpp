@@ -207,13 +207,16 @@ class Planner {
   /// Of the modes that are wanted of a component, the nearest by its policy; null where none can be come to.
   const automata::ModeId* nearest_of(const automata::Modes& modes, const Objective& objective,
                                      automata::ComponentId component, std::span<const automata::ModeId> wanted);
+  /// How many others depend on the components that a way has to move first.
+  std::size_t disturbed(const automata::Modes& modes, const Way& way) const;
   /// One way to bring a step about.
   struct Choice {
     std::optional<Distance> distance;
+    std::size_t disturbed;
     const NominalTransition* transition;
     const Way* way;
   };
-  /// All of them, the nearest first.
+  /// All of them, the nearest first; of equally near ones those that take no time, then those that disturb least.
   std::vector<Choice> choices(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
                               const NominalTransition& next);
   [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
