@@ -157,7 +157,7 @@ bool write_scenario(const std::string& path, base::OutputFile& file, const Scena
       ScenarioFrame patient = frame;
       do {
         const std::string text = verifier::scenario_text(step, property, *witness, patient);
-        refused = rehearse(path, text, subject.plant, *witness, limits.interrupted);
+        refused = rehearse(path, text, subject.plant, property, *witness, limits.interrupted);
         if (!refused) {
           file.write(text);
           return true;

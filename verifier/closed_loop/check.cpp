@@ -7,6 +7,7 @@
 
 #include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/searches.hpp"
+#include "verifier/slice/empty_claims.hpp"
 
 namespace rmpl::verifier {
 
@@ -81,7 +82,7 @@ class ProgramCheck {
     answer.cut_sets = searches_.cut_sets();
     if (answer.witness && !options_.cut_sets) find_others(properties_[p], answer);
     if (answer.witness) return;
-    answer.vacuous = is_vacuous(properties_[p]);
+    answer.vacuous = vacuity_of(properties_[p]);
     answer.cut_off = searches_.cut_off();
     // What would follow is not known, as no time comes in which it would.
     if (answer.cut_off.still) answer.verdict = Verdict::undecided;
@@ -120,22 +121,26 @@ class ProgramCheck {
     }
   }
 
-  /// Whether no state at all satisfies what is never to hold, or no run lasts until that counts; no run asks for a
-  /// response, or none ends.
-  bool is_vacuous(const ProgramProperty& property) {
+  /// Why no run at all could violate what holds; nothing where one could.
+  std::optional<Vacuity> vacuity_of(const ProgramProperty& property) {
+    const auto unless = [](bool found, Vacuity vacuity) { return found ? std::nullopt : std::optional(vacuity); };
     if (property.kind == Kind::finally) {
-      return !searches_.search({.aim = Aim::ends_with, .test = [](const automata::Modes&) { return true; }});
+      const auto any = searches_.search({.aim = Aim::ends_with, .test = [](const automata::Modes&) { return true; }});
+      return unless(any.has_value(), Vacuity::endless);
     }
     if (property.kind == Kind::response) {
-      return !searches_.search({.aim = Aim::holds, .test = searches_.holds(property.formula, options_.entailed)});
+      const auto asks =
+          searches_.search({.aim = Aim::holds, .test = searches_.holds(property.formula, options_.entailed)});
+      return unless(asks.has_value(), Vacuity::unasked);
     }
-    if (property.kind != Kind::never) return false;
-    if (!step_.theory().allows({}, step_.theory().encode(property.formula))) return true;
-    if (!property.window.not_before) return false;
+    if (property.kind != Kind::never) return std::nullopt;
+    Slices slices(step_.plant());
+    const auto of_model = vacuity_of_never(slices, property.formula, options_.entailed);
+    if (of_model || !property.window.not_before) return of_model;
     ProgramProperty anything = property;
     anything.formula = automata::constant(true);
     anything.fastest = false;
-    return !searches_.violation(anything, {});
+    return unless(searches_.violation(anything, {}).has_value(), Vacuity::over);
   }
 
   const automata::Program& program_;

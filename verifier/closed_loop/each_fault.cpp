@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
+#include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/searches.hpp"
 
 namespace rmpl::verifier {
@@ -30,11 +32,14 @@ std::vector<FaultStep> faults_of(const automata::Plant& plant) {
   return faults;
 }
 
+bool anything(const automata::Modes& /*modes*/) { return true; }
+
 class Table {
  public:
   Table(const automata::Program& program, automata::PlantStep& step, const std::vector<Property>& properties,
         const CheckOptions& options, const Limits& limits)
-      : step_(step),
+      : program_(program),
+        step_(step),
         properties_(of_programs(properties)),
         options_(options),
         searches_(program, step, properties_, options, limits) {}
@@ -46,13 +51,7 @@ class Table {
     searches_.allow_faults(1);
     try {
       searches_.startless();
-      for (FaultOutcome& row : result.rows) {
-        fill(row);
-        const FaultOutcome& without = result.rows.front();
-        if (!row.fault) continue;
-        row.anyway = {without.lost.has_value(), without.waits.has_value(), without.goes_on.has_value(),
-                      without.stops.has_value()};
-      }
+      for (FaultOutcome& row : result.rows) fill(row);
     } catch (const LimitReached& reached) {
       result.limit = reached.limit;
     }
@@ -66,17 +65,61 @@ class Table {
     if (row.fault) row.happens = searches_.search({.aim = Aim::happens, .filter = only});
     if (row.happens || !row.fault) {
       row.success = searches_.search({.aim = Aim::ends_with, .test = success_, .filter = only});
-      for (const ProgramProperty& property : properties_) {
-        const bool mission = property.kind == Kind::never || property.kind == Kind::eventually ||
-                             property.kind == Kind::response || property.kind == Kind::finally;
-        if (mission && !row.lost) row.lost = searches_.violation(property, only);
-      }
+      if (!row.fault)
+        ends_ = row.success || searches_.search({.aim = Aim::ends_with, .test = anything, .filter = only});
+      find_loss(row, only);
       row.no_plan = searches_.violation({Kind::no_plan}, only);
-      row.waits = searches_.violation({Kind::endless_wait}, only);
+      find_wait(row, only);
       row.goes_on = searches_.lasso(only, {Kind::termination});
       row.stops = searches_.violation({Kind::stuck}, only);
     }
+    if (!row.fault) {
+      succeeds_ = row.success.has_value();
+      goes_on_ = row.goes_on.has_value();
+      stops_ = row.stops.has_value();
+      row.anyway.goes_on = !ends_;
+    } else {
+      row.anyway.goes_on = goes_on_;
+      row.anyway.stops = stops_;
+      row.costs_success = row.happens && succeeds_ && !row.success;
+    }
     row.decided = true;
+  }
+
+  /// The first property of the mission that is violated; of a fault, rather one that holds without it.
+  void find_loss(FaultOutcome& row, const FaultFilter& only) {
+    for (std::size_t p = 0; p < properties_.size(); ++p) {
+      const Kind kind = properties_[p].kind;
+      const bool mission =
+          kind == Kind::never || kind == Kind::eventually || kind == Kind::response || kind == Kind::finally;
+      const bool anyway = row.fault && lost_.contains(p);
+      if (!mission || (row.fault && row.lost && (anyway || !row.anyway.lost))) continue;
+      auto loss = searches_.violation(properties_[p], only);
+      if (!loss) continue;
+      if (!row.fault) lost_.insert(p);
+      if (row.lost && !row.fault) continue;
+      row.lost = std::move(loss);
+      row.anyway.lost = anyway;
+    }
+  }
+
+  /// A wait that never ends, rather one that is the row's own: at locations at which nothing waits for ever without the
+  /// fault; and where the program never ends, so that to rest is no fault, for a goal without a plan.
+  void find_wait(FaultOutcome& row, const FaultFilter& only) {
+    const ProgramProperty wait{Kind::endless_wait};
+    row.waits = searches_.violation(wait, only);
+    if (!row.waits) return;
+    Query query{.aim = Aim::endless_wait, .filter = only, .fresh = [this](const LoopState& state, const Turn& turn) {
+                  const bool counts = ends_ || turn.answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
+                  return counts && !waits_.contains(waiting_cause(program_, state.marking));
+                }};
+    auto own = searches_.search(query, &wait);
+    row.anyway.waits = !own;
+    if (own) row.waits = own;
+    if (row.fault) return;
+    for (; own; own = searches_.search(query, &wait)) {
+      for (Cause& cause : causes_of(program_, *own, false)) waits_.insert(std::move(cause));
+    }
   }
 
   /// Whether every `finally` holds.
@@ -90,11 +133,17 @@ class Table {
     };
   }
 
+  const automata::Program& program_;
   automata::PlantStep& step_;
   std::vector<ProgramProperty> properties_;
   const CheckOptions& options_;
   Searches searches_;
   std::function<bool(const automata::Modes&)> success_ = success();
+  // What comes without a fault.
+  std::set<std::size_t> lost_;  ///< properties that are violated
+  std::set<Cause> waits_;       ///< all of those that never end
+  bool ends_ = false;           ///< some run does
+  bool succeeds_ = false, goes_on_ = false, stops_ = false;
 };
 
 }  // namespace

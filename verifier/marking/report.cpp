@@ -33,7 +33,7 @@ Answer words_of(const MarkingAnswer& answer) {
   result.verdict = answer.verdict;
   if (answer.witness) result.witness.emplace();
   result.limit = answer.limit;
-  result.vacuous = answer.vacuous;
+  if (answer.vacuous) result.vacuous = Vacuity::unsatisfiable;
   result.cut_off.stuck = answer.stuck;
   result.progress = answer.progress;
   return result;

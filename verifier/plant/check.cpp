@@ -14,6 +14,7 @@
 #include "verifier/plant/plant_system.hpp"
 #include "verifier/plant/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
+#include "verifier/slice/empty_claims.hpp"
 #include "verifier/witness/claim.hpp"
 #include "verifier/witness/plant_stop.hpp"
 #include "verifier/witness/replay.hpp"
@@ -329,17 +330,19 @@ class Check {
 
 namespace {
 
-/// Whether nothing can ever violate what holds: no state satisfies what is never to hold, or none that can be reached
-/// asks for a response.
-bool is_vacuous(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
-  if (const auto* safety = std::get_if<Safety>(&property)) return !slices.can_hold(safety->never);
+/// Why nothing can ever violate what holds; nothing where something could.
+std::optional<Vacuity> vacuity_of(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
+  if (const auto* safety = std::get_if<Safety>(&property)) {
+    return vacuity_of_never(slices, safety->never, options.entailed);
+  }
   const auto* response = std::get_if<Response>(&property);
-  if (response == nullptr) return false;
+  if (response == nullptr) return std::nullopt;
   CheckOptions plain = options;
   plain.cut_sets = plain.fewest_faults = false;
   const unsigned faults = options.faults.value_or(std::numeric_limits<unsigned>::max());
   const Property asks = Reachability{response->after, {}, false};
-  return Check(slices, asks, plain, faults, meter).run_for_any_witness().verdict == Verdict::violated;
+  const bool asked = Check(slices, asks, plain, faults, meter).run_for_any_witness().verdict != Verdict::violated;
+  return asked ? std::nullopt : std::optional(Vacuity::unasked);
 }
 
 Answer decide(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
@@ -365,7 +368,7 @@ Answer check(Slices& slices, const Property& property, const CheckOptions& optio
   demand_modes(slices.plant(), options.from);
   Meter meter(limits);
   Answer answer = decide(slices, property, options, meter);
-  answer.vacuous = answer.verdict == Verdict::holds && is_vacuous(slices, property, options, meter);
+  if (answer.verdict == Verdict::holds) answer.vacuous = vacuity_of(slices, property, options, meter);
   answer.progress = meter.progress();
   return answer;
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "verifier/plant/check.hpp"
+#include "verifier/slice/empty_claims.hpp"
 
 namespace rmpl::verifier {
 
@@ -97,7 +98,7 @@ class CheckAll {
     const bool reached = found.witness.has_value();
     answers_[q].verdict = reached == target_of(questions_[q])->wanted ? Verdict::holds : Verdict::violated;
     const auto* safety = std::get_if<Safety>(&questions_[q].property);
-    answers_[q].vacuous = safety != nullptr && !slices_.can_hold(safety->never);
+    if (safety != nullptr) answers_[q].vacuous = vacuity_of_never(slices_, safety->never, false);
   }
 
   bool holds_at_end(const Formula& formula, const Witness& witness) {

@@ -89,6 +89,11 @@ std::optional<Formula> out_of_reach(Slices& slices, const Property& property, co
   return event;
 }
 
+std::optional<Vacuity> vacuity_of_never(Slices& slices, const Formula& never, bool entailed) {
+  if (!slices.can_hold(never)) return Vacuity::unsatisfiable;
+  return entailed && !slices.can_follow(never) ? std::optional(Vacuity::unimplied) : std::nullopt;
+}
+
 bool answers_itself(Slices& slices, const Property& property) {
   const auto itself = [&](const Formula& after, const Formula& then) {
     for (const Formula* formula : {&after, &then}) {

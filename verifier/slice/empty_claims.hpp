@@ -8,6 +8,7 @@
 #include "automata/logic/formula.hpp"
 #include "verifier/property/property.hpp"
 #include "verifier/slice/slices.hpp"
+#include "verifier/verdict/answer.hpp"
 
 namespace rmpl::verifier {
 
@@ -19,6 +20,9 @@ bool takes_a_fault(Slices& slices, const automata::Formula& formula, const std::
 /// What the property asks whether it happens, where that takes a fault and none is permitted. Nothing of responses:
 /// their verdict tells that nothing asks.
 std::optional<automata::Formula> out_of_reach(Slices& slices, const Property& property, const CheckOptions& options);
+
+/// Whether nothing in the model can ever satisfy what is never to hold, or imply it, where that is what counts.
+std::optional<Vacuity> vacuity_of_never(Slices& slices, const automata::Formula& never, bool entailed);
 
 /// What the property asks to come, where every state satisfies it.
 std::optional<automata::Formula> there_anyway(Slices& slices, const Property& property);

@@ -25,7 +25,8 @@ using automata::VariableId;
 
 namespace {
 
-/// Up to so many combinations of modes and controls of an island are looked at; more are taken to hold a contradiction.
+/// Up to so many combinations are looked at: of modes and controls of an island, more are taken to hold a
+/// contradiction; of modes that decide a formula, one of more is taken to imply it.
 constexpr std::size_t most_combinations = 4096;
 
 }  // namespace
@@ -209,6 +210,27 @@ bool Slices::can_hold(const Formula& formula) {
   const Part inside = part(cone({&formula, 1}), {&formula, 1});
   automata::Theory theory = automata::model_theory(inside.plant());
   return theory.allows({}, theory.encode(inside.into(formula)));
+}
+
+bool Slices::can_follow(const Formula& formula) {
+  if (!start({})) return true;
+  const Part inside = part(cone({&formula, 1}), {&formula, 1});
+  const automata::Plant& plant = inside.plant();
+  const Formula wanted = inside.into(formula);
+  const std::vector<ComponentId> deciding = automata::Locality(plant).support_of(wanted).components;
+  automata::Theory theory = automata::model_theory(plant);
+  const automata::Theory::Handle handle = theory.encode(wanted);
+  for (std::size_t combination = 0; combination < most_combinations; ++combination) {
+    if (!theory.allows({}, handle)) return false;
+    std::vector<Assignment> modes, decided;
+    for (const automata::Component& component : plant.components) {
+      modes.push_back({component.mode, theory.value(component.mode)});
+    }
+    for (const ComponentId c : deciding) decided.push_back(modes[c.index()]);
+    if (theory.entails(modes, handle)) return true;
+    theory.tell(automata::negation(automata::conjunction_of(decided)));
+  }
+  return true;
 }
 
 bool Slices::allows(const Modes& modes, const Formula& formula) {

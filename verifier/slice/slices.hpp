@@ -46,6 +46,9 @@ class Slices {
   const std::optional<automata::Modes>& start(const std::vector<automata::Assignment>& from);
   /// Whether some state satisfies the formula, be it reached or not.
   bool can_hold(const automata::Formula& formula);
+  /// Whether the modes of some state imply the formula. Looks at up to so many combinations of the modes that decide
+  /// it, and takes it to be so beyond.
+  bool can_follow(const automata::Formula& formula);
   /// Whether the store of modes that are possible allows the formula.
   bool allows(const automata::Modes& modes, const automata::Formula& formula);
 

@@ -21,6 +21,15 @@ struct CutSet {
   Witness witness;
 };
 
+/// Why nothing could ever violate what holds.
+enum class Vacuity {
+  unsatisfiable,  ///< no state satisfies what is never to hold
+  unimplied,      ///< none implies it, where that is what counts
+  over,           ///< the program has ended by the time from which on that counts
+  unasked,        ///< what asks for a response never happens
+  endless         ///< the program never ends
+};
+
 /// What became of a question.
 struct Answer {
   Verdict verdict = Verdict::undecided;
@@ -31,8 +40,7 @@ struct Answer {
   std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first
   /// Why it is undecided; or, beside a witness, why a better one (fewer steps, or less time) may have been missed.
   std::optional<Limit> limit;
-  /// It holds as nothing could ever violate it: no state satisfies what is never to hold, or what asks for a response.
-  bool vacuous = false;
+  std::optional<Vacuity> vacuous;  ///< where it holds as nothing could ever violate it
   /// How runs that were looked at without a witness are cut off: the verdict says nothing of what would follow. Where
   /// time stands still it is undecided.
   CutOff cut_off;
@@ -44,7 +52,7 @@ struct Answer {
 
 /// Whether it holds as nothing can violate it: of itself, or as no run starts.
 inline bool holds_vacuously(const Answer& answer) {
-  return answer.vacuous || (answer.startless && answer.verdict == Verdict::holds);
+  return answer.vacuous.has_value() || (answer.startless && answer.verdict == Verdict::holds);
 }
 
 /// Of all together: violated where one is, else undecided where one is. Those that only warn are left out.

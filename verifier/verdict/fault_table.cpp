@@ -35,8 +35,9 @@ std::vector<std::string> outcomes_of(const FaultOutcome& row) {
   if (row.fault && !row.happens) return {"cannot happen"};
   std::vector<std::string> result;
   if (row.success) result.emplace_back(row.fault ? "recovered" : "success");
+  if (row.spoils()) result.emplace_back("never recovered");
   const auto add = [&](bool comes, bool anyway, const std::string& words) {
-    if (comes) result.push_back(words + (anyway ? " anyway" : ""));
+    if (comes) result.push_back(words + (anyway && row.fault ? " anyway" : ""));
   };
   add(row.lost.has_value(), row.anyway.lost, mission_lost);
   add(row.waits.has_value(), row.anyway.waits, waits_for_ever);

@@ -20,23 +20,29 @@ struct FaultOutcome {
   std::optional<FaultStep> fault;
   std::optional<Witness> happens = std::nullopt;  ///< the way to the fault; nothing where it cannot happen
   std::optional<Witness> success = std::nullopt;  ///< the program ends, and every `finally` holds
-  std::optional<Witness> lost = std::nullopt;     ///< a property among never, eventually and finally is violated
+  std::optional<Witness> lost = std::nullopt;     ///< a property of the mission is violated
   std::optional<Witness> waits = std::nullopt;    ///< the program waits for ever
   std::optional<Witness> goes_on = std::nullopt;  ///< it goes on for ever without ending
   std::optional<Witness> no_plan = std::nullopt;  ///< a goal is without a plan
   std::optional<Witness> stops = std::nullopt;    ///< nothing can follow, or time stands still
   bool decided = false;
-  /// Which of them come without the fault too, so that they are not the fault's.
+  /// Which of them come without the fault too, so that they are not the fault's: the same property is violated, the
+  /// program waits at the same locations. Where no run without a fault ends: that it goes on, or rests with a plan.
   struct Anyway {
     bool lost = false, waits = false, goes_on = false, stops = false;
   };
   Anyway anyway = {};
+  bool costs_success = false;  ///< without the fault there is success, and with it there is none
 
-  /// Whether it can lose the mission, or keep the program from ending.
-  [[nodiscard]] bool fails() const {
+  /// Whether one of them is the fault's own.
+  [[nodiscard]] bool adds() const {
     return (lost && !anyway.lost) || (waits && !anyway.waits) || (goes_on && !anyway.goes_on) ||
            (stops && !anyway.stops);
   }
+  /// Whether all that comes of it comes anyway, but success does not come any more.
+  [[nodiscard]] bool spoils() const { return costs_success && !adds() && (lost || waits || goes_on || stops); }
+  /// Whether it can lose the mission, or keep a program that ends at all from ending.
+  [[nodiscard]] bool fails() const { return adds() || spoils(); }
 };
 
 struct FaultTable {

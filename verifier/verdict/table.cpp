@@ -28,7 +28,7 @@ std::string remark(const Claim& claim) {
   const bool partly = !claim.answer.witness && claim.answer.cut_off.stuck;
   std::string text = !claim.expect_violated ? "" : claim.as_expected() ? "as expected" : "expected to be violated";
   if (holds_vacuously(claim.answer)) {
-    text += (text.empty() ? "" : "; ") + ("vacuous: " + vacuity(claim.question.property, claim.answer));
+    text += (text.empty() ? "" : "; ") + ("vacuous: " + vacuity(claim.answer));
   }
   if (partly) text += (text.empty() ? "" : "; ") + std::string("on runs that get stuck, only up to there");
   return text;

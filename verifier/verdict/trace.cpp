@@ -83,6 +83,9 @@ class Story {
     for (std::size_t e = 1; e < events.size(); ++e) {
       const Ticks since = events[e - 1].time;
       if (witness_.repeats_from == e) line(since, "from here on it repeats:");
+      // The end of a run that ends with its program says so itself.
+      const bool last = e + 1 == events.size() && events[e].time == since;
+      if (events[e].cycle && !last) tell_end(*events[e].cycle, since);
       if (events[e].cycle) tell_goal(*events[e].cycle, since);
       if (events[e].cycle && e + 1 == events.size()) {
         line(events[e].time, end);
@@ -114,6 +117,13 @@ class Story {
     if (!goal_.empty()) line(since, "goal " + goal_text(subject_, cycle));
   }
 
+  /// Runs go on after the program has ended, where what is owed may still come.
+  void tell_end(const Cycle& cycle, Ticks since) {
+    if (!cycle.marking.empty() || ended_) return;
+    ended_ = true;
+    line(since, "the program has ended");
+  }
+
   void tell_step(const Event& before, const Event& event) {
     const std::string changes = changes_text(subject_.plant, before, event);
     const std::string command = to_text(subject_.plant.variables, automata::commanded(subject_.plant, event.action));
@@ -127,6 +137,7 @@ class Story {
   const Subject& subject_;
   const Witness& witness_;
   std::vector<Assignment> goal_;
+  bool ended_ = false;
   automata::ControlAction command_;
   std::vector<std::pair<std::string, std::string>> lines_;
 };

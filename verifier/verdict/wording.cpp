@@ -136,23 +136,28 @@ std::string reason(const Answer& answer) {
   return reason(answer.limit, answer.progress);
 }
 
-std::string vacuity(const Property& property, const Answer& answer) {
-  if (answer.startless) return "no initial state is possible";
-  const auto* asked = std::get_if<ProgramProperty>(&property);
-  if (asked != nullptr && asked->kind == Kind::finally) return "it never ends";
-  if (asked != nullptr && asked->kind == Kind::never && asked->window.not_before) {
-    return "the program has ended by then on every run, or no state whatever satisfies it";
+std::string vacuity(const Answer& answer) {
+  if (answer.startless || !answer.vacuous) return "no initial state is possible";
+  switch (*answer.vacuous) {
+    case Vacuity::unsatisfiable:
+      return "no state whatever satisfies it";
+    case Vacuity::unimplied:
+      return "no state whatever implies it";
+    case Vacuity::over:
+      return "the program has ended by then on every run";
+    case Vacuity::unasked:
+      return "what asks for it never happens";
+    case Vacuity::endless:
+      return "it never ends";
   }
-  const bool response = asked != nullptr && asked->kind == Kind::response;
-  return response || std::holds_alternative<Response>(property) ? "what asks for it never happens"
-                                                                : "no state whatever satisfies it";
+  return "";
 }
 
 std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();
   const bool partly = !found && answer.cut_off.stuck;
-  const std::string vacuously = holds_vacuously(answer) ? ", as " + vacuity(property, answer) : "";
+  const std::string vacuously = holds_vacuously(answer) ? ", as " + vacuity(answer) : "";
   return meaning_of(property, found) + vacuously + (partly ? "; on runs that get stuck, only up to there" : "");
 }
 

@@ -23,7 +23,7 @@ std::string reason(std::optional<Limit> limit, const Progress& progress);
 std::string reason(const Answer& answer);
 
 /// Why nothing could ever violate the property, where that is so.
-std::string vacuity(const Property& property, const Answer& answer);
+std::string vacuity(const Answer& answer);
 /// What an answer means: "the target is reachable", "there is a plan for every goal".
 std::string meaning(const Property& property, const Answer& answer);
 /// What a program's run has come to where it violates the property: the goals, the reason, the locations that wait.
