@@ -23,6 +23,7 @@ namespace {
 using runtime::JsonLine;
 using runtime::Plan;
 using runtime::PlanRisk;
+using runtime::TransitionOf;
 
 struct Options {
   std::string plant;
@@ -78,6 +79,18 @@ automata::Modes modes_from(const automata::Plant& plant, const std::vector<autom
   return modes;
 }
 
+void write_lost(JsonLine& json, const automata::Plant& plant, const std::vector<TransitionOf>& lost) {
+  json.key("lost").open('[');
+  for (const TransitionOf& leaving : lost) {
+    const automata::Component& component = plant[leaving.component];
+    const automata::Transition& t = component.transitions[leaving.transition.index()];
+    json.open('{').key("component").string(component.name);
+    json.key("from").string(component.modes[t.from.index()].name);
+    json.key("to").string(component.modes[t.to.index()].name).close('}');
+  }
+  json.close(']');
+}
+
 void write_risks(JsonLine& json, const automata::Plant& plant, const std::vector<PlanRisk>& risks) {
   json.key("risks").open('[');
   for (const PlanRisk& risk : risks) {
@@ -90,7 +103,8 @@ void write_risks(JsonLine& json, const automata::Plant& plant, const std::vector
   json.close(']');
 }
 
-void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan, const std::vector<PlanRisk>& risks) {
+void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan, const std::vector<PlanRisk>& risks,
+                const std::vector<TransitionOf>& lost) {
   json.open('{');
   json.key("goal_state").modes(plan.goal_state.value_or(automata::Modes{}), plant);
   json.key("commands").open('[');
@@ -99,6 +113,7 @@ void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan, 
   }
   json.close(']').key("outcome").string(name_of(plan.outcome));
   if (!risks.empty()) write_risks(json, plant, risks);
+  if (!lost.empty()) write_lost(json, plant, lost);
   if (plan.component) json.key("component").string(plant[*plan.component].name);
   if (!plan.reason.empty()) json.key("reason").string(plan.reason);
   if (const std::string would = runtime::remedy(plan.why, plant); !would.empty()) json.key("remedy").string(would);
@@ -124,6 +139,19 @@ std::string text_of(const automata::Plant& plant, const std::vector<PlanRisk>& r
             (leaving.origin.line == 0 ? "" : " (" + short_place(leaving.origin) + ")") +
             (leaving.timing ? ": how long each takes is not compared\n"
                             : ": what is waited for would have to come in that very step\n");
+  }
+  return text;
+}
+
+std::string text_of(const automata::Plant& plant, const std::vector<TransitionOf>& lost) {
+  std::string text;
+  for (const TransitionOf& leaving : lost) {
+    const automata::Component& component = plant[leaving.component];
+    const automata::Transition& t = component.transitions[leaving.transition.index()];
+    text += "the goal does not last: '" + component.name + "' goes from '" + component.modes[t.from.index()].name +
+            "' to '" + component.modes[t.to.index()].name + "' by itself in the next step" +
+            (t.origin.line == 0 ? "" : " (" + short_place(t.origin) + ")") +
+            "; where it is asked for on and on, it is commanded on and on\n";
   }
   return text;
 }
@@ -199,12 +227,13 @@ ExitStatus run(const Options& options, const Common& common) {
   const Plan plan = options.one_step ? runtime::make_one_step_plan(*reconfigurer, modes, goal)
                                      : runtime::make_plan(*reconfigurer, modes, goal);
   const std::vector<PlanRisk> risks = runtime::risks_of(plan, step, goal);
+  const std::vector<TransitionOf> lost = runtime::lost_in_the_end(plan, step, goal);
   if (common.format == Format::json) {
     JsonLine json;
-    write_json(json, plant, plan, risks);
+    write_json(json, plant, plan, risks, lost);
     print(std::string(json.text()) + "\n");
   } else {
-    print(text_of(plant, plan) + text_of(plant, risks));
+    print(text_of(plant, plan) + text_of(plant, risks) + text_of(plant, lost));
   }
   return plan.outcome == Plan::Outcome::no_plan ? ExitStatus::violated : ExitStatus::done;
 }

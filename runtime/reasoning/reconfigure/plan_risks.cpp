@@ -115,4 +115,22 @@ std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step, cons
   return risks;
 }
 
+std::vector<TransitionOf> lost_in_the_end(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal) {
+  std::vector<TransitionOf> result;
+  const automata::ControlAction idle = idle_action(step.plant());
+  if (plan.outcome == Plan::Outcome::no_plan || !plan.goal_state || !step.permits(*plan.goal_state, idle)) return {};
+  const automata::Theory::Handle wanted = step.theory().encode(goal);
+  for (std::size_t c = 0; c < plan.goal_state->size(); ++c) {
+    const ComponentId component(c);
+    for (const TransitionId id : step.enabled(component, *plan.goal_state, idle).untimed) {
+      automata::Modes after = *plan.goal_state;
+      after[c] = step.plant()[component].transitions[id.index()].to;
+      if (step.theory().entails(automata::assignments_of(step.plant(), after), wanted)) continue;
+      result.push_back({component, id});
+      break;
+    }
+  }
+  return result;
+}
+
 }  // namespace rmpl::runtime

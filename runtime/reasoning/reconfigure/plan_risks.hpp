@@ -23,4 +23,8 @@ struct PlanRisk {
 /// In order of waits, what leaves at once first, then components; of each component the first such transition.
 std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal);
 
+/// Where the goal state does not last: the untimed transitions that take the goal away at once, all controls idle, one
+/// a component. The executive would bring it about again, and again.
+std::vector<TransitionOf> lost_in_the_end(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal);
+
 }  // namespace rmpl::runtime
