@@ -7,6 +7,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/closed_loop.hpp"
+#include "tests/reference/plans.hpp"
 #include "verifier/closed_loop/check.hpp"
 #include "verifier/closed_loop/each_fault.hpp"
 #include "verifier/verdict/report.hpp"
@@ -76,6 +77,55 @@ reference::Adviser advice_of(runtime::Reconfigurer& reconfigurer, const automata
                              command ? answer.action : automata::idle_action(plant),
                              answer.why.purpose == runtime::Reason::Purpose::reward};
   };
+}
+
+/// The twin plans by itself: in every state of the loop from which it knows a way to a goal that lasts, the executive
+/// has a plan, which takes no more cycles.
+RC_GTEST_PROP(ClosedLoop, NoWayIsShorterThanThoseTaken, ()) {
+  Shape shape = small();
+  shape.max_components = 3;
+  shape.max_modes = 4;
+  shape.max_attributes = 6;
+  shape.commanded = true;
+  shape.tangled = false;
+  shape.faults = chance(50);
+  shape.timed = chance(30);
+  shape.distributions = false;
+  const Model model = *models(shape);
+  const RandomProgram program{chain(model.plant)};
+  automata::PlantStep step(model.plant);
+  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const reference::Step slow(model.plant);
+  const reference::Adviser told = advice_of(*reconfigurer, model.plant);
+  std::size_t planned = 0;
+  const reference::Adviser adviser = [&](const automata::Modes& modes, const std::vector<automata::Assignment>& asked) {
+    const automata::Formula goal = automata::conjunction_of(asked);
+    const auto achieved = [&](const automata::Modes& state) {
+      return slow.models().entails(reference::assumptions_of(model.plant, state), goal);
+    };
+    if (achieved(modes) || !reference::lasts(model.plant, goal)) return told(modes, asked);
+    const auto fewest = reference::fewest_cycles(slow, modes, goal);
+    if (!fewest) return told(modes, asked);
+    std::size_t cycles = 0;
+    for (automata::Modes at = modes; !achieved(at); ++cycles) {
+      const runtime::Reconfiguration answer = reconfigurer->next(at, goal);
+      RC_LOG() << automata::to_text(goal, model.plant.variables) << " from " << rc::toString(at) << ", where "
+               << *fewest << " cycles do it: " << answer.reason << std::endl;
+      RC_ASSERT(answer.expected.has_value());
+      RC_ASSERT(cycles < *fewest);
+      at = *answer.expected;
+    }
+    ++planned;
+    return told(modes, asked);
+  };
+  reference::LoopQuestion question;
+  question.faults = shape.faults ? up_to(0, 1) : 0;
+  question.period = Ticks{Ticks::per_second};
+  question.unit = Ticks{Ticks::per_second / 2};
+  question.formula = automata::constant(true);
+  RC_PRE(!reference::explore_loop(program.program, slow, adviser, question).too_many);
+  RC_CLASSIFY(planned > 0);
+  RC_CLASSIFY(planned > 3);
 }
 
 void compare(std::optional<Ticks> period, bool chained = false) {

@@ -220,17 +220,6 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
   }
 }
 
-/// Whether time alone takes away no mode that the goal names.
-bool lasts(const automata::Plant& plant, const Formula& goal) {
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    const auto named = reference::named_modes(plant, c, goal);
-    for (const automata::Transition& t : plant.components[c].transitions) {
-      if (t.timing && named.contains(t.from)) return false;
-    }
-  }
-  return true;
-}
-
 /// Where what needs time is waited for, too: what can be reached is, and modes that last in no more cycles than it
 /// takes; those in which only something else is done beside it do not count.
 RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
@@ -245,7 +234,7 @@ RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
     RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << " from " << rc::toString(modes) << ": "
              << plan.reason << ", where " << *fewest << " cycles do it" << std::endl;
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
-    if (!asks_for_modes(subject.model.plant, goal) || !lasts(subject.model.plant, goal)) continue;
+    if (!asks_for_modes(subject.model.plant, goal) || !reference::lasts(subject.model.plant, goal)) continue;
     std::size_t cycles = 0;
     for (Modes at = modes; !entails(subject.slow, at, goal);) {
       const runtime::Reconfiguration answer = subject.reconfigurer->next(at, goal);

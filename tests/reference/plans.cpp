@@ -113,4 +113,13 @@ std::optional<std::size_t> fewest_cycles(const Step& step, const Modes& modes, c
   return Search(step, goal).from(modes);
 }
 
+bool lasts(const automata::Plant& plant, const automata::Formula& goal) {
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const auto named = named_modes(plant, c, goal);
+    for (const Transition& t : plant.components[c].transitions)
+      if (t.timing && named.contains(t.from)) return false;
+  }
+  return true;
+}
+
 }  // namespace rmpl::reference

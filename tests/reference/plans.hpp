@@ -14,4 +14,7 @@ namespace rmpl::reference {
 /// there is no such state, or only such as do not stay by themselves. Exponential in the plant.
 std::optional<std::size_t> fewest_cycles(const Step& step, const automata::Modes& modes, const automata::Formula& goal);
 
+/// Whether time alone takes away no mode that the goal names.
+bool lasts(const automata::Plant& plant, const automata::Formula& goal);
+
 }  // namespace rmpl::reference
