@@ -11,8 +11,8 @@ namespace rmpl::base {
 /// may be taken beside what is taken of the lists before; where it said yes, `put_back(l, i)` is called when all that
 /// goes with it has been visited. `visit()` is called when one of each is taken, and ends it all where it returns true.
 /// Whether it did. Where something is thrown nothing is put back.
-template <class List, class Take, class PutBack, class Visit>
-bool multiply_out(const std::vector<List>& lists, const Take& take, const PutBack& put_back, const Visit& visit,
+template <class Lists, class Take, class PutBack, class Visit>
+bool multiply_out(const Lists& lists, const Take& take, const PutBack& put_back, const Visit& visit,
                   std::size_t l = 0) {
   if (l == lists.size()) return visit();
   for (std::size_t i = 0; i < lists[l].size(); ++i) {

@@ -65,6 +65,11 @@ const std::vector<ZoneBox>& LoopInstants::waits(std::uint64_t node) {
   return result;
 }
 
+const Instant* LoopInstants::step(std::uint64_t node, std::size_t number) {
+  const std::vector<Instant>& all = steps(node);
+  return number < all.size() ? &all[number] : nullptr;
+}
+
 const std::vector<Instant>& LoopInstants::steps(std::uint64_t node) {
   const auto [at, fresh] = steps_.try_emplace(node);
   if (!fresh || !loop_.time().is_dense()) return at->second;

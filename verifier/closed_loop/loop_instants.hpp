@@ -20,10 +20,11 @@ class LoopInstants : public Instants {
   LoopInstants(Loop& loop, LoopStateId root, std::size_t others, base::FunctionRef<bool(const automata::Modes&)> ends);
 
   const std::vector<ZoneBox>& waits(std::uint64_t node) override;
-  const std::vector<Instant>& steps(std::uint64_t node) override;
+  const Instant* step(std::uint64_t node, std::size_t number) override;
   [[nodiscard]] LoopStateId state_of(std::uint64_t node) const { return nodes_[node]->first; }
 
  private:
+  const std::vector<Instant>& steps(std::uint64_t node);
   /// For each group of a state 1 + the position at the root of the one that it is, or 0: it has started since.
   using Sources = std::vector<std::size_t>;
 

@@ -249,6 +249,13 @@ class Check {
     return std::make_unique<const Situations::FewerSteps>(arena.situations(), visible.components);
   }
 
+  /// Where a target is to be reached by some time: how long it takes at least.
+  std::optional<TimeLeft> time_left_in(Arena& arena, const Observer& observer) {
+    const auto* target = std::get_if<Target>(&arena.wanted());
+    if (target == nullptr || !observer.accepted() || observer.accepted()->upper == unbounded) return std::nullopt;
+    return TimeLeft(arena.step(), terms_.time, target->formula, terms_.faults > 0, observer.accepted()->upper);
+  }
+
   std::optional<Witness> search_cut_sets(PlantSystem& system, Arena& arena) {
     FaultSets sets;
     system.tell_faults_apart(sets);
@@ -275,6 +282,8 @@ class Check {
   /// the fewest steps are looked for among all.
   std::optional<Witness> search_in(Arena& arena, const Observe& observe) {
     PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
+    const auto time_left = time_left_in(arena, system.observer());
+    if (time_left) system.leave_out_late(*time_left);
     if (options_.cut_sets) return search_cut_sets(system, arena);
     std::optional<Witness> any;
     if (terms_.time.is_dense() || options_.fewest_faults) {

@@ -35,7 +35,7 @@ Late renamed_late(Late late, const Permutation& permutation) {
 /// The move from these modes that leads to the target in the same way.
 JointStep counterpart(const JointStep& move, const Permutation& names, const Modes& from, const Late& late,
                       Situations& situations) {
-  const Modes target = renamed(move.target, names);
+  const SituationId target = situations.number(renamed(situations.modes(move.target), names));
   const Box bounds = renamed_box(move.bounds, names);
   const auto moves = situations.moves(situations.number(from), renamed_late(late, names));
   const auto found = std::find_if(moves->begin(), moves->end(), [&](const JointStep& m) {
@@ -49,7 +49,7 @@ JointStep counterpart(const JointStep& move, const Permutation& names, const Mod
 Box ranges(const PlantSystem::Entered& entered, const Observer& observer) {
   Box result;
   std::size_t clock = observer.timed(entered.phase) ? 1 : 0;
-  for (const ComponentId component : entered.situation.live) {
+  for (const ComponentId component : entered.situation->live) {
     ++clock;
     result.push_back({component, {entered.zone.lower(clock), entered.zone.upper(clock)}});
   }
@@ -80,14 +80,14 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
       legs.back().end = renamed_box(ranges(*entered, system.observer()), names);
       break;
     }
-    Leg leg{renamed(entered->situation.modes, names), entered->phase, std::nullopt, std::nullopt, std::nullopt};
+    Leg leg{renamed(entered->situation->modes, names), entered->phase, std::nullopt, std::nullopt, std::nullopt};
     if (state) {
       const Late late = system.late(*state);
       const auto moves = system.situations().moves(PlantSystem::situation_of(state->discrete), late);
       leg.move = counterpart((*moves)[next.label.move], names, legs.back().modes, late, system.situations());
     }
     if (next.label.wait != PlantSystem::no_wait) {
-      leg.wait = renamed_box(entered->situation.waits[next.label.wait], names);
+      leg.wait = renamed_box(entered->situation->waits[next.label.wait], names);
     }
     legs.push_back(std::move(leg));
 

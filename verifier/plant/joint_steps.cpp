@@ -30,11 +30,18 @@ void JointSteps::use(Steps steps, const std::vector<ComponentId>& visible) {
   for (const ComponentId c : visible) visible_[c.index()] = true;
 }
 
-void JointSteps::enumerate(const Modes& modes, const Late& late, const ControlAction& action,
-                           const std::vector<BehaviourId>& idling, const std::vector<BehaviourId>& here,
-                           const Visit& visit) {
-  const At at{modes, late, action, idling, here};
-  ahead_ = {modes, std::vector<bool>(modes.size(), true)};
+void JointSteps::set_out(const Modes& modes, const Late& late, const std::vector<BehaviourId>& idling) {
+  modes_ = &modes;
+  late_ = &late;
+  idling_ = &idling;
+  alone_.clear();
+  calm_ = steps_ == Steps::irreducible && calm({modes, late, idle_, idling, idling}, modes);
+}
+
+void JointSteps::enumerate(const ControlAction& action, const std::vector<BehaviourId>& here, const Visit& visit) {
+  const At at{*modes_, *late_, action, *idling_, here};
+  ahead_.modes = *modes_;
+  ahead_.decided.assign(modes_->size(), true);
   return steps_ == Steps::all ? all(at, visit) : irreducible(at, visit);
 }
 
@@ -43,9 +50,9 @@ void JointSteps::enumerate(const Modes& modes, const Late& late, const ControlAc
 /// they have done it the other way round, and the present state to itself.
 std::vector<std::size_t> JointSteps::likes(const At& at, const Options& options) const {
   std::vector<std::size_t> result;
+  if (symmetry_ == nullptr) return result;
   for (std::size_t i = 0; i < options.size(); ++i) {
     result.push_back(i);
-    if (symmetry_ == nullptr) continue;
     const auto component = [&](std::size_t k) { return options[k].front().component; };
     const ComponentId own(component(i));
     if (behaviours_.step().plant().has_timed_exit(own, at.modes[own.index()])) continue;
@@ -65,18 +72,18 @@ template <class Leaf>
 void JointSteps::product(const At& at, const Options& options, unsigned faults, std::vector<Option>& taken,
                          const Leaf& leaf) {
   const std::vector<std::size_t> like = likes(at, options);
-  std::vector<std::size_t> chosen(options.size());
+  std::vector<std::size_t> chosen(like.size());
   unsigned so_far = faults;
   base::multiply_out(
       options,
       [&](std::size_t position, std::size_t i) {
         if (i == 0) meter_.poll();
-        if (like[position] != position && i < chosen[like[position]]) return false;
+        if (!like.empty() && i < chosen[like[position]] && like[position] != position) return false;
         const Option& option = options[position][i];
         if (so_far + option.choice->faults > faults_) return false;
         ahead_.modes[option.component] = option.choice == &stays ? at.modes[option.component] : option.choice->mode;
         if (nogoods_.refutes(ahead_, ComponentId(option.component))) return false;
-        chosen[position] = i;
+        if (!like.empty()) chosen[position] = i;
         ahead_.decided[option.component] = true;
         taken.push_back(option);
         so_far += option.choice->faults;
@@ -94,19 +101,19 @@ void JointSteps::product(const At& at, const Options& options, unsigned faults, 
       });
 }
 
-const Modes& JointSteps::after(const At& at, const std::vector<Option>& taken) {
+const Modes& JointSteps::after(const At& at, std::span<const Option> taken) {
   next_ = at.modes;
   for (const Option& option : taken) next_[option.component] = option.choice->mode;
   return next_;
 }
 
-unsigned JointSteps::faults_of(const std::vector<Option>& taken) {
+unsigned JointSteps::faults_of(std::span<const Option> taken) {
   unsigned faults = 0;
   for (const Option& option : taken) faults += option.choice->faults;
   return faults;
 }
 
-void JointSteps::emit(const At& at, const std::vector<Option>& taken, const Visit& visit) {
+void JointSteps::emit(const At& at, std::span<const Option> taken, const Visit& visit) {
   if (after(at, taken) == at.modes || !nogoods_.possible(next_)) return;
   box_.clear();
   for (const Option& option : taken) {
@@ -121,8 +128,7 @@ void JointSteps::all(const At& at, const Visit& visit) {
   for (std::size_t c = 0; c < at.modes.size(); ++c) {
     const Behaviour& behaviour = behaviours_[at.here[c]];
     if (!behaviour.changes && behaviour.free_to_stay()) continue;
-    auto& own = options.emplace_back();
-    for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
+    options.add(c, behaviour.choices);
     ahead_.decided[c] = false;
   }
   std::vector<Option> taken;
@@ -148,12 +154,23 @@ bool JointSteps::may_stay(const At& at, std::size_t component, BehaviourId behav
          std::find(at.late.begin(), at.late.end(), ComponentId(component)) == at.late.end();
 }
 
+const JointSteps::Alone& JointSteps::alone(const At& at, const Option& option) {
+  const auto known = std::find_if(alone_.begin(), alone_.end(), [&](const Alone& one) {
+    return one.component == option.component && one.mode == option.choice->mode;
+  });
+  if (known != alone_.end()) return *known;
+  const bool is_calm = calm(at, after(at, {&option, 1}));
+  return alone_.emplace_back(Alone{option.component, option.choice->mode, is_calm, there_});
+}
+
 /// Whether the change can be made a step earlier, under idle controls, and disturbs nothing of what remains: all others
 /// can do what they could, under idle controls and under the action, and all that cannot do a thing can still stay.
 bool JointSteps::goes_first(const At& at, const Option& option) {
   if (visible_[option.component]) return false;
-  const Modes next = after(at, {option});
-  if (!calm(at, next) || !behaviours_.step().consistent(next, at.action)) return false;
+  const Alone& then = alone(at, option);
+  if (!then.calm) return false;
+  const Modes& next = after(at, {&option, 1});
+  if (!behaviours_.step().consistent(next, at.action)) return false;
   behaviours_.read(next, at.action, there_commanded_);
   for (std::size_t c = 0; c < next.size(); ++c) {
     const Behaviour& commanded = behaviours_[there_commanded_[c]];
@@ -161,7 +178,7 @@ bool JointSteps::goes_first(const At& at, const Option& option) {
       if (commanded.stays_until < 0) return false;
       continue;
     }
-    const bool same = there_[c] == at.idling[c] && there_commanded_[c] == at.here[c];
+    const bool same = then.behaviours[c] == at.idling[c] && there_commanded_[c] == at.here[c];
     const bool active = behaviours_[at.here[c]].changes || !behaviours_[at.here[c]].free_to_stay();
     if (!same && (active || !commanded.free_to_stay())) return false;
   }
@@ -170,73 +187,64 @@ bool JointSteps::goes_first(const At& at, const Option& option) {
 
 void JointSteps::irreducible(const At& at, const Visit& visit) {
   const bool is_idle = at.action == idle_;
-  calm_ = calm(at, at.modes);
   // The core takes part in every step: what the command concerns, and what cannot simply stay.
-  Options core;
-  Options changes(at.modes.size());  // of those that may stay and that the command does not concern
+  core_.clear();
+  free_.clear();
   for (std::size_t c = 0; c < at.modes.size(); ++c) {
     const Behaviour& behaviour = behaviours_[at.here[c]];
     const bool concerned = at.here[c] != at.idling[c];
     if (concerned || !may_stay(at, c, at.here[c], at.modes)) {
-      auto& own = core.emplace_back();
-      for (const Choice& choice : behaviour.choices) own.push_back({c, &choice});
+      core_.add(c, behaviour.choices);
       ahead_.decided[c] = false;
       continue;
     }
     for (const Choice& choice : behaviour.choices) {
-      if (choice.mode != at.modes[c]) changes[c].push_back({c, &choice});
+      const Option option{c, &choice};
+      if (choice.mode == at.modes[c]) continue;
+      if (calm_ && is_idle) emit(at, {&option, 1}, visit);
+      if (calm_ && goes_first(at, option)) continue;
+      free_.add(option);
+      ahead_.decided[c] = false;
     }
-  }
-  if (calm_) {
-    for (auto& own : changes) {
-      if (is_idle) {
-        for (const Option& option : own) emit(at, {option}, visit);
-      }
-      std::erase_if(own, [&](const Option& option) { return goes_first(at, option); });
-    }
-  }
-  Options free;
-  for (auto& own : changes) {
-    if (own.empty()) continue;
-    ahead_.decided[own.front().component] = false;
-    free.push_back(std::move(own));
   }
   std::vector<Option> taken;
-  product(at, core, 0, taken, [&] {
+  product(at, core_, 0, taken, [&] {
     // Where the core stays as it is, a step of the others is one under idle controls too.
-    if (!calm_ || is_idle || after(at, taken) != at.modes) rest(at, taken, free, visit);
+    if (!calm_ || is_idle || after(at, taken) != at.modes) rest(at, taken, free_, visit);
   });
 }
 
 /// The steps in which these changes are made, alone or together with others that are free to be made.
-void JointSteps::rest(const At& at, const std::vector<Option>& core, const Options& free, const Visit& visit) {
+void JointSteps::rest(const At& at, std::span<const Option> core, const Options& free, const Visit& visit) {
   emit(at, core, visit);
+  if (free.size() == 0) return;
   const bool still = after(at, core) == at.modes;
-  Options now = free;
+  const bool some_wait = !still && calm(at, next_);
+  Options now;
   Options later;
-  if (!still && calm(at, next_)) {
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const std::span<const Option> own = free[i];
     // What the core leaves alone can follow a step later; what it touches cannot wait.
-    const auto waits = [&](const std::vector<Option>& own) {
-      const std::size_t c = own.front().component;
-      return !visible_[c] && there_[c] == at.here[c];
-    };
-    const auto middle = std::stable_partition(now.begin(), now.end(), [&](const auto& own) { return !waits(own); });
-    later.assign(middle, now.end());
-    now.erase(middle, now.end());
+    const std::size_t c = own.front().component;
+    if (some_wait && !visible_[c] && there_[c] == at.here[c]) {
+      for (const Option& option : own) later.add(option);
+      continue;
+    }
+    now.add({c, &stays});
+    for (const Option& option : own) now.add(option);
   }
-  if (now.empty()) return;
-  for (auto& own : now) own.insert(own.begin(), Option{own.front().component, &stays});
+  if (now.size() == 0) return;
 
   std::vector<Option> others;
   product(at, now, faults_of(core), others, [&] {
-    std::vector<Option> taken = core;
+    std::vector<Option> taken(core.begin(), core.end());
     for (const Option& option : others) {
       if (option.choice != &stays) taken.push_back(option);
     }
     const std::size_t more = taken.size() - core.size();
     // One change alone, where all may stay, has been visited.
     if (more == 0 || (more == 1 && still && calm_)) return;
-    if (later.empty()) {
+    if (later.size() == 0) {
       emit(at, taken, visit);
     } else {
       rest(at, taken, later, visit);

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/function_ref.hpp"
@@ -42,24 +43,56 @@ class JointSteps {
 
   /// From here on, of steps that differ only in which of several like components does what, one is enumerated: the
   /// states that the others lead to are the same up to symmetry. Keeps a reference.
-  void up_to(const Symmetry& symmetry) { symmetry_ = &symmetry; }
+  void up_to(const Symmetry& symmetry) { symmetry_ = symmetry.trivial() ? nullptr : &symmetry; }
 
   /// A possible step: the modes that it leads to, the faults it costs, and where the clocks must be.
   using Visit = base::FunctionRef<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;
 
-  /// Every step from the possible `modes` under the action that changes a mode; the behaviours there are `idling` with
-  /// idle controls, `here` under the action. Where steps are left out, no component but those that are `late` is past
-  /// the bound up to which it can stay with idle controls.
-  void enumerate(const automata::Modes& modes, const Late& late, const automata::ControlAction& action,
-                 const std::vector<BehaviourId>& idling, const std::vector<BehaviourId>& here, const Visit& visit);
+  /// From here on steps are from the possible `modes`, where the behaviours with idle controls are `idling`. Where
+  /// steps are left out, no component but those that are `late` is past the bound up to which it can stay with idle
+  /// controls. Keeps references.
+  void set_out(const automata::Modes& modes, const Late& late, const std::vector<BehaviourId>& idling);
+  /// Every step under the action that changes a mode; the behaviours under it are `here`.
+  void enumerate(const automata::ControlAction& action, const std::vector<BehaviourId>& here, const Visit& visit);
 
  private:
   struct Option {
     std::size_t component;
     const Choice* choice;
   };
-  using Options = std::vector<std::vector<Option>>;  ///< of several components, one of each list is taken
-  /// Where steps are enumerated from: the arguments of `enumerate`.
+  /// Of several components, of each of which one is taken: a list a component, in one memory.
+  class Options {
+   public:
+    void clear() {
+      options_.clear();
+      begins_.clear();
+    }
+    /// To the last list, where that is of the same component, or as the first of a new one.
+    void add(const Option& option) {
+      if (options_.empty() || options_.back().component != option.component) begins_.push_back(options_.size());
+      options_.push_back(option);
+    }
+    void add(std::size_t component, const std::vector<Choice>& choices) {
+      for (const Choice& choice : choices) add({component, &choice});
+    }
+    [[nodiscard]] std::size_t size() const { return begins_.size(); }
+    [[nodiscard]] std::span<const Option> operator[](std::size_t list) const {
+      const std::size_t end = list + 1 < begins_.size() ? begins_[list + 1] : options_.size();
+      return std::span(options_).subspan(begins_[list], end - begins_[list]);
+    }
+
+   private:
+    std::vector<Option> options_;
+    std::vector<std::size_t> begins_;
+  };
+  /// Where one component goes to the mode alone: whether all is calm there, and their behaviours with idle controls.
+  struct Alone {
+    std::size_t component;
+    automata::ModeId mode;
+    bool calm;
+    std::vector<BehaviourId> behaviours;
+  };
+  /// Where steps are enumerated from: the arguments of `set_out` and `enumerate`.
   struct At {
     const automata::Modes& modes;
     const Late& late;
@@ -70,20 +103,22 @@ class JointSteps {
 
   void all(const At& at, const Visit& visit);
   void irreducible(const At& at, const Visit& visit);
-  void rest(const At& at, const std::vector<Option>& core, const Options& free, const Visit& visit);
-  [[nodiscard]] static unsigned faults_of(const std::vector<Option>& taken);
+  void rest(const At& at, std::span<const Option> core, const Options& free, const Visit& visit);
+  [[nodiscard]] static unsigned faults_of(std::span<const Option> taken);
   /// Calls `leaf` for every way of taking one of each list, within the faults that are left after `faults`.
   template <class Leaf>
   void product(const At& at, const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf);
-  /// For each list the last one before it whose component can be exchanged with its own, or itself.
+  /// For each list the last one before it whose component can be exchanged with its own, or itself; none where there is
+  /// no symmetry.
   [[nodiscard]] std::vector<std::size_t> likes(const At& at, const Options& options) const;
-  void emit(const At& at, const std::vector<Option>& taken, const Visit& visit);
-  [[nodiscard]] const automata::Modes& after(const At& at, const std::vector<Option>& taken);
+  void emit(const At& at, std::span<const Option> taken, const Visit& visit);
+  [[nodiscard]] const automata::Modes& after(const At& at, std::span<const Option> taken);
   /// Whether the modes are possible and let every component stay where it is with idle controls; their behaviours with
   /// idle controls are then in `there_`.
   [[nodiscard]] bool calm(const At& at, const automata::Modes& modes);
   [[nodiscard]] bool may_stay(const At& at, std::size_t component, BehaviourId behaviour,
                               const automata::Modes& modes) const;
+  [[nodiscard]] const Alone& alone(const At& at, const Option& option);
   [[nodiscard]] bool goes_first(const At& at, const Option& option);
 
   Behaviours& behaviours_;
@@ -96,8 +131,14 @@ class JointSteps {
 
   automata::ControlAction idle_;
 
+  const automata::Modes* modes_ = nullptr;  ///< steps are from there
+  const Late* late_ = nullptr;
+  const std::vector<BehaviourId>* idling_ = nullptr;
+  bool calm_ = false;  ///< whether every component may stay there
+  std::vector<Alone> alone_;
+
   // Of the step at hand; their memory serves the next:
-  bool calm_ = false;   ///< whether every component may stay where steps are enumerated from
+  Options core_, free_;
   PartialModes ahead_;  ///< what is decided of the modes that a step leads to
   automata::Modes next_;
   std::vector<BehaviourId> there_, there_commanded_;

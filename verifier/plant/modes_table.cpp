@@ -46,20 +46,20 @@ void ModesTable::grow() {
   }
 }
 
-std::uint32_t ModesTable::intern(const automata::Modes& modes) {
-  if (2 * size_ >= slots_.size()) grow();
-  // The row is written at the end first, and stays there if it is new.
+std::size_t ModesTable::write(const automata::Modes& modes) {
   const std::size_t row = size_ * width_;
-  words_.resize(row + width_);
-  std::fill(words_.begin() + static_cast<std::ptrdiff_t>(row), words_.end(), 0);
+  words_.resize(row);
+  words_.resize(row + width_, 0);
   for (std::size_t c = 0; c < modes.size(); ++c) {
     words_[row + fields_[c].word] |= std::uint64_t{modes[c].value} << fields_[c].shift;
   }
-  const std::size_t slot = slot_of(&words_[row]);
-  if (slots_[slot] != empty) {
-    words_.resize(row);
-    return slots_[slot];
-  }
+  return slot_of(&words_[row]);
+}
+
+std::uint32_t ModesTable::intern(const automata::Modes& modes) {
+  if (2 * size_ >= slots_.size()) grow();
+  const std::size_t slot = write(modes);
+  if (slots_[slot] != empty) return slots_[slot];
   CHECK(size_ < empty && "more situations than there are numbers");
   slots_[slot] = static_cast<std::uint32_t>(size_);
   return static_cast<std::uint32_t>(size_++);

@@ -26,6 +26,8 @@ class ModesTable {
     std::uint32_t shift;
     std::uint64_t mask;
   };
+  /// Writes the modes behind the last row; where they are in the table, or belong.
+  std::size_t write(const automata::Modes& modes);
   [[nodiscard]] std::size_t slot_of(const std::uint64_t* words) const;
   void grow();
 

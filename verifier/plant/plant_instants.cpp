@@ -2,25 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/plant_instants.hpp"
 
-#include <optional>
-
 namespace rmpl::verifier {
 
 PlantInstants::PlantInstants(Situations& situations, SituationId root, const Situation& here, std::size_t others,
                              const Zone& zone)
-    : situations_(situations), root_(root), here_(here), clocks_(here.live, others), zone_(zone) {}
+    : situations_(situations), root_(root), clocks_(here.live, others), zone_(zone) {}
 
 const std::vector<ZoneBox>& PlantInstants::waits(std::uint64_t node) {
   const auto [at, fresh] = waits_.try_emplace(node);
   if (!fresh) return at->second;
-  std::optional<Situation> other;
-  const Situation& there = SituationId(node) == root_ ? here_ : other.emplace(situations_[SituationId(node)]);
-  for (const Box& box : there.waits) {
+  const auto there = situations_[SituationId(node)];
+  for (const Box& box : there->waits) {
     // At its end a wait passes no more time.
     if (auto wait = clocks_.translated(box, 0, 1)) at->second.push_back(std::move(*wait));
   }
   // What would come where a fault is certain, only the budget leaves out.
-  for (const ClockBound& bound : there.faulty) {
+  for (const ClockBound& bound : there->faulty) {
     const Units period = situations_.time().is_dense() ? 0 : 1;
     if (auto faulty = clocks_.translated({bound}, period, period)) at->second.push_back(std::move(*faulty));
   }
@@ -47,20 +44,22 @@ Late PlantInstants::late(const Situation& there) const {
   return result;
 }
 
-const std::vector<Instant>& PlantInstants::steps(std::uint64_t node) {
-  const auto [at, fresh] = steps_.try_emplace(node);
-  if (!fresh || !situations_.time().is_dense()) return at->second;
-  const Situation there = situations_[SituationId(node)];
-  const auto moves = situations_.moves(SituationId(node), late(there));
-  for (std::size_t m = 0; m < moves->size(); ++m) {
-    const JointStep& move = (*moves)[m];
+const Instant* PlantInstants::step(std::uint64_t node, std::size_t number) {
+  if (!situations_.time().is_dense()) return nullptr;
+  auto& [from, moves, looked_at, found] = steps_[node];
+  if (!from) {
+    from = situations_[SituationId(node)];
+    moves = situations_.moves(SituationId(node), late(*from));
+  }
+  for (; found.size() <= number && looked_at < moves->size(); ++looked_at) {
+    const JointStep& move = (*moves)[looked_at];
     if (move.faults > 0 || move.hold) continue;
     auto bounds = clocks_.translated(move.bounds, 0, 0);
     if (!bounds) continue;
-    at->second.push_back({situations_.number(move.target).value, static_cast<std::uint32_t>(m), std::move(*bounds),
-                          clocks_.restarted(there.modes, move.target), false});
+    found.push_back({move.target.value, static_cast<std::uint32_t>(looked_at), std::move(*bounds),
+                     clocks_.restarted(from->modes, situations_[move.target]->modes), false});
   }
-  return at->second;
+  return number < found.size() ? &found[number] : nullptr;
 }
 
 }  // namespace rmpl::verifier

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <map>
+#include <memory>
 
 #include "verifier/plant/instant_clocks.hpp"
 #include "verifier/plant/situation.hpp"
@@ -17,7 +19,7 @@ class PlantInstants : public Instants {
   PlantInstants(Situations& situations, SituationId root, const Situation& here, std::size_t others, const Zone& zone);
 
   const std::vector<ZoneBox>& waits(std::uint64_t node) override;
-  const std::vector<Instant>& steps(std::uint64_t node) override;
+  const Instant* step(std::uint64_t node, std::size_t number) override;
 
  private:
   [[nodiscard]] Late late(const Situation& there) const;
@@ -25,11 +27,17 @@ class PlantInstants : public Instants {
 
   Situations& situations_;
   SituationId root_;
-  const Situation& here_;
   InstantClocks clocks_;
   const Zone& zone_;
   std::map<std::uint64_t, std::vector<ZoneBox>> waits_;
-  std::map<std::uint64_t, std::vector<Instant>> steps_;
+  /// Of one node: its moves, and the steps that the first so many of them are.
+  struct Steps {
+    std::shared_ptr<const Situation> from;
+    std::shared_ptr<const std::vector<JointStep>> moves;
+    std::size_t looked_at = 0;
+    std::deque<Instant> found;
+  };
+  std::map<std::uint64_t, Steps> steps_;
 };
 
 }  // namespace rmpl::verifier

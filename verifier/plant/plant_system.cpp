@@ -38,22 +38,24 @@ void PlantSystem::successors(const SymbolicState& state, const Visit& visit) {
 }
 
 SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
-  if (!symmetry_.trivial()) {
-    auto& [modes, live, waits, stays_until, faulty] = entered.situation;
-    const std::size_t others = observer_.timed(entered.phase) ? 1 : 0;
-    Permutation permutation = symmetry_.sort(modes, live, others, entered.zone, applied != nullptr);
-    if (applied != nullptr) *applied = std::move(permutation);
+  if (symmetry_.trivial()) {
+    return {discrete_of(entered.id, entered.phase), entered.faults, std::move(entered.zone)};
   }
-  const SituationId id = situations_.number(entered.situation.modes);
-  return {discrete_of(id, entered.phase), entered.faults, std::move(entered.zone)};
+  Modes modes = entered.situation->modes;
+  std::vector<ComponentId> live = entered.situation->live;
+  const std::size_t others = observer_.timed(entered.phase) ? 1 : 0;
+  Permutation permutation = symmetry_.sort(modes, live, others, entered.zone, applied != nullptr);
+  if (applied != nullptr) *applied = std::move(permutation);
+  return {discrete_of(situations_.number(modes), entered.phase), entered.faults, std::move(entered.zone)};
 }
 
 void PlantSystem::enumerate_initial(const VisitEntered& visit) {
   for (std::size_t s = 0; s < start_.size(); ++s) {
     const Phase phase = observer_.start(start_[s]);
-    Situation situation = situations_.describe(start_[s]);
-    const Zone zone(situation.live.size() + (observer_.timed(phase) ? 1 : 0));
-    enter(std::move(situation), phase, 0, zone, {static_cast<std::uint32_t>(s), no_wait, false}, visit);
+    const SituationId id = situations_.number(start_[s]);
+    auto situation = situations_[id];
+    const Zone zone(situation->live.size() + (observer_.timed(phase) ? 1 : 0));
+    enter(id, std::move(situation), phase, 0, zone, {static_cast<std::uint32_t>(s), no_wait, false}, visit);
   }
 }
 
@@ -61,15 +63,13 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
   const SituationId id = situation_of(state.discrete);
   const Phase phase = phase_of(state.discrete);
   if (is_end(phase)) return;
-  const Situation here = situations_[id];
-  const Place place{here, observer_.timed(phase)};
-  const auto moves = situations_.moves(id, late(here, place, state.zone));
+  const auto here = situations_[id];
+  const Place place{*here, observer_.timed(phase)};
+  const auto moves = situations_.moves(id, late(*here, place, state.zone));
+  std::vector<std::size_t> sources;
   for (std::size_t m = 0; m < moves->size(); ++m) {
     const JointStep& move = (*moves)[m];
     if (fault_count(state.faults) + move.faults > situations_.faults()) continue;
-    const unsigned faults = sets_ == nullptr
-                                ? state.faults + move.faults
-                                : sets_->after(state.faults, situations_.plant(), here.modes, move.target, move.faults);
     Zone zone = state.zone;
     if (move.hold) {
       if (!wait(zone, move.bounds, place)) continue;
@@ -77,18 +77,21 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
       if (!situations_.time().is_dense()) zone.tick();
       if (!within(zone, move.bounds, place)) continue;
     }
+    const auto target = situations_[move.target];
+    const unsigned faults =
+        sets_ == nullptr ? state.faults + move.faults
+                         : sets_->after(state.faults, situations_.plant(), here->modes, target->modes, move.faults);
     const auto step_into = [&](Phase next, const Zone& from) {
-      Situation target = situations_.describe(move.target);
-      std::vector<std::size_t> sources;
+      sources.clear();
       if (observer_.timed(next)) sources.push_back(observer_.timed(phase) ? stopwatch : 0);
-      for (const ComponentId component : target.live) {
-        const bool kept = here.modes[component.index()] == target.modes[component.index()];
+      for (const ComponentId component : target->live) {
+        const bool kept = here->modes[component.index()] == target->modes[component.index()];
         sources.push_back(kept ? place.clock_of(component) : 0);
       }
-      enter(std::move(target), next, faults, from.select(sources), {static_cast<std::uint32_t>(m), no_wait, move.hold},
-            visit);
+      enter(move.target, target, next, faults, from.select(sources),
+            {static_cast<std::uint32_t>(m), no_wait, move.hold}, visit);
     };
-    const Phase next = observer_.next(phase, move.target);
+    const Phase next = observer_.next(phase, target->modes);
     if (observer_.answers(phase, next)) {
       // The period that brings the response may be the first one to end after the deadline: that is too late.
       Zone late = zone;
@@ -96,14 +99,16 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
     }
     step_into(next, zone);
   }
-  enter_end(here, id, phase, state, visit);
+  enter_end(here, id, phase, state, *moves, visit);
 }
 
 /// What a run is cut off in, if there is such a thing.
-void PlantSystem::enter_end(const Situation& here, SituationId id, Phase phase, const SymbolicState& state,
+void PlantSystem::enter_end(const std::shared_ptr<const Situation>& here, SituationId id, Phase phase,
+                            const SymbolicState& state, const std::vector<JointStep>& moves,
                             const VisitEntered& visit) {
+  if (plainly_goes_on({*here, observer_.timed(phase)}, state.zone, moves)) return;
   const std::size_t others = observer_.timed(phase) ? 1 : 0;
-  PlantInstants instants(situations_, id, here, others, state.zone);
+  PlantInstants instants(situations_, id, *here, others, state.zone);
   const auto found = find_standstill(state.zone, id.value, instants);
   if (!found) return;
   Phase end = Phase::stuck;
@@ -113,7 +118,38 @@ void PlantSystem::enter_end(const Situation& here, SituationId id, Phase phase, 
   for (std::size_t clock = 1 + (observer_.timed(end) ? 0 : others); clock <= found->zone.clocks(); ++clock) {
     sources.push_back(clock);
   }
-  visit({here, end, state.faults, found->zone.select(sources), {no_move, no_wait, false}});
+  visit({id, here, end, state.faults, found->zone.select(sources), {no_move, no_wait, false}});
+}
+
+/// Whether, in dense time, at each reading time passes or a component whose exit is due can take it: what mostly is so,
+/// seen without following any step. Its clock starts anew then, so that steps cannot go round with no time between.
+bool PlantSystem::plainly_goes_on(const Place& place, const Zone& zone, const std::vector<JointStep>& moves) const {
+  if (!situations_.time().is_dense()) return false;
+  const auto reads = [&](const ClockBound& bound) {
+    const std::size_t clock = place.clock_of(bound.component);
+    return Interval{zone.lower(clock), zone.upper(clock)};
+  };
+  const auto left_at = [&](const ClockBound& due) {
+    return std::any_of(moves.begin(), moves.end(), [&](const JointStep& move) {
+      const std::size_t c = due.component.index();
+      return move.faults == 0 &&
+             std::all_of(move.bounds.begin(), move.bounds.end(),
+                         [&](const ClockBound& bound) {
+                           if (bound.component == due.component) return bound.clock.contains(due.clock.upper);
+                           const Interval range = reads(bound);
+                           return bound.clock.contains(range.lower) && bound.clock.contains(range.upper);
+                         }) &&
+             situations_[move.target]->modes[c] != place.situation.modes[c];
+    });
+  };
+  return std::any_of(place.situation.waits.begin(), place.situation.waits.end(), [&](const Box& box) {
+    return std::all_of(box.begin(), box.end(), [&](const ClockBound& bound) {
+      const Interval range = reads(bound);
+      if (range.lower < bound.clock.lower || range.upper > bound.clock.upper) return false;
+      return range.upper < bound.clock.upper || bound.clock.upper == unbounded ||
+             (bound.clock.upper > 0 && left_at(bound));
+    });
+  });
 }
 
 bool PlantSystem::answered_in(const Standstill& found, Phase phase) {
@@ -133,28 +169,25 @@ Late PlantSystem::late(const Situation& situation, const Place& place, const Zon
 }
 
 Late PlantSystem::late(const SymbolicState& state) {
-  const Situation here = situations_[situation_of(state.discrete)];
-  return late(here, {here, observer_.timed(phase_of(state.discrete))}, state.zone);
+  const auto here = situations_[situation_of(state.discrete)];
+  return late(*here, {*here, observer_.timed(phase_of(state.discrete))}, state.zone);
 }
 
-void PlantSystem::enter(Situation&& situation, Phase phase, unsigned faults, const Zone& zone, Label label,
-                        const VisitEntered& visit) const {
+void PlantSystem::enter(SituationId id, std::shared_ptr<const Situation> situation, Phase phase, unsigned faults,
+                        Zone now, Label label, const VisitEntered& visit) const {
+  if (!in_time(now, phase, *situation)) return;
+  const Place place{*situation, observer_.timed(phase)};
   bool whole = false;
-  for (std::size_t w = 0; w < situation.waits.size(); ++w) {
-    Zone later = zone;
-    if (!wait(later, situation.waits[w], {situation, observer_.timed(phase)}) || !in_time(later, phase)) continue;
-    whole = whole || later.includes(zone);
+  for (std::size_t w = 0; w < situation->waits.size(); ++w) {
+    Zone later = now;
+    if (!wait(later, situation->waits[w], place) || !in_time(later, phase, *situation)) continue;
+    whole = whole || later.includes(now);
     label.wait = static_cast<std::uint32_t>(w);
-    if (whole && w + 1 == situation.waits.size()) {
-      visit({std::move(situation), phase, faults, std::move(later), label});
-      return;
-    }
-    visit({situation, phase, faults, std::move(later), label});
+    visit({id, situation, phase, faults, std::move(later), label});
   }
-  Zone now = zone;
-  if (whole || !in_time(now, phase)) return;
+  if (whole) return;
   label.wait = no_wait;
-  visit({std::move(situation), phase, faults, std::move(now), label});
+  visit({id, std::move(situation), phase, faults, std::move(now), label});
 }
 
 bool PlantSystem::accepts(const SymbolicState& state) const {
@@ -190,8 +223,10 @@ bool PlantSystem::wait(Zone& zone, const Box& box, const Place& place) {
   return std::all_of(box.begin(), box.end(), ends);
 }
 
-bool PlantSystem::in_time(Zone& zone, Phase phase) const {
-  return !observer_.timed(phase) || zone.constrain(stopwatch, {0, observer_.accepted()->upper});
+bool PlantSystem::in_time(Zone& zone, Phase phase, const Situation& situation) const {
+  if (!observer_.timed(phase)) return true;
+  return zone.constrain(stopwatch, {0, observer_.accepted()->upper}) &&
+         (time_left_ == nullptr || time_left_->cut(zone, situation.modes, situation.live));
 }
 
 void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& result) {
@@ -200,7 +235,8 @@ void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& resul
     const Interval& accepted = *observer_.accepted();
     result.push_back({accepted.lower, accepted.upper == unbounded ? -1 : accepted.upper});
   }
-  situations_.append_limits(situations_.modes(situation_of(discrete)), result);
+  const auto situation = situations_[situation_of(discrete)];
+  result.insert(result.end(), situation->limits.begin(), situation->limits.end());
   if (!observer_.seeks_end()) return;
   // What cannot go on is not to be covered by what can do more: readings are told apart by all limits alike.
   for (ClockLimits& limits : result) limits.lower = limits.upper = std::max(limits.lower, limits.upper);

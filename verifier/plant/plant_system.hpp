@@ -7,6 +7,7 @@
 #include "verifier/plant/fault_sets.hpp"
 #include "verifier/plant/observer.hpp"
 #include "verifier/plant/situation.hpp"
+#include "verifier/plant/time_left.hpp"
 #include "verifier/search/standstill.hpp"
 #include "verifier/search/system.hpp"
 #include "verifier/symmetry/symmetry.hpp"
@@ -25,6 +26,9 @@ class PlantSystem : public TransitionSystem {
               const std::vector<automata::Modes>& start);
   /// From here on `SymbolicState::faults` is a number of these sets. There must be no symmetry.
   void tell_faults_apart(FaultSets& sets) { sets_ = &sets; }
+  /// From here on states from which a target comes too late are left out; the stopwatch runs from the start. Keeps a
+  /// reference.
+  void leave_out_late(const TimeLeft& time_left) { time_left_ = &time_left; }
 
   void initial(const Visit& visit) override;
   void successors(const SymbolicState& state, const Visit& visit) override;
@@ -48,7 +52,8 @@ class PlantSystem : public TransitionSystem {
 
   /// A state before symmetry is made use of.
   struct Entered {
-    Situation situation;
+    SituationId id;
+    std::shared_ptr<const Situation> situation;
     Phase phase;
     unsigned faults;
     Zone zone;
@@ -80,22 +85,24 @@ class PlantSystem : public TransitionSystem {
   };
 
   /// Visits the state entered with `zone`, as it is when it has waited in each way that it can.
-  void enter(Situation&& situation, Phase phase, unsigned faults, const Zone& zone, Label label,
-             const VisitEntered& visit) const;
+  void enter(SituationId id, std::shared_ptr<const Situation> situation, Phase phase, unsigned faults, Zone zone,
+             Label label, const VisitEntered& visit) const;
   [[nodiscard]] Late late(const Situation& situation, const Place& place, const Zone& zone) const;
   [[nodiscard]] static bool within(Zone& zone, const Box& box, const Place& place);
   [[nodiscard]] static bool wait(Zone& zone, const Box& box, const Place& place);
-  [[nodiscard]] bool in_time(Zone& zone, Phase phase) const;
+  [[nodiscard]] bool in_time(Zone& zone, Phase phase, const Situation& situation) const;
 
   Situations& situations_;
   Observer observer_;
   const Symmetry& symmetry_;
-  void enter_end(const Situation& here, SituationId id, Phase phase, const SymbolicState& state,
-                 const VisitEntered& visit);
+  void enter_end(const std::shared_ptr<const Situation>& here, SituationId id, Phase phase, const SymbolicState& state,
+                 const std::vector<JointStep>& moves, const VisitEntered& visit);
+  [[nodiscard]] bool plainly_goes_on(const Place& place, const Zone& zone, const std::vector<JointStep>& moves) const;
   [[nodiscard]] bool answered_in(const Standstill& found, Phase phase);
 
   mutable CutOff cut_off_;
-  FaultSets* sets_ = nullptr;  ///< none: faults are counted
+  FaultSets* sets_ = nullptr;            ///< none: faults are counted
+  const TimeLeft* time_left_ = nullptr;  ///< none: nothing is known of it
   const std::vector<automata::Modes>& start_;
 };
 

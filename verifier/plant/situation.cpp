@@ -19,7 +19,8 @@ using automata::Modes;
 
 namespace {
 
-/// Situations whose moves are remembered: those of one are wanted again when it is reached with other clocks.
+/// Situations whose moves are remembered: those of one are wanted again when it is reached with other clocks. What else
+/// is told of one is wanted wherever a step leads there.
 constexpr std::size_t remembered = 1u << 12;
 
 void add_bound(Box& box, ComponentId component, const Interval& clock) {
@@ -36,7 +37,8 @@ Situations::Situations(automata::PlantStep& step, const TimeModel& time, Command
       faults_(faults),
       meter_(meter),
       table_(step.plant()),
-      joint_steps_(behaviours_, faults, meter) {
+      joint_steps_(behaviours_, faults, meter),
+      described_(remembered) {
   for (std::size_t c = 0; c < plant().components.size(); ++c) {
     auto& modes = limits_.emplace_back();
     const Component& component = plant().components[c];
@@ -75,24 +77,26 @@ Modes Situations::modes(SituationId id) const {
   return result;
 }
 
+std::shared_ptr<const Situation> Situations::operator[](SituationId id) {
+  return described_.find_or(id.value, [&] { return std::make_shared<const Situation>(describe(modes(id))); });
+}
+
 Situation Situations::describe(const Modes& modes) {
   behaviours_.read(modes, actions_.front(), behaviours_here_);
-  Situation result{modes, {}, waits(behaviours_here_), {}, {}};
+  Situation result{modes, {}, waits(behaviours_here_), {}, {}, {}};
+  result.live.reserve(modes.size());
+  result.stays_until.reserve(modes.size());
+  result.limits.reserve(modes.size());
   for (std::size_t c = 0; c < modes.size(); ++c) {
     for (const Interval& clock : behaviours_[behaviours_here_[c]].faulty)
       result.faulty.push_back({ComponentId(c), clock});
-    if (!limits_[c][modes[c].index()]) continue;
+    const auto& limits = limits_[c][modes[c].index()];
+    if (!limits) continue;
     result.live.emplace_back(c);
     result.stays_until.push_back(behaviours_[behaviours_here_[c]].stays_until);
+    result.limits.push_back(*limits);
   }
   return result;
-}
-
-void Situations::append_limits(const Modes& modes, std::vector<ClockLimits>& result) const {
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    const auto& limits = limits_[c][modes[c].index()];
-    if (limits) result.push_back(*limits);
-  }
 }
 
 std::vector<Box> Situations::waits(const std::vector<BehaviourId>& behaviours) const {
@@ -129,17 +133,31 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   std::vector<BehaviourId> idling;
   behaviours_.read(modes, actions_.front(), idling);
   const std::vector<Box> idle_waits = waits(idling);
+  joint_steps_.set_out(modes, late, idling);
   // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a
   // step that two actions lead to is listed with the first.
-  std::set<std::vector<BehaviourId>> seen_behaviours;
-  std::set<std::tuple<Modes, unsigned, Box>> seen_moves;
+  std::vector<BehaviourId> behaviours;  // of one action after the other
+  const std::size_t width = modes.size();
+  const auto sooner = [&](std::size_t a, std::size_t b) {
+    return std::lexicographical_compare(&behaviours[a], &behaviours[a] + width, &behaviours[b], &behaviours[b] + width);
+  };
+  std::set<std::size_t, decltype(sooner)> seen_behaviours(sooner);  // where they begin
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(result[a].target, result[a].faults, result[a].bounds) <
+           std::tie(result[b].target, result[b].faults, result[b].bounds);
+  };
+  std::set<std::uint32_t, decltype(before)> seen_moves(before);  // positions in the result
   for_each_action(plant(), commands_, [&](const ControlAction& action) {
     meter_.poll();
     behaviours_.read(modes, action, behaviours_here_);
-    if (!seen_behaviours.insert(behaviours_here_).second) return;
+    behaviours.insert(behaviours.end(), behaviours_here_.begin(), behaviours_here_.end());
+    if (!seen_behaviours.insert(behaviours.size() - width).second) {
+      behaviours.resize(behaviours.size() - width);
+      return;
+    }
     const auto add = [&](const Modes& target, unsigned faults, bool hold, const Box& bounds) {
-      if (!seen_moves.emplace(target, faults, bounds).second) return;
-      result.push_back({target, position_of(action), faults, hold, bounds});
+      result.push_back({number(target), position_of(action), faults, hold, bounds});
+      if (!seen_moves.insert(static_cast<std::uint32_t>(result.size() - 1)).second) result.pop_back();
     };
     if (!time().is_dense()) {
       for (const Box& box : waits(behaviours_here_)) {
@@ -147,7 +165,7 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
         if (std::count(idle_waits.begin(), idle_waits.end(), box) == 0) add(modes, 0, true, box);
       }
     }
-    joint_steps_.enumerate(modes, late, action, idling, behaviours_here_,
+    joint_steps_.enumerate(action, behaviours_here_,
                            [&](const Modes& next, unsigned faults, const Box& box) { add(next, faults, false, box); });
   });
   std::stable_partition(result.begin(), result.end(), [](const JointStep& m) { return m.hold; });

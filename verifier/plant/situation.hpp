@@ -20,7 +20,7 @@ using SituationId = automata::Id<struct SituationTag>;
 /// One joint step of all components, or, in sampled time, a hold: periods in which a command keeps everything from
 /// changing although it would under idle controls.
 struct JointStep {
-  automata::Modes target;
+  SituationId target;
   std::uint32_t action;  ///< position in `Situations::action`; the first one that enables it
   unsigned faults = 0;
   bool hold = false;  ///< `bounds` is then like a wait's
@@ -34,10 +34,11 @@ struct Situation {
   std::vector<Box> waits;                   ///< see `waits` in choices.hpp; within one of these boxes time may pass
   std::vector<Units> stays_until;           ///< of the live ones: see `Behaviour`, with idle controls
   std::vector<ClockBound> faulty;           ///< where a fault of a component is certain, with idle controls
+  std::vector<ClockLimits> limits;          ///< of the live ones: the greatest constants that their clocks meet
 };
 
-/// All situations met so far, by number, in the order in which they were met; what may happen in them is worked out
-/// again when it is asked for again. One table serves several searches.
+/// All situations met so far, by number, in the order in which they were met; what may happen in them is remembered for
+/// some, and worked out again for others. One table serves several searches.
 class Situations {
  public:
   /// Keeps references to the step function and the meter, which is polled while moves are worked out; it may throw.
@@ -67,10 +68,7 @@ class Situations {
   /// The number of possible modes.
   SituationId number(const automata::Modes& modes) { return SituationId(table_.intern(modes)); }
   [[nodiscard]] automata::Modes modes(SituationId id) const;
-  [[nodiscard]] Situation describe(const automata::Modes& modes);
-  [[nodiscard]] Situation operator[](SituationId id) { return describe(modes(id)); }
-  /// Appends the greatest constants that each live clock is compared with.
-  void append_limits(const automata::Modes& modes, std::vector<ClockLimits>& result) const;
+  [[nodiscard]] std::shared_ptr<const Situation> operator[](SituationId id);
   /// Every joint step that changes a mode with no more faults than `faults`; holds first. Always in the same order.
   /// `late` matters only where steps are left out.
   std::shared_ptr<const std::vector<JointStep>> moves(SituationId id, const Late& late);
@@ -81,6 +79,7 @@ class Situations {
  private:
   void use(Steps steps, const std::vector<automata::ComponentId>& visible);
   std::uint32_t position_of(const automata::ControlAction& action);
+  [[nodiscard]] Situation describe(const automata::Modes& modes);
   [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
   [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes, const Late& late);
 
@@ -95,6 +94,7 @@ class Situations {
   std::vector<automata::ControlAction> actions_;                 ///< those of moves, in the order in which they came up
   std::map<automata::ControlAction, std::uint32_t> action_positions_;
   std::vector<BehaviourId> behaviours_here_;
+  base::BoundedCache<std::uint32_t, std::shared_ptr<const Situation>, std::hash<std::uint32_t>> described_;
   std::map<std::pair<SituationId, Late>, std::shared_ptr<const std::vector<JointStep>>> moves_;  ///< a few of the last
 };
 

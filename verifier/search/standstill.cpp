@@ -74,14 +74,14 @@ class Finder {
     while (!open.empty()) {
       const std::uint64_t node = open.back();
       open.pop_back();
-      for (const Instant& step : instants_.steps(node)) {
-        if (decide(zone, step.bounds) != Truth::yes) continue;
-        if (step.leads_on || starts_anew(zone, step)) return false;
-        if (taken_.try_emplace(step.target).second) {
-          if (passes(zone, step.target)) return false;
-          open.push_back(step.target);
+      for (std::size_t i = 0; const Instant* step = instants_.step(node, i); ++i) {
+        if (decide(zone, step->bounds) != Truth::yes) continue;
+        if (step->leads_on || starts_anew(zone, *step)) return false;
+        if (taken_.try_emplace(step->target).second) {
+          if (passes(zone, step->target)) return false;
+          open.push_back(step->target);
         }
-        taken_[node].push_back(&step);
+        taken_[node].push_back(step);
       }
       // What is open is told apart before going on, as all there is further on may be open for the same reason.
       if (undecided_) return true;

@@ -35,8 +35,9 @@ class Instants {
   virtual ~Instants() = default;
   /// Where time can pass; in sampled time, where there is a step.
   virtual const std::vector<ZoneBox>& waits(std::uint64_t node) = 0;
-  /// In sampled time none. Both are kept as long as this object is.
-  virtual const std::vector<Instant>& steps(std::uint64_t node) = 0;
+  /// The steps one by one, from 0; null behind the last. In sampled time there are none. Both are kept as long as this
+  /// object is: mostly few steps are asked for, as soon one leads on.
+  virtual const Instant* step(std::uint64_t node, std::size_t number) = 0;
 };
 
 /// Readings from which on time never passes again.
