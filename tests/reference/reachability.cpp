@@ -260,15 +260,22 @@ class Dense : public Search {
   }
 
  private:
-  /// With every control idle: no untimed nominal transition to another mode is enabled, and no timed one to another
-  /// mode has reached its upper bound, unless an untimed one to its own mode takes all of the nominal share.
+  /// With every control idle: no untimed nominal transition to another mode is enabled, no faults to other modes are
+  /// certain, and no timed transition to another mode has reached its upper bound, unless an untimed one to its own
+  /// mode takes all of the nominal share.
   bool time_may_pass(const State& state) {
     for (std::size_t i = 0; i < plant_.components.size(); ++i) {
       bool stays = false;
       bool due = false;
+      double faults = 0;
       for (const Transition* t : enabled(state.modes, i, idle())) {
-        if (plant_.components[i].is_fault(*t)) continue;
         const bool leaves = t->to != state.modes[i];
+        if (plant_.components[i].is_fault(*t)) {
+          const bool counts =
+              t->weight.kind == automata::Weight::Kind::probability && within_bounds(*t, state.clocks[i]);
+          if (counts) faults += leaves ? t->weight.value : -1;
+          continue;
+        }
         if (is_untimed_nominal(plant_.components[i], *t)) {
           if (leaves) return false;
           stays = true;
@@ -276,7 +283,7 @@ class Dense : public Search {
           due = true;
         }
       }
-      if (due && !stays) return false;
+      if ((due && !stays) || faults >= 1) return false;
     }
     return true;
   }

@@ -83,7 +83,7 @@ class Unfolding {
     const automata::AllEnabled& enabled = step_.enabled(modes, automata::idle_action(plant_));
     for (std::size_t c = 0; c < modes.size(); ++c) {
       const auto waits = verifier::waits(plant_.components[c], modes[c], enabled[c], result_.time);
-      // In dense time there is one wait, from any reading on, or none.
+      // In dense time there is one wait, from any reading on, or none, but where a fault is certain for some time.
       if (waits.empty()) {
         state.urgent = true;
       } else if (waits.front().upper != unbounded) {

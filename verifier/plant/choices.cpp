@@ -11,7 +11,6 @@ namespace rmpl::verifier {
 using automata::Component;
 using automata::Enabled;
 using automata::ModeId;
-using automata::Timing;
 using automata::Transition;
 using automata::TransitionId;
 
@@ -148,6 +147,22 @@ std::vector<Interval> without_nominal(const std::vector<Choice>& choices) {
   return result;
 }
 
+namespace {
+
+/// What the intervals, ascending, leave of another, and where they begin: time passes up to there.
+std::vector<Interval> outside(Interval rest, const std::vector<Interval>& intervals) {
+  std::vector<Interval> result;
+  for (const Interval& taken : intervals) {
+    if (rest.lower < taken.lower && !rest.empty()) result.push_back({rest.lower, std::min(rest.upper, taken.lower)});
+    if (taken.upper == unbounded) return result;
+    rest.lower = std::max(rest.lower, taken.upper + 1);
+  }
+  if (!rest.empty()) result.push_back(rest);
+  return result;
+}
+
+}  // namespace
+
 std::vector<Interval> waits(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time) {
   if (time.is_dense()) {
     const auto leaves = [&](TransitionId id) { return component.transitions[id.index()].to != mode; };
@@ -158,7 +173,8 @@ std::vector<Interval> waits(const Component& component, ModeId mode, const Enabl
       if (!leaves(id)) continue;
       wait.upper = std::min(wait.upper, time.at_most(component.transitions[id.index()].timing->upper));
     }
-    return {wait};
+    if (enabled.faults.empty()) return {wait};
+    return outside(wait, without_nominal(choices(component, mode, enabled, time)));
   }
   // A wait is a run of periods in each of which the component may stay; the first one ends a unit after it begins.
   std::vector<Interval> stays;

@@ -38,9 +38,10 @@ std::vector<Interval> without_nominal(const std::vector<Choice>& choices);
 
 /// Where the clock may be for time to pass with nothing changing, when `enabled` is what the guards allow all the
 /// while: from the interval's lower bound on a wait may begin, at its upper bound it ends at the latest. Waits within
-/// different intervals do not join up. In dense time: none while an untimed nominal transition to another mode is
-/// enabled, else up to the least upper bound of the enabled timed exits. A transition to the same mode is staying: it
-/// stops no clock, and an untimed one leaves nothing to the timed exits while it is enabled.
+/// different intervals do not join up. In dense time: none at readings at which faults are certain, nor while an
+/// untimed nominal transition to another mode is enabled, else up to the least upper bound of the enabled timed exits.
+/// A transition to the same mode is staying: it stops no clock, and an untimed one leaves nothing to the timed exits
+/// while it is enabled.
 std::vector<Interval> waits(const automata::Component& component, automata::ModeId mode,
                             const automata::Enabled& enabled, const TimeModel& time);
 

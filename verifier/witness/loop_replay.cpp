@@ -191,8 +191,9 @@ class LoopReplay {
     do {
       if (!met.insert({marking_, started_}).second) return "waiting leads elsewhere" + at(now);
       begin(now, seen(now));
-      const bool stays = rules_.period ? plant_.may_step(action_, now, now + *rules_.period, modes())
-                                       : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, to);
+      const bool stays = rules_.period
+                             ? plant_.may_step(action_, now, now + *rules_.period, modes())
+                             : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, now, to);
       if (!stays) return "nothing changing is not possible" + at(now);
       finish(now, modes());
       if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);

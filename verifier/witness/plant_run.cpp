@@ -63,8 +63,8 @@ bool PlantRun::may_step(const ControlAction& action, Ticks before, Ticks now, co
   return automata::lead(moves, next);
 }
 
-bool PlantRun::may_wait(const ControlAction& action, Ticks now) {
-  return every_component(action, now, now,
+bool PlantRun::may_wait(const ControlAction& action, Ticks before, Ticks now) {
+  return every_component(action, before, now,
                          [&](const Rules& rules, std::size_t c) { return rules.allows_time(state_.modes[c]); });
 }
 

@@ -31,8 +31,8 @@ class PlantRun {
   /// whether the step has a positive probability. Whether `next` can be is for `rules().possible`.
   bool may_step(const automata::ControlAction& action, automata::Ticks before, automata::Ticks now,
                 const automata::Modes& next);
-  /// Dense time: whether time may have passed up to `now` with nothing changing.
-  bool may_wait(const automata::ControlAction& action, automata::Ticks now);
+  /// Dense time: whether time may have passed from `before` up to `now` with nothing changing.
+  bool may_wait(const automata::ControlAction& action, automata::Ticks before, automata::Ticks now);
   /// Takes the step.
   void advance(const automata::Modes& next, automata::Ticks now);
 

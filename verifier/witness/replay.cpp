@@ -42,7 +42,8 @@ class Replay {
   }
 
   std::optional<std::string> dense(Ticks before, const Event& event) {
-    if (event.time > before && !plant_.may_wait(idle_, event.time)) return "time may not pass up to" + at(event.time);
+    if (event.time > before && !plant_.may_wait(idle_, before, event.time))
+      return "time may not pass up to" + at(event.time);
     const bool waits_only = event.modes == plant_.state().modes && event.action == idle_;
     if (!waits_only && !plant_.may_step(event.action, event.time, event.time, event.modes)) {
       return "the step is not possible" + at(event.time);

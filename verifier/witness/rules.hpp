@@ -13,7 +13,7 @@ namespace rmpl::verifier {
 /// Decided for one reading of the component's clock.
 class Rules {
  public:
-  /// `before` and `now` are clock readings; in dense time they are the same.
+  /// `before` and `now` are clock readings; in dense time they are the same, but where time passes.
   Rules(const automata::Component& component, const automata::Enabled& enabled, automata::Ticks before,
         automata::Ticks now, std::optional<automata::Ticks> period)
       : component_(component), enabled_(enabled), before_(before), now_(now), period_(period) {}
@@ -45,15 +45,30 @@ class Rules {
            });
   }
 
-  /// In dense time: whether time may have passed up to this reading in `mode`. Transitions to itself are staying.
+  /// In dense time: whether time may have passed from the reading before up to this one in `mode`. Transitions to
+  /// itself are staying.
   [[nodiscard]] bool allows_time(automata::ModeId mode) const {
     const auto stays = [&](automata::TransitionId id) { return transition(id).to == mode; };
+    if (!std::any_of(enabled_.faults.begin(), enabled_.faults.end(), stays) && faults_are_certain()) return false;
     if (!enabled_.untimed.empty()) return std::all_of(enabled_.untimed.begin(), enabled_.untimed.end(), stays);
     return std::all_of(enabled_.timed.begin(), enabled_.timed.end(),
                        [&](automata::TransitionId id) { return stays(id) || now_ <= transition(id).timing->upper; });
   }
 
  private:
+  /// At some reading on the way, its end left out: what is certain begins where it sets out, or at the lower bound of
+  /// some fault.
+  [[nodiscard]] bool faults_are_certain() const {
+    const auto certain = [&](automata::Ticks reading) {
+      return automata::nominal_share(component_, enabled_, reading, automata::Ticks{0}) == 0;
+    };
+    const auto begins = [&](automata::TransitionId id) {
+      const automata::Transition& t = transition(id);
+      return t.timing && before_ < t.timing->lower && t.timing->lower < now_ && certain(t.timing->lower);
+    };
+    return certain(before_) || std::any_of(enabled_.faults.begin(), enabled_.faults.end(), begins);
+  }
+
   /// Whether a fault is within its bounds, if it has some.
   [[nodiscard]] bool is_due(const automata::Transition& fault) const {
     return !fault.timing || (fault.timing->lower <= now_ && now_ <= fault.timing->upper);

@@ -54,7 +54,7 @@ bool StepsAt::time_passes(const ControlAction& action) {
   for (std::size_t c = 0; c < state_.modes.size(); ++c) {
     const Ticks clock = now_ - state_.clock_starts[c];
     const Rules now(rules_.plant().components[c], enabled[c], clock, clock, std::nullopt);
-    const Rules then(rules_.plant().components[c], enabled[c], clock + Ticks{1}, clock + Ticks{1}, std::nullopt);
+    const Rules then(rules_.plant().components[c], enabled[c], clock, clock + Ticks{1}, std::nullopt);
     const ModeId mode = state_.modes[c];
     if (!now.allows_without_fault(mode, mode) || !then.allows_time(mode)) return false;
   }
