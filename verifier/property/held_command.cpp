@@ -66,20 +66,19 @@ Truth truth_under(const Formula& formula, Assignment known) {
   return std::nullopt;
 }
 
-/// Whether the transition ends its mode by some time, if its guard holds.
-bool is_due(const Component& component, const Transition& t, ModeId from) {
-  const bool ends = t.from == from && t.to != from && !component.is_fault(t);
-  return ends && (!t.timing || !t.timing->upper.is_infinite());
+/// How long the mode may last: up to the least upper bound of those of its exits whose guards may hold.
+automata::Ticks lasts(const Component& component, ModeId mode, Assignment known) {
+  automata::Ticks result = automata::Ticks::infinite();
+  for (const Transition& t : component.transitions) {
+    const bool ends = t.from == mode && t.to != mode && !component.is_fault(t);
+    if (!ends || truth_under(t.guard, known) == false) continue;
+    result = std::min(result, t.timing ? t.timing->upper : automata::Ticks{0});
+  }
+  return result;
 }
 
 bool is_held(const Component& component, ModeId mode, const automata::Control& control, ValueId command) {
-  bool ends_idle = false;
-  for (const Transition& t : component.transitions) {
-    if (!is_due(component, t, mode)) continue;
-    if (truth_under(t.guard, {control.variable, command}) != false) return false;
-    ends_idle = ends_idle || truth_under(t.guard, {control.variable, control.idle}) != false;
-  }
-  return ends_idle;
+  return lasts(component, mode, {control.variable, control.idle}) < lasts(component, mode, {control.variable, command});
 }
 
 }  // namespace
