@@ -101,6 +101,16 @@ std::set<ModeId> usual_modes(const automata::Component& automaton, const std::ve
   return result;
 }
 
+/// The modes that it ever comes to, faults or not.
+std::set<ModeId> all_modes(const automata::Component& automaton) {
+  std::vector<const Transition*> transitions;
+  for (const Transition& t : automaton.transitions) transitions.push_back(&t);
+  std::set<ModeId> result;
+  for (std::size_t m = 0; m < automaton.modes.size(); ++m)
+    if (automaton.initial[m] > 0) result.merge(closure(transitions, ModeId(m), [](const Transition&) { return true; }));
+  return result;
+}
+
 }  // namespace
 
 std::set<ModeId> named_modes(const automata::Plant& plant, std::size_t component, const automata::Formula& goal) {
@@ -119,7 +129,8 @@ bool is_forbidden(const Step& step, std::size_t component, const Transition& t, 
   const auto safe = usual_modes(automaton, transitions, [&](const Transition& u) {
     return closure(transitions, u.to, [](const Transition&) { return true; }).contains(u.from);
   });
-  if (!usual.contains(t.from) && (!usual.contains(t.to) || safe.contains(t.to))) return false;
+  const bool by_faults = all_modes(automaton).contains(t.from) && !usual.contains(t.from);
+  if (by_faults && (!usual.contains(t.to) || safe.contains(t.to))) return false;
   const std::set<ModeId> named = named_modes(step.plant(), component, goal);
   return std::none_of(named.begin(), named.end(), [&](ModeId m) { return further.contains(m); });
 }

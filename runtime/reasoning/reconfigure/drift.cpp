@@ -40,8 +40,9 @@ void spread(const NominalGraph& graph, Reached& reached, const std::vector<Compo
   }
 }
 
-void drift(const NominalGraph& graph, Reached& reached, const std::vector<ComponentId>& components) {
+void drift(const NominalGraph& graph, Reached& reached, const std::vector<ComponentId>& components, Drift how) {
   spread(graph, reached, components, [&](ComponentId, const NominalTransition& t) {
+    if (t.timed && how == Drift::untimed) return false;
     for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
       if (t.silent[i] && supported(graph, t.preconditions[i], reached)) return true;
     }

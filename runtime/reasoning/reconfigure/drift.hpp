@@ -26,9 +26,13 @@ bool supported(const NominalGraph& graph, const Precondition& precondition, cons
 void spread(const NominalGraph& graph, Reached& reached, const std::vector<automata::ComponentId>& components,
             base::FunctionRef<bool(automata::ComponentId, const NominalTransition&)> usable);
 
-/// Adds what nominal transitions, timed or not, lead to with all controls idle. More than can be, never less: each
-/// component is looked at by itself, with others in any of the modes that they may come to.
-void drift(const NominalGraph& graph, Reached& reached, const std::vector<automata::ComponentId>& components);
+/// Which transitions of those that need no command count.
+enum class Drift { any, untimed };
+
+/// Adds what nominal transitions lead to with all controls idle. More than can be, never less: each component is looked
+/// at by itself, with others in any of the modes that they may come to.
+void drift(const NominalGraph& graph, Reached& reached, const std::vector<automata::ComponentId>& components,
+           Drift how = Drift::any);
 /// From some modes, all components.
 Reached drift_from(const NominalGraph& graph, const automata::Modes& modes);
 

@@ -13,8 +13,9 @@
 namespace rmpl::runtime {
 
 /// In a state that entails the goal, all controls idle, an untimed transition of a component that is `wanted` may take
-/// the goal away again, as that of a load does that has lost its supply. Which components are to blame: that one, and
-/// those that its guard reads. Nothing where it lasts, as far as untimed transitions can tell.
+/// the goal away again, as that of a load does that has lost its supply, or several may, one after the other. Which
+/// components are to blame: those that move, and those that their guards read. Nothing where it lasts, as far as
+/// untimed transitions can tell.
 std::optional<std::vector<automata::ComponentId>> undone_by_itself(automata::Modes state,
                                                                    const std::vector<bool>& wanted, const Goal& goal,
                                                                    automata::PlantStep& step,

@@ -47,16 +47,33 @@ std::vector<std::vector<bool>> closures(const std::vector<NominalTransition>& tr
   return leads;
 }
 
-/// A repair may take several steps: a mode that is come to only by way of a fault belongs to it, and so does the step
-/// that leads on from there, or back to where the component may be without any step that cannot be undone.
+/// The modes that the component ever comes to, faults or not.
+std::vector<bool> ever_come_to(const Component& component) {
+  std::vector<bool> reached;
+  for (const double share : component.initial) reached.push_back(share > 0);
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const automata::Transition& t : component.transitions) {
+      if (!reached[t.from.index()] || reached[t.to.index()]) continue;
+      reached[t.to.index()] = grown = true;
+    }
+  }
+  return reached;
+}
+
+/// A repair may take several steps: a mode that is come to, and only by way of a fault, belongs to it, and so does the
+/// step that leads on from there, or back to where the component may be without any step that cannot be undone.
 void mark_ends_of_repairs(const Component& component, std::vector<NominalTransition>& transitions) {
   std::vector<bool> start(component.modes.size());
   for (std::size_t m = 0; m < start.size(); ++m) start[m] = component.initial[m] > 0 && !component.modes[m].fault;
   const std::vector<bool> without_fault = closure(transitions, start, any);
+  const std::vector<bool> ever = ever_come_to(component);
   const std::vector<bool> revocably =
       closure(transitions, start, [](const NominalTransition& t) { return t.reversible; });
   for (NominalTransition& t : transitions) {
-    if (!without_fault[t.from.index()] && (!without_fault[t.to.index()] || revocably[t.to.index()])) t.repair = true;
+    if (ever[t.from.index()] && !without_fault[t.from.index()] &&
+        (!without_fault[t.to.index()] || revocably[t.to.index()]))
+      t.repair = true;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_set>
 
 #include "base/check.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
@@ -106,7 +107,7 @@ std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const
   const auto& controls = plant().controls;
   ControlAction action = idle_action(plant());
   std::vector<const Requirement*> asked(precondition == nullptr ? 0 : controls.size(), nullptr);
-  for (std::size_t i = 0; i < asked.size(); ++i) {
+  for (std::size_t i = 0; precondition != nullptr && i < asked.size(); ++i) {
     const auto at = std::find_if(precondition->begin(), precondition->end(),
                                  [&](const Requirement& r) { return r.variable == controls[i].variable; });
     if (at == precondition->end()) continue;
@@ -186,44 +187,98 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
   return true;
 }
 
-/// Whether a forbidden step of the component can follow on the mode at all, as far as its own graph says.
+/// Whether a forbidden step of the component can come by itself after the mode at all, as far as its own graph says.
 bool NominalStep::can_risk(ComponentId c, automata::ModeId mode, const Permitted& permitted) const {
   const auto& transitions = graph_.transitions(c);
   return std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
-    return t.possible && !is_permitted(c, t, permitted) && graph_.leads(c, mode, t.from);
+    const bool silent = !t.all_preconditions || std::find(t.silent.begin(), t.silent.end(), true) != t.silent.end();
+    return silent && t.possible && !is_permitted(c, t, permitted) && graph_.leads(c, mode, t.from);
   });
 }
 
-bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t part, const Permitted& permitted) {
-  const ControlAction idle = idle_action(plant());
-  Modes state = after;
-  for (const ComponentId c : parts_.components(part)) {
-    if (!can_risk(c, after[c.index()], permitted)) continue;
-    std::vector<automata::ModeId> open{after[c.index()]};
-    for (std::size_t next = 0; next < open.size(); ++next) {
-      state[c.index()] = open[next];
-      if (!step_.consistent(state, idle)) continue;
-      const Enabled& enabled = step_.enabled(c, state, idle);
-      for (const auto* ids : {&enabled.untimed, &enabled.timed}) {
-        for (const TransitionId id : *ids) {
-          const NominalTransition& t = nominal(c, id);
-          if (!t.possible || std::find(open.begin(), open.end(), t.to) != open.end()) continue;
-          if (is_permitted(c, t, permitted)) {
-            open.push_back(t.to);
-            continue;
-          }
-          if (before[c.index()] == t.from && step_.consistent(before, idle)) {
-            const Enabled& anyway = step_.enabled(c, before, idle);
-            if (contains(anyway.untimed, id) || contains(anyway.timed, id)) continue;
-          }
-          refused_ = TransitionOf{c, id};
-          return true;
+/// The components that decide whether those at risk move: these, and what their transitions depend on.
+std::vector<bool> NominalStep::upstream(std::vector<ComponentId> components) const {
+  std::vector<bool> known(plant().components.size());
+  for (const ComponentId c : components) known[c.index()] = true;
+  for (std::size_t next = 0; next < components.size(); ++next) {
+    for (const NominalTransition& t : graph_.transitions(components[next])) {
+      for (const Precondition& precondition : t.preconditions) {
+        for (const Requirement& r : precondition) {
+          const auto other = graph_.component_of(r);
+          if (!other || known[other->index()]) continue;
+          known[other->index()] = true;
+          components.push_back(*other);
         }
       }
     }
-    state[c.index()] = after[c.index()];
   }
-  return false;
+  return known;
+}
+
+/// Every way that a step may go with all controls idle: untimed transitions are taken, and of those that take time one
+/// of the components in question, or none.
+std::vector<NominalOutcome> NominalStep::by_itself(const Modes& modes, std::size_t part,
+                                                   const std::vector<bool>& in_question) {
+  const ControlAction idle = idle_action(plant());
+  std::vector<NominalOutcome> result;
+  if (!tolerates(modes, idle)) return result;
+  const automata::AllEnabled enabled = step_.enabled(modes, idle);
+  for (const NominalOutcome& untimed : combinations(modes, enabled, part, {})) {
+    if (!untimed.moves.empty()) result.push_back(untimed);
+    for (const ComponentId c : parts_.components(part)) {
+      if (!in_question[c.index()] || !enabled[c.index()].untimed.empty()) continue;
+      for (const TransitionId id : enabled[c.index()].timed) {
+        const NominalTransition& t = nominal(c, id);
+        if (t.from == t.to) continue;
+        NominalOutcome& next = result.emplace_back(untimed);
+        next.modes[c.index()] = t.to;
+        next.moves.push_back({c, &t});
+      }
+    }
+  }
+  std::erase_if(result, [&](const NominalOutcome& outcome) { return !step_.possible(outcome.modes); });
+  return result;
+}
+
+/// The forbidden steps that may come by themselves from there on. So many states are looked at.
+std::vector<TransitionOf> NominalStep::forbidden_to_come(const Modes& modes, std::size_t part,
+                                                         const Permitted& permitted) {
+  constexpr std::size_t most_states = 128;
+  std::vector<ComponentId> at_risk;
+  for (const ComponentId c : parts_.components(part)) {
+    if (can_risk(c, modes[c.index()], permitted)) at_risk.push_back(c);
+  }
+  std::vector<TransitionOf> result;
+  if (at_risk.empty()) return result;
+  const std::vector<bool> in_question = upstream(std::move(at_risk));
+  std::vector<Modes> states = {modes};
+  std::unordered_set<Modes, automata::ModesHash> seen = {modes};
+  for (std::size_t next = 0; next < states.size() && states.size() < most_states; ++next) {
+    const Modes state = states[next];
+    for (NominalOutcome& outcome : by_itself(state, part, in_question)) {
+      const auto forbidden = std::find_if(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
+        return !is_permitted(move.component, *move.transition, permitted);
+      });
+      if (forbidden != outcome.moves.end()) {
+        result.push_back({forbidden->component, forbidden->transition->id});
+      } else if (seen.insert(outcome.modes).second) {
+        states.push_back(std::move(outcome.modes));
+      }
+    }
+  }
+  return result;
+}
+
+bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t part, const Permitted& permitted) {
+  const std::vector<TransitionOf> then = forbidden_to_come(after, part, permitted);
+  if (then.empty()) return false;
+  const std::vector<TransitionOf> anyway = forbidden_to_come(before, part, permitted);
+  const auto at = std::find_if(then.begin(), then.end(), [&](const TransitionOf& step) {
+    return std::find(anyway.begin(), anyway.end(), step) == anyway.end();
+  });
+  if (at == then.end()) return false;
+  refused_ = *at;
+  return true;
 }
 
 std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const ControlAction& action, NominalMove move,

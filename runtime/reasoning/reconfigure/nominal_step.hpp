@@ -106,8 +106,14 @@ class NominalStep {
   template <class Suits>
   std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Precondition* precondition,
                                                       const Suits& suits);
-  /// Whether in the state that a command leads to time alone could take a forbidden step, and could not before.
+  /// Whether from the state that a command leads to a forbidden step could come by itself, at once or in time, after
+  /// whatever else comes by itself, and could not before.
   bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t part, const Permitted& permitted);
+  std::vector<TransitionOf> forbidden_to_come(const automata::Modes& modes, std::size_t part,
+                                              const Permitted& permitted);
+  std::vector<NominalOutcome> by_itself(const automata::Modes& modes, std::size_t part,
+                                        const std::vector<bool>& in_question);
+  [[nodiscard]] std::vector<bool> upstream(std::vector<automata::ComponentId> components) const;
   [[nodiscard]] bool can_risk(automata::ComponentId c, automata::ModeId mode, const Permitted& permitted) const;
   [[nodiscard]] bool is_permitted(automata::ComponentId c, const NominalTransition& t,
                                   const Permitted& permitted) const {

@@ -23,14 +23,25 @@ Plan no_plan(Reconfiguration answer) {
           .why = answer.why};
 }
 
+/// The plan as far as its step `end`.
+Plan cut(Plan plan, std::size_t end) {
+  plan.outcome = end == 0 ? Plan::Outcome::nothing_to_do : Plan::Outcome::plan;
+  plan.commands.resize(end);
+  plan.states.resize(end + 1);
+  plan.goal_state = plan.states.back();
+  return plan;
+}
+
 }  // namespace
 
 Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
   Plan plan;
   Modes current = modes;
   std::unordered_set<Modes, automata::ModesHash> seen;
+  std::optional<std::size_t> achieved;  // after so many commands the goal is entailed
   while (seen.insert(current).second) {
     Reconfiguration answer = reconfigurer.next(current, goal);
+    if (answer.why.purpose != Reason::Purpose::goal) achieved = plan.commands.size();
     switch (answer.outcome) {
       case Reconfiguration::Outcome::nothing_to_do:
         plan.outcome = plan.commands.empty() ? Plan::Outcome::nothing_to_do : Plan::Outcome::plan;
@@ -38,6 +49,8 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
         plan.goal_state = std::move(current);
         return plan;
       case Reconfiguration::Outcome::no_plan:
+        // What is lost again by itself was achieved all the same.
+        if (achieved && !plan.states.empty()) return cut(std::move(plan), *achieved);
         return no_plan(std::move(answer));
       case Reconfiguration::Outcome::command:
       case Reconfiguration::Outcome::wait:
@@ -59,6 +72,7 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
         break;
     }
   }
+  if (achieved) return cut(std::move(plan), *achieved);
   return {.outcome = Plan::Outcome::no_plan,
           .goal_state = std::move(plan.goal_state),
           .commands = {},

@@ -27,7 +27,8 @@ struct Plan {
 /// Asks `reconfigurer` again and again, from `modes` on, moving to the state that each answer expects. A wait is one
 /// step, however long it lasts: in it the transition that is waited for happens (`Reconfiguration::component`), and no
 /// other timed one, so that an event which the plan does not depend on, and which may be hours away, does not intrude.
-/// Ends with `no_plan` where a state comes again.
+/// Where a state comes again, or nothing leads back to a goal that was lost by itself, it ends where the goal was
+/// entailed last, and with `no_plan` where it never was.
 Plan make_plan(Reconfigurer& reconfigurer, const automata::Modes& modes, const automata::Formula& goal);
 
 /// The plan of a reconfigurer whose one answer is to be enough (one_step.hpp): asked once, so that it does not matter

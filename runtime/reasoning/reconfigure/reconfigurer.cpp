@@ -77,8 +77,8 @@ class PolicyReconfigurer : public Reconfigurer {
   };
 
   struct Memory {
-    /// Of what housekeeping keeps: the goal, by what of it may be lost by itself as it begins.
-    std::map<std::vector<bool>, std::uint64_t> numbers;
+    /// Of what housekeeping keeps: the goal, by how soon its parts may be lost by themselves as it begins.
+    std::map<std::vector<Upkeep::Loss>, std::uint64_t> numbers;
     std::optional<Upkeep> upkeep;  ///< once it was asked for
     std::unordered_map<Modes, Answered, automata::ModesHash> answers;
     std::unordered_map<Modes, Modes, automata::ModesHash> aims;  ///< by where what is needed ends
@@ -107,6 +107,7 @@ class PolicyReconfigurer : public Reconfigurer {
     if (answers.size() >= answer_limit) answers.clear();
     std::vector<Modes> path;
     std::optional<Modes> current = modes;
+    bool rewarded = false;  // something on the path is done for reward
     for (std::size_t steps = 0; current && steps < longest_path; ++steps) {
       const auto again = std::find(path.begin(), path.end(), *current);
       if (again == path.end()) {
@@ -120,12 +121,14 @@ class PolicyReconfigurer : public Reconfigurer {
       }
       const Reconfiguration& here = answers.at(path.back()).answer;
       const bool waits = here.outcome == Reconfiguration::Outcome::wait;
+      rewarded = rewarded || here.why.purpose == Reason::Purpose::reward;
       if (here.why.purpose != Reason::Purpose::goal) {
         current = course_.next(path.back(), waits ? std::nullopt : here.expected);
       } else if (waits) {
         current = course_.meanwhile(path.back(), *here.expected);
       } else {
-        current = std::nullopt;  // what a goal needs is never given up, whatever it leads through
+        // What a goal needs is never given up; but what was done for reward may be what it has to undo.
+        current = rewarded ? here.expected : std::nullopt;
       }
     }
     return answers.at(modes).answer;
@@ -135,7 +138,10 @@ class PolicyReconfigurer : public Reconfigurer {
   /// Whether anything was.
   bool do_less(std::span<const Modes> circle, Asked& asked) {
     For most = For::nothing;
-    for (const Modes& modes : circle) most = std::min(most, asked.memory.answers.at(modes).reward);
+    for (const Modes& modes : circle) {
+      const Answered& answered = asked.memory.answers.at(modes);
+      if (answered.answer.why.purpose != Reason::Purpose::goal) most = std::min(most, answered.reward);
+    }
     if (most == For::nothing) return false;
     const For less = most == For::rewards ? For::lasting_rewards : For::nothing;
     for (const Modes& modes : circle) {
@@ -279,7 +285,7 @@ class PolicyReconfigurer : public Reconfigurer {
     const Goal& goal = asked.goal;
     Upkeep& upkeep = upkeep_of(asked);
     const Upkeep::Standing standing = upkeep.standing(modes);
-    std::uint64_t& known = asked.memory.numbers[standing.losable];
+    std::uint64_t& known = asked.memory.numbers[standing.loss];
     if (known == 0) known = ++numbers_;
     const auto number = goal.rest() ? std::nullopt : std::optional(known);
     const Prospects prospects(*graph_, modes, goal, true);

@@ -43,12 +43,12 @@ Upkeep::Upkeep(automata::PlantStep& step, const NominalGraph& graph, const Goal&
   }
 }
 
-void Upkeep::follow(const Modes& modes) {
+void Upkeep::follow(const Modes& modes, Drift how) {
   for (const ComponentId c : involved_) {
     drift_[c.index()].assign(step_.plant()[c].modes.size(), false);
     drift_[c.index()][modes[c.index()].index()] = true;
   }
-  drift(graph_, drift_, involved_);
+  drift(graph_, drift_, involved_, how);
 }
 
 /// Whether some of the modes that the components may come to leave the rest of the goal open.
@@ -79,8 +79,18 @@ std::vector<bool> Upkeep::had(const Modes& modes) {
   return result;
 }
 
-std::vector<bool> Upkeep::losable(const Modes& modes) {
-  follow(modes);
+std::vector<Upkeep::Loss> Upkeep::loss(const Modes& modes) {
+  follow(modes, Drift::untimed);
+  const std::vector<bool> at_once = losable();
+  follow(modes, Drift::any);
+  std::vector<Loss> result;
+  for (const bool ever : losable()) {
+    result.push_back(at_once[result.size()] ? Loss::at_once : ever ? Loss::in_time : Loss::never);
+  }
+  return result;
+}
+
+std::vector<bool> Upkeep::losable() {
   std::vector<bool> result;
   for (const ComponentId c : restricted_) {
     const auto& reached = drift_[c.index()];
@@ -95,7 +105,7 @@ std::vector<bool> Upkeep::losable(const Modes& modes) {
 }
 
 Upkeep::Standing Upkeep::standing(const Modes& modes) {
-  Standing standing{had(modes), losable(modes), {}};
+  Standing standing{had(modes), loss(modes), {}};
   standing.drift = drift_;
   return standing;
 }
@@ -116,7 +126,7 @@ std::vector<std::size_t> Upkeep::steps_to(ComponentId component, automata::ModeI
 }
 
 bool Upkeep::leaves(const std::vector<bool>& some, const Standing& before, const Modes& after, const Modes& target) {
-  follow(after);
+  follow(after, Drift::any);
   return std::all_of(involved_.begin(), involved_.end(), [&](ComponentId c) {
     if (!some[c.index()]) return true;
     const auto& could = before.drift[c.index()];
@@ -136,9 +146,9 @@ bool Upkeep::keeps(const Standing& before, const Modes& after) {
   for (std::size_t part = 0; part < now.size(); ++part) {
     if (before.had[part] && !now[part]) return false;
   }
-  const std::vector<bool> lost = losable(after);
-  for (std::size_t part = 0; part < lost.size(); ++part) {
-    if (before.had[part] && lost[part] && !before.losable[part]) return false;
+  const std::vector<Loss> then = loss(after);
+  for (std::size_t part = 0; part < then.size(); ++part) {
+    if (before.had[part] && then[part] > before.loss[part]) return false;
   }
   return true;
 }

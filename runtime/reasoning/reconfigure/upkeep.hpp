@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "automata/state.hpp"
@@ -21,16 +22,20 @@ class Upkeep {
   /// Keeps references.
   Upkeep(automata::PlantStep& step, const NominalGraph& graph, const Goal& goal);
 
+  /// Whether a part may be lost by itself where it is so, and how soon: the later the better.
+  enum class Loss : std::uint8_t { never, in_time, at_once };
+
   /// What is known of the parts in a state.
   struct Standing {
-    std::vector<bool> had;      ///< the part is so
-    std::vector<bool> losable;  ///< it may be lost by itself, where it is so
+    std::vector<bool> had;  ///< the part is so
+    std::vector<Loss> loss;
     /// By component, by mode: whether it may come to that by itself; of those that matter.
     Reached drift;
   };
   Standing standing(const automata::Modes& modes);
 
-  /// Whether each part that was had is there in the modes, and can be lost by itself only if it could before.
+  /// Whether each part that was had is there in the modes, and can be lost by itself only if it could before, and no
+  /// sooner.
   bool keeps(const Standing& before, const automata::Modes& after);
 
   /// Whether those of some components that matter can come by themselves to the modes in `target` if they could before,
@@ -40,11 +45,13 @@ class Upkeep {
               const automata::Modes& target);
 
  private:
-  /// By part: whether it is so; whether it may be lost by itself, where it is.
+  /// By part: whether it is so; how soon it may be lost by itself, where it is.
   std::vector<bool> had(const automata::Modes& modes);
-  std::vector<bool> losable(const automata::Modes& modes);
+  std::vector<Loss> loss(const automata::Modes& modes);
+  /// By part: whether it may be lost in the modes in `drift_`.
+  std::vector<bool> losable();
   /// The modes that the components that matter may come to by themselves, in `drift_`.
-  void follow(const automata::Modes& modes);
+  void follow(const automata::Modes& modes, Drift how);
   bool rest_may_fail();
   /// By mode of a component: nominal transitions from there to one of its modes, more than there are where none lead
   /// there.
