@@ -42,14 +42,15 @@ std::optional<Ticks> scaled(std::string_view digits, long exponent, std::int64_t
     digits.remove_suffix(1);
     ++exponent;
   }
-  if (digits.size() > 19) return std::nullopt;
+  // No tick needs more digits: 22, of days with sixteen decimals.
+  if (digits.size() > 24) return std::nullopt;
   Wide value = 0;
   for (const char c : digits) value = value * 10 + (c - '0');
   value *= unit;
   if (exponent > 20 || exponent < -40) return std::nullopt;
   for (; exponent > 0; --exponent) {
-    value *= 10;
     if (value >= limit) return std::nullopt;
+    value *= 10;
   }
   for (; exponent < 0; ++exponent) {
     if (value % 10 != 0) return std::nullopt;
@@ -84,10 +85,10 @@ std::optional<Ticks> parse_duration(std::string_view text) {
   }
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
     std::size_t after = at + 1;
-    if (after < text.size() && text[after] == '+') ++after;
+    if (after + 1 < text.size() && text[after] == '+' && is_digit(text[after + 1])) ++after;
     long power = 0;
     const auto [end, error] = std::from_chars(text.data() + after, text.data() + text.size(), power);
-    if (error != std::errc{} || std::abs(power) > 1000) return std::nullopt;
+    if (error != std::errc{} || power > 1000 || power < -1000) return std::nullopt;
     at = static_cast<std::size_t>(end - text.data());
     exponent += power;
   }

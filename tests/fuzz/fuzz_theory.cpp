@@ -9,27 +9,16 @@
 
 #include "automata/logic/theory.hpp"
 #include "base/check.hpp"
+#include "tests/fuzz/draws.hpp"
 
 using namespace rmpl::automata;
+using rmpl::fuzz::Draws;
 
 namespace {
 
 constexpr std::size_t variable_count = 4;
 constexpr std::array<std::size_t, variable_count> domain_sizes = {2, 3, 2, 3};
 using World = std::array<std::size_t, variable_count>;
-
-/// Draws decisions from the bytes of the input; zeros where they are used up.
-class Draws {
- public:
-  Draws(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-  std::size_t below(std::size_t bound) { return (at_ < size_ ? data_[at_++] : 0U) % bound; }
-  [[nodiscard]] bool empty() const { return at_ >= size_; }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t size_;
-  std::size_t at_ = 0;
-};
 
 Assignment draw_assignment(Draws& draws) {
   const std::size_t variable = draws.below(variable_count);

@@ -26,9 +26,14 @@ TEST(Time, IsExactWhereADoubleIsNot) {
   EXPECT_EQ(*parse_duration("44.2") - *parse_duration("43.8"), *parse_duration("0.4"));
 }
 
+TEST(Time, ReadsAsManyDigitsAsATickNeeds) {
+  EXPECT_EQ(parse_duration("98765.4321098765453125 d"), (Ticks{8'533'333'334'293'333'515}));
+}
+
 TEST(Time, RefusesWhatIsNoDuration) {
-  for (const char* text : {"", "s", "-1", "1.", ".5", "1 parsec", "1e", "0.1e-9", "1e30", "1e999999999999", "nan",
-                           "0x10", "1 2", "99999999999999999999"}) {
+  for (const char* text :
+       {"", "s", "-1", "1.", ".5", "1 parsec", "1e", "0.1e-9", "1e30", "1e999999999999", "nan", "0x10", "1 2",
+        "99999999999999999999", "1e+-3", "0.5e-9223372036854775808", "1000000000000000000000000 d"}) {
     EXPECT_FALSE(parse_duration(text)) << text;
   }
 }
