@@ -135,6 +135,11 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
     for (const ComponentId c : parts_.components(objective.part)) {
       loses = loses || (objective.wanted[c.index()] && !astray(current, objective, c) && astray(next, objective, c));
     }
+    // So is what the step before brought about, if it goes by itself: it was of no use so soon.
+    if (!taken.empty()) {
+      const ComponentId before = taken.back().second.component;
+      loses = loses || (before != step.component && next[before.index()] != current[before.index()]);
+    }
     taken.emplace_back(std::move(current), std::move(step));
     current = std::move(next);
   }

@@ -168,7 +168,9 @@ std::optional<Distance> Planner::distance(const Modes& modes, const Objective& o
       const auto& there = policy.distance(modes[r.component.index()], ModeId(v.index()));
       const auto& back = policy.distance(ModeId(v.index()), target);
       if (!there) continue;
-      const Distance distance = *there + back.value_or(Distance{1, 0});
+      // What the goal state asks for anyway is no detour.
+      const bool anyway = objective.wanted[r.component.index()] && ModeId(v.index()) == target;
+      const Distance distance = anyway ? Distance{} : *there + back.value_or(Distance{1, 0});
       if (!nearest || distance < *nearest) nearest = distance;
     }
     if (!nearest) return std::nullopt;
