@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/plant_instants.hpp"
 
+#include <algorithm>
+
 namespace rmpl::verifier {
 
 PlantInstants::PlantInstants(Situations& situations, SituationId root, const Situation& here, std::size_t others,
@@ -51,11 +53,15 @@ const Instant* PlantInstants::step(std::uint64_t node, std::size_t number) {
     from = situations_[SituationId(node)];
     moves = situations_.moves(SituationId(node), late(*from));
   }
+  // A step that is possible at no reading of the zone is none.
+  const auto misses = [&](const ZoneBound& bound) {
+    return zone_.upper(bound.clock) < bound.range.lower || zone_.lower(bound.clock) > bound.range.upper;
+  };
   for (; found.size() <= number && looked_at < moves->size(); ++looked_at) {
     const JointStep& move = (*moves)[looked_at];
     if (move.faults > 0 || move.hold) continue;
     auto bounds = clocks_.translated(move.bounds, 0, 0);
-    if (!bounds) continue;
+    if (!bounds || std::any_of(bounds->begin(), bounds->end(), misses)) continue;
     found.push_back({move.target.value, static_cast<std::uint32_t>(looked_at), std::move(*bounds),
                      clocks_.restarted(from->modes, situations_[move.target]->modes), false});
   }
