@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_set>
 
 #include "base/check.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
@@ -184,100 +183,6 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::
       return false;
     }
   }
-  return true;
-}
-
-/// Whether a forbidden step of the component can come by itself after the mode at all, as far as its own graph says.
-bool NominalStep::can_risk(ComponentId c, automata::ModeId mode, const Permitted& permitted) const {
-  const auto& transitions = graph_.transitions(c);
-  return std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
-    const bool silent = !t.all_preconditions || std::find(t.silent.begin(), t.silent.end(), true) != t.silent.end();
-    return silent && t.possible && !is_permitted(c, t, permitted) && graph_.leads(c, mode, t.from);
-  });
-}
-
-/// The components that decide whether those at risk move: these, and what their transitions depend on.
-std::vector<bool> NominalStep::upstream(std::vector<ComponentId> components) const {
-  std::vector<bool> known(plant().components.size());
-  for (const ComponentId c : components) known[c.index()] = true;
-  for (std::size_t next = 0; next < components.size(); ++next) {
-    for (const NominalTransition& t : graph_.transitions(components[next])) {
-      for (const Precondition& precondition : t.preconditions) {
-        for (const Requirement& r : precondition) {
-          const auto other = graph_.component_of(r);
-          if (!other || known[other->index()]) continue;
-          known[other->index()] = true;
-          components.push_back(*other);
-        }
-      }
-    }
-  }
-  return known;
-}
-
-/// Every way that a step may go with all controls idle: untimed transitions are taken, and of those that take time one
-/// of the components in question, or none.
-std::vector<NominalOutcome> NominalStep::by_itself(const Modes& modes, std::size_t part,
-                                                   const std::vector<bool>& in_question) {
-  const ControlAction idle = idle_action(plant());
-  std::vector<NominalOutcome> result;
-  if (!tolerates(modes, idle)) return result;
-  const automata::AllEnabled enabled = step_.enabled(modes, idle);
-  for (const NominalOutcome& untimed : combinations(modes, enabled, part, {})) {
-    if (!untimed.moves.empty()) result.push_back(untimed);
-    for (const ComponentId c : parts_.components(part)) {
-      if (!in_question[c.index()] || !enabled[c.index()].untimed.empty()) continue;
-      for (const TransitionId id : enabled[c.index()].timed) {
-        const NominalTransition& t = nominal(c, id);
-        if (t.from == t.to) continue;
-        NominalOutcome& next = result.emplace_back(untimed);
-        next.modes[c.index()] = t.to;
-        next.moves.push_back({c, &t});
-      }
-    }
-  }
-  std::erase_if(result, [&](const NominalOutcome& outcome) { return !step_.possible(outcome.modes); });
-  return result;
-}
-
-/// The forbidden steps that may come by themselves from there on. So many states are looked at.
-std::vector<TransitionOf> NominalStep::forbidden_to_come(const Modes& modes, std::size_t part,
-                                                         const Permitted& permitted) {
-  constexpr std::size_t most_states = 128;
-  std::vector<ComponentId> at_risk;
-  for (const ComponentId c : parts_.components(part)) {
-    if (can_risk(c, modes[c.index()], permitted)) at_risk.push_back(c);
-  }
-  std::vector<TransitionOf> result;
-  if (at_risk.empty()) return result;
-  const std::vector<bool> in_question = upstream(std::move(at_risk));
-  std::vector<Modes> states = {modes};
-  std::unordered_set<Modes, automata::ModesHash> seen = {modes};
-  for (std::size_t next = 0; next < states.size() && states.size() < most_states; ++next) {
-    const Modes state = states[next];
-    for (NominalOutcome& outcome : by_itself(state, part, in_question)) {
-      const auto forbidden = std::find_if(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
-        return !is_permitted(move.component, *move.transition, permitted);
-      });
-      if (forbidden != outcome.moves.end()) {
-        result.push_back({forbidden->component, forbidden->transition->id});
-      } else if (seen.insert(outcome.modes).second) {
-        states.push_back(std::move(outcome.modes));
-      }
-    }
-  }
-  return result;
-}
-
-bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t part, const Permitted& permitted) {
-  const std::vector<TransitionOf> then = forbidden_to_come(after, part, permitted);
-  if (then.empty()) return false;
-  const std::vector<TransitionOf> anyway = forbidden_to_come(before, part, permitted);
-  const auto at = std::find_if(then.begin(), then.end(), [&](const TransitionOf& step) {
-    return std::find(anyway.begin(), anyway.end(), step) == anyway.end();
-  });
-  if (at == then.end()) return false;
-  refused_ = *at;
   return true;
 }
 
