@@ -192,6 +192,27 @@ std::vector<ComponentId> NominalGraph::restless() const {
   return result;
 }
 
+std::vector<ComponentId> NominalGraph::upstream(std::span<const ComponentId> components) const {
+  std::vector<ComponentId> result;
+  std::vector<bool> known(transitions_.size());
+  const auto add = [&](ComponentId c) {
+    if (known[c.index()]) return;
+    known[c.index()] = true;
+    result.push_back(c);
+  };
+  for (const ComponentId c : components) add(c);
+  for (std::size_t next = 0; next < result.size(); ++next) {
+    for (const NominalTransition& t : transitions(result[next])) {
+      for (const Precondition& precondition : t.preconditions) {
+        for (const Requirement& r : precondition) {
+          if (const auto other = component_of(r)) add(*other);
+        }
+      }
+    }
+  }
+  return result;
+}
+
 bool NominalGraph::meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const {
   const auto component = component_of(requirement);
   return !component || std::any_of(requirement.values.begin(), requirement.values.end(),

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "automata/dependencies/plant_index.hpp"
@@ -80,6 +81,9 @@ class NominalGraph {
   [[nodiscard]] const std::vector<automata::ComponentId>& dependents(automata::ComponentId component) const {
     return dependents_[component.index()];
   }
+  /// These, and all that decides whether they move: what their preconditions read, and so on. Each once, in the order
+  /// in which it is found.
+  [[nodiscard]] std::vector<automata::ComponentId> upstream(std::span<const automata::ComponentId> components) const;
   /// Whether some of the modes reached meet a requirement; one on a control always counts as met.
   [[nodiscard]] bool meets(const Requirement& requirement, const std::vector<std::vector<bool>>& reached) const;
   /// The component whose mode a requirement is about, if it is one.

@@ -21,25 +21,6 @@ bool NominalStep::can_risk(ComponentId c, automata::ModeId mode, const Permitted
   });
 }
 
-/// The components that decide whether those at risk move: these, and what their transitions depend on.
-std::vector<bool> NominalStep::upstream(std::vector<ComponentId> components) const {
-  std::vector<bool> known(plant().components.size());
-  for (const ComponentId c : components) known[c.index()] = true;
-  for (std::size_t next = 0; next < components.size(); ++next) {
-    for (const NominalTransition& t : graph_.transitions(components[next])) {
-      for (const Precondition& precondition : t.preconditions) {
-        for (const Requirement& r : precondition) {
-          const auto other = graph_.component_of(r);
-          if (!other || known[other->index()]) continue;
-          known[other->index()] = true;
-          components.push_back(*other);
-        }
-      }
-    }
-  }
-  return known;
-}
-
 /// Every way that a step may go with all controls idle: untimed transitions are taken, and of those that take time one
 /// of the components in question, or none.
 std::vector<NominalOutcome> NominalStep::by_itself(const Modes& modes, std::size_t part,
@@ -75,7 +56,8 @@ std::vector<TransitionOf> NominalStep::forbidden_to_come(const Modes& modes, std
   }
   std::vector<TransitionOf> result;
   if (at_risk.empty()) return result;
-  const std::vector<bool> in_question = upstream(std::move(at_risk));
+  std::vector<bool> in_question(modes.size());
+  for (const ComponentId c : graph_.upstream(at_risk)) in_question[c.index()] = true;
   std::vector<Modes> states = {modes};
   std::unordered_set<Modes, automata::ModesHash> seen = {modes};
   for (std::size_t next = 0; next < states.size() && states.size() < most_states; ++next) {

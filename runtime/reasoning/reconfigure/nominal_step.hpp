@@ -113,7 +113,6 @@ class NominalStep {
                                               const Permitted& permitted);
   std::vector<NominalOutcome> by_itself(const automata::Modes& modes, std::size_t part,
                                         const std::vector<bool>& in_question);
-  [[nodiscard]] std::vector<bool> upstream(std::vector<automata::ComponentId> components) const;
   [[nodiscard]] bool can_risk(automata::ComponentId c, automata::ModeId mode, const Permitted& permitted) const;
   [[nodiscard]] bool is_permitted(automata::ComponentId c, const NominalTransition& t,
                                   const Permitted& permitted) const {

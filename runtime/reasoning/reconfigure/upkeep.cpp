@@ -20,27 +20,13 @@ constexpr std::size_t most_combinations = 64;
 
 Upkeep::Upkeep(automata::PlantStep& step, const NominalGraph& graph, const Goal& goal)
     : step_(step), graph_(graph), goal_(goal), drift_(step.plant().components.size()) {
-  std::vector<bool> known(drift_.size());
-  const auto involve = [&](ComponentId c) {
-    if (known[c.index()]) return;
-    known[c.index()] = true;
-    involved_.push_back(c);
-  };
   for (std::size_t c = 0; c < drift_.size(); ++c) {
     if (goal.restricts(ComponentId(c))) restricted_.emplace_back(c);
   }
   if (goal.rest()) support_ = step.locality().support_of(goal.rest()->formula).components;
-  for (const ComponentId c : restricted_) involve(c);
-  for (const ComponentId c : support_) involve(c);
-  for (std::size_t next = 0; next < involved_.size(); ++next) {
-    for (const NominalTransition& t : graph.transitions(involved_[next])) {
-      for (const Precondition& precondition : t.preconditions) {
-        for (const Requirement& r : precondition) {
-          if (const auto upstream = graph.component_of(r)) involve(*upstream);
-        }
-      }
-    }
-  }
+  std::vector<ComponentId> decisive = restricted_;
+  decisive.insert(decisive.end(), support_.begin(), support_.end());
+  involved_ = graph.upstream(decisive);
 }
 
 void Upkeep::follow(const Modes& modes, Drift how) {
