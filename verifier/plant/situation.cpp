@@ -138,8 +138,9 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   // step that two actions lead to is listed with the first.
   std::vector<BehaviourId> behaviours;  // of one action after the other
   const std::size_t width = modes.size();
+  const auto from = [&](std::size_t first) { return behaviours.cbegin() + static_cast<std::ptrdiff_t>(first); };
   const auto sooner = [&](std::size_t a, std::size_t b) {
-    return std::lexicographical_compare(&behaviours[a], &behaviours[a] + width, &behaviours[b], &behaviours[b] + width);
+    return std::lexicographical_compare(from(a), from(a + width), from(b), from(b + width));
   };
   std::set<std::size_t, decltype(sooner)> seen_behaviours(sooner);  // where they begin
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
