@@ -83,10 +83,14 @@ class Explorer {
       if (state.marking.empty() && !state.late) continue;
       if (state.late && *state.late > question_.within) continue;
       judged_[s] = true;
+      goes_on_ = false;
       if (question_.period)
         cycles(s, state, state, true);
       else
         dense(s, state);
+      const bool late = state.late && (question_.period ? *state.late + *question_.period > question_.within
+                                                        : *state.late == question_.within);
+      answer_.late = answer_.late || (late && judged_[s] && !goes_on_);
     }
     answer_.too_many = states_.size() >= most_states;
     if (look_ == Look::all && !answer_.too_many) find_endless();
@@ -192,6 +196,7 @@ class Explorer {
       if (!allowed) continue;
       if (next.faults > question_.faults || !step_.possible(next.modes)) continue;
       finish(next, begun, sampled);
+      goes_on_ = goes_on_ || (next.faults == state.faults && (sampled || next != state));
       if (next.late && *next.late <= question_.within && has_come(next.modes)) continue;
       achieve(state, begun, next);
       add_edge(from, state, next, sampled, begun.advice.action);
@@ -261,6 +266,7 @@ class Explorer {
       if (right) cycles(from, state, seen, false);
     }
     if (const auto round = idles(state)) {
+      goes_on_ = true;
       State next = later(state);
       for (const ClockId clock : round->restarted) next.clocks[clock] = {Ticks{0}, after, next.clocks[clock].rank};
       if (!next.late || *next.late > question_.within || !has_come(next.modes))
@@ -343,6 +349,7 @@ class Explorer {
   const LoopQuestion& question_;
   LoopMoves moves_;
   LoopAnswer answer_;
+  bool goes_on_ = false;  ///< what is looked at
   std::map<State, std::size_t> numbers_;
   std::vector<const State*> states_;
   std::vector<bool> judged_;  ///< by state: it was explored, and no fault is certain in it

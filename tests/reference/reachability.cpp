@@ -79,13 +79,18 @@ class Search {
       queue.pop_front();
       if (!seen.insert(state).second) continue;
       if (accepts(state)) return steps;
+      bool goes_on = false;
       successors(state, [&, &from = state, n = steps](const State& target) {
         const State next = enter(target);
+        goes_on = goes_on || next.faults == from.faults;
         if (next.modes == from.modes)
           queue.emplace_front(next, n);
         else
           queue.emplace_back(next, n + 1);
       });
+      const bool missed = !goes_on && state.waiting && question_.response->stuck_misses &&
+                          next_is_late(*state.waiting, question_.response->within);
+      if (missed && !some_fault_is_certain(state)) return steps;
     }
     return std::nullopt;
   }
@@ -114,6 +119,8 @@ class Search {
  protected:
   using Visit = std::function<void(const State&)>;
   virtual void successors(const State& state, const Visit& visit) = 0;
+  /// Whether what follows now, at the soonest, would come too late.
+  [[nodiscard]] virtual bool next_is_late(Ticks waiting, Ticks within) const { return waiting == within; }
   /// The state with its clocks as a step sees them.
   [[nodiscard]] virtual State at_end(const State& state) const { return state; }
   [[nodiscard]] ControlAction idle() const {
@@ -301,6 +308,7 @@ class Sampled : public Search {
   }
 
   [[nodiscard]] State at_end(const State& state) const override { return later(state, period_); }
+  [[nodiscard]] bool next_is_late(Ticks waiting, Ticks within) const override { return waiting + period_ > within; }
 
   /// `state` has its clocks at the end b of the step; they were b - period at its beginning.
   std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) override {

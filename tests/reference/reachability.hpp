@@ -16,6 +16,7 @@ struct Response {
   automata::Formula after;
   automata::Formula then;
   automata::Ticks within;
+  bool stuck_misses = true;  ///< what is owed where nothing can follow is missed where what follows would come too late
 };
 
 struct Question {

@@ -5,7 +5,6 @@
 #include "base/check.hpp"
 
 #include "verifier/closed_loop/timetable.hpp"
-#include "verifier/witness/claim.hpp"
 #include "verifier/witness/hindrance.hpp"
 #include "verifier/witness/steps_at.hpp"
 #include "verifier/witness/undone.hpp"
@@ -42,7 +41,7 @@ Witness Evidence::of(const Lasso& lasso, const Query& query, const ProgramProper
 void Evidence::note_owed(Witness& witness, const ProgramProperty* shown) {
   if (shown == nullptr || shown->kind != Kind::response) return;
   const Response response{shown->formula, shown->then, shown->within};
-  witness.owed_since = owed_since(judge().rules(), response, options_.entailed, witness);
+  witness.owed_since = owed_since(judge().rules(), response, claim_terms(), witness);
 }
 
 /// Which other goals of a cycle without a plan have none by themselves.
@@ -95,7 +94,7 @@ void Evidence::explain(Witness& witness) {
 Witness Evidence::replayed(Witness witness, bool endless, const ProgramProperty* shown) {
   const ReplayRules rules{options_.period, Commands::one, loop_.faults(), options_.from, endless};
   auto failure = judge().replay(witness, rules);
-  if (!failure && shown != nullptr) failure = failure_to_show(judge().rules(), *shown, options_.entailed, witness);
+  if (!failure && shown != nullptr) failure = failure_to_show(judge().rules(), *shown, claim_terms(), witness);
   if (failure) throw base::InternalError("a witness fails: " + *failure);
   return witness;
 }

@@ -10,6 +10,7 @@
 #include "verifier/closed_loop/program_system.hpp"
 #include "verifier/property/property.hpp"
 #include "verifier/verdict/answer.hpp"
+#include "verifier/witness/claim.hpp"
 #include "verifier/witness/loop_replay.hpp"
 
 namespace rmpl::verifier {
@@ -37,6 +38,7 @@ class Evidence {
   Witness replayed(Witness witness, bool endless, const ProgramProperty* shown);
   /// Made where there is something to replay.
   LoopJudge& judge();
+  [[nodiscard]] ClaimTerms claim_terms() const { return {options_.entailed, options_.period}; }
 
   Loop& loop_;
   automata::PlantStep& step_;

@@ -68,6 +68,10 @@ bool ProgramSystem::is_allowed(const SymbolicState& state, const Outcome& outcom
 void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
   auto found = stop_in(state.zone, state.discrete);
   if (!found) return;
+  if (Zone late = state.zone; found->round.empty() && is_due(state.discrete)) {
+    auto too_late = late.constrain(1, {query_.last, unbounded}) ? stop_in(late, state.discrete) : std::nullopt;
+    if (too_late && too_late->round.empty()) found = std::move(too_late);
+  }
   const std::uint64_t end = found->round.empty() ? stuck_bit : still_bit;
   visit({state.discrete | end, state.faults, std::move(found->zone)}, {no_move, no_wait, false});
 }
@@ -90,7 +94,8 @@ Standstill ProgramSystem::standstill(const SymbolicState& end) {
 }
 
 PathEnd ProgramSystem::end_of(const SymbolicState& end, std::size_t position) const {
-  PathEnd result{position, {}, {}};
+  PathEnd result{position, {}, {}, {}};
+  if (is_last_chance(end)) result.stopwatch = {query_.last, unbounded};
   const LoopState& state = loop_[loop_state(end.discrete)];
   std::size_t clock = extra();
   for (const ClockGroup& group : state.groups) {
@@ -308,7 +313,8 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
   cut_off_.stuck = cut_off_.stuck || (state.discrete & stuck_bit) != 0;
   cut_off_.still = cut_off_.still || still;
   if (is_end(state.discrete)) {
-    return query_.aim == Query::Aim::stop || (still && (query_.aim == Query::Aim::still || is_due(state.discrete)));
+    return query_.aim == Query::Aim::stop || (still && (query_.aim == Query::Aim::still || is_due(state.discrete))) ||
+           is_last_chance(state);
   }
   const auto& window = query_.window;
   if (window && (state.zone.upper(1) < window->lower || state.zone.lower(1) > window->upper)) return false;

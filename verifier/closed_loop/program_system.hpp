@@ -43,7 +43,8 @@ struct Query {
   Aim aim = Aim::nothing;
   std::function<bool(const automata::Modes&)> test = nullptr;
   std::function<bool(const automata::Modes&)> asks = nullptr;
-  Units deadline = 0;
+  Units deadline = 0;  ///< the fewest units that are too late
+  Units last = 0;      ///< the most that are in time
   /// What is at one moment is looked for at these times alone; at any, where it is empty.
   std::optional<Interval> window = std::nullopt;
   FaultFilter filter = {};
@@ -56,6 +57,7 @@ struct Query {
 /// Where a run is cut off: what the clocks read as the cycle begins in the state at a position of its path.
 struct PathEnd {
   std::size_t position;
+  std::optional<Interval> stopwatch;  ///< where the deadline has passed
   Box components;
   std::vector<std::pair<automata::ClockId, Interval>> program;
 };
@@ -134,6 +136,10 @@ class ProgramSystem : public TransitionSystem {
   /// Whether `test` must not come to hold before the deadline.
   [[nodiscard]] bool is_due(std::uint64_t discrete) const {
     return query_.aim == Query::Aim::late || (query_.aim == Query::Aim::missed && owed(discrete));
+  }
+  /// Of a state that nothing can follow: whether what is due could come in time only now.
+  [[nodiscard]] bool is_last_chance(const SymbolicState& end) const {
+    return is_due(end.discrete) && (end.discrete & stuck_bit) != 0 && end.zone.lower(1) >= query_.last;
   }
   [[nodiscard]] bool progress_clock() const { return query_.progress && loop_.time().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }

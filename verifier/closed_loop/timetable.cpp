@@ -121,6 +121,7 @@ class LoopTimetable {
   [[nodiscard]] std::vector<Units> solve() {
     const Schedule::Point last = left_.back();
     if (query_.window && !end_) schedule_.constrain(0, last, *query_.window);
+    if (end_ && end_->stopwatch) schedule_.constrain(entered_[asked()], last, *end_->stopwatch);
     if ((query_.aim == Query::Aim::late || query_.aim == Query::Aim::missed) && !end_) {
       Schedule late = schedule_;
       late.constrain(entered_[asked()], last, {query_.deadline, unbounded});

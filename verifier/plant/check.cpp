@@ -189,13 +189,14 @@ class Check {
     Arena& arena = cone_ ? *cone_ : whole();
     const Formula& asks = std::get<Response>(arena.wanted()).after;
     if (options_.slice && out_of_reach(arena.step(), asks, arena.from(), terms_.faults)) return;
-    const Units deadline = terms_.time.more_than(response.within);
+    const Units last = terms_.time.at_most(response.within);
+    const Units late = terms_.time.more_than(response.within);
     owed_ = &response;
-    witness_ = search([this, deadline](Arena& searched) {
+    witness_ = search([this, last, late](Arena& searched) {
       const auto& asked = std::get<Response>(searched.wanted());
       PlantStep& step = searched.step();
       return Observer::miss(holds(step, asked.after, options_.entailed), holds(step, asked.then, !options_.entailed),
-                            deadline);
+                            last, late);
     });
   }
 
@@ -231,11 +232,13 @@ class Check {
     return *judge_;
   }
 
+  [[nodiscard]] ClaimTerms claim_terms() const { return {options_.entailed, options_.period}; }
+
   [[nodiscard]] std::optional<std::string> failure_of(const Witness& witness) {
     if (auto failure = replay(judge(), witness, {options_.period, options_.commands, terms_.faults, options_.from})) {
       return failure;
     }
-    return failure_to_show(judge(), property_, options_.entailed, witness);
+    return failure_to_show(judge(), property_, claim_terms(), witness);
   }
 
   /// In dense time, for as long as it lives, the steps that nothing else makes up for.
@@ -310,11 +313,11 @@ class Check {
   /// With how it is cut off, where that is what it shows.
   Witness witness_of(const std::vector<PathState>& path, PlantSystem& system, const Arena& arena) {
     Witness witness = arena.out(earliest_witness(path, system));
-    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, options_.entailed, witness);
+    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
     if (!is_end(PlantSystem::phase_of(path.back().discrete))) return witness;
     const auto failure = explain_stop(judge(), witness, options_.commands, options_.period);
     if (failure) throw base::InternalError("a witness fails: it is cut off, but " + *failure);
-    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, options_.entailed, witness);
+    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
     return witness;
   }
 

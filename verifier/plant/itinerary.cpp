@@ -78,6 +78,7 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
 
     if (next.label.move == PlantSystem::no_move && is_end(entered->phase)) {
       legs.back().end = renamed_box(ranges(*entered, system.observer()), names);
+      legs.back().cut_off = entered->phase;
       break;
     }
     Leg leg{renamed(entered->situation->modes, names), entered->phase, std::nullopt, std::nullopt, std::nullopt};

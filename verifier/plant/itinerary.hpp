@@ -14,9 +14,10 @@ namespace rmpl::verifier {
 struct Leg {
   automata::Modes modes;
   Phase phase;
-  std::optional<JointStep> move;  ///< into this state; none for the first one
-  std::optional<Box> wait;        ///< within which time passes in it; none where it does not
-  std::optional<Box> end;         ///< where a run is cut off in the last one: within which it is
+  std::optional<JointStep> move;     ///< into this state; none for the first one
+  std::optional<Box> wait;           ///< within which time passes in it; none where it does not
+  std::optional<Box> end;            ///< where a run is cut off in the last one: within which it is
+  Phase cut_off = Phase::searching;  ///< and how
 };
 
 /// The path without symmetry. Each state that was explored stands for one that a permutation leads to: the permutations

@@ -16,6 +16,7 @@ enum class Phase : std::uint8_t {
   searching,   ///< nothing yet, or answered
   armed,       ///< accepted, if the stopwatch reads right
   stuck,       ///< nothing can follow
+  stuck_late,  ///< as before, and what is owed could come in time only now
   still,       ///< only what takes no time can
   still_armed  ///< as before, and what is owed never comes
 };
@@ -30,13 +31,18 @@ class Observer {
 
   /// Accepts where `target` holds while the absolute time is in `window`.
   static Observer reach(Test target, std::optional<Interval> window);
-  /// Accepts where, after some time at which `after` held, `then` has not held up to and including `deadline` - 1 units
-  /// later. What answers the first of several such times that are open answers all.
-  static Observer miss(Test after, Test then, Units deadline);
+  /// Accepts where, after some time at which `after` held, `then` has not held up to and including `last` units later:
+  /// as `late` have passed, the fewest that are more, or where `last` have and nothing can follow. What answers the
+  /// first of several such times that are open answers all.
+  static Observer miss(Test after, Test then, Units last, Units late);
 
   /// Accepts where a run is cut off.
   static Observer end();
   [[nodiscard]] bool seeks_end() const { return seeks_end_; }
+  /// Readings of the stopwatch from which on a response that is owed cannot come in time any more but now.
+  [[nodiscard]] Interval last_chance() const { return {last_, unbounded}; }
+  /// Whether what cannot go on matters where it hides behind what can do more.
+  [[nodiscard]] bool tells_ends_apart() const { return seeks_end_ || response_; }
   /// Whether a response is waited for.
   [[nodiscard]] bool owes(Phase phase) const { return response_ && phase == Phase::armed; }
 
@@ -50,7 +56,9 @@ class Observer {
   }
 
   /// Whether the stopwatch runs. It starts at 0 in the first phase in which it does.
-  [[nodiscard]] bool timed(Phase phase) const { return stopwatch_ && (!response_ || phase == Phase::armed); }
+  [[nodiscard]] bool timed(Phase phase) const {
+    return stopwatch_ && (!response_ || phase == Phase::armed || phase == Phase::stuck_late);
+  }
   /// The readings at which an armed state is accepted.
   [[nodiscard]] const std::optional<Interval>& accepted() const { return stopwatch_; }
 
@@ -63,6 +71,7 @@ class Observer {
   Test trigger_;
   Test release_;
   std::optional<Interval> stopwatch_;
+  Units last_ = 0;  ///< of a response
 };
 
 }  // namespace rmpl::verifier

@@ -111,14 +111,23 @@ void PlantSystem::enter_end(const std::shared_ptr<const Situation>& here, Situat
   PlantInstants instants(situations_, id, *here, others, state.zone);
   const auto found = find_standstill(state.zone, id.value, instants);
   if (!found) return;
-  Phase end = Phase::stuck;
-  if (!found->round.empty())
-    end = observer_.owes(phase) && !answered_in(*found, phase) ? Phase::still_armed : Phase::still;
-  std::vector<std::size_t> sources;
-  for (std::size_t clock = 1 + (observer_.timed(end) ? 0 : others); clock <= found->zone.clocks(); ++clock) {
-    sources.push_back(clock);
+  const auto end_in = [&](Phase end, const Zone& zone) {
+    std::vector<std::size_t> sources;
+    for (std::size_t clock = 1 + (observer_.timed(end) ? 0 : others); clock <= zone.clocks(); ++clock) {
+      sources.push_back(clock);
+    }
+    visit({id, here, end, state.faults, zone.select(sources), {no_move, no_wait, false}});
+  };
+  const bool owed = observer_.owes(phase);
+  if (!found->round.empty()) {
+    return end_in(owed && !answered_in(*found, phase) ? Phase::still_armed : Phase::still, found->zone);
   }
-  visit({id, here, end, state.faults, found->zone.select(sources), {no_move, no_wait, false}});
+  if (Zone late = state.zone; owed && late.constrain(stopwatch, observer_.last_chance())) {
+    PlantInstants those(situations_, id, *here, others, late);
+    const auto too_late = find_standstill(late, id.value, those);
+    if (too_late && too_late->round.empty()) return end_in(Phase::stuck_late, too_late->zone);
+  }
+  end_in(Phase::stuck, found->zone);
 }
 
 /// Whether, in dense time, at each reading time passes or a component whose exit is due can take it: what mostly is so,
@@ -194,7 +203,7 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
   const Phase phase = phase_of(state.discrete);
   cut_off_.stuck = cut_off_.stuck || phase == Phase::stuck;
   cut_off_.still = cut_off_.still || phase == Phase::still || phase == Phase::still_armed;
-  if (phase == Phase::still_armed) return true;
+  if (phase == Phase::still_armed || phase == Phase::stuck_late) return true;
   if (is_end(phase) && observer_.seeks_end()) return true;
   if (phase != Phase::armed) return false;
   if (!observer_.timed(phase)) return true;
@@ -237,9 +246,12 @@ void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& resul
   }
   const auto situation = situations_[situation_of(discrete)];
   result.insert(result.end(), situation->limits.begin(), situation->limits.end());
-  if (!observer_.seeks_end()) return;
+  if (!observer_.tells_ends_apart()) return;
   // What cannot go on is not to be covered by what can do more: readings are told apart by all limits alike.
-  for (ClockLimits& limits : result) limits.lower = limits.upper = std::max(limits.lower, limits.upper);
+  const std::size_t first = observer_.timed(phase_of(discrete)) ? 1 : 0;
+  for (std::size_t clock = first; clock < result.size(); ++clock) {
+    result[clock].lower = result[clock].upper = std::max(result[clock].lower, result[clock].upper);
+  }
 }
 
 std::size_t PlantSystem::Place::clock_of(ComponentId component) const {

@@ -19,9 +19,10 @@ using nlohmann::ordered_json;
 std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
   const auto* asked = std::get_if<ProgramProperty>(&property);
   if (asked != nullptr) return finding(subject, *asked, witness);
-  if (witness.stop) return to_text(subject.plant, *witness.stop);
+  const std::string stop = witness.stop ? to_text(subject.plant, *witness.stop) : "";
   const auto* response = std::get_if<Response>(&property);
-  return response != nullptr && witness.owed_since ? owed_text(subject, *response, witness) : "";
+  if (response == nullptr || !witness.owed_since) return stop;
+  return owed_text(subject, *response, witness) + (stop.empty() ? "" : "; " + stop);
 }
 
 namespace {

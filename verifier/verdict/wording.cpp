@@ -189,7 +189,7 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
       return "'" + property.text + "' has not held in time";
     case Kind::response:
       return owed_text(subject, Response{property.formula, property.then, property.within}, witness) +
-             (witness.stop ? ", and " + to_text(subject.plant, *witness.stop) : "");
+             (witness.stop ? "; " + to_text(subject.plant, *witness.stop) : "");
     case Kind::finally:
       return "the program has ended, and '" + property.text + "' need not hold";
   }

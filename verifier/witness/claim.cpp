@@ -14,10 +14,11 @@ namespace {
 
 class Claim {
  public:
-  Claim(automata::PlainStep& rules, bool entailed, const Witness& witness)
+  Claim(automata::PlainStep& rules, const ClaimTerms& terms, const Witness& witness)
       : rules_(rules),
         store_(rules.store()),
-        entailed_(entailed),
+        entailed_(terms.entailed),
+        period_(terms.period),
         witness_(witness),
         events_(witness.events),
         repeats_from_(witness.repeats_from),
@@ -35,11 +36,10 @@ class Claim {
   /// The event that asks for a response which does not come; where time stands still, never comes.
   std::optional<std::size_t> owed_since(const Response& p) {
     const bool still = stop_ && stop_->still;
-    const Ticks end = events_.back().time;
     for (std::size_t e = 0; e < events_.size(); ++e) {
       // Under a program: asked for up to its end, the state that it ends in included.
       if (events_[e].cycle && events_[e].cycle->marking.empty()) return std::nullopt;
-      if (!holds(p.after, e, entailed_) || (!still && end - events_[e].time <= p.within)) continue;
+      if (!holds(p.after, e, entailed_) || (!still && !is_past(events_[e].time + p.within))) continue;
       if (never_before(p.then, e, still ? Ticks::infinite() : events_[e].time + p.within)) return e;
     }
     return std::nullopt;
@@ -75,7 +75,7 @@ class Claim {
           return never_before(p.formula, 0, Ticks::infinite()) ? std::nullopt
                                                                : std::optional("the formula comes to hold");
         }
-        if (events_.back().time <= p.within) return "it ends in time";
+        if (!is_past(p.within)) return "it ends in time";
         return never_before(p.formula, 0, p.within) ? std::nullopt : std::optional("the formula holds in time");
       case Kind::finally:
         if (!ended) return "the program has not ended";
@@ -92,6 +92,13 @@ class Claim {
     if (window.by && end > *window.by) return "it ends too late";
     return holds(target, events_.size() - 1, entailed_) ? std::nullopt
                                                         : std::optional("the target does not hold at its end");
+  }
+
+  /// Whether all of the run up to that time is there: nothing follows that could come by then.
+  [[nodiscard]] bool is_past(Ticks time) const {
+    const Ticks end = events_.back().time;
+    if (end > time || !stop_) return end > time;
+    return period_ ? end + *period_ > time : end == time;
   }
 
   /// Whether the formula does not hold in any state from an event on that is entered up to that time.
@@ -116,6 +123,7 @@ class Claim {
   automata::PlainStep& rules_;
   automata::PlainStore& store_;
   bool entailed_;
+  std::optional<Ticks> period_;
   const Witness& witness_;
   const std::vector<Event>& events_;
   std::optional<std::size_t> repeats_from_;
@@ -124,14 +132,14 @@ class Claim {
 
 }  // namespace
 
-std::optional<std::size_t> owed_since(automata::PlainStep& rules, const Response& response, bool entailed,
+std::optional<std::size_t> owed_since(automata::PlainStep& rules, const Response& response, const ClaimTerms& terms,
                                       const Witness& witness) {
-  return Claim(rules, entailed, witness).owed_since(response);
+  return Claim(rules, terms, witness).owed_since(response);
 }
 
-std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property, bool entailed,
-                                           const Witness& witness) {
-  Claim claim(rules, entailed, witness);
+std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property,
+                                           const ClaimTerms& terms, const Witness& witness) {
+  Claim claim(rules, terms, witness);
   return std::visit([&](const auto& asked) { return claim.failure(asked); }, property);
 }
 

@@ -11,14 +11,20 @@
 
 namespace rmpl::verifier {
 
+/// How formulas and times are read, as in CheckOptions.
+struct ClaimTerms {
+  bool entailed = false;
+  std::optional<automata::Ticks> period = std::nullopt;  ///< of a cycle; none in dense time
+};
+
 /// Why the run does not show that the property holds (reachability) or is violated (all others); nothing where it does.
-/// `entailed` as in CheckOptions. Whether the run is possible is for `replay` to say.
-std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property, bool entailed,
-                                           const Witness& witness);
+/// Whether the run is possible is for `replay` to say.
+std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property,
+                                           const ClaimTerms& terms, const Witness& witness);
 
 /// The event of a run from which on a response is owed and missed; nothing where every one comes in time. Where time
-/// stands still it is missed if it does not come at all.
-std::optional<std::size_t> owed_since(automata::PlainStep& rules, const Response& response, bool entailed,
+/// stands still it is missed if it does not come at all; where the run is stuck, if what could follow came too late.
+std::optional<std::size_t> owed_since(automata::PlainStep& rules, const Response& response, const ClaimTerms& terms,
                                       const Witness& witness);
 
 }  // namespace rmpl::verifier

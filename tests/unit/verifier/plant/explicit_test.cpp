@@ -290,7 +290,8 @@ void compare(std::optional<Ticks> period, unsigned rounds, unsigned seed) {
       }
     }
 
-    // Responses.
+    // Responses; what runs that are cut off owe is for tests/reference and the properties, too.
+    if (dead_end.witness) continue;
     const auto waiting = slow.reachable(false, in(1), in(2));
     for (const std::int64_t within : {0, 2, 5}) {
       const bool miss = std::any_of(waiting.begin(), waiting.end(), [&](const auto& entry) {

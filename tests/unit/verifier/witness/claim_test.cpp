@@ -17,7 +17,7 @@ using test::seconds;
 class ClaimEngine : public testing::Test {
  protected:
   std::optional<std::string> failure(const Property& property) {
-    return failure_to_show(rules_, property, false, witness_);
+    return failure_to_show(rules_, property, {}, witness_);
   }
   [[nodiscard]] automata::Formula is(const char* mode) const { return engine_.is("engine", mode); }
 
