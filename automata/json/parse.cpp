@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "automata/json/scan.hpp"
+
 namespace rmpl::automata {
 namespace {
 
@@ -21,7 +23,7 @@ constexpr std::size_t usual_keys = 6;
 /// Up to so many keys of an object are looked through one by one; more are looked up.
 constexpr std::size_t few_keys = 16;
 
-/// What nlohmann-json tells of a text, made into a value. Every value is made where it stays: a vector does not grow
+/// What is told of a text, made into a value. Every value is made where it stays: a vector does not grow
 /// while what is at its back is open.
 class Reader : public nlohmann::json_sax<Json> {
  public:
@@ -241,6 +243,9 @@ std::string member_path(const std::string& path, std::string_view key) {
 }
 
 Json parse_json(std::string_view text) {
+  Reader quick;
+  if (scan_json(text, quick)) return quick.take();
+  // The library tells what is wrong, or reads what is rare.
   Reader reader;
   Json::sax_parse(text, &reader);
   return reader.take();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
 #include "grammar/parse/scan.hpp"
 
 namespace rmpl::compiler {
@@ -130,10 +131,7 @@ bool Tokens::same(const Tokens& other) const {
          std::equal(comments_.begin(), comments_.end(), other.comments_.begin(), other.comments_.end(), same_text);
 }
 
-std::uint32_t width_of(std::string_view text) {
-  return static_cast<std::uint32_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
+std::uint32_t width_of(std::string_view text) { return static_cast<std::uint32_t>(base::code_points(text)); }
 
 std::string_view without_trailing_blanks(std::string_view text) {
   const std::size_t last = text.find_last_not_of(blanks);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "base/utf8.hpp"
+
 namespace rmpl::compiler {
 
 using grammar::Span;
@@ -94,7 +96,7 @@ std::uint32_t offset_of(const grammar::SourceFile& file, const automata::Origin&
   const std::string_view line = file.line(origin.line);
   std::size_t byte = 0;
   for (std::uint32_t column = 1; column < origin.column && byte < line.size(); ++column) {
-    byte += std::max<std::size_t>(1, grammar::code_point_length(line.substr(byte)));
+    byte += std::max<std::size_t>(1, base::code_point_length(line.substr(byte)));
   }
   return file.line_start(origin.line) + static_cast<std::uint32_t>(byte);
 }

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/printable.hpp"
+#include "base/utf8.hpp"
 
 namespace rmpl::grammar {
 namespace {
@@ -127,7 +128,7 @@ std::string_view token_at(const char* first, const char* last) {
     return view(first, at == last || *at == '\n' ? at : at + 1);
   }
   if (const auto symbol = operator_at(first, last); !symbol.empty()) return symbol;
-  return view(first, first + std::max<std::size_t>(1, code_point_length(view(first, last))));
+  return view(first, first + std::max<std::size_t>(1, base::code_point_length(view(first, last))));
 }
 
 bool scan_name(const char*& first, ParseState& state, Name& name) {

@@ -8,6 +8,7 @@
 
 #include "base/painter.hpp"
 #include "base/printable.hpp"
+#include "base/utf8.hpp"
 #include "grammar/source/render.hpp"
 
 namespace rmpl::grammar {
@@ -62,13 +63,11 @@ struct Window {
 
   Window(std::string_view line, std::size_t begin) : last(line.size()) {
     constexpr std::size_t longest_code_point = 4;
-    const auto is_continuation = [&](std::size_t at) {
-      return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80;
-    };
+    const auto within = [&](std::size_t at) { return at < line.size() && base::is_continuation(line[at]); };
     if (begin > 2 * widest * longest_code_point) first = begin - 2 * widest * longest_code_point;
-    while (is_continuation(first)) ++first;
+    while (within(first)) ++first;
     last = std::min(last, begin + 2 * widest * longest_code_point);
-    while (is_continuation(last)) ++last;
+    while (within(last)) ++last;
   }
 };
 
@@ -85,7 +84,7 @@ Excerpt excerpt(std::string_view whole, std::size_t begin, std::size_t end) {
   std::size_t to = 0;
   for (std::size_t at = 0; at < line.size();) {
     if (at <= begin) from = cells.size();
-    const std::size_t length = code_point_length(line.substr(at));
+    const std::size_t length = base::code_point_length(line.substr(at));
     if (line[at] == '\t') {
       cells.resize(cells.size() + tab_columns, " ");
     } else if (length == 0 || base::is_control(line[at])) {

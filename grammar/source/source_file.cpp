@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/utf8.hpp"
 #include "grammar/source/diagnostic.hpp"
 
 namespace rmpl::grammar {
@@ -15,8 +16,6 @@ namespace {
 constexpr std::size_t longest_text = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t most_encoding_errors = 10;
 constexpr std::size_t block_size = 1024;  // bytes between two entries of the table of code points
-
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 /// Whether a byte begins a code point beyond U+FFFF, which takes two units in UTF-16.
 bool is_surrogate_pair(char c) { return static_cast<unsigned char>(c) >= 0xF0; }
@@ -37,12 +36,11 @@ SourceFile::SourceFile(std::string name, std::string text) : name_(std::move(nam
   line_starts_.push_back(0);
   for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
     line_starts_.push_back(static_cast<std::uint32_t>(at + 1));
-  std::uint32_t code_points = 0;
-  for (std::size_t at = 0; at < text_.size(); ++at) {
-    if (at % block_size == 0) block_starts_.push_back(code_points);
-    if (!is_continuation(text_[at])) ++code_points;
+  block_starts_.push_back(0);
+  for (std::size_t at = 0; at + block_size <= text_.size(); at += block_size) {
+    const auto more = base::code_points({text_.data() + at, block_size});
+    block_starts_.push_back(block_starts_.back() + static_cast<std::uint32_t>(more));
   }
-  if (text_.size() % block_size == 0) block_starts_.push_back(code_points);
 }
 
 std::string_view SourceFile::line(std::uint32_t number) const {
@@ -75,16 +73,15 @@ std::uint32_t SourceFile::offset_utf16(Place place) const {
   std::size_t at = 0;
   for (std::uint32_t units = 1; at < line.size() && units < place.column;) {
     units += is_surrogate_pair(line[at]) ? 2 : 1;
-    for (++at; at < line.size() && is_continuation(line[at]);) ++at;
+    for (++at; at < line.size() && base::is_continuation(line[at]);) ++at;
   }
   return line_starts_[place.line - 1] + static_cast<std::uint32_t>(at);
 }
 
 std::uint32_t SourceFile::code_points_before(std::size_t offset) const {
   const std::size_t block = offset / block_size;
-  const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(block * block_size);
-  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(offset);
-  const auto more = std::count_if(begin, end, [](char c) { return !is_continuation(c); });
+  const std::string_view within = std::string_view(text_).substr(block * block_size, offset % block_size);
+  const std::size_t more = base::code_points(within);
   return block_starts_[block] + static_cast<std::uint32_t>(more);
 }
 
@@ -93,39 +90,12 @@ std::uint32_t Sources::add(std::string name, std::string text) {
   return static_cast<std::uint32_t>(files_.size() - 1);
 }
 
-std::size_t code_point_length(std::string_view text) {
-  if (text.empty()) return 0;
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  // Table 3-7 of the Unicode standard: the second byte's range keeps out overlong forms, surrogates and what is
-  // beyond U+10FFFF.
-  std::size_t length = 0;
-  unsigned char low = 0x80;
-  unsigned char high = 0xBF;
-  if (lead >= 0xC2 && lead <= 0xDF) {
-    length = 2;
-  } else if (lead >= 0xE0 && lead <= 0xEF) {
-    length = 3;
-    if (lead == 0xE0) low = 0xA0;
-    if (lead == 0xED) high = 0x9F;
-  } else if (lead >= 0xF0 && lead <= 0xF4) {
-    length = 4;
-    if (lead == 0xF0) low = 0x90;
-    if (lead == 0xF4) high = 0x8F;
-  }
-  if (length == 0 || text.size() < length || byte(1) < low || byte(1) > high) return 0;
-  for (std::size_t i = 2; i < length; ++i)
-    if (!is_continuation(text[i])) return 0;
-  return length;
-}
-
 bool check_encoding(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   const std::string_view text = sources[file].text();
   std::size_t errors = 0;
   std::size_t at = 0;
   while (at < text.size() && errors < most_encoding_errors) {
-    const std::size_t length = text[at] == '\0' ? 0 : code_point_length(text.substr(at));
+    const std::size_t length = text[at] == '\0' ? 0 : base::code_point_length(text.substr(at));
     if (length > 0) {
       at += length;
       continue;
@@ -134,7 +104,7 @@ bool check_encoding(const Sources& sources, std::uint32_t file, Diagnostics& dia
     const bool nul = text[at] == '\0';
     do {
       ++at;
-    } while (at < text.size() && (nul ? text[at] == '\0' : code_point_length(text.substr(at)) == 0));
+    } while (at < text.size() && (nul ? text[at] == '\0' : base::code_point_length(text.substr(at)) == 0));
     const Span span{file, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at)};
     diagnostics.error(Code::invalid_encoding, span,
                       nul ? "NUL byte in the text: UTF-8 text was expected"

@@ -76,7 +76,4 @@ class Sources {
 /// reported where it is, at most ten of them.
 bool check_encoding(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics);
 
-/// The length in bytes, 1 to 4, of the well-formed code point at the start of `text`; 0 where there is none.
-std::size_t code_point_length(std::string_view text);
-
 }  // namespace rmpl::grammar

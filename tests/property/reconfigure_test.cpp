@@ -173,7 +173,7 @@ RC_GTEST_PROP(Reconfigure, PlansLeadToTheGoal, ()) {
     const Modes modes = *modes_of(subject.model.plant);
     const Formula goal = draw_goal(subject.model.plant);
     if (!subject.slow.possible(modes) || entails(subject.slow, modes, goal)) continue;
-    const runtime::Plan plan = runtime::make_plan(*subject.reconfigurer, modes, goal);
+    const runtime::Plan plan = runtime::make_plan(subject.model.plant, *subject.reconfigurer, modes, goal);
     RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << ": " << plan.reason << std::endl;
     if (plan.outcome == runtime::Plan::Outcome::no_plan) continue;
     RC_ASSERT((plan.outcome == runtime::Plan::Outcome::nothing_to_do) == plan.commands.empty());
@@ -203,7 +203,7 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
     if (!subject.slow.possible(modes) || goal.is_true()) continue;
     const auto commands = reference::fewest_commands(subject.slow, modes, goal);
     if (!commands) continue;
-    const runtime::Plan plan = runtime::make_plan(*subject.reconfigurer, modes, goal);
+    const runtime::Plan plan = runtime::make_plan(subject.model.plant, *subject.reconfigurer, modes, goal);
     RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << ": " << plan.reason << ", where " << *commands
              << " commands do it" << std::endl;
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
@@ -230,7 +230,7 @@ RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
     if (!subject.slow.possible(modes) || goal.is_true() || entails(subject.slow, modes, goal)) continue;
     const auto fewest = reference::fewest_cycles(subject.slow, modes, goal);
     if (!fewest) continue;
-    const runtime::Plan plan = runtime::make_plan(*subject.reconfigurer, modes, goal);
+    const runtime::Plan plan = runtime::make_plan(subject.model.plant, *subject.reconfigurer, modes, goal);
     RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << " from " << rc::toString(modes) << ": "
              << plan.reason << ", where " << *fewest << " cycles do it" << std::endl;
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);

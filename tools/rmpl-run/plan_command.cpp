@@ -225,7 +225,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const auto reconfigurer =
       options.one_step ? runtime::make_one_step_reconfigurer(step) : runtime::make_reconfigurer(step);
   const Plan plan = options.one_step ? runtime::make_one_step_plan(*reconfigurer, modes, goal)
-                                     : runtime::make_plan(*reconfigurer, modes, goal);
+                                     : runtime::make_plan(plant, *reconfigurer, modes, goal);
   const std::vector<PlanRisk> risks = runtime::risks_of(plan, step, goal);
   const std::vector<TransitionOf> lost = runtime::lost_in_the_end(plan, step, goal);
   if (common.format == Format::json) {

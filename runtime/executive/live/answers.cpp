@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "base/utf8.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -16,7 +17,7 @@ std::string bounded(const std::string& message) {
   std::string text = base::printable(message);
   if (text.size() <= most) return text;
   std::size_t end = most;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // not within a character
+  while (end > 0 && base::is_continuation(text[end])) --end;  // not within a character
   return text.substr(0, end) + "…";
 }
 

@@ -8,6 +8,7 @@
 
 #include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
+#include "base/utf8.hpp"
 #include "runtime/executive/scenario/moment.hpp"
 
 namespace rmpl::runtime {
@@ -17,17 +18,12 @@ constexpr std::size_t margin = 11;  // columns of the word that a row begins wit
 constexpr std::size_t goal_rows = 3;
 constexpr std::size_t most_latest = 64;
 
-/// How many columns a text takes, one a character; and the text cut to so many.
-std::size_t columns(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
-}
-
+/// The text cut to so many columns, one a character.
 std::string cut(const std::string& text, std::size_t width) {
-  if (columns(text) <= width) return text;
+  if (base::code_points(text) <= width) return text;
   std::size_t end = 0;
   for (std::size_t seen = 0; end < text.size(); ++end) {
-    if ((static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) continue;
+    if (base::is_continuation(text[end])) continue;
     if (++seen == width) break;
   }
   return text.substr(0, end) + "…";
@@ -82,7 +78,7 @@ std::string LiveView::progress(std::size_t width) const {
   const int percent = static_cast<int>(share * 100);
   const std::string of = width < 60 ? "" : " of at most " + hours_minutes_seconds(scenario_.duration);
   const std::string text = "  " + hours_minutes_seconds(now_.time) + of + "  " + std::to_string(percent) + " %";
-  const std::size_t bar = width - std::min(width - 4, columns(text) + 2);
+  const std::size_t bar = width - std::min(width - 4, base::code_points(text) + 2);
   const auto full = static_cast<std::size_t>(share * static_cast<double>(bar));
   std::string done, open;
   for (std::size_t i = 0; i < bar; ++i) (i < full ? done : open) += i < full ? "━" : "─";
@@ -102,7 +98,7 @@ std::vector<std::string> LiveView::believed(std::size_t width, std::size_t rows)
   for (const std::size_t c : order) {
     const automata::Component& component = plant_.components[c];
     const std::string text = cut(to_text(component, now_.estimate[c]), width - margin - 3);
-    const std::size_t size = columns(text) + (used == 0 ? 0 : 3);
+    const std::size_t size = base::code_points(text) + (used == 0 ? 0 : 3);
     if (used > 0 && margin + used + size > width - 2) {
       if (result.size() == rows) {
         result.back() += painter_.quiet(" …");

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/reconfigure/plan.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 #include <utility>
 
 #include "base/check.hpp"
+#include "runtime/reasoning/reconfigure/circle.hpp"
 
 namespace rmpl::runtime {
 
@@ -34,7 +36,8 @@ Plan cut(Plan plan, std::size_t end) {
 
 }  // namespace
 
-Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
+Plan make_plan(const automata::Plant& plant, Reconfigurer& reconfigurer, const Modes& modes,
+               const automata::Formula& goal) {
   Plan plan;
   Modes current = modes;
   std::unordered_set<Modes, automata::ModesHash> seen;
@@ -73,13 +76,16 @@ Plan make_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::F
     }
   }
   if (achieved) return cut(std::move(plan), *achieved);
+  plan.states.push_back(current);
+  const auto first = std::ranges::find(plan.states, current);
+  const Circle circle = circle_in(plant, {first, plan.states.end()});
   return {.outcome = Plan::Outcome::no_plan,
           .goal_state = std::move(plan.goal_state),
           .commands = {},
           .states = {},
-          .component = std::nullopt,
-          .reason = "the commands towards the goal lead in a circle",
-          .why = {.purpose = Reason::Purpose::goal, .obstacle = Reason::Obstacle::not_found}};
+          .component = circle.back.component,
+          .reason = "the commands towards the goal lead in a circle: " + to_text(circle, plant),
+          .why = {.purpose = Reason::Purpose::goal, .obstacle = Reason::Obstacle::not_found, .step = circle.back}};
 }
 
 Plan make_one_step_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {

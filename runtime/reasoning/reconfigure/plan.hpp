@@ -29,7 +29,8 @@ struct Plan {
 /// other timed one, so that an event which the plan does not depend on, and which may be hours away, does not intrude.
 /// Where a state comes again, or nothing leads back to a goal that was lost by itself, it ends where the goal was
 /// entailed last, and with `no_plan` where it never was.
-Plan make_plan(Reconfigurer& reconfigurer, const automata::Modes& modes, const automata::Formula& goal);
+Plan make_plan(const automata::Plant& plant, Reconfigurer& reconfigurer, const automata::Modes& modes,
+               const automata::Formula& goal);
 
 /// The plan of a reconfigurer whose one answer is to be enough (one_step.hpp): asked once, so that it does not matter
 /// whether the state that is reached can be kept.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "runtime/reasoning/reconfigure/circle.hpp"
 #include "runtime/reasoning/reconfigure/planner.hpp"
 
 namespace rmpl::runtime {
@@ -86,6 +87,20 @@ std::variant<IslandPlan, Impasse> Planner::planned(const Modes& modes, const Obj
   return plan_of(any);
 }
 
+Impasse Planner::turns_in_a_circle(const std::vector<Modes>& states, ComponentId astray,
+                                   const Objective& objective) const {
+  const automata::Plant& plant = nominal_.plant();
+  const Circle circle = circle_in(plant, {std::ranges::find(states, states.back()), states.end()});
+  return {astray,
+          "the commands that achieve " + name(astray, objective.target[astray.index()]) + " for '" +
+              plant[astray].name + "' lead in a circle: " + to_text(circle, plant),
+          {.purpose = Reason::Purpose::goal,
+           .obstacle = Reason::Obstacle::not_found,
+           .component = astray,
+           .aim = objective.target[astray.index()],
+           .step = circle.back}};
+}
+
 Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, Order order) {
   std::vector<std::pair<Modes, PlannedStep>> taken;
   std::unordered_set<Modes, automata::ModesHash> seen;
@@ -96,17 +111,10 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
   Modes current = modes;
   while (!arrived(current, objective)) {
     if (!seen.insert(current).second) {
-      const ComponentId astray = taken.front().second.component;
-      return {Impasse{astray,
-                      "the commands that achieve " + name(astray, objective.target[astray.index()]) + " for '" +
-                          nominal_.plant()[astray].name + "' lead in a circle",
-                      {.purpose = Reason::Purpose::goal,
-                       .obstacle = Reason::Obstacle::not_found,
-                       .component = astray,
-                       .aim = objective.target[astray.index()]}},
-              never,
-              asides,
-              {}};
+      std::vector<Modes> states;
+      for (const auto& [state, step] : taken) states.push_back(state);
+      states.push_back(current);
+      return {turns_in_a_circle(states, taken.front().second.component, objective), never, asides, {}};
     }
     // Where a safe walk begins that is known already, the rest is known.
     if (unsafe == 0 && order == Order::commands_first && !taken.empty()) {

@@ -136,6 +136,9 @@ class Planner {
   /// Whether the step may be part of a plan: it keeps what is to be kept, and waits for nothing that it must not.
   static bool may_take(const Objective& objective, const NominalOutcome& outcome);
   Trace follow(const automata::Modes& modes, const Objective& objective, Order order);
+  /// Of states that a walk led through, the last of which is one that it came through before.
+  [[nodiscard]] Impasse turns_in_a_circle(const std::vector<automata::Modes>& states, automata::ComponentId astray,
+                                          const Objective& objective) const;
   NextStep walk(const automata::Modes& modes, const Objective& objective, Order order);
   /// Of the components that are astray, the first that can be brought on without reaching a goal too early.
   NextStep advance(const automata::Modes& modes, const Objective& objective, Order order);

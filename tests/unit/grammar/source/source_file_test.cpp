@@ -28,16 +28,6 @@ TEST(SourceFile, AnEmptyTextHasOneLine) {
   EXPECT_EQ(file.place(0), (Place{1, 1}));
 }
 
-TEST(Encoding, KnowsWellFormedCodePoints) {
-  EXPECT_EQ(code_point_length("a"), 1u);
-  EXPECT_EQ(code_point_length("é"), 2u);
-  EXPECT_EQ(code_point_length("≥"), 3u);
-  EXPECT_EQ(code_point_length("🚀"), 4u);
-  for (const char* wrong :
-       {"", "\x80", "\xC0\xAF", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x89", "\xFF"})
-    EXPECT_EQ(code_point_length(wrong), 0u) << wrong;
-}
-
 TEST(Encoding, ReportsRunsOfWrongBytesAndNotTooMany) {
   Sources sources;
   Diagnostics diagnostics;

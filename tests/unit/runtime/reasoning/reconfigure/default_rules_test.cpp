@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/reasoning/reconfigure/circle.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "tests/unit/runtime/reasoning/reconfigure/reconfigure_models.hpp"
 
@@ -40,6 +41,22 @@ TEST(GoalState, WhatWasAchievedStays) {
   EXPECT_THAT(craft.text(craft.plan({"active", "external"}, craft.is("power", "internal")).commands),
               ElementsAre("power:internal"));
   EXPECT_EQ(craft.next({"active", "internal"}, craft.is("power", "internal")).outcome, Outcome::nothing_to_do);
+}
+
+TEST(Circle, IsToldByWhatMovesFirstAndWhatTakesThatBack) {
+  Builder b;
+  toggle(b, "bus", "open", "closed");
+  toggle(b, "lamp", "off", "on");
+  const Craft craft(std::move(b));
+  const auto open_off = craft.modes({"open", "off"}), open_on = craft.modes({"open", "on"});
+  const auto closed_off = craft.modes({"closed", "off"}), closed_on = craft.modes({"closed", "on"});
+  const auto told = [&](const std::vector<automata::Modes>& states) {
+    return to_text(circle_in(craft.names.plant, states), craft.names.plant);
+  };
+  EXPECT_EQ(told({open_off, open_on, closed_on, closed_off, open_off}),
+            "'lamp' from 'off' to 'on' is undone by 'on' to 'off'");
+  EXPECT_EQ(told({open_on, closed_on, closed_off, open_off, open_on}),
+            "'bus' from 'open' to 'closed' is undone by 'closed' to 'open'");
 }
 
 TEST(GoalState, RewardsAreComparedAsDecimals) {

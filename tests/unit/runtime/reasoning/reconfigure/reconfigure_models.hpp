@@ -115,7 +115,7 @@ class Craft {
     return reconfigurer->next(modes(from), goal);
   }
   Plan plan(const std::vector<std::string>& from, const Formula& goal) {
-    return make_plan(*reconfigurer, modes(from), goal);
+    return make_plan(names.plant, *reconfigurer, modes(from), goal);
   }
   [[nodiscard]] Formula is(const std::string& name, const std::string& value) const { return names.is(name, value); }
 
