@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,10 @@ std::string to_text(const Document& document);
 
 /// Reads a compiled document. Throws base::InputError that names the JSON path at fault; nothing is half accepted.
 Document document_from_json(const Json& json);
+/// The document of a text that is one, read a type at a time, so that what is parsed is never held as a whole. Nothing
+/// where something is wrong with it, or written other than plainly (scan_json): `parse_json` and `document_from_json`
+/// tell what, or read it.
+std::optional<Document> read_plain_document(std::string_view text);
 /// Parses, then reads. `name` is the file's name, for messages.
 Document read_document(std::string_view text, const std::string& name);
 

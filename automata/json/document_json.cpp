@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "automata/json/document.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "automata/json/layout.hpp"
 #include "automata/json/model_json.hpp"
+#include "automata/json/plant_reader.hpp"
 
 namespace rmpl::automata {
 namespace {
@@ -35,13 +40,18 @@ Json to_json(const Document& document) {
 
 std::string to_text(const Document& document) { return laid_out(to_json(document)) + "\n"; }
 
-Document document_from_json(const Json& json) {
+namespace {
+
+/// `readers`, one a plant, have read types that are not in the JSON any more.
+Document document_of(const Json& json, std::vector<PlantReader> readers) {
   const Node root(json);
   root.only({"format", "version", "plants", "programs", "models", "scenarios"});
   if (root.at("format").text() != format_name) root.at("format").fail(std::string("\"") + format_name + "\"");
   if (root.at("version").natural() != format_version) root.at("version").fail(std::to_string(format_version));
   Document document;
-  for (const Node& item : root.at("plants").items()) document.plants.push_back(plant_from_json(item));
+  const std::vector<Node> plants = root.at("plants").items();
+  readers.resize(std::max(readers.size(), plants.size()));
+  for (std::size_t p = 0; p < plants.size(); ++p) document.plants.push_back(readers[p].read_plant(plants[p]));
   std::size_t copied = 0;
   for (const Node& item : root.at("programs").items()) {
     const Program& program = document.programs.emplace_back(program_from_json(item, document.plants));
@@ -63,7 +73,35 @@ Document document_from_json(const Json& json) {
   return document;
 }
 
+/// Where a value is the next of an array under the key, in an object.
+bool is_item(const JsonLevels& levels, std::size_t object, const std::string& key) {
+  return levels[object]->is_object() && levels[object]->get_ref<const Json::object_t&>().back().first == key &&
+         levels[object + 1]->is_array();
+}
+
+}  // namespace
+
+Document document_from_json(const Json& json) { return document_of(json, {}); }
+
+std::optional<Document> read_plain_document(std::string_view text) {
+  std::vector<PlantReader> readers;
+  const auto take_type = [&readers](const JsonLevels& levels) {
+    if (!is_item(levels, 0, "plants") || !is_item(levels, 2, "types")) return;
+    const std::size_t plant = levels[1]->size() - 1;
+    if (plant >= readers.size()) readers.resize(plant + 1);
+    readers[plant].read_type(Node(*levels[4]));
+    levels[3]->get_ref<Json::array_t&>().pop_back();
+  };
+  try {
+    const auto json = scan_json_value(text, 5, take_type);
+    return json ? std::optional(document_of(*json, std::move(readers))) : std::nullopt;
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
 Document read_document(std::string_view text, const std::string& name) {
+  if (auto plain = read_plain_document(text)) return std::move(*plain);
   try {
     return document_from_json(parse_json(text));
   } catch (const Json::exception& error) {

@@ -27,6 +27,11 @@ constexpr std::size_t few_keys = 16;
 /// while what is at its back is open.
 class Reader : public nlohmann::json_sax<Json> {
  public:
+  using Closed = std::function<void(const JsonLevels&)>;
+  /// `closed` as in `scan_json_value`.
+  Reader() = default;
+  Reader(std::size_t depth, const Closed& closed) : depth_(depth), closed_(&closed) {}
+
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
   bool number_integer(std::int64_t value) override { return add(value); }
@@ -36,7 +41,14 @@ class Reader : public nlohmann::json_sax<Json> {
   bool binary(Json::binary_t& value) override { return add(std::move(value)); }
   bool start_object(std::size_t) override { return open(Json::object()); }
   bool start_array(std::size_t) override { return open(Json::array()); }
-  bool end_object() override { return close(); }
+  bool end_object() override {
+    if (closed_ == nullptr || open_.size() != depth_) return close();
+    JsonLevels levels;
+    for (const Open& level : open_) levels.push_back(level.value);
+    close();
+    (*closed_)(levels);
+    return true;
+  }
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     auto& members = open_.back().value->get_ref<Json::object_t&>();
@@ -127,6 +139,8 @@ class Reader : public nlohmann::json_sax<Json> {
   Json* slot_ = nullptr;   ///< of the last key
   std::deque<Json> lost_;  ///< in place of what is refused, which may be refused within what is refused
   std::optional<JsonError> error_;
+  std::size_t depth_ = 0;
+  const Closed* closed_ = nullptr;
 };
 
 /// Walks a text that is known to be JSON.
@@ -240,6 +254,11 @@ std::string member_path(const std::string& path, std::string_view key) {
     }
   }
   return result;
+}
+
+std::optional<Json> scan_json_value(std::string_view text, std::size_t depth, const Reader::Closed& closed) {
+  Reader reader(depth, closed);
+  return scan_json(text, reader) ? std::optional(reader.take()) : std::nullopt;
 }
 
 Json parse_json(std::string_view text) {

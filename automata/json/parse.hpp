@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -39,6 +42,15 @@ std::string member_path(const std::string& path, std::string_view key);
 /// Parses a text. Throws Json::parse_error where it is no JSON, and JsonError where an object has a key twice, which
 /// the parser by itself would pass over.
 Json parse_json(std::string_view text);
+
+/// Values from the whole text down to one within it.
+using JsonLevels = std::vector<Json*>;
+
+/// The value of a text that `scan_json` is sure of; else nothing. Throws JsonError as `parse_json` does. `closed` is
+/// shown each object at `depth`, 1 for the whole text, as it ends, with all that it is in, of which it is the last; it
+/// may take it out.
+std::optional<Json> scan_json_value(std::string_view text, std::size_t depth,
+                                    const std::function<void(const JsonLevels&)>& closed);
 
 /// The bytes of a text from `begin` to `end`.
 struct JsonPlace {

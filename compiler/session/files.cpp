@@ -107,6 +107,9 @@ const File& Files::read(const std::string& path, const std::string& id, std::str
 
 std::unique_ptr<automata::Document> Files::read_document(std::uint32_t index) {
   const std::string_view text = sources_[index].text();
+  if (auto plain = automata::read_plain_document(text)) {
+    return std::make_unique<automata::Document>(std::move(*plain));
+  }
   try {
     const automata::Json json = automata::parse_json(text);
     if (!json.is_object() || !json.contains("format")) {

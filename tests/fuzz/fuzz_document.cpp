@@ -22,7 +22,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const base::InputError&) {
   }
   try {
-    const automata::Document document = automata::read_document(input, "document.json");
+    const automata::Document document = automata::document_from_json(automata::parse_json(input));
+    const auto plain = automata::read_plain_document(input);
+    if (plain && *plain != document) std::abort();
     const std::string text = automata::to_text(document);
     if (automata::to_text(automata::read_document(text, "document.json")) != text) std::abort();
   } catch (const base::InputError& error) {
