@@ -44,9 +44,8 @@ Json to_json(const Assignment& assignment, const Variables& variables);
 Assignment assignment_from_json(const Node& node, const Variables& variables);
 
 /// A plant by its outline: "types", each a plant with names relative to itself, and "instances" of them, in the plant
-/// and in types; what is left is written out.
+/// and in types; what is left is written out. PlantReader reads it back.
 Json to_json(const Plant& plant);
-Plant plant_from_json(const Node& node);
 /// A program; where its variables are those of one of `plants`, it names the first such by its number, as "plant".
 Json to_json(const Program& program, std::span<const Plant> plants = {});
 Program program_from_json(const Node& node, std::span<const Plant> plants);

@@ -23,14 +23,12 @@ constexpr std::size_t usual_keys = 6;
 /// Up to so many keys of an object are looked through one by one; more are looked up.
 constexpr std::size_t few_keys = 16;
 
-/// What is told of a text, made into a value. Every value is made where it stays: a vector does not grow
-/// while what is at its back is open.
+/// What is told of a text, made into a value. Every value is made where it stays: a vector does not grow while what is
+/// at its back is open.
 class Reader : public nlohmann::json_sax<Json> {
  public:
-  using Closed = std::function<void(const JsonLevels&)>;
-  /// `closed` as in `scan_json_value`.
-  Reader() = default;
-  Reader(std::size_t depth, const Closed& closed) : depth_(depth), closed_(&closed) {}
+  /// As in `scan_json_value`.
+  explicit Reader(std::size_t depth = 0, const JsonClosed& closed = nullptr) : depth_(depth), closed_(closed) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -42,11 +40,11 @@ class Reader : public nlohmann::json_sax<Json> {
   bool start_object(std::size_t) override { return open(Json::object()); }
   bool start_array(std::size_t) override { return open(Json::array()); }
   bool end_object() override {
-    if (closed_ == nullptr || open_.size() != depth_) return close();
+    if (open_.size() != depth_) return close();
     JsonLevels levels;
     for (const Open& level : open_) levels.push_back(level.value);
     close();
-    (*closed_)(levels);
+    closed_(levels);
     return true;
   }
   bool end_array() override { return close(); }
@@ -139,8 +137,8 @@ class Reader : public nlohmann::json_sax<Json> {
   Json* slot_ = nullptr;   ///< of the last key
   std::deque<Json> lost_;  ///< in place of what is refused, which may be refused within what is refused
   std::optional<JsonError> error_;
-  std::size_t depth_ = 0;
-  const Closed* closed_ = nullptr;
+  std::size_t depth_;  ///< of objects that are told of as they end; 0 where none is
+  JsonClosed closed_;
 };
 
 /// Walks a text that is known to be JSON.
@@ -256,14 +254,13 @@ std::string member_path(const std::string& path, std::string_view key) {
   return result;
 }
 
-std::optional<Json> scan_json_value(std::string_view text, std::size_t depth, const Reader::Closed& closed) {
+std::optional<Json> scan_json_value(std::string_view text, std::size_t depth, const JsonClosed& closed) {
   Reader reader(depth, closed);
   return scan_json(text, reader) ? std::optional(reader.take()) : std::nullopt;
 }
 
 Json parse_json(std::string_view text) {
-  Reader quick;
-  if (scan_json(text, quick)) return quick.take();
+  if (auto quick = scan_json_value(text)) return std::move(*quick);
   // The library tells what is wrong, or reads what is rare.
   Reader reader;
   Json::sax_parse(text, &reader);

@@ -45,12 +45,12 @@ Json parse_json(std::string_view text);
 
 /// Values from the whole text down to one within it.
 using JsonLevels = std::vector<Json*>;
+using JsonClosed = std::function<void(const JsonLevels&)>;
 
 /// The value of a text that `scan_json` is sure of; else nothing. Throws JsonError as `parse_json` does. `closed` is
-/// shown each object at `depth`, 1 for the whole text, as it ends, with all that it is in, of which it is the last; it
-/// may take it out.
-std::optional<Json> scan_json_value(std::string_view text, std::size_t depth,
-                                    const std::function<void(const JsonLevels&)>& closed);
+/// shown each object at `depth`, 1 for the whole text and 0 for none, as it ends, with all that it is in, of which it
+/// is the last; it may take it out.
+std::optional<Json> scan_json_value(std::string_view text, std::size_t depth = 0, const JsonClosed& closed = nullptr);
 
 /// The bytes of a text from `begin` to `end`.
 struct JsonPlace {

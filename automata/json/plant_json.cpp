@@ -1,10 +1,9 @@
-// Plants as JSON, and back: types stand once, instances by reference.
+// Plants as JSON: types stand once, instances by reference.
 // SPDX-License-Identifier: MIT
 #include <utility>
 
 #include "automata/json/component_json.hpp"
 #include "automata/json/document.hpp"
-#include "automata/json/plant_reader.hpp"
 #include "automata/outline.hpp"
 
 namespace rmpl::automata {
@@ -65,7 +64,5 @@ Json to_json(const Plant& plant) {
   add_parts(json, plant, outline.whole, outline.types);
   return json;
 }
-
-Plant plant_from_json(const Node& node) { return PlantReader().read_plant(node); }
 
 }  // namespace rmpl::automata

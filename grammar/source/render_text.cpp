@@ -41,7 +41,7 @@ std::string shortened(const std::string& whole) {
       text += message.substr(at, end - at);
     } else {
       std::size_t cut = at + longest / 2;
-      while ((static_cast<unsigned char>(message[cut]) & 0xC0) == 0x80) ++cut;  // not within a code point
+      while (base::is_continuation(message[cut])) ++cut;  // not within a code point
       text += message.substr(at, cut - at) + "… ";
     }
     at = end;

@@ -69,7 +69,7 @@ void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
   auto found = stop_in(state.zone, state.discrete);
   if (!found) return;
   if (Zone late = state.zone; found->round.empty() && is_due(state.discrete)) {
-    auto too_late = late.constrain(1, {query_.last, unbounded}) ? stop_in(late, state.discrete) : std::nullopt;
+    auto too_late = late.constrain(1, last_chance()) ? stop_in(late, state.discrete) : std::nullopt;
     if (too_late && too_late->round.empty()) found = std::move(too_late);
   }
   const std::uint64_t end = found->round.empty() ? stuck_bit : still_bit;
@@ -95,7 +95,7 @@ Standstill ProgramSystem::standstill(const SymbolicState& end) {
 
 PathEnd ProgramSystem::end_of(const SymbolicState& end, std::size_t position) const {
   PathEnd result{position, {}, {}, {}};
-  if (is_last_chance(end)) result.stopwatch = {query_.last, unbounded};
+  if (is_last_chance(end)) result.stopwatch = last_chance();
   const LoopState& state = loop_[loop_state(end.discrete)];
   std::size_t clock = extra();
   for (const ClockGroup& group : state.groups) {

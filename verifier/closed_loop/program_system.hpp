@@ -44,7 +44,6 @@ struct Query {
   std::function<bool(const automata::Modes&)> test = nullptr;
   std::function<bool(const automata::Modes&)> asks = nullptr;
   Units deadline = 0;  ///< the fewest units that are too late
-  Units last = 0;      ///< the most that are in time
   /// What is at one moment is looked for at these times alone; at any, where it is empty.
   std::optional<Interval> window = std::nullopt;
   FaultFilter filter = {};
@@ -137,9 +136,11 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] bool is_due(std::uint64_t discrete) const {
     return query_.aim == Query::Aim::late || (query_.aim == Query::Aim::missed && owed(discrete));
   }
+  /// Readings of the stopwatch at which what is due cannot come in time any more but now.
+  [[nodiscard]] Interval last_chance() const { return {query_.deadline - loop_.time().grain(), unbounded}; }
   /// Of a state that nothing can follow: whether what is due could come in time only now.
   [[nodiscard]] bool is_last_chance(const SymbolicState& end) const {
-    return is_due(end.discrete) && (end.discrete & stuck_bit) != 0 && end.zone.lower(1) >= query_.last;
+    return is_due(end.discrete) && (end.discrete & stuck_bit) != 0 && end.zone.lower(1) >= last_chance().lower;
   }
   [[nodiscard]] bool progress_clock() const { return query_.progress && loop_.time().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }

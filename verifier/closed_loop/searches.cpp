@@ -106,7 +106,6 @@ std::optional<Witness> Searches::violation(const ProgramProperty& property, cons
       return search({.aim = Aim::late,
                      .test = holds(property.formula, !entailed),
                      .deadline = loop_.time().more_than(property.within),
-                     .last = loop_.time().at_most(property.within),
                      .filter = only},
                     &property);
     case Kind::response:
@@ -115,7 +114,6 @@ std::optional<Witness> Searches::violation(const ProgramProperty& property, cons
                      .test = holds(property.then, !entailed),
                      .asks = holds(property.formula, entailed),
                      .deadline = loop_.time().more_than(property.within),
-                     .last = loop_.time().at_most(property.within),
                      .filter = only},
                     &property);
     case Kind::finally: {

@@ -189,14 +189,13 @@ class Check {
     Arena& arena = cone_ ? *cone_ : whole();
     const Formula& asks = std::get<Response>(arena.wanted()).after;
     if (options_.slice && out_of_reach(arena.step(), asks, arena.from(), terms_.faults)) return;
-    const Units last = terms_.time.at_most(response.within);
-    const Units late = terms_.time.more_than(response.within);
+    const Units deadline = terms_.time.more_than(response.within);
     owed_ = &response;
-    witness_ = search([this, last, late](Arena& searched) {
+    witness_ = search([this, deadline](Arena& searched) {
       const auto& asked = std::get<Response>(searched.wanted());
       PlantStep& step = searched.step();
       return Observer::miss(holds(step, asked.after, options_.entailed), holds(step, asked.then, !options_.entailed),
-                            last, late);
+                            deadline);
     });
   }
 

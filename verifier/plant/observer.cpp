@@ -8,10 +8,8 @@ Observer Observer::reach(Test target, std::optional<Interval> window) {
   return {false, std::move(target), nullptr, window};
 }
 
-Observer Observer::miss(Test after, Test then, Units last, Units late) {
-  Observer result(true, std::move(after), std::move(then), Interval{late, unbounded});
-  result.last_ = last;
-  return result;
+Observer Observer::miss(Test after, Test then, Units deadline) {
+  return {true, std::move(after), std::move(then), Interval{deadline, unbounded}};
 }
 
 Observer Observer::end() {

@@ -31,16 +31,17 @@ class Observer {
 
   /// Accepts where `target` holds while the absolute time is in `window`.
   static Observer reach(Test target, std::optional<Interval> window);
-  /// Accepts where, after some time at which `after` held, `then` has not held up to and including `last` units later:
-  /// as `late` have passed, the fewest that are more, or where `last` have and nothing can follow. What answers the
-  /// first of several such times that are open answers all.
-  static Observer miss(Test after, Test then, Units last, Units late);
+  /// Accepts where, after some time at which `after` held, `then` has not held when `deadline` units have passed, the
+  /// fewest that are too late; where nothing can follow, as soon as what did would be too late. What answers the first
+  /// of several such times that are open answers all.
+  static Observer miss(Test after, Test then, Units deadline);
 
   /// Accepts where a run is cut off.
   static Observer end();
   [[nodiscard]] bool seeks_end() const { return seeks_end_; }
-  /// Readings of the stopwatch from which on a response that is owed cannot come in time any more but now.
-  [[nodiscard]] Interval last_chance() const { return {last_, unbounded}; }
+  /// Readings of the stopwatch at which a response that is owed cannot come in time any more but now; `grain` is that
+  /// of the time model.
+  [[nodiscard]] Interval last_chance(Units grain) const { return {stopwatch_->lower - grain, unbounded}; }
   /// Whether what cannot go on matters where it hides behind what can do more.
   [[nodiscard]] bool tells_ends_apart() const { return seeks_end_ || response_; }
   /// Whether a response is waited for.
@@ -71,7 +72,6 @@ class Observer {
   Test trigger_;
   Test release_;
   std::optional<Interval> stopwatch_;
-  Units last_ = 0;  ///< of a response
 };
 
 }  // namespace rmpl::verifier

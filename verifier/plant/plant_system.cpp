@@ -122,7 +122,7 @@ void PlantSystem::enter_end(const std::shared_ptr<const Situation>& here, Situat
   if (!found->round.empty()) {
     return end_in(owed && !answered_in(*found, phase) ? Phase::still_armed : Phase::still, found->zone);
   }
-  if (Zone late = state.zone; owed && late.constrain(stopwatch, observer_.last_chance())) {
+  if (Zone late = state.zone; owed && late.constrain(stopwatch, observer_.last_chance(situations_.time().grain()))) {
     PlantInstants those(situations_, id, *here, others, late);
     const auto too_late = find_standstill(late, id.value, those);
     if (too_late && too_late->round.empty()) return end_in(Phase::stuck_late, too_late->zone);

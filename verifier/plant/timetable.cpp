@@ -74,7 +74,7 @@ class Timetable {
     if (legs_.back().end) {
       for (const ClockBound& b : *legs_.back().end) schedule_.constrain(restarted(b), left_.back(), b.clock);
       if (observer_.timed(legs_.back().cut_off)) {
-        schedule_.constrain(stopwatch_, left_.back(), observer_.last_chance());
+        schedule_.constrain(stopwatch_, left_.back(), observer_.last_chance(situations_.time().grain()));
       }
     } else if (observer_.timed(legs_.back().phase)) {
       // A response that comes too late is so as it comes, however long one waits behind it.

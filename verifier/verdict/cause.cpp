@@ -84,7 +84,8 @@ std::string undone_text(const Subject& subject, const Witness& witness) {
 std::string owed_text(const Subject& subject, const Response& response, const Witness& witness) {
   const automata::Ticks since = witness.events[*witness.owed_since].time;
   return "'" + to_text(response.then, subject.plant.variables) + "' is owed since " + automata::format_seconds(since) +
-         " s, and was to come by " + automata::format_seconds(since + response.within) + " s";
+         " s, and was to come by " + automata::format_seconds(since + response.within) + " s" +
+         (witness.stop ? "; " + to_text(subject.plant, *witness.stop) : "");
 }
 
 }  // namespace rmpl::verifier

@@ -19,10 +19,9 @@ using nlohmann::ordered_json;
 std::string end_of(const Subject& subject, const Property& property, const Witness& witness) {
   const auto* asked = std::get_if<ProgramProperty>(&property);
   if (asked != nullptr) return finding(subject, *asked, witness);
-  const std::string stop = witness.stop ? to_text(subject.plant, *witness.stop) : "";
   const auto* response = std::get_if<Response>(&property);
-  if (response == nullptr || !witness.owed_since) return stop;
-  return owed_text(subject, *response, witness) + (stop.empty() ? "" : "; " + stop);
+  if (response != nullptr && witness.owed_since) return owed_text(subject, *response, witness);
+  return witness.stop ? to_text(subject.plant, *witness.stop) : "";
 }
 
 namespace {

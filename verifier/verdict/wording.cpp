@@ -188,8 +188,7 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
       if (witness.stop) return "'" + property.text + "' has not held, and " + to_text(subject.plant, *witness.stop);
       return "'" + property.text + "' has not held in time";
     case Kind::response:
-      return owed_text(subject, Response{property.formula, property.then, property.within}, witness) +
-             (witness.stop ? "; " + to_text(subject.plant, *witness.stop) : "");
+      return owed_text(subject, Response{property.formula, property.then, property.within}, witness);
     case Kind::finally:
       return "the program has ended, and '" + property.text + "' need not hold";
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 
@@ -102,7 +103,8 @@ Impasse Planner::turns_in_a_circle(const std::vector<Modes>& states, ComponentId
 }
 
 Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, Order order) {
-  std::vector<std::pair<Modes, PlannedStep>> taken;
+  std::vector<Modes> passed;
+  std::vector<PlannedStep> taken;  // from each of these
   std::unordered_set<Modes, automata::ModesHash> seen;
   constexpr auto never = std::numeric_limits<std::size_t>::max();
   std::size_t unsafe = 0;
@@ -111,10 +113,8 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
   Modes current = modes;
   while (!arrived(current, objective)) {
     if (!seen.insert(current).second) {
-      std::vector<Modes> states;
-      for (const auto& [state, step] : taken) states.push_back(state);
-      states.push_back(current);
-      return {turns_in_a_circle(states, taken.front().second.component, objective), never, asides, {}};
+      passed.push_back(current);
+      return {turns_in_a_circle(passed, taken.front().component, objective), never, asides, {}};
     }
     // Where a safe walk begins that is known already, the rest is known.
     if (unsafe == 0 && order == Order::commands_first && !taken.empty()) {
@@ -145,21 +145,23 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
     }
     // So is what the step before brought about, if it goes by itself: it was of no use so soon.
     if (!taken.empty()) {
-      const ComponentId before = taken.back().second.component;
+      const ComponentId before = taken.back().component;
       loses = loses || (before != step.component && next[before.index()] != current[before.index()]);
     }
-    taken.emplace_back(std::move(current), std::move(step));
+    passed.push_back(std::move(current));
+    taken.push_back(std::move(step));
     current = std::move(next);
   }
   if (unsafe == 0 && !loses && order == Order::commands_first && objective.keeps_number) {
-    for (const auto& [before, step] : taken) {
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      const auto& [before, step] = std::tie(passed[i], taken[i]);
       if (!nominal_.tolerates(before, idle_)) continue;  // the action does for other parts, too
       auto key = question(before, objective);
       if (remembered_.find(key) != nullptr) continue;
       remembered_.add(key, {step.action, step.component, step.serves, step.outcome.moves, step.idle, current});
     }
   }
-  return {std::move(taken.front().second), unsafe, asides, std::move(current), loses};
+  return {std::move(taken.front()), unsafe, asides, std::move(current), loses};
 }
 
 Planner::NextStep Planner::advance(const Modes& modes, const Objective& objective, Order order) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/utf8.hpp"
 #include "grammar/editor/keywords.hpp"
 #include "grammar/editor/tokens.hpp"
 #include "tools/rmplc/server/features.hpp"
@@ -66,12 +67,12 @@ class Packing {
   }
   void walk(std::uint32_t to) {
     for (; at_ < to; ++at_) {
-      const auto byte = static_cast<unsigned char>(text_[at_]);
+      const char byte = text_[at_];
       if (byte == '\n') {
         ++line_;
         unit_ = 0;
-      } else if ((byte & 0xC0) != 0x80) {
-        unit_ += byte >= 0xF0 ? 2 : 1;
+      } else if (!base::is_continuation(byte)) {
+        unit_ += static_cast<unsigned char>(byte) >= 0xF0 ? 2 : 1;
       }
     }
   }
