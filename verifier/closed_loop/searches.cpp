@@ -99,23 +99,23 @@ std::optional<Witness> Searches::violation(const ProgramProperty& property, cons
       return search({.aim = Aim::stop, .filter = only}, &property);
     case Kind::undone:
       return at_a_moment({.aim = Aim::undone, .filter = only}, property);
-    case Kind::never:
-      return at_a_moment({.aim = Aim::holds, .test = holds(property.formula, entailed), .filter = only}, property);
-    case Kind::eventually:
+    case Kind::never: {
+      const auto bad = holds(property.formula, entailed);
+      return at_a_moment({.aim = Aim::holds, .test = bad, .filter = only}, property);
+    }
+    case Kind::eventually: {
       if (property.within.is_infinite()) return std::nullopt;
-      return search({.aim = Aim::late,
-                     .test = holds(property.formula, !entailed),
-                     .deadline = loop_.time().more_than(property.within),
-                     .filter = only},
-                    &property);
-    case Kind::response:
+      const auto right = holds(property.formula, !entailed);
+      const Units late = loop_.time().more_than(property.within);
+      return search({.aim = Aim::late, .test = right, .deadline = late, .filter = only}, &property);
+    }
+    case Kind::response: {
       if (property.within.is_infinite()) return std::nullopt;
-      return search({.aim = Aim::missed,
-                     .test = holds(property.then, !entailed),
-                     .asks = holds(property.formula, entailed),
-                     .deadline = loop_.time().more_than(property.within),
-                     .filter = only},
-                    &property);
+      const auto asks = holds(property.formula, entailed);
+      const auto answers = holds(property.then, !entailed);
+      const Units late = loop_.time().more_than(property.within);
+      return search({.aim = Aim::missed, .test = answers, .asks = asks, .deadline = late, .filter = only}, &property);
+    }
     case Kind::finally: {
       const auto right = holds(property.formula, !entailed);
       const auto wrong = [right](const Modes& modes) { return !right(modes); };
