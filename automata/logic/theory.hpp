@@ -52,6 +52,11 @@ class Theory {
   /// The same, where `consistent` of these assumptions was the last question and was answered by yes: the model that it
   /// found, or what is known to follow, most often tells, and no question is asked.
   bool leaves_open(std::span<const Assignment> assumptions, Assignment assignment);
+  /// Has the next model differ from this where nothing decides it, as far as that comes of itself: no answer depends on
+  /// it.
+  void avoid(Assignment assignment) {
+    if (maintenance_) maintenance_->prefer(-literal(assignment));
+  }
   /// Whether store and assumptions imply the formula; an inconsistent store implies everything.
   bool entails(std::span<const Assignment> assumptions, Handle formula);
 

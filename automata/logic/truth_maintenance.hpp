@@ -34,6 +34,8 @@ class TruthMaintenance {
   void add(std::span<const Literal> clause);
   /// Whether the clauses can hold together with the assumptions.
   Answer ask(std::span<const Literal> assumptions);
+  /// What is guessed of this variable next, should it be guessed.
+  void prefer(Literal literal) { phases_[variable(literal)] = sign(literal); }
   /// After `ask` left it open: takes over the model that a solver of the same clauses found under the same assumptions.
   void adopt(std::span<const Literal> assumptions, const Sat& solver);
 

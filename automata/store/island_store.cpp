@@ -124,10 +124,12 @@ void IslandStore::observe(std::span<const Assignment> readings) {
   for (const Assignment& reading : readings) own_readings.push_back({own(reading.variable), reading.value});
   if (own_readings == readings_) return;
   readings_ = std::move(own_readings);
-  seen_.clear();
+  std::vector<std::uint64_t> key;
+  key.reserve(readings_.size());
   for (const Assignment& reading : readings_) {
-    seen_.push_back(std::uint64_t{reading.variable.value} << 32 | reading.value.value);
+    key.push_back(std::uint64_t{reading.variable.value} << 32 | reading.value.value);
   }
+  seen_ = seen_before_.find_or(key, [&] { return ++seen_so_far_; });
   std::fill(by_mode_.begin(), by_mode_.end(), std::nullopt);
 }
 
@@ -140,33 +142,37 @@ double IslandStore::factor(const Modes& modes) {
   return *known;
 }
 
-/// Each model at hand shows some readings to be contingent; only for what all models so far agree with is there a
-/// question. A reading that the store entails cannot contradict it: where all are, there is no question at all.
+/// Each model at hand shows some readings to be contingent, the first as many as it can; only for what all models so
+/// far agree with is there a question. A reading that the store entails cannot contradict it: where all are, there is
+/// no question at all.
 double IslandStore::weigh(const Modes& modes) {
   Theory& theory = this->theory();
-  std::vector<Assignment> store = assumptions(modes);
+  const std::vector<Assignment> store = assumptions(modes);
+  for (const Assignment& reading : readings_) theory.avoid(reading);
   if (!theory.consistent(store)) return 0;
-  enum class Reading : std::uint8_t { implied, contingent, open };
-  std::vector<Reading> status;
+  std::vector<Assignment> seen = assumptions(modes);
+  std::vector<Assignment> open, contingent;
   for (const Assignment& reading : readings_) {
-    status.push_back(theory.known_to_follow(reading) ? Reading::implied
-                     : theory.holds(reading)         ? Reading::open
-                                                     : Reading::contingent);
+    if (theory.known_to_follow(reading)) continue;
+    seen.push_back(reading);
+    (theory.holds(reading) ? open : contingent).push_back(reading);
   }
-  if (std::count(status.begin(), status.end(), Reading::implied) == std::ssize(status)) return 1;
-  std::vector<Assignment> seen = store;
-  seen.insert(seen.end(), readings_.begin(), readings_.end());
+  if (seen.size() == store.size()) return 1;
   if (!theory.consistent(seen)) return 0;
-  double factor = 1;
-  for (std::size_t i = 0; i < readings_.size(); ++i) {
-    if (status[i] == Reading::open && theory.allows_other(store, readings_[i])) {
-      for (std::size_t j = i; j < readings_.size(); ++j) {
-        if (status[j] == Reading::open && !theory.holds(readings_[j])) status[j] = Reading::contingent;
-      }
+  for (std::size_t i = 0; i < open.size();) {
+    if (!theory.allows_other(store, open[i])) {
+      ++i;
+      continue;
     }
-    if (status[i] != Reading::contingent) continue;
-    const VariableId attribute =
-        island_->attributes[readings_[i].variable.index() - island_->support.components.size()];
+    const auto told = std::stable_partition(open.begin() + static_cast<std::ptrdiff_t>(i), open.end(),
+                                            [&](const Assignment& reading) { return theory.holds(reading); });
+    contingent.insert(contingent.end(), told, open.end());
+    open.erase(told, open.end());
+  }
+  std::sort(contingent.begin(), contingent.end());
+  double factor = 1;
+  for (const Assignment& reading : contingent) {
+    const VariableId attribute = island_->attributes[reading.variable.index() - island_->support.components.size()];
     factor /= static_cast<double>(plant_->variables[attribute].values.size());
   }
   return factor;

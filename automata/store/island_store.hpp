@@ -65,6 +65,7 @@ class IslandStore {
   [[nodiscard]] std::size_t solver_calls() const { return theory_ ? theory_->solver_calls() : 0; }
 
  private:
+  static constexpr std::size_t observations_remembered = 1u << 12;
   [[nodiscard]] double weigh(const Modes& modes);
   /// The theory, made at the first question. Its variables are the modes of the support, then the attributes.
   Theory& theory();
@@ -81,8 +82,10 @@ class IslandStore {
   Memory<bool> possible_;
   Memory<Verdicts> verdicts_;
   std::vector<Assignment> readings_;  ///< of the theory's variables
-  std::vector<std::uint64_t> seen_;   ///< the readings as a key
-  Memory<double> factors_;            ///< by modes and readings
+  std::uint64_t seen_ = 0;            ///< a number that the readings have, and no others
+  std::uint64_t seen_so_far_ = 0;
+  base::BoundedCache<std::vector<std::uint64_t>, std::uint64_t> seen_before_{observations_remembered};
+  Memory<double> factors_;  ///< by modes and readings
   /// Where the island reads one component at most, as most do: the factors by its mode, under the present readings.
   std::vector<std::optional<double>> by_mode_;
 };

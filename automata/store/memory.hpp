@@ -27,11 +27,11 @@ class Memory {
     if (!known || !base::caches_on()) known = ask();
     return *known;
   }
-  /// The same for an answer that depends on more: one word for each further thing.
+  /// The same for an answer that depends on something more, which has a number.
   template <class Ask>
-  Answer& find(const Modes& modes, const std::vector<std::uint64_t>& more, const Ask& ask) {
+  Answer& find(const Modes& modes, std::uint64_t more, const Ask& ask) {
     projection_.read(modes, {}, key_);
-    key_.insert(key_.end(), more.begin(), more.end());
+    key_.push_back(more);
     return answers_.find_or(key_, ask);
   }
 

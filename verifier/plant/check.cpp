@@ -9,9 +9,11 @@
 #include "base/check.hpp"
 #include "verifier/plant/arena.hpp"
 #include "verifier/plant/cut_sets.hpp"
+#include "verifier/plant/meeting.hpp"
 #include "verifier/plant/out_of_reach.hpp"
 #include "verifier/plant/planned_run.hpp"
 #include "verifier/plant/plant_system.hpp"
+#include "verifier/plant/sight.hpp"
 #include "verifier/plant/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/slice/empty_claims.hpp"
@@ -21,37 +23,15 @@
 
 namespace rmpl::verifier {
 
-using automata::Assignment;
 using automata::Formula;
 using automata::Modes;
 using automata::PlantStep;
-using automata::Theory;
 using automata::Ticks;
 
 namespace {
 
-/// The components whose modes decide a formula.
-automata::Support support_of(const PlantStep& step, const Formula& formula) {
-  return {step.locality().support_of(formula).components, {}};
-}
-
-/// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it. Asked once for the modes
-/// that it can depend on.
-Observer::Test holds(PlantStep& step, const Formula& formula, bool certain) {
-  using Memory = automata::Memory<bool>;
-  const automata::Support support = support_of(step, formula);
-  const Theory::Handle handle = step.theory().encode(formula);
-  const auto memory = std::make_shared<Memory>(step.plant(), support);
-  return [&step, handle, certain, support, memory](const Modes& modes) {
-    return memory->find(modes, automata::ControlAction{}, [&] {
-      std::vector<Assignment> store;
-      for (const automata::ComponentId c : support.components) {
-        store.push_back({step.plant()[c].mode, automata::ValueId(modes[c.index()].index())});
-      }
-      return certain ? step.theory().entails(store, handle) : step.theory().allows(store, handle);
-    });
-  };
-}
+/// How many states parts that are searched each by itself may have all together, before they are searched as one.
+constexpr std::size_t states_apart = 1u << 16;
 
 class Check {
  public:
@@ -141,6 +121,29 @@ class Check {
     });
   }
 
+  /// Where parts of the target have nothing to do with each other: as one as long as there are few states, then each by
+  /// itself. Whether that decides all that was asked; there may be a witness where it does not.
+  bool look_apart(const Target& target, const Observe& observe) {
+    if (!options_.slice || options_.cut_sets || !terms_.time.is_dense()) return false;
+    Meeting meeting(slices_, target, terms_);
+    if (!meeting.worthwhile()) return false;
+    try {
+      const Meter::Allowance few(meter_, options_.states_as_one);
+      witness_ = search(observe);
+      return !witness_;
+    } catch (const AllowanceSpent&) {
+      cut_off_ = {};
+    }
+    try {
+      const Meter::Allowance more(meter_, states_apart);
+      auto found = meeting.look([this](const Witness& witness) { return !failure_of(witness); });
+      witness_ = std::move(found.witness);
+      return found.never || witness_;
+    } catch (const AllowanceSpent&) {
+      return false;
+    }
+  }
+
   void look_for(const Target& target) {
     Arena& arena = cone_ ? *cone_ : whole();
     const Formula& formula = std::get<Target>(arena.wanted()).formula;
@@ -153,7 +156,8 @@ class Check {
     const Observe any_time = reach(windowed ? std::optional(window) : std::nullopt);
     try {
       if (refuted_in_part(target, any_time)) return;
-      witness_ = search(any_time);
+      if (look_apart(target, any_time)) return;
+      if (!witness_) witness_ = search(any_time);
     } catch (const LimitReached& reached) {
       if (reached.limit == Limit::interrupt || options_.cut_sets) throw;
       witness_ = planned(target);
@@ -269,17 +273,6 @@ class Check {
     return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
   }
 
-  /// Merged states tell whether there is a path. Where there is, one is looked for where they found it: a merged state
-  /// may allow a joint step that its parts, whose clocks are known better, take one by one.
-  std::optional<std::vector<PathState>> any_path(PlantSystem& system) {
-    if (options_.merge) {
-      const auto corridor = find_corridor(system, meter_);
-      if (!corridor) return std::nullopt;
-      if (auto path = find_path_along(*corridor, system, meter_)) return path;
-    }
-    return find_path(system, SearchOrder::covering, meter_);
-  }
-
   /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
   /// the fewest steps are looked for among all.
   std::optional<Witness> search_in(Arena& arena, const Observe& observe) {
@@ -290,7 +283,7 @@ class Check {
     std::optional<Witness> any;
     if (terms_.time.is_dense() || options_.fewest_faults) {
       const auto fewer = fewer_steps(arena);
-      const auto path = any_path(system);
+      const auto path = any_path(system, options_.merge, meter_);
       if (path) any = witness_of(*path, system, arena);
       cut_off_ = system.cut_off();
       if (!any || any_) return any;

@@ -105,6 +105,9 @@ struct CheckOptions {
   bool symmetry = true;
   /// What has nothing to do with the question is left alone, where that decides it. No verdict depends on it.
   bool slice = true;
+  /// Parts of a target that have nothing to do with each other are searched as one until there are so many states, and
+  /// then each by itself (plant/meeting.hpp). No verdict depends on it.
+  std::size_t states_as_one = 4096;
   /// States are put together where they are one set cut in pieces. No verdict depends on it.
   bool merge = true;
   /// Modes to start in, all clocks 0, in place of the initial distribution of their components.

@@ -50,6 +50,7 @@ void Meter::poll() {
 
 void Meter::count_state() {
   if (limits_.states && progress_.states >= *limits_.states) throw LimitReached{Limit::states};
+  if (allowed_ && progress_.states >= *allowed_) throw AllowanceSpent{};
   ++progress_.states;
 }
 

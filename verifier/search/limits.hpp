@@ -41,6 +41,9 @@ struct LimitReached {
   Limit limit;
 };
 
+/// Thrown by `Meter` where an allowance is spent.
+struct AllowanceSpent {};
+
 /// The greatest resident memory of this process so far, in bytes.
 std::size_t peak_bytes();
 
@@ -49,9 +52,21 @@ class Meter {
  public:
   explicit Meter(const Limits& limits) : limits_(limits) {}
 
+  /// What is tried first may find so many states as long as this lives. Not to be nested.
+  class [[nodiscard]] Allowance {
+   public:
+    Allowance(Meter& meter, std::size_t states) : meter_(meter) { meter_.allowed_ = meter_.progress_.states + states; }
+    ~Allowance() { meter_.allowed_.reset(); }
+    Allowance(const Allowance&) = delete;
+    Allowance& operator=(const Allowance&) = delete;
+
+   private:
+    Meter& meter_;
+  };
+
   /// To be called often. Throws LimitReached.
   void poll();
-  /// One more symbolic state. Throws LimitReached.
+  /// One more symbolic state. Throws LimitReached and AllowanceSpent.
   void count_state();
   /// A state with so many faults is explored.
   void used_faults(unsigned faults);
@@ -71,6 +86,7 @@ class Meter {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t polls_ = 0;
   double last_report_ = 0;
+  std::optional<std::size_t> allowed_;  ///< how many states there may be in all
   Progress progress_;
 };
 

@@ -17,9 +17,12 @@ namespace {
 constexpr std::size_t most_parts = 32;
 constexpr std::size_t most_pieces = 256;
 
-constexpr Units greatest_narrow = std::numeric_limits<std::int32_t>::max();
-
-bool fits(Units bound) { return bound == unbounded || (-greatest_narrow < bound && bound < greatest_narrow); }
+template <class Entry>
+bool fits(std::span<const Units> matrix) {
+  constexpr Units no_bound = std::numeric_limits<Entry>::max();
+  return std::all_of(matrix.begin(), matrix.end(),
+                     [](Units bound) { return bound == unbounded || (-no_bound < bound && bound < no_bound); });
+}
 
 }  // namespace
 
@@ -42,37 +45,51 @@ std::uint64_t Passed::Arena<Entry>::add(std::span<const Units> matrix) {
 Passed::Passed(TransitionSystem& system, bool steps_counted)
     : system_(system), steps_counted_(steps_counted), slots_(1024, none) {}
 
+std::pair<std::uint64_t, Passed::Width> Passed::add(std::span<const Units> matrix) {
+  if (fits<std::int16_t>(matrix)) return {twos_.add(matrix), Width::two};
+  if (fits<std::int32_t>(matrix)) return {fours_.add(matrix), Width::four};
+  return {eights_.add(matrix), Width::eight};
+}
+
+template <class Use>
+auto Passed::with_matrix(const Node& node, const Use& use) const {
+  switch (node.width) {
+    case Width::two:
+      return use(twos_.at(node.zone));
+    case Width::four:
+      return use(fours_.at(node.zone));
+    case Width::eight:
+      break;
+  }
+  return use(eights_.at(node.zone));
+}
+
 SymbolicState Passed::state(std::uint32_t number) const {
   const Node& node = nodes_[number];
-  const std::size_t entries = std::size_t{node.dimension} * node.dimension;
-  std::vector<Units> matrix(entries);
-  if (node.wide) {
-    std::copy_n(wide_.at(node.zone), entries, matrix.begin());
-  } else {
-    std::transform(narrow_.at(node.zone), narrow_.at(node.zone) + entries, matrix.begin(),
-                   [](std::int32_t b) { return b == greatest_narrow ? unbounded : Units{b}; });
-  }
+  std::vector<Units> matrix(std::size_t{node.dimension} * node.dimension);
+  with_matrix(node, [&]<class Entry>(const Entry* entries) {
+    std::transform(entries, entries + matrix.size(), matrix.begin(),
+                   [](Entry bound) { return bound == std::numeric_limits<Entry>::max() ? unbounded : Units{bound}; });
+  });
   return {node.discrete, node.faults, Zone::of_matrix(std::move(matrix), node.dimension - 1u)};
 }
 
 bool Passed::covered_by(const Node& node, const SymbolicState& state, std::uint32_t steps) const {
   if ((steps_counted_ && node.steps > steps) || !system_.no_more_faults(node.faults, state.faults)) return false;
-  const auto test = [&](const auto* matrix) {
+  return with_matrix(node, [&](const auto* matrix) {
     const Units* own = state.zone.matrix().data();
     return limits_.empty() ? verifier::includes(matrix, own, node.dimension)
                            : verifier::covers(matrix, own, node.dimension, limits_);
-  };
-  return node.wide ? test(wide_.at(node.zone)) : test(narrow_.at(node.zone));
+  });
 }
 
 bool Passed::covers(const SymbolicState& state, const Node& node) const {
   if (!system_.no_more_faults(state.faults, node.faults)) return false;
-  const auto test = [&](const auto* matrix) {
+  return with_matrix(node, [&](const auto* matrix) {
     const Units* own = state.zone.matrix().data();
     return limits_.empty() ? verifier::includes(own, matrix, node.dimension)
                            : verifier::covers(own, matrix, node.dimension, limits_);
-  };
-  return node.wide ? test(wide_.at(node.zone)) : test(narrow_.at(node.zone));
+  });
 }
 
 std::uint32_t& Passed::first(std::uint64_t discrete) {
@@ -108,12 +125,11 @@ std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::u
       link = &nodes_[n].next;
     }
   }
-  const std::span<const Units> matrix = state.zone.matrix();
-  const bool wide = !std::all_of(matrix.begin(), matrix.end(), fits);
   CHECK(nodes_.size() < none && "more states than there are numbers");
   const auto number = static_cast<std::uint32_t>(nodes_.size());
-  Node node{state.discrete, wide ? wide_.add(matrix) : narrow_.add(matrix),      label, parent, steps, state.faults,
-            none,           static_cast<std::uint16_t>(state.zone.clocks() + 1), wide};
+  const auto [zone, width] = add(state.zone.matrix());
+  const auto dimension = static_cast<std::uint16_t>(state.zone.clocks() + 1);
+  Node node{state.discrete, zone, label, parent, steps, state.faults, none, dimension, width};
   if (head == none) {
     ++discretes_;
     head = number;

@@ -22,10 +22,13 @@ struct PathState {
 using Corridor = std::set<std::pair<std::uint64_t, std::uint64_t>>;
 inline constexpr std::uint64_t before_all = UINT64_MAX;
 
-/// Numbered states with how each came about. A zone takes four bytes an entry (eight, where a bound does not fit).
+/// Numbered states with how each came about.
 class Passed {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;
+
+  /// What an entry of a zone takes: two bytes, or four or eight where a bound does not fit.
+  enum class Width : std::uint8_t { two, four, eight };
 
   struct Node {
     std::uint64_t discrete;
@@ -36,7 +39,7 @@ class Passed {
     std::uint32_t faults;
     std::uint32_t next;  ///< another node of the same discrete part
     std::uint16_t dimension;
-    bool wide;
+    Width width;
     bool covered = false;   ///< by a later one
     bool explored = false;  ///< its successors have been asked for, or are about to be
     bool merged = false;    ///< its zone is one of several nodes with this discrete part together
@@ -73,6 +76,11 @@ class Passed {
     std::uint64_t used_ = chunk;  ///< of the last one
   };
 
+  /// Adds a matrix; where it begins, and what its entries take.
+  std::pair<std::uint64_t, Width> add(std::span<const Units> matrix);
+  /// What `use` makes of the first entry of the node's matrix; an entry's greatest value stands for no bound.
+  template <class Use>
+  auto with_matrix(const Node& node, const Use& use) const;
   [[nodiscard]] bool covered_by(const Node& node, const SymbolicState& state, std::uint32_t steps) const;
   [[nodiscard]] bool covers(const SymbolicState& state, const Node& node) const;
   std::uint32_t& first(std::uint64_t discrete);
@@ -80,8 +88,9 @@ class Passed {
   TransitionSystem& system_;
   bool steps_counted_;
   std::vector<Node> nodes_;
-  Arena<std::int32_t> narrow_;
-  Arena<Units> wide_;
+  Arena<std::int16_t> twos_;
+  Arena<std::int32_t> fours_;
+  Arena<Units> eights_;
   std::vector<std::uint32_t> slots_;  ///< the first node of a discrete part, by open addressing
   std::size_t discretes_ = 0;
   std::vector<ClockLimits> limits_;  ///< of the state at hand

@@ -1,0 +1,60 @@
+// Parts of a target that have nothing to do with each other, and are wanted at one time.
+//
+// Searched as one plant such parts multiply, though nothing connects them but time. Here each is searched by itself,
+// for the first time from some time on at which it can be as wanted; the others are asked from that time on, until all
+// name the same time, or one knows of none. So n parts cost about what each of them does, times the rounds.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "verifier/plant/arena.hpp"
+#include "verifier/slice/slices.hpp"
+
+namespace rmpl::verifier {
+
+class Meeting {
+ public:
+  /// In dense time. Keeps references.
+  Meeting(Slices& slices, const Target& target, const Arena::Terms& terms);
+
+  /// Whether there are two parts at least.
+  [[nodiscard]] bool worthwhile() const { return groups_.size() > 1; }
+
+  /// Whether a run is possible and shows the target.
+  using Shows = std::function<bool(const Witness&)>;
+  struct Result {
+    bool never = false;              ///< no run comes to the target
+    std::optional<Witness> witness;  ///< a run that does; where the target asks for the fastest, that
+  };
+  /// Neither where parts that can each be as wanted at one time cannot be together, as a step of the one is a step of
+  /// the other, or where it takes too many rounds to know. Throws what the meter throws.
+  Result look(const Shows& shows);
+
+ private:
+  /// What is wanted of some components.
+  struct Group {
+    automata::Formula formula;
+    Cone cone;
+  };
+  using Faults = std::vector<unsigned>;  ///< by group: how many there may be
+
+  void each_share(std::vector<Faults>& shares, Faults share, unsigned left) const;
+  [[nodiscard]] Result meet(const Faults& share, const Shows& shows);
+  [[nodiscard]] std::optional<Witness> earliest(std::size_t group, unsigned faults, Interval window);
+  [[nodiscard]] Arena& arena(std::size_t group, unsigned faults);
+  [[nodiscard]] Witness together(const std::vector<Witness>& parts) const;
+
+  Slices& slices_;
+  const Target& target_;
+  const Arena::Terms& terms_;
+  std::vector<Group> groups_;
+  std::map<std::pair<std::size_t, unsigned>, std::unique_ptr<Arena>> arenas_;
+  bool cut_off_ = false;  ///< some run of a part ends where it gets stuck: what would follow is not known
+};
+
+}  // namespace rmpl::verifier

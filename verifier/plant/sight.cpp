@@ -1,0 +1,44 @@
+// How a search sees what is wanted.
+// SPDX-License-Identifier: MIT
+#include "verifier/plant/sight.hpp"
+
+#include <memory>
+
+namespace rmpl::verifier {
+
+using automata::Assignment;
+using automata::Formula;
+using automata::Modes;
+using automata::PlantStep;
+using automata::Theory;
+
+automata::Support support_of(const PlantStep& step, const Formula& formula) {
+  return {step.locality().support_of(formula).components, {}};
+}
+
+Observer::Test holds(PlantStep& step, const Formula& formula, bool certain) {
+  using Memory = automata::Memory<bool>;
+  const automata::Support support = support_of(step, formula);
+  const Theory::Handle handle = step.theory().encode(formula);
+  const auto memory = std::make_shared<Memory>(step.plant(), support);
+  return [&step, handle, certain, support, memory](const Modes& modes) {
+    return memory->find(modes, automata::ControlAction{}, [&] {
+      std::vector<Assignment> store;
+      for (const automata::ComponentId c : support.components) {
+        store.push_back({step.plant()[c].mode, automata::ValueId(modes[c.index()].index())});
+      }
+      return certain ? step.theory().entails(store, handle) : step.theory().allows(store, handle);
+    });
+  };
+}
+
+std::optional<std::vector<PathState>> any_path(PlantSystem& system, bool merge, Meter& meter) {
+  if (merge) {
+    const auto corridor = find_corridor(system, meter);
+    if (!corridor) return std::nullopt;
+    if (auto path = find_path_along(*corridor, system, meter)) return path;
+  }
+  return find_path(system, SearchOrder::covering, meter);
+}
+
+}  // namespace rmpl::verifier
