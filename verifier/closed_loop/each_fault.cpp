@@ -72,15 +72,18 @@ class Table {
       find_wait(row, only);
       row.goes_on = searches_.lasso(only, {Kind::termination});
       row.stops = searches_.violation({Kind::stuck}, only);
+      row.another = searches_.search({.aim = Aim::spent, .filter = only});
     }
     if (!row.fault) {
       succeeds_ = row.success.has_value();
       goes_on_ = row.goes_on.has_value();
       stops_ = row.stops.has_value();
+      another_ = row.another.has_value();
       row.anyway.goes_on = !ends_;
     } else {
       row.anyway.goes_on = goes_on_;
       row.anyway.stops = stops_;
+      row.anyway.another = another_;
       row.costs_success = row.happens && succeeds_ && !row.success;
     }
     row.decided = true;
@@ -143,7 +146,7 @@ class Table {
   std::set<std::size_t> lost_;  ///< properties that are violated
   std::set<Cause> waits_;       ///< all of those that never end
   bool ends_ = false;           ///< some run does
-  bool succeeds_ = false, goes_on_ = false, stops_ = false;
+  bool succeeds_ = false, goes_on_ = false, stops_ = false, another_ = false;
 };
 
 }  // namespace

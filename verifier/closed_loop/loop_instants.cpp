@@ -44,7 +44,7 @@ const std::vector<ZoneBox>& LoopInstants::waits(std::uint64_t node) {
     return wait.has_value();
   };
   // What would come where a fault is certain, only the budget leaves out.
-  for (const ClockBound& bound : turn->faulty) add({bound}, dense ? 0 : 1, dense ? 0 : 1);
+  for (ZoneBox& faulty : certain_faults(turn->faulty, clocks_, loop_.time())) result.push_back(std::move(faulty));
   if (!dense) {
     for (const Outcome& outcome : turn->outcomes) {
       if (outcome.faults == 0) add(outcome.bounds, 1, 1);

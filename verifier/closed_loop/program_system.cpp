@@ -305,6 +305,20 @@ bool ProgramSystem::accepts(const SymbolicState& state) const {
   return true;
 }
 
+/// Whether at some reading more faults are certain than there may still be.
+bool ProgramSystem::is_spent(const SymbolicState& state) const {
+  const LoopStateId id = loop_state(state.discrete);
+  if (loop_[id].marking.empty() && !is_due(state.discrete)) return false;
+  const std::shared_ptr<const Turn> turn = loop_.turn(id);
+  if (turn->faulty.empty()) return false;
+  const auto& filter = query_.filter;
+  const unsigned allowed = filter.only && !filter.fault ? 0 : loop_.faults();
+  const unsigned left = allowed - fault_count(state.faults);
+  if (left >= turn->faulty.size()) return false;
+  const InstantClocks clocks(loop_.live(loop_[id].modes), extra() + loop_[id].groups.size());
+  return hold_together(state.zone, certain_faults(turn->faulty, clocks, loop_.time()), left + std::size_t{1});
+}
+
 bool ProgramSystem::is_wanted(const SymbolicState& state) const {
   if (query_.filter.fault && (state.discrete & happened_bit) == 0) return false;
   const LoopStateId id = loop_state(state.discrete);
@@ -316,6 +330,8 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
     return query_.aim == Query::Aim::stop || (still && (query_.aim == Query::Aim::still || is_due(state.discrete))) ||
            is_last_chance(state);
   }
+  const bool spent = is_spent(state);
+  cut_off_.spent = cut_off_.spent || spent;
   const auto& window = query_.window;
   if (window && (state.zone.upper(1) < window->lower || state.zone.lower(1) > window->upper)) return false;
   switch (query_.aim) {
@@ -343,6 +359,8 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
       return true;
     case Query::Aim::undone:
       return (state.discrete & undone_bit) != 0;
+    case Query::Aim::spent:
+      return spent;
     case Query::Aim::stop:
     case Query::Aim::still:
     case Query::Aim::nothing:

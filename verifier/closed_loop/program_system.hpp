@@ -38,6 +38,7 @@ struct Query {
     stop,           ///< where nothing can follow, or time stands still
     undone,         ///< a command for reward has taken away what a goal achieved
     still,          ///< where time stands still
+    spent,          ///< more faults are certain than there may be
     nothing         ///< everything is seen
   };
   Aim aim = Aim::nothing;
@@ -162,6 +163,7 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] std::optional<Standstill> stop_in(const Zone& zone, std::uint64_t discrete);
   void enter_end(const SymbolicState& state, const Visit& visit);
   [[nodiscard]] bool is_wanted(const SymbolicState& state) const;
+  [[nodiscard]] bool is_spent(const SymbolicState& state) const;
   [[nodiscard]] unsigned faults_after(const SymbolicState& state, const Outcome& outcome) const;
   [[nodiscard]] bool is_fresh(LoopStateId id) const;
 

@@ -79,6 +79,7 @@ void Searches::forget_seen() {
 void Searches::see(const ProgramSystem& system) {
   cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
   cut_off_.still = cut_off_.still || system.cut_off().still;
+  cut_off_.spent = cut_off_.spent || system.cut_off().spent;
 }
 
 std::optional<Witness> Searches::violation(const ProgramProperty& property, const FaultFilter& only) {

@@ -116,8 +116,9 @@ class Check {
       const bool reached = options_.merge ? find_corridor(system, meter_).has_value()
                                           : find_path(system, SearchOrder::covering, meter_).has_value();
       if (reached) return false;
-      const CutOff& cut_off = system.cut_off();
-      return !cut_off.stuck && !cut_off.still;
+      if (system.cut_off().stuck || system.cut_off().still) return false;
+      cut_off_ = system.cut_off();
+      return true;
     });
   }
 
@@ -138,6 +139,7 @@ class Check {
       const Meter::Allowance more(meter_, states_apart);
       auto found = meeting.look([this](const Witness& witness) { return !failure_of(witness); });
       witness_ = std::move(found.witness);
+      cut_off_.spent = meeting.spent();
       return found.never || witness_;
     } catch (const AllowanceSpent&) {
       return false;

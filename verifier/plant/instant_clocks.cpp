@@ -29,6 +29,16 @@ std::optional<ZoneBox> InstantClocks::translated(const Box& box, Units earlier, 
   return result;
 }
 
+std::vector<ZoneBox> certain_faults(std::span<const ClockBound> faulty, const InstantClocks& clocks,
+                                    const TimeModel& time) {
+  const Units period = time.is_dense() ? 0 : 1;
+  std::vector<ZoneBox> result;
+  for (const ClockBound& bound : faulty) {
+    if (auto box = clocks.translated({bound}, period, period)) result.push_back(std::move(*box));
+  }
+  return result;
+}
+
 std::vector<std::size_t> InstantClocks::restarted(const automata::Modes& from, const automata::Modes& to) const {
   std::vector<std::size_t> result;
   for (std::size_t c = 0; c < from.size(); ++c) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "verifier/plant/joint_choices.hpp"
 #include "verifier/search/standstill.hpp"
+#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::verifier {
 
@@ -29,5 +31,10 @@ class InstantClocks {
   std::vector<automata::ComponentId> live_;
   std::size_t others_;
 };
+
+/// Where the components' faults are certain, as bounds on the zone of a state: in sampled time by the end of the period
+/// that begins.
+std::vector<ZoneBox> certain_faults(std::span<const ClockBound> faulty, const InstantClocks& clocks,
+                                    const TimeModel& time);
 
 }  // namespace rmpl::verifier

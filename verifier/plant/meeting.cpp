@@ -138,7 +138,7 @@ Meeting::Result Meeting::meet(const Faults& share, const Shows& shows) {
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       if (in_time(runs[g])) continue;
       runs[g] = earliest(g, share[g], window);
-      if (!runs[g]) return {!cut_off_ && !missed, std::nullopt};
+      if (!runs[g]) return {!cut_off_.stuck && !cut_off_.still && !missed, std::nullopt};
       window.lower = time.at_least(runs[g]->events.back().time);
     }
     if (!std::all_of(runs.begin(), runs.end(), in_time)) continue;
@@ -166,7 +166,9 @@ std::optional<Witness> Meeting::earliest(std::size_t group, unsigned faults, Int
                        arena.start());
     const auto path = any_path(system, terms_.options.merge, terms_.meter);
     if (!path) {
-      cut_off_ = cut_off_ || system.cut_off().stuck || system.cut_off().still;
+      cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
+      cut_off_.still = cut_off_.still || system.cut_off().still;
+      cut_off_.spent = cut_off_.spent || system.cut_off().spent;
       break;
     }
     best = arena.out(earliest_witness(*path, system));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "verifier/plant/arena.hpp"
+#include "verifier/search/standstill.hpp"
 #include "verifier/slice/slices.hpp"
 
 namespace rmpl::verifier {
@@ -34,6 +35,8 @@ class Meeting {
   /// Neither where parts that can each be as wanted at one time cannot be together, as a step of the one is a step of
   /// the other, or where it takes too many rounds to know. Throws what the meter throws.
   Result look(const Shows& shows);
+  /// Whether a part has been seen where more faults are certain than there may be.
+  [[nodiscard]] bool spent() const { return cut_off_.spent; }
 
  private:
   /// What is wanted of some components.
@@ -54,7 +57,7 @@ class Meeting {
   const Arena::Terms& terms_;
   std::vector<Group> groups_;
   std::map<std::pair<std::size_t, unsigned>, std::unique_ptr<Arena>> arenas_;
-  bool cut_off_ = false;  ///< some run of a part ends where it gets stuck: what would follow is not known
+  CutOff cut_off_;  ///< of the parts
 };
 
 }  // namespace rmpl::verifier

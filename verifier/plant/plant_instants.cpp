@@ -19,9 +19,8 @@ const std::vector<ZoneBox>& PlantInstants::waits(std::uint64_t node) {
     if (auto wait = clocks_.translated(box, 0, 1)) at->second.push_back(std::move(*wait));
   }
   // What would come where a fault is certain, only the budget leaves out.
-  for (const ClockBound& bound : there->faulty) {
-    const Units period = situations_.time().is_dense() ? 0 : 1;
-    if (auto faulty = clocks_.translated({bound}, period, period)) at->second.push_back(std::move(*faulty));
+  for (ZoneBox& faulty : certain_faults(there->faulty, clocks_, situations_.time())) {
+    at->second.push_back(std::move(faulty));
   }
   if (!situations_.time().is_dense() && SituationId(node) == root_) add_periods(at->second);
   return at->second;

@@ -203,12 +203,23 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
   const Phase phase = phase_of(state.discrete);
   cut_off_.stuck = cut_off_.stuck || phase == Phase::stuck;
   cut_off_.still = cut_off_.still || phase == Phase::still || phase == Phase::still_armed;
+  cut_off_.spent = cut_off_.spent || (!is_end(phase) && is_spent(state));
   if (phase == Phase::still_armed || phase == Phase::stuck_late) return true;
   if (is_end(phase) && observer_.seeks_end()) return true;
   if (phase != Phase::armed) return false;
   if (!observer_.timed(phase)) return true;
   const Interval& accepted = *observer_.accepted();
   return state.zone.upper(stopwatch) >= accepted.lower && state.zone.lower(stopwatch) <= accepted.upper;
+}
+
+/// Whether at some reading more faults are certain, with idle controls, than there may still be.
+bool PlantSystem::is_spent(const SymbolicState& state) const {
+  const auto here = situations_[situation_of(state.discrete)];
+  if (here->faulty.empty()) return false;
+  const unsigned left = situations_.faults() - fault_count(state.faults);
+  if (left >= here->faulty.size()) return false;
+  const InstantClocks clocks(here->live, observer_.timed(phase_of(state.discrete)) ? 1 : 0);
+  return hold_together(state.zone, certain_faults(here->faulty, clocks, situations_.time()), left + std::size_t{1});
 }
 
 unsigned PlantSystem::fault_count(unsigned faults) const { return sets_ == nullptr ? faults : (*sets_)[faults].count; }

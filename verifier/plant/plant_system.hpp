@@ -91,6 +91,7 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] static bool within(Zone& zone, const Box& box, const Place& place);
   [[nodiscard]] static bool wait(Zone& zone, const Box& box, const Place& place);
   [[nodiscard]] bool in_time(Zone& zone, Phase phase, const Situation& situation) const;
+  [[nodiscard]] bool is_spent(const SymbolicState& state) const;
 
   Situations& situations_;
   Observer observer_;

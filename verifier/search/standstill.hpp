@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "verifier/zone/zone.hpp"
@@ -18,6 +19,9 @@ struct ZoneBound {
 
 /// All of them hold.
 using ZoneBox = std::vector<ZoneBound>;
+
+/// Whether so many of the boxes hold at one reading of the zone.
+bool hold_together(const Zone& zone, std::span<const ZoneBox> boxes, std::size_t count);
 
 /// A step that may be taken at an instant.
 struct Instant {
@@ -53,6 +57,7 @@ struct Standstill {
 struct CutOff {
   bool stuck = false;  ///< nothing can follow
   bool still = false;  ///< time stands still: only what takes no time can
+  bool spent = false;  ///< more faults are certain than there may be
 };
 
 /// Readings of the zone at `node` in which it is stuck, or in which all steps of the instant lead round and round.

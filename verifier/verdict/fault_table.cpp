@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* mission_lost = "mission lost";
 constexpr const char* waits_for_ever = "program waits for ever";
+constexpr const char* another_certain = "another fault is certain";
 constexpr const char* goes_on_for_ever = "program goes on for ever";
 
 /// `valve: open -> stuck`, or `none`.
@@ -43,8 +44,9 @@ std::vector<std::string> outcomes_of(const FaultOutcome& row) {
   add(row.waits.has_value(), row.anyway.waits, waits_for_ever);
   add(row.goes_on.has_value(), row.anyway.goes_on, goes_on_for_ever);
   if (row.stops) add(true, row.anyway.stops, row.stops->stop->still ? "time stands still" : "stuck");
+  add(row.another.has_value(), row.anyway.another, row.fault ? another_certain : "a fault is certain");
   // All runs lead out of the question.
-  if (result.empty()) result.emplace_back("another fault is certain");
+  if (result.empty()) result.emplace_back(another_certain);
   return result;
 }
 
@@ -59,7 +61,8 @@ std::string failure_text(const Subject& subject, const FaultOutcome& row) {
   if (row.lost) return text_of(subject, *row.lost, mission_lost);
   if (row.waits) return text_of(subject, *row.waits, waits_for_ever);
   if (row.goes_on) return text_of(subject, *row.goes_on, goes_on_for_ever);
-  return row.stops ? text_of(subject, *row.stops, to_text(subject.plant, *row.stops->stop)) : "";
+  if (row.stops) return text_of(subject, *row.stops, to_text(subject.plant, *row.stops->stop));
+  return row.another ? text_of(subject, *row.another, another_certain) : "";
 }
 
 }  // namespace
@@ -95,6 +98,7 @@ ordered_json to_json(const Subject& subject, const ProgramQuestion& question, co
     add("waits", row.waits);
     add("goes_on", row.goes_on);
     add("stops", row.stops);
+    add("another", row.another);
     add("no_plan", row.no_plan);
     json["faults"].push_back(std::move(entry));
   }

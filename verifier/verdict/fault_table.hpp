@@ -25,11 +25,12 @@ struct FaultOutcome {
   std::optional<Witness> goes_on = std::nullopt;  ///< it goes on for ever without ending
   std::optional<Witness> no_plan = std::nullopt;  ///< a goal is without a plan
   std::optional<Witness> stops = std::nullopt;    ///< nothing can follow, or time stands still
+  std::optional<Witness> another = std::nullopt;  ///< another fault is certain: what would follow is not told
   bool decided = false;
   /// Which of them come without the fault too, so that they are not the fault's: the same property is violated, the
   /// program waits at the same locations. Where no run without a fault ends: that it goes on, or rests with a plan.
   struct Anyway {
-    bool lost = false, waits = false, goes_on = false, stops = false;
+    bool lost = false, waits = false, goes_on = false, stops = false, another = false;
   };
   Anyway anyway = {};
   bool costs_success = false;  ///< without the fault there is success, and with it there is none
@@ -37,10 +38,12 @@ struct FaultOutcome {
   /// Whether one of them is the fault's own.
   [[nodiscard]] bool adds() const {
     return (lost && !anyway.lost) || (waits && !anyway.waits) || (goes_on && !anyway.goes_on) ||
-           (stops && !anyway.stops);
+           (stops && !anyway.stops) || (another && !anyway.another);
   }
   /// Whether all that comes of it comes anyway, but success does not come any more.
-  [[nodiscard]] bool spoils() const { return costs_success && !adds() && (lost || waits || goes_on || stops); }
+  [[nodiscard]] bool spoils() const {
+    return costs_success && !adds() && (lost || waits || goes_on || stops || another);
+  }
   /// Whether it can lose the mission, or keep a program that ends at all from ending.
   [[nodiscard]] bool fails() const { return adds() || spoils(); }
 };

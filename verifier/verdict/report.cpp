@@ -66,8 +66,9 @@ void add_others(ordered_json& json, const Subject& subject, const Property& prop
 
 /// What a verdict without a witness leaves out.
 void add_cut_off(ordered_json& json, const Answer& answer) {
-  if (answer.witness || (!answer.cut_off.stuck && !answer.cut_off.still)) return;
-  json["cut_off"] = answer.cut_off.still ? "time-stands-still" : "stuck";
+  const CutOff& cut_off = answer.cut_off;
+  if (answer.witness || (!cut_off.stuck && !cut_off.still && !cut_off.spent)) return;
+  json["cut_off"] = cut_off.still ? "time-stands-still" : cut_off.stuck ? "stuck" : "fault-certain";
 }
 
 ordered_json check_json(const Subject& subject, const Property& property, bool cut_sets, const Answer& answer) {

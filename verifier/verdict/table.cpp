@@ -25,12 +25,11 @@ std::string paint(const Claim& claim, const std::string& verdict, const base::Pa
 /// What has to be said of a verdict beside its word.
 std::string remark(const Claim& claim) {
   if (!claim.decided()) return reason(claim.answer);
-  const bool partly = !claim.answer.witness && claim.answer.cut_off.stuck;
   std::string text = !claim.expect_violated ? "" : claim.as_expected() ? "as expected" : "expected to be violated";
   if (holds_vacuously(claim.answer)) {
     text += (text.empty() ? "" : "; ") + ("vacuous: " + vacuity(claim.answer));
   }
-  if (partly) text += (text.empty() ? "" : "; ") + std::string("on runs that get stuck, only up to there");
+  if (const std::string part = partly(claim.answer); !part.empty()) text += (text.empty() ? "" : "; ") + part;
   return text;
 }
 

@@ -153,12 +153,20 @@ std::string vacuity(const Answer& answer) {
   return "";
 }
 
+std::string partly(const Answer& answer) {
+  if (answer.witness) return "";
+  const bool spent = answer.cut_off.spent;
+  if (!answer.cut_off.stuck)
+    return spent ? "on runs on which more faults are certain than permitted, only up to there" : "";
+  return spent ? "on runs that get stuck, or on which more faults are certain than permitted, only up to there"
+               : "on runs that get stuck, only up to there";
+}
+
 std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();
-  const bool partly = !found && answer.cut_off.stuck;
   const std::string vacuously = holds_vacuously(answer) ? ", as " + vacuity(answer) : "";
-  return meaning_of(property, found) + vacuously + (partly ? "; on runs that get stuck, only up to there" : "");
+  return meaning_of(property, found) + vacuously + (partly(answer).empty() ? "" : "; " + partly(answer));
 }
 
 std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness) {

@@ -26,6 +26,8 @@ std::string reason(const Answer& answer);
 std::string vacuity(const Answer& answer);
 /// What an answer means: "the target is reachable", "there is a plan for every goal".
 std::string meaning(const Property& property, const Answer& answer);
+/// Which of the runs that a verdict without a witness speaks of it does not follow to the end; empty where it does.
+std::string partly(const Answer& answer);
 /// What a program's run has come to where it violates the property: the goals, the reason, the locations that wait.
 std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness);
 

@@ -24,26 +24,40 @@ Course::Course(automata::PlantStep& step, const NominalGraph& graph, const Parts
   }
 }
 
-std::optional<Modes> Course::next(const Modes& modes, const std::optional<Modes>& expected) {
-  return expected && *expected != modes ? expected : by_itself(modes, modes);
+std::vector<Modes> Course::next(const Modes& modes, const std::optional<Modes>& expected) {
+  return expected && *expected != modes ? std::vector<Modes>{*expected} : by_itself(modes, modes);
 }
 
-std::optional<Modes> Course::meanwhile(const Modes& modes, const Modes& expected) { return by_itself(modes, expected); }
+std::vector<Modes> Course::meanwhile(const Modes& modes, const Modes& expected) { return by_itself(modes, expected); }
 
 /// What takes time stays where it is `awaited` elsewhere.
-std::optional<Modes> Course::by_itself(const Modes& modes, const Modes& awaited) {
+std::vector<Modes> Course::by_itself(const Modes& modes, const Modes& awaited) {
   Modes at_once = modes;
   Modes in_time = modes;
+  std::vector<Modes> one_by_one;
   for (const ComponentId c : paid_) {
     const automata::Enabled& enabled = step_.enabled(c, modes, idle_);
     const auto& transitions = step_.plant()[c].transitions;
     for (const automata::TransitionId id : enabled.untimed) at_once[c.index()] = transitions[id.index()].to;
     if (awaited[c.index()] != modes[c.index()]) continue;
-    for (const automata::TransitionId id : enabled.timed) in_time[c.index()] = transitions[id.index()].to;
+    for (const automata::TransitionId id : enabled.timed) {
+      in_time[c.index()] = transitions[id.index()].to;
+      one_by_one.push_back(modes);
+      one_by_one.back()[c.index()] = in_time[c.index()];
+    }
   }
-  Modes& next = at_once != modes ? at_once : in_time;
-  if (next == modes || !step_.possible(next)) return std::nullopt;
-  return std::move(next);
+  std::vector<Modes> result;
+  const auto add = [&](Modes next) {
+    const bool known = std::find(result.begin(), result.end(), next) != result.end();
+    if (next != modes && !known && step_.possible(next)) result.push_back(std::move(next));
+  };
+  if (at_once != modes) {
+    add(std::move(at_once));
+    return result;
+  }
+  add(std::move(in_time));
+  for (Modes& next : one_by_one) add(std::move(next));
+  return result;
 }
 
 }  // namespace rmpl::runtime

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <vector>
+#include <vector>
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
@@ -18,13 +19,13 @@ class Course {
   Course(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts);
 
   /// Where a command leads; where it leads nowhere, what comes by itself in parts where something may be done for
-  /// reward: at once, or else in time, all of that together. Nothing where that is nothing.
-  std::optional<automata::Modes> next(const automata::Modes& modes, const std::optional<automata::Modes>& expected);
+  /// reward: at once, or else in time, all of that together or one of it.
+  std::vector<automata::Modes> next(const automata::Modes& modes, const std::optional<automata::Modes>& expected);
   /// What comes by itself there before what is waited for, which `expected` has.
-  std::optional<automata::Modes> meanwhile(const automata::Modes& modes, const automata::Modes& expected);
+  std::vector<automata::Modes> meanwhile(const automata::Modes& modes, const automata::Modes& expected);
 
  private:
-  std::optional<automata::Modes> by_itself(const automata::Modes& modes, const automata::Modes& awaited);
+  std::vector<automata::Modes> by_itself(const automata::Modes& modes, const automata::Modes& awaited);
 
   automata::PlantStep& step_;
   automata::ControlAction idle_;

@@ -40,13 +40,16 @@ void spread(const NominalGraph& graph, Reached& reached, const std::vector<Compo
   }
 }
 
+bool comes_by_itself(const NominalGraph& graph, const NominalTransition& t, const Reached& reached) {
+  for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
+    if (t.silent[i] && supported(graph, t.preconditions[i], reached)) return true;
+  }
+  return false;
+}
+
 void drift(const NominalGraph& graph, Reached& reached, const std::vector<ComponentId>& components, Drift how) {
   spread(graph, reached, components, [&](ComponentId, const NominalTransition& t) {
-    if (t.timed && how == Drift::untimed) return false;
-    for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
-      if (t.silent[i] && supported(graph, t.preconditions[i], reached)) return true;
-    }
-    return false;
+    return !(t.timed && how == Drift::untimed) && comes_by_itself(graph, t, reached);
   });
 }
 
@@ -59,9 +62,9 @@ Reached only(const NominalGraph& graph, const automata::Modes& modes) {
   return reached;
 }
 
-Reached drift_from(const NominalGraph& graph, const automata::Modes& modes) {
+Reached drift_from(const NominalGraph& graph, const automata::Modes& modes, Drift how) {
   Reached reached = only(graph, modes);
-  drift(graph, reached, graph.components());
+  drift(graph, reached, graph.components(), how);
   return reached;
 }
 

@@ -21,6 +21,9 @@ Reached only(const NominalGraph& graph, const automata::Modes& modes);
 /// Whether the modes come to meet each requirement, one by one.
 bool supported(const NominalGraph& graph, const Precondition& precondition, const Reached& reached);
 
+/// Whether the transition may come with all controls idle where the modes come to meet what it requires.
+bool comes_by_itself(const NominalGraph& graph, const NominalTransition& transition, const Reached& reached);
+
 /// Adds what the transitions that are `usable` lead to, which may come to depend on what was reached. Begins with the
 /// `components`; what one reaches is looked at again where one that it depends on has come further.
 void spread(const NominalGraph& graph, Reached& reached, const std::vector<automata::ComponentId>& components,
@@ -34,7 +37,7 @@ enum class Drift { any, untimed };
 void drift(const NominalGraph& graph, Reached& reached, const std::vector<automata::ComponentId>& components,
            Drift how = Drift::any);
 /// From some modes, all components.
-Reached drift_from(const NominalGraph& graph, const automata::Modes& modes);
+Reached drift_from(const NominalGraph& graph, const automata::Modes& modes, Drift how = Drift::any);
 
 /// What is sure of the rewards: the least of those of the modes come to, summed over components. With nothing commanded
 /// it never becomes less.

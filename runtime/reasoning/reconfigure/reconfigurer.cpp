@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <map>
-#include <span>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -22,6 +20,7 @@
 #include "runtime/reasoning/reconfigure/prospects.hpp"
 #include "runtime/reasoning/reconfigure/pursuit.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
+#include "runtime/reasoning/reconfigure/settle.hpp"
 #include "runtime/reasoning/reconfigure/upkeep.hpp"
 
 namespace rmpl::runtime {
@@ -68,19 +67,11 @@ class PolicyReconfigurer : public Reconfigurer {
   }
 
  private:
-  /// What is done for reward: all that is worth more; what stays worth more whatever goes on by itself; nothing.
-  enum class For : std::uint8_t { rewards, lasting_rewards, nothing };
-
-  struct Answered {
-    For reward = For::rewards;
-    Reconfiguration answer;
-  };
-
   struct Memory {
     /// Of what housekeeping keeps: the goal, by how soon its parts may be lost by themselves as it begins.
     std::map<std::vector<Upkeep::Loss>, std::uint64_t> numbers;
     std::optional<Upkeep> upkeep;  ///< once it was asked for
-    std::unordered_map<Modes, Answered, automata::ModesHash> answers;
+    Answers answers;
     std::unordered_map<Modes, Modes, automata::ModesHash> aims;  ///< by where what is needed ends
   };
   using Asked = RecentGoals<Memory>::Entry;
@@ -88,8 +79,6 @@ class PolicyReconfigurer : public Reconfigurer {
   /// Failed plans after which those for rewards are told apart no more.
   static constexpr std::size_t exact_failures = 32;
   static constexpr std::size_t housekeeping_trials = 1u << 11;
-  /// Steps that are followed from a state.
-  static constexpr std::size_t longest_path = 1u << 8;
 
   [[nodiscard]] Reconfiguration at_rest(std::optional<Modes> modes) const {
     Reconfiguration answer;
@@ -98,57 +87,12 @@ class PolicyReconfigurer : public Reconfigurer {
     return answer;
   }
 
-  /// The answer, and those along the plan that it begins, and where things go from there by themselves: the goal state
-  /// is chosen anew in every state, by what is best from there, so that choices that are equally good, or that do not
-  /// last, could lead in a circle. Where they do less is done for reward: commands come to an end.
-  Reconfiguration settled(const Modes& modes, Asked& asked) {
-    auto& answers = asked.memory.answers;
+  const Reconfiguration& settled(const Modes& modes, Asked& asked) {
+    Answers& answers = asked.memory.answers;
     if (const auto known = answers.find(modes); known != answers.end()) return known->second.answer;
     if (answers.size() >= answer_limit) answers.clear();
-    std::vector<Modes> path;
-    std::optional<Modes> current = modes;
-    bool rewarded = false;  // something on the path is done for reward
-    for (std::size_t steps = 0; current && steps < longest_path; ++steps) {
-      const auto again = std::find(path.begin(), path.end(), *current);
-      if (again == path.end()) {
-        const auto [at, fresh] = answers.try_emplace(*current);
-        if (fresh) at->second.answer = answer(*current, asked, For::rewards);
-        path.push_back(std::move(*current));
-      } else if (do_less({again, path.end()}, asked)) {
-        path.erase(std::next(again), path.end());
-      } else {
-        break;
-      }
-      const Reconfiguration& here = answers.at(path.back()).answer;
-      const bool waits = here.outcome == Reconfiguration::Outcome::wait;
-      rewarded = rewarded || here.why.purpose == Reason::Purpose::reward;
-      if (here.why.purpose != Reason::Purpose::goal) {
-        current = course_.next(path.back(), waits ? std::nullopt : here.expected);
-      } else if (waits) {
-        current = course_.meanwhile(path.back(), *here.expected);
-      } else {
-        // What a goal needs is never given up; but what was done for reward may be what it has to undo.
-        current = rewarded ? here.expected : std::nullopt;
-      }
-    }
+    settle(modes, course_, answers, [&](const Modes& state, For reward) { return answer(state, asked, reward); });
     return answers.at(modes).answer;
-  }
-
-  /// In states that follow each other in a circle less is done for reward than in the one of them where most is.
-  /// Whether anything was.
-  bool do_less(std::span<const Modes> circle, Asked& asked) {
-    For most = For::nothing;
-    for (const Modes& modes : circle) {
-      const Answered& answered = asked.memory.answers.at(modes);
-      if (answered.answer.why.purpose != Reason::Purpose::goal) most = std::min(most, answered.reward);
-    }
-    if (most == For::nothing) return false;
-    const For less = most == For::rewards ? For::lasting_rewards : For::nothing;
-    for (const Modes& modes : circle) {
-      Answered& answered = asked.memory.answers.at(modes);
-      if (answered.reward < less) answered = {less, answer(modes, asked, less)};
-    }
-    return true;
   }
 
   Reconfiguration answer(const Modes& modes, Asked& asked, For reward) {
@@ -244,8 +188,8 @@ class PolicyReconfigurer : public Reconfigurer {
     return aims.emplace(std::move(end), *rest.goal_state).first->second;
   }
 
-  /// While what is needed waits, a command for components that are no part of the way, or a repair of one: nothing is
-  /// served by leaving a fault while time passes.
+  /// While what is needed waits, a command for components that are no part of the way, which is worth more whatever
+  /// follows at once, or a repair of one: nothing is served by leaving a fault while time passes.
   std::optional<PlannedStep> beside(const Modes& modes, const Modes& target, const Needed& needed,
                                     const Prospects& prospects, Asked& asked, For reward) {
     Upkeep& upkeep = upkeep_of(asked);
@@ -253,6 +197,7 @@ class PolicyReconfigurer : public Reconfigurer {
     const auto followed = planner_.followed(modes, {needed.target, needed.permitted, 0, needed.wanted});
     std::vector<bool> way = followed.relied;
     for (std::size_t c = 0; c < way.size(); ++c) way[c] = way[c] || followed.moved[c];
+    const Reached at_once = drift_from(*graph_, modes, Drift::untimed);
     for (const ComponentId c : planner_.order()) {
       const bool broken = step_.plant()[c].modes[modes[c.index()].index()].fault;
       if ((way[c.index()] && !broken) || target[c.index()] == modes[c.index()]) continue;
@@ -273,9 +218,10 @@ class PolicyReconfigurer : public Reconfigurer {
       auto found = planner_.next(modes, {aim, permitted, parts_.of(c), wanted, others_rest, wanted, std::nullopt});
       auto* const plan = std::get_if<IslandPlan>(&found);
       if (plan == nullptr || plan->first.idle) continue;
-      const bool pays = broken || reward == For::rewards ||
-                        worth_more(parts_.of(c), prospects.drift(), drift_from(*graph_, plan->end));
-      if (pays) return std::move(plan->first);
+      const bool pays =
+          worth_more(parts_.of(c), at_once, drift_from(*graph_, plan->end, Drift::untimed)) &&
+          (reward == For::rewards || worth_more(parts_.of(c), prospects.drift(), drift_from(*graph_, plan->end)));
+      if (broken || pays) return std::move(plan->first);
     }
     return std::nullopt;
   }

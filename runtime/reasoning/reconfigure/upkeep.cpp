@@ -29,12 +29,20 @@ Upkeep::Upkeep(automata::PlantStep& step, const NominalGraph& graph, const Goal&
   involved_ = graph.upstream(decisive);
 }
 
-void Upkeep::follow(const Modes& modes, Drift how) {
+void Upkeep::follow(const Modes& modes, Soon soon) {
   for (const ComponentId c : involved_) {
     drift_[c.index()].assign(step_.plant()[c].modes.size(), false);
     drift_[c.index()][modes[c.index()].index()] = true;
   }
-  drift(graph_, drift_, involved_, how);
+  if (soon != Soon::next) return drift(graph_, drift_, involved_, soon == Soon::ever ? Drift::any : Drift::untimed);
+  const Reached now = drift_;
+  for (const ComponentId c : involved_) {
+    for (const NominalTransition& t : graph_.transitions(c)) {
+      if (t.from == modes[c.index()] && t.possible && comes_by_itself(graph_, t, now)) {
+        drift_[c.index()][t.to.index()] = true;
+      }
+    }
+  }
 }
 
 /// Whether some of the modes that the components may come to leave the rest of the goal open.
@@ -66,13 +74,17 @@ std::vector<bool> Upkeep::had(const Modes& modes) {
 }
 
 std::vector<Upkeep::Loss> Upkeep::loss(const Modes& modes) {
-  follow(modes, Drift::untimed);
-  const std::vector<bool> at_once = losable();
-  follow(modes, Drift::any);
-  std::vector<Loss> result;
-  for (const bool ever : losable()) {
-    result.push_back(at_once[result.size()] ? Loss::at_once : ever ? Loss::in_time : Loss::never);
-  }
+  std::vector<Loss> result(restricted_.size() + (goal_.rest() ? 1 : 0), Loss::never);
+  const auto sooner = [&](Soon soon, Loss loss) {
+    follow(modes, soon);
+    const std::vector<bool> losable = this->losable();
+    for (std::size_t part = 0; part < result.size(); ++part) {
+      if (losable[part]) result[part] = loss;
+    }
+  };
+  sooner(Soon::ever, Loss::in_time);
+  sooner(Soon::next, Loss::next);
+  sooner(Soon::at_once, Loss::at_once);
   return result;
 }
 
@@ -92,7 +104,10 @@ std::vector<bool> Upkeep::losable() {
 
 Upkeep::Standing Upkeep::standing(const Modes& modes) {
   Standing standing{had(modes), loss(modes), {}};
-  standing.drift = drift_;
+  for (const Soon soon : soons) {
+    follow(modes, soon);
+    standing.drift[static_cast<std::size_t>(soon)] = drift_;
+  }
   return standing;
 }
 
@@ -112,19 +127,26 @@ std::vector<std::size_t> Upkeep::steps_to(ComponentId component, automata::ModeI
 }
 
 bool Upkeep::leaves(const std::vector<bool>& some, const Standing& before, const Modes& after, const Modes& target) {
-  follow(after, Drift::any);
-  return std::all_of(involved_.begin(), involved_.end(), [&](ComponentId c) {
-    if (!some[c.index()]) return true;
-    const auto& could = before.drift[c.index()];
-    const auto& can = drift_[c.index()];
-    const automata::ModeId aim = target[c.index()];
-    if (could[aim.index()] && !can[aim.index()]) return false;
-    const std::vector<std::size_t> steps = steps_to(c, aim);
-    for (std::size_t m = 0; m < can.size(); ++m) {
-      if (can[m] && !could[m] && steps[m] > steps[after[c.index()].index()]) return false;
-    }
-    return true;
+  return std::all_of(soons.begin(), soons.end(), [&](Soon soon) {
+    follow(after, soon);
+    const Reached& could = before.drift[static_cast<std::size_t>(soon)];
+    return std::all_of(involved_.begin(), involved_.end(), [&](ComponentId c) {
+      return !some[c.index()] || no_farther(c, could[c.index()], after[c.index()], target[c.index()]);
+    });
   });
+}
+
+/// Whether what the component can come to has its aim where it had, and is no farther from there than it is now where
+/// it is new.
+bool Upkeep::no_farther(ComponentId component, const std::vector<bool>& could, automata::ModeId now,
+                        automata::ModeId aim) const {
+  const std::vector<bool>& can = drift_[component.index()];
+  if (could[aim.index()] && !can[aim.index()]) return false;
+  const std::vector<std::size_t> steps = steps_to(component, aim);
+  for (std::size_t m = 0; m < can.size(); ++m) {
+    if (can[m] && !could[m] && steps[m] > steps[now.index()]) return false;
+  }
+  return true;
 }
 
 bool Upkeep::keeps(const Standing& before, const Modes& after) {

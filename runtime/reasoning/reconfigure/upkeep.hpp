@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,15 +23,20 @@ class Upkeep {
   /// Keeps references.
   Upkeep(automata::PlantStep& step, const NominalGraph& graph, const Goal& goal);
 
-  /// Whether a part may be lost by itself where it is so, and how soon: the later the better.
-  enum class Loss : std::uint8_t { never, in_time, at_once };
+  /// Whether a part may be lost by itself where it is so, and how soon: the later the better. `next`: by a transition
+  /// that is enabled already.
+  enum class Loss : std::uint8_t { never, in_time, next, at_once };
+
+  /// How soon something may come by itself: of untimed transitions alone; of one transition that is enabled; ever.
+  enum class Soon : std::uint8_t { at_once, next, ever };
+  static constexpr std::array soons = {Soon::at_once, Soon::next, Soon::ever};
 
   /// What is known of the parts in a state.
   struct Standing {
     std::vector<bool> had;  ///< the part is so
     std::vector<Loss> loss;
-    /// By component, by mode: whether it may come to that by itself; of those that matter.
-    Reached drift;
+    /// By component, by mode: whether it may come to that by itself, so soon; of those that matter.
+    std::array<Reached, soons.size()> drift;
   };
   Standing standing(const automata::Modes& modes);
 
@@ -39,8 +45,8 @@ class Upkeep {
   bool keeps(const Standing& before, const automata::Modes& after);
 
   /// Whether those of some components that matter can come by themselves to the modes in `target` if they could before,
-  /// and to no others than before but such as are no farther from there: what is on the way of a wait goes on as it
-  /// would, or better.
+  /// and to no others than before, or sooner, but such as are no farther from there: what is on the way of a wait goes
+  /// on as it would, or better.
   bool leaves(const std::vector<bool>& some, const Standing& before, const automata::Modes& after,
               const automata::Modes& target);
 
@@ -51,8 +57,10 @@ class Upkeep {
   /// By part: whether it may be lost in the modes in `drift_`.
   std::vector<bool> losable();
   /// The modes that the components that matter may come to by themselves, in `drift_`.
-  void follow(const automata::Modes& modes, Drift how);
+  void follow(const automata::Modes& modes, Soon soon);
   bool rest_may_fail();
+  [[nodiscard]] bool no_farther(automata::ComponentId component, const std::vector<bool>& could, automata::ModeId now,
+                                automata::ModeId aim) const;
   /// By mode of a component: nominal transitions from there to one of its modes, more than there are where none lead
   /// there.
   [[nodiscard]] std::vector<std::size_t> steps_to(automata::ComponentId component, automata::ModeId aim) const;
