@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <vector>
-#include <vector>
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
