@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "base/check.hpp"
-#include "verifier/closed_loop/loop_instants.hpp"
 
 namespace rmpl::verifier {
 
@@ -62,57 +61,6 @@ bool ProgramSystem::is_allowed(const SymbolicState& state, const Outcome& outcom
   if (fault_count(state.faults) + outcome.faults > loop_.faults()) return false;
   const auto& filter = query_.filter;
   return !filter.only || outcome.faults == 0 || !is_filtered(loop_[loop_state(state.discrete)], outcome);
-}
-
-/// What a run is cut off in, if there is such a thing.
-void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
-  auto found = stop_in(state.zone, state.discrete);
-  if (!found) return;
-  if (Zone late = state.zone; found->round.empty() && is_due(state.discrete)) {
-    auto too_late = late.constrain(1, last_chance()) ? stop_in(late, state.discrete) : std::nullopt;
-    if (too_late && too_late->round.empty()) found = std::move(too_late);
-  }
-  const std::uint64_t end = found->round.empty() ? stuck_bit : still_bit;
-  visit({state.discrete | end, state.faults, std::move(found->zone)}, {no_move, no_wait, false});
-}
-
-std::optional<Standstill> ProgramSystem::stop_in(const Zone& zone, std::uint64_t discrete) {
-  const bool due = is_due(discrete);
-  const LoopStateId id = loop_state(discrete);
-  const auto comes_true = [this, due](const automata::Modes& modes) { return due && query_.test(modes); };
-  LoopInstants instants(loop_, id, extra(), comes_true);
-  auto found = find_standstill(zone, 0, instants);
-  if (!found) return std::nullopt;
-  for (Instant& step : found->round) step.target = instants.state_of(step.target).value;
-  return found;
-}
-
-Standstill ProgramSystem::standstill(const SymbolicState& end) {
-  auto found = stop_in(end.zone, end.discrete);
-  CHECK(found && "a run that is cut off is so when it is looked at again");
-  return *found;
-}
-
-PathEnd ProgramSystem::end_of(const SymbolicState& end, std::size_t position) const {
-  PathEnd result{position, {}, {}, {}};
-  if (is_last_chance(end)) result.stopwatch = last_chance();
-  const LoopState& state = loop_[loop_state(end.discrete)];
-  std::size_t clock = extra();
-  for (const ClockGroup& group : state.groups) {
-    ++clock;
-    for (const automata::ClockId own : group.clocks) {
-      result.program.push_back({own, {end.zone.lower(clock), end.zone.upper(clock)}});
-    }
-  }
-  for (const ComponentId component : loop_.live(state.modes)) {
-    ++clock;
-    result.components.push_back({component, {end.zone.lower(clock), end.zone.upper(clock)}});
-  }
-  return result;
-}
-
-PathState ProgramSystem::state_after(const Instant& step) {
-  return {step.target << phase_bits, {step.move, no_wait, false}};
 }
 
 unsigned ProgramSystem::faults_after(const SymbolicState& state, const Outcome& outcome) const {
@@ -305,20 +253,6 @@ bool ProgramSystem::accepts(const SymbolicState& state) const {
   return true;
 }
 
-/// Whether at some reading more faults are certain than there may still be.
-bool ProgramSystem::is_spent(const SymbolicState& state) const {
-  const LoopStateId id = loop_state(state.discrete);
-  if (loop_[id].marking.empty() && !is_due(state.discrete)) return false;
-  const std::shared_ptr<const Turn> turn = loop_.turn(id);
-  if (turn->faulty.empty()) return false;
-  const auto& filter = query_.filter;
-  const unsigned allowed = filter.only && !filter.fault ? 0 : loop_.faults();
-  const unsigned left = allowed - fault_count(state.faults);
-  if (left >= turn->faulty.size()) return false;
-  const InstantClocks clocks(loop_.live(loop_[id].modes), extra() + loop_[id].groups.size());
-  return hold_together(state.zone, certain_faults(turn->faulty, clocks, loop_.time()), left + std::size_t{1});
-}
-
 bool ProgramSystem::is_wanted(const SymbolicState& state) const {
   if (query_.filter.fault && (state.discrete & happened_bit) == 0) return false;
   const LoopStateId id = loop_state(state.discrete);
@@ -330,8 +264,7 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
     return query_.aim == Query::Aim::stop || (still && (query_.aim == Query::Aim::still || is_due(state.discrete))) ||
            is_last_chance(state);
   }
-  const bool spent = is_spent(state);
-  cut_off_.spent = cut_off_.spent || spent;
+  cut_off_.spent = cut_off_.spent || is_spent(state);
   const auto& window = query_.window;
   if (window && (state.zone.upper(1) < window->lower || state.zone.lower(1) > window->upper)) return false;
   switch (query_.aim) {
@@ -360,7 +293,7 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
     case Query::Aim::undone:
       return (state.discrete & undone_bit) != 0;
     case Query::Aim::spent:
-      return spent;
+      return is_spent(state);
     case Query::Aim::stop:
     case Query::Aim::still:
     case Query::Aim::nothing:

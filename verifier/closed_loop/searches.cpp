@@ -5,6 +5,7 @@
 #include "base/bounded_cache.hpp"
 #include "base/check.hpp"
 #include "verifier/plant/cut_sets.hpp"
+#include "verifier/plant/soonest.hpp"
 #include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {
@@ -76,11 +77,7 @@ void Searches::forget_seen() {
   cut_sets_.clear();
 }
 
-void Searches::see(const ProgramSystem& system) {
-  cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
-  cut_off_.still = cut_off_.still || system.cut_off().still;
-  cut_off_.spent = cut_off_.spent || system.cut_off().spent;
-}
+void Searches::see(const ProgramSystem& system) { cut_off_ |= system.cut_off(); }
 
 std::optional<Witness> Searches::violation(const ProgramProperty& property, const FaultFilter& only) {
   const bool entailed = options_.entailed;
@@ -126,23 +123,17 @@ std::optional<Witness> Searches::violation(const ProgramProperty& property, cons
   return std::nullopt;
 }
 
-/// What is there at one time, within the window. Each round asks for less time than the best so far takes, where that
-/// is wanted, until there is none.
+/// What is there at one time, within the window; the soonest, where that is wanted.
 std::optional<Witness> Searches::at_a_moment(Query query, const ProgramProperty& property) {
   const TimeModel& time = loop_.time();
-  Interval window;
-  if (property.window.not_before) window.lower = time.at_least(*property.window.not_before);
-  if (property.window.by) window.upper = time.at_most(*property.window.by);
-  if (property.window.not_before || property.window.by) query.window = window;
+  const Interval window = interval_of(property.window, time);
+  if (!property.window.is_all()) query.window = window;
   std::optional<Witness> best = search(query, &property);
-  while (property.fastest && best && best->events.back().time > Ticks{0}) {
-    window.upper = time.at_most(best->events.back().time) - 1;
-    if (window.upper < window.lower) break;
-    query.window = window;
-    std::optional<Witness> faster = search(query, &property);
-    if (!faster) break;
-    best = std::move(faster);
-  }
+  if (!property.fastest) return best;
+  hasten(best, window, time, [&](const Interval& sooner) {
+    query.window = sooner;
+    return search(query, &property);
+  });
   return best;
 }
 

@@ -14,6 +14,7 @@
 #include "verifier/plant/planned_run.hpp"
 #include "verifier/plant/plant_system.hpp"
 #include "verifier/plant/sight.hpp"
+#include "verifier/plant/soonest.hpp"
 #include "verifier/plant/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/slice/empty_claims.hpp"
@@ -26,7 +27,6 @@ namespace rmpl::verifier {
 using automata::Formula;
 using automata::Modes;
 using automata::PlantStep;
-using automata::Ticks;
 
 namespace {
 
@@ -116,7 +116,7 @@ class Check {
       const bool reached = options_.merge ? find_corridor(system, meter_).has_value()
                                           : find_path(system, SearchOrder::covering, meter_).has_value();
       if (reached) return false;
-      if (system.cut_off().stuck || system.cut_off().still) return false;
+      if (system.cut_off().ends()) return false;
       cut_off_ = system.cut_off();
       return true;
     });
@@ -151,11 +151,8 @@ class Check {
     const Formula& formula = std::get<Target>(arena.wanted()).formula;
     if (options_.slice && out_of_reach(arena.step(), formula, arena.from(), terms_.faults)) return;
     const TimeModel& time = terms_.time;
-    Interval window;
-    if (target.window.not_before) window.lower = time.at_least(*target.window.not_before);
-    if (target.window.by) window.upper = time.at_most(*target.window.by);
-    const bool windowed = target.window.not_before || target.window.by;
-    const Observe any_time = reach(windowed ? std::optional(window) : std::nullopt);
+    const Interval window = interval_of(target.window, time);
+    const Observe any_time = reach(target.window.is_all() ? std::nullopt : std::optional(window));
     try {
       if (refuted_in_part(target, any_time)) return;
       if (look_apart(target, any_time)) return;
@@ -167,12 +164,8 @@ class Check {
       limit_ = reached.limit;
       return;
     }
-    // Each round asks for less time than the best so far takes, until there is none.
-    while (target.fastest && witness_ && witness_->events.back().time > Ticks{0}) {
-      window.upper = time.at_most(witness_->events.back().time) - 1;
-      std::optional<Witness> faster = search(reach(window));
-      if (!faster) return;
-      witness_ = std::move(faster);
+    if (target.fastest) {
+      hasten(witness_, window, time, [this](const Interval& sooner) { return search(reach(sooner)); });
     }
   }
 

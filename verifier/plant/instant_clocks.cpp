@@ -8,6 +8,22 @@ namespace rmpl::verifier {
 
 using automata::ComponentId;
 
+namespace {
+
+/// Whether so many of the boxes hold at one reading of the zone.
+bool hold_together(const Zone& zone, std::span<const ZoneBox> boxes, std::size_t count) {
+  if (count == 0) return true;
+  for (std::size_t first = 0; first + count <= boxes.size(); ++first) {
+    Zone within = zone;
+    const bool holds = std::all_of(boxes[first].begin(), boxes[first].end(),
+                                   [&](const ZoneBound& b) { return within.constrain(b.clock, b.range); });
+    if (holds && hold_together(within, boxes.subspan(first + 1), count - 1)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::optional<std::size_t> InstantClocks::clock_of(ComponentId component) const {
   const auto at = std::lower_bound(live_.begin(), live_.end(), component);
   if (at == live_.end() || *at != component) return std::nullopt;
@@ -37,6 +53,12 @@ std::vector<ZoneBox> certain_faults(std::span<const ClockBound> faulty, const In
     if (auto box = clocks.translated({bound}, period, period)) result.push_back(std::move(*box));
   }
   return result;
+}
+
+bool more_certain(const Zone& zone, std::span<const ClockBound> faulty, std::size_t left,
+                  const std::vector<ComponentId>& live, std::size_t others, const TimeModel& time) {
+  return left < faulty.size() &&
+         hold_together(zone, certain_faults(faulty, InstantClocks(live, others), time), left + 1);
 }
 
 std::vector<std::size_t> InstantClocks::restarted(const automata::Modes& from, const automata::Modes& to) const {

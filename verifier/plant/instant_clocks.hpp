@@ -37,4 +37,9 @@ class InstantClocks {
 std::vector<ZoneBox> certain_faults(std::span<const ClockBound> faulty, const InstantClocks& clocks,
                                     const TimeModel& time);
 
+/// Whether at some reading of the zone, whose last clocks are those of the live components, more than `left` of these
+/// faults are certain.
+bool more_certain(const Zone& zone, std::span<const ClockBound> faulty, std::size_t left,
+                  const std::vector<automata::ComponentId>& live, std::size_t others, const TimeModel& time);
+
 }  // namespace rmpl::verifier

@@ -9,6 +9,7 @@
 
 #include "base/partition.hpp"
 #include "verifier/plant/sight.hpp"
+#include "verifier/plant/soonest.hpp"
 #include "verifier/plant/timetable.hpp"
 
 namespace rmpl::verifier {
@@ -24,13 +25,6 @@ constexpr std::size_t most_rounds = 256;
 constexpr std::size_t most_shares = 64;
 
 constexpr unsigned any_number = std::numeric_limits<unsigned>::max();
-
-Interval interval_of(const Window& window, const TimeModel& time) {
-  Interval result;
-  if (window.not_before) result.lower = time.at_least(*window.not_before);
-  if (window.by) result.upper = time.at_most(*window.by);
-  return result;
-}
 
 /// A run of a part, event by event, beside those of others.
 class Course {
@@ -138,7 +132,7 @@ Meeting::Result Meeting::meet(const Faults& share, const Shows& shows) {
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       if (in_time(runs[g])) continue;
       runs[g] = earliest(g, share[g], window);
-      if (!runs[g]) return {!cut_off_.stuck && !cut_off_.still && !missed, std::nullopt};
+      if (!runs[g]) return {!cut_off_.ends() && !missed, std::nullopt};
       window.lower = time.at_least(runs[g]->events.back().time);
     }
     if (!std::all_of(runs.begin(), runs.end(), in_time)) continue;
@@ -154,26 +148,24 @@ Meeting::Result Meeting::meet(const Faults& share, const Shows& shows) {
   return {};
 }
 
-/// The run to where the part is as wanted soonest within the window, by as many rounds as there are sooner ones.
+/// The run to where the part is as wanted soonest within the window.
 std::optional<Witness> Meeting::earliest(std::size_t group, unsigned faults, Interval window) {
   Arena& arena = this->arena(group, faults);
   const Formula& wanted = std::get<Target>(arena.wanted()).formula;
   const Situations::FewerSteps fewer(arena.situations(), {});
-  std::optional<Witness> best;
-  while (window.lower <= window.upper) {
+  const auto search = [&](const Interval& within) -> std::optional<Witness> {
     PlantSystem system(arena.situations(),
-                       Observer::reach(holds(arena.step(), wanted, terms_.options.entailed), window), arena.symmetry(),
+                       Observer::reach(holds(arena.step(), wanted, terms_.options.entailed), within), arena.symmetry(),
                        arena.start());
-    const auto path = any_path(system, terms_.options.merge, terms_.meter);
-    if (!path) {
-      cut_off_.stuck = cut_off_.stuck || system.cut_off().stuck;
-      cut_off_.still = cut_off_.still || system.cut_off().still;
-      cut_off_.spent = cut_off_.spent || system.cut_off().spent;
-      break;
+    if (const auto path = any_path(system, terms_.options.merge, terms_.meter)) {
+      return arena.out(earliest_witness(*path, system));
     }
-    best = arena.out(earliest_witness(*path, system));
-    window.upper = terms_.time.at_most(best->events.back().time) - 1;
-  }
+    cut_off_ |= system.cut_off();
+    return std::nullopt;
+  };
+  if (window.lower > window.upper) return std::nullopt;
+  std::optional<Witness> best = search(window);
+  hasten(best, window, terms_.time, search);
   return best;
 }
 

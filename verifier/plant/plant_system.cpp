@@ -215,11 +215,9 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
 /// Whether at some reading more faults are certain, with idle controls, than there may still be.
 bool PlantSystem::is_spent(const SymbolicState& state) const {
   const auto here = situations_[situation_of(state.discrete)];
-  if (here->faulty.empty()) return false;
-  const unsigned left = situations_.faults() - fault_count(state.faults);
-  if (left >= here->faulty.size()) return false;
-  const InstantClocks clocks(here->live, observer_.timed(phase_of(state.discrete)) ? 1 : 0);
-  return hold_together(state.zone, certain_faults(here->faulty, clocks, situations_.time()), left + std::size_t{1});
+  const std::size_t others = observer_.timed(phase_of(state.discrete)) ? 1 : 0;
+  return more_certain(state.zone, here->faulty, situations_.faults() - fault_count(state.faults), here->live, others,
+                      situations_.time());
 }
 
 unsigned PlantSystem::fault_count(unsigned faults) const { return sets_ == nullptr ? faults : (*sets_)[faults].count; }

@@ -19,6 +19,8 @@ namespace rmpl::verifier {
 struct Window {
   std::optional<automata::Ticks> not_before;
   std::optional<automata::Ticks> by;
+  /// Whether every time counts.
+  [[nodiscard]] bool is_all() const { return !not_before && !by; }
 };
 
 /// Some run comes to a state in which `target` holds. In sampled time the states are those at multiples of the period.

@@ -115,17 +115,6 @@ class Finder {
 
 }  // namespace
 
-bool hold_together(const Zone& zone, std::span<const ZoneBox> boxes, std::size_t count) {
-  if (count == 0) return true;
-  for (std::size_t first = 0; first + count <= boxes.size(); ++first) {
-    Zone within = zone;
-    const bool holds = std::all_of(boxes[first].begin(), boxes[first].end(),
-                                   [&](const ZoneBound& b) { return within.constrain(b.clock, b.range); });
-    if (holds && hold_together(within, boxes.subspan(first + 1), count - 1)) return true;
-  }
-  return false;
-}
-
 std::optional<Standstill> find_standstill(const Zone& zone, std::uint64_t node, Instants& instants) {
   return Finder(node, instants).find(zone);
 }

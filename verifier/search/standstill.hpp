@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "verifier/zone/zone.hpp"
@@ -19,9 +18,6 @@ struct ZoneBound {
 
 /// All of them hold.
 using ZoneBox = std::vector<ZoneBound>;
-
-/// Whether so many of the boxes hold at one reading of the zone.
-bool hold_together(const Zone& zone, std::span<const ZoneBox> boxes, std::size_t count);
 
 /// A step that may be taken at an instant.
 struct Instant {
@@ -58,6 +54,16 @@ struct CutOff {
   bool stuck = false;  ///< nothing can follow
   bool still = false;  ///< time stands still: only what takes no time can
   bool spent = false;  ///< more faults are certain than there may be
+
+  /// Whether the model has no future there, so that nothing can be said of it.
+  [[nodiscard]] bool ends() const { return stuck || still; }
+  /// Adds what was seen elsewhere.
+  CutOff& operator|=(const CutOff& other) {
+    stuck = stuck || other.stuck;
+    still = still || other.still;
+    spent = spent || other.spent;
+    return *this;
+  }
 };
 
 /// Readings of the zone at `node` in which it is stuck, or in which all steps of the instant lead round and round.

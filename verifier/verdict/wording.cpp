@@ -166,7 +166,8 @@ std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();
   const std::string vacuously = holds_vacuously(answer) ? ", as " + vacuity(answer) : "";
-  return meaning_of(property, found) + vacuously + (partly(answer).empty() ? "" : "; " + partly(answer));
+  const std::string part = partly(answer);
+  return meaning_of(property, found) + vacuously + (part.empty() ? "" : "; " + part);
 }
 
 std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness) {

@@ -69,7 +69,7 @@ class PolicyReconfigurer : public Reconfigurer {
  private:
   struct Memory {
     /// Of what housekeeping keeps: the goal, by how soon its parts may be lost by themselves as it begins.
-    std::map<std::vector<Upkeep::Loss>, std::uint64_t> numbers;
+    std::map<std::vector<Upkeep::Soon>, std::uint64_t> numbers;
     std::optional<Upkeep> upkeep;  ///< once it was asked for
     Answers answers;
     std::unordered_map<Modes, Modes, automata::ModesHash> aims;  ///< by where what is needed ends

@@ -51,7 +51,7 @@ class Settling {
     Modes modes;
     bool before;              ///< something on the way there is done for reward
     bool rewarded;            ///< the same, with what is done there
-    std::vector<Modes> next;  ///< where things may go from there, the first to be followed last
+    std::vector<Modes> next;  ///< where things may go from there and were not followed yet, in reverse order
   };
   using Position = std::vector<Visit>::iterator;
 

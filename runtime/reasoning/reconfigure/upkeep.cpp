@@ -73,18 +73,16 @@ std::vector<bool> Upkeep::had(const Modes& modes) {
   return result;
 }
 
-std::vector<Upkeep::Loss> Upkeep::loss(const Modes& modes) {
-  std::vector<Loss> result(restricted_.size() + (goal_.rest() ? 1 : 0), Loss::never);
-  const auto sooner = [&](Soon soon, Loss loss) {
+std::vector<Upkeep::Soon> Upkeep::loss(const Modes& modes, base::FunctionRef<void()> followed) {
+  std::vector<Soon> result(restricted_.size() + (goal_.rest() ? 1 : 0), Soon::never);
+  for (const Soon soon : soons) {
     follow(modes, soon);
-    const std::vector<bool> losable = this->losable();
+    followed();
+    const std::vector<bool> lost = losable();
     for (std::size_t part = 0; part < result.size(); ++part) {
-      if (losable[part]) result[part] = loss;
+      if (lost[part]) result[part] = soon;
     }
-  };
-  sooner(Soon::ever, Loss::in_time);
-  sooner(Soon::next, Loss::next);
-  sooner(Soon::at_once, Loss::at_once);
+  }
   return result;
 }
 
@@ -103,11 +101,8 @@ std::vector<bool> Upkeep::losable() {
 }
 
 Upkeep::Standing Upkeep::standing(const Modes& modes) {
-  Standing standing{had(modes), loss(modes), {}};
-  for (const Soon soon : soons) {
-    follow(modes, soon);
-    standing.drift[static_cast<std::size_t>(soon)] = drift_;
-  }
+  Standing standing{had(modes), {}, {}};
+  standing.loss = loss(modes, [&] { standing.drift.push_back(drift_); });
   return standing;
 }
 
@@ -127,13 +122,14 @@ std::vector<std::size_t> Upkeep::steps_to(ComponentId component, automata::ModeI
 }
 
 bool Upkeep::leaves(const std::vector<bool>& some, const Standing& before, const Modes& after, const Modes& target) {
-  return std::all_of(soons.begin(), soons.end(), [&](Soon soon) {
-    follow(after, soon);
-    const Reached& could = before.drift[static_cast<std::size_t>(soon)];
-    return std::all_of(involved_.begin(), involved_.end(), [&](ComponentId c) {
-      return !some[c.index()] || no_farther(c, could[c.index()], after[c.index()], target[c.index()]);
+  for (std::size_t i = 0; i < soons.size(); ++i) {
+    follow(after, soons[i]);
+    const bool left = std::all_of(involved_.begin(), involved_.end(), [&](ComponentId c) {
+      return !some[c.index()] || no_farther(c, before.drift[i][c.index()], after[c.index()], target[c.index()]);
     });
-  });
+    if (!left) return false;
+  }
+  return true;
 }
 
 /// Whether what the component can come to has its aim where it had, and is no farther from there than it is now where
@@ -154,7 +150,7 @@ bool Upkeep::keeps(const Standing& before, const Modes& after) {
   for (std::size_t part = 0; part < now.size(); ++part) {
     if (before.had[part] && !now[part]) return false;
   }
-  const std::vector<Loss> then = loss(after);
+  const std::vector<Soon> then = loss(after, [] {});
   for (std::size_t part = 0; part < then.size(); ++part) {
     if (before.had[part] && then[part] > before.loss[part]) return false;
   }

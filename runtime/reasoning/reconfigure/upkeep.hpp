@@ -8,6 +8,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "base/function_ref.hpp"
 #include "runtime/reasoning/reconfigure/drift.hpp"
 #include "runtime/reasoning/reconfigure/goal.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
@@ -23,20 +24,16 @@ class Upkeep {
   /// Keeps references.
   Upkeep(automata::PlantStep& step, const NominalGraph& graph, const Goal& goal);
 
-  /// Whether a part may be lost by itself where it is so, and how soon: the later the better. `next`: by a transition
-  /// that is enabled already.
-  enum class Loss : std::uint8_t { never, in_time, next, at_once };
-
-  /// How soon something may come by itself: of untimed transitions alone; of one transition that is enabled; ever.
-  enum class Soon : std::uint8_t { at_once, next, ever };
-  static constexpr std::array soons = {Soon::at_once, Soon::next, Soon::ever};
+  /// How soon something may come by itself: never; some day; by one transition, which is enabled; by untimed ones
+  /// alone.
+  enum class Soon : std::uint8_t { never, ever, next, at_once };
 
   /// What is known of the parts in a state.
   struct Standing {
-    std::vector<bool> had;  ///< the part is so
-    std::vector<Loss> loss;
-    /// By component, by mode: whether it may come to that by itself, so soon; of those that matter.
-    std::array<Reached, soons.size()> drift;
+    std::vector<bool> had;   ///< the part is so
+    std::vector<Soon> loss;  ///< how soon it may be lost by itself, where it is so: the later the better
+    /// By how soon (position in `soons`), by component, by mode: whether it may come to that; of those that matter.
+    std::vector<Reached> drift;
   };
   Standing standing(const automata::Modes& modes);
 
@@ -51,9 +48,12 @@ class Upkeep {
               const automata::Modes& target);
 
  private:
-  /// By part: whether it is so; how soon it may be lost by itself, where it is.
+  static constexpr std::array soons = {Soon::ever, Soon::next, Soon::at_once};
+
+  /// By part: whether it is so; how soon it may be lost by itself, where it is. `followed` is called as `drift_` tells
+  /// of each of `soons`.
   std::vector<bool> had(const automata::Modes& modes);
-  std::vector<Loss> loss(const automata::Modes& modes);
+  std::vector<Soon> loss(const automata::Modes& modes, base::FunctionRef<void()> followed);
   /// By part: whether it may be lost in the modes in `drift_`.
   std::vector<bool> losable();
   /// The modes that the components that matter may come to by themselves, in `drift_`.
