@@ -48,7 +48,8 @@ class LoopReplay {
         rules_(replay_rules),
         constants_(constants_of(program)),
         sequencer_(sequencer),
-        started_(program.clocks.size()) {}
+        started_(program.clocks.size()),
+        renewed_(program.clocks.size()) {}
 
   std::optional<std::string> run() {
     if (auto failure = plant_.start(witness_.events.front().modes, rules_.from)) return failure;
@@ -178,15 +179,21 @@ class LoopReplay {
   /// Cycles in which nothing changes, or, in dense time, in which the marking goes round.
   std::optional<std::string> wait(Ticks from, Ticks to) {
     if (to < from) return "time runs backwards" + at(to);
+    renewed_.assign(started_.size(), 0);
     for (const Ticks now : telling(from, to)) {
       if (auto failure = go_round(now, to)) return failure;
     }
     return std::nullopt;
   }
 
-  /// One round of these cycles, in a wait that lasts up to a time.
+  /// One round of these cycles, in a wait that lasts up to a time. A clock that each round forgets or starts anew was,
+  /// if it runs, started just before, in the rounds that are not looked at.
   std::optional<std::string> go_round(Ticks now, Ticks to) {
+    for (std::size_t c = 0; c < started_.size(); ++c) {
+      if (renewed_[c] >= 2 && started_[c]) started_[c] = std::max(*started_[c], now - Ticks{1});
+    }
     const Marking before = marking_;
+    const Readings started_before = started_;
     std::set<std::pair<Marking, Readings>> met;  // a clock may be forgotten, or started anew, in one marking of a round
     do {
       if (!met.insert({marking_, started_}).second) return "waiting leads elsewhere" + at(now);
@@ -198,6 +205,9 @@ class LoopReplay {
       finish(now, modes());
       if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);
     } while (marking_ != before);
+    for (std::size_t c = 0; c < started_.size(); ++c) {
+      renewed_[c] = started_[c] != started_before[c] ? renewed_[c] + 1 : 0;
+    }
     return std::nullopt;
   }
 
@@ -253,8 +263,9 @@ class LoopReplay {
   automata::ProgramStep& sequencer_;
   Marking marking_;
   Readings started_;
-  bool round_ = false;         ///< the cycle at hand is one of those that go round
-  bool stands_still_ = false;  ///< no time passes in one of them
+  std::vector<std::size_t> renewed_;  ///< by clock: rounds of the wait, up to the last one, that forgot or started it
+  bool round_ = false;                ///< the cycle at hand is one of those that go round
+  bool stands_still_ = false;         ///< no time passes in one of them
   // What the first half of the last cycle said:
   std::vector<automata::Assignment> goal_;
   bool conflict_ = false;

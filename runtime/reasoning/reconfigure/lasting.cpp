@@ -1,9 +1,11 @@
-// One untimed transition after the other.
+// What the untimed transitions of a goal state do to the goal.
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/reconfigure/lasting.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include "runtime/reasoning/reconfigure/aftermath.hpp"
 
 namespace rmpl::runtime {
 
@@ -20,28 +22,19 @@ std::vector<ComponentId> behind(ComponentId component, const automata::Transitio
   return blamed;
 }
 
-/// The same some untimed steps later, each component taking the first that is enabled: those that moved, and what their
-/// guards read. Steps are followed until they rest, or come round.
-std::optional<std::vector<ComponentId>> undone_later(automata::Modes state, const Goal& goal, automata::PlantStep& step,
-                                                     GoalInterpreter& interpreter) {
-  constexpr std::size_t most_steps = 16;
-  const automata::ControlAction idle = idle_action(step.plant());
+/// The same some untimed steps later: those that moved, and what their guards read.
+std::optional<std::vector<ComponentId>> undone_later(const automata::Modes& state, const Goal& goal,
+                                                     automata::PlantStep& step, GoalInterpreter& interpreter) {
+  std::vector<ComponentId> all;
+  for (std::size_t c = 0; c < state.size(); ++c) all.emplace_back(c);
   std::vector<ComponentId> blamed;
-  for (std::size_t steps = 0; steps < most_steps && step.permits(state, idle); ++steps) {
-    automata::Modes next = state;
-    const std::size_t before = blamed.size();
-    const automata::AllEnabled enabled = step.enabled(state, idle);
-    for (std::size_t c = 0; c < state.size(); ++c) {
-      if (enabled[c].untimed.empty()) continue;
-      const automata::Transition& t = step.plant()[ComponentId(c)].transitions[enabled[c].untimed.front().index()];
-      if (t.to == t.from) continue;
-      next[c] = t.to;
-      const std::vector<ComponentId> more = behind(ComponentId(c), t, step);
+  for (const Consequence& next : aftermath(state, all, step)) {
+    for (const TransitionOf& move : next.moves) {
+      const auto& t = step.plant()[move.component].transitions[move.transition.index()];
+      const std::vector<ComponentId> more = behind(move.component, t, step);
       blamed.insert(blamed.end(), more.begin(), more.end());
     }
-    if (blamed.size() == before || !step.possible(next)) return std::nullopt;
-    state = std::move(next);
-    if (interpreter.entailed(state, goal)) continue;
+    if (interpreter.entailed(next.modes, goal)) continue;
     std::sort(blamed.begin(), blamed.end());
     blamed.erase(std::unique(blamed.begin(), blamed.end()), blamed.end());
     return blamed;
@@ -68,7 +61,7 @@ std::optional<std::vector<ComponentId>> undone_by_itself(automata::Modes state, 
       if (!kept) return behind(component, t, step);
     }
   }
-  return undone_later(std::move(state), goal, step, interpreter);
+  return undone_later(state, goal, step, interpreter);
 }
 
 std::vector<ComponentId> left_by_itself(const automata::Modes& state, ComponentId component,

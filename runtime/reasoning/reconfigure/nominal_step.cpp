@@ -244,17 +244,15 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
   return true;
 }
 
-std::vector<ComponentId> NominalStep::fleeting(const Modes& modes, const ControlAction& action, std::size_t part) {
-  std::vector<ComponentId> result;
+std::vector<NominalMove> NominalStep::fleeting(const Modes& modes, const ControlAction& action, std::size_t part) {
+  std::vector<NominalMove> result;
   if (!tolerates(modes, action)) return result;
   const automata::AllEnabled& enabled = step_.enabled(modes, action);
   for (const ComponentId c : parts_.components(part)) {
-    const auto& timed = enabled[c.index()].timed;
-    const auto leaves = [&](TransitionId id) {
+    for (const TransitionId id : enabled[c.index()].timed) {
       const NominalTransition& t = nominal(c, id);
-      return t.bounded && t.from != t.to && t.possible;
-    };
-    if (std::any_of(timed.begin(), timed.end(), leaves)) result.push_back(c);
+      if (t.bounded && t.from != t.to && t.possible) result.push_back({c, &t});
+    }
   }
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/reconfigure/aftermath.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/reason.hpp"
@@ -64,10 +65,14 @@ class NominalStep {
   bool join_others(const automata::Modes& modes, const automata::ControlAction& action, std::size_t part,
                    const Permitted& permitted, NominalOutcome& outcome);
 
-  /// The components of the part whose mode a timed nominal transition with an upper bound ends while the action is
+  /// The timed nominal transitions with an upper bound that end modes of components of the part while the action is
   /// held; none where the modes do not tolerate it.
-  std::vector<automata::ComponentId> fleeting(const automata::Modes& modes, const automata::ControlAction& action,
-                                              std::size_t part);
+  std::vector<NominalMove> fleeting(const automata::Modes& modes, const automata::ControlAction& action,
+                                    std::size_t part);
+  /// What untimed transitions of the part make of the modes.
+  std::vector<Consequence> aftermath(const automata::Modes& modes, std::size_t part) {
+    return runtime::aftermath(modes, parts_.components(part), step_);
+  }
 
   /// Whether an untimed nominal transition ends the component's mode in the step in which the action is in force.
   bool springs_back(const automata::Modes& modes, const automata::ControlAction& action,

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
+#include <utility>
+
+#include "runtime/reasoning/reconfigure/aftermath.hpp"
 
 namespace rmpl::runtime {
 
@@ -79,35 +83,88 @@ std::vector<TransitionOf> lost_at_once(const Plan& plan, std::size_t at, automat
   return leaving;
 }
 
-/// Whether the component stays in the mode that it is in before this command, to which the plan took it, or on which
-/// the goal or the rest of the plan depends.
-bool is_kept(const Plan& plan, std::size_t from, std::size_t component, bool asked) {
-  const automata::ModeId mode = plan.states[from][component];
-  return (asked || plan.states.front()[component] != mode) &&
-         std::all_of(plan.states.begin() + static_cast<std::ptrdiff_t>(from), plan.states.end(),
-                     [&](const automata::Modes& modes) { return modes[component] == mode; });
-}
+/// The plan carried on where something has happened meanwhile that it does not know of.
+class Replay {
+ public:
+  Replay(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal)
+      : plan_(plan), step_(step), wanted_(step.theory().encode(goal)) {
+    for (std::size_t c = 0; c < step.plant().components.size(); ++c) all_.emplace_back(c);
+  }
+
+  /// Whether the steps from one on still lead to the goal where a component has come to a mode before that, and to
+  /// those where time may take it from there.
+  bool bears(std::size_t from, ComponentId component, automata::ModeId now) {
+    std::vector<automata::ModeId> come_to = {now};
+    for (std::size_t next = 0; next < come_to.size(); ++next) {
+      automata::Modes there = plan_.states[from];
+      there[component.index()] = come_to[next];
+      if (!step_.possible(there)) continue;
+      if (!arrives(from, there)) return false;
+      for (const TransitionId id : step_.enabled(component, there, plan_.commands[from]).timed) {
+        const automata::Transition& t = step_.plant()[component].transitions[id.index()];
+        const bool known = std::find(come_to.begin(), come_to.end(), t.to) != come_to.end();
+        if (!known && !t.timing->upper.is_infinite() && t.to != plan_.states[from][component.index()]) {
+          come_to.push_back(t.to);
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// From a state in place of the plan's, with all that it brings about at once.
+  bool arrives(std::size_t from, const automata::Modes& there) {
+    const std::vector<Consequence> after = aftermath(there, all_, step_);
+    modes_ = after.empty() ? there : after.back().modes;
+    for (std::size_t i = from; i < plan_.commands.size(); ++i) {
+      if (!goes_on(i)) return false;
+    }
+    return step_.theory().entails(automata::assignments_of(step_.plant(), modes_), wanted_);
+  }
+
+  /// Whether what moves in a step of the plan comes to where that takes it, or is there before that.
+  bool goes_on(std::size_t i) {
+    const automata::AllEnabled enabled = step_.enabled(modes_, plan_.commands[i]);
+    automata::Modes next = modes_;
+    for (const ComponentId c : all_) {
+      const automata::ModeId to = plan_.states[i + 1][c.index()];
+      if (plan_.states[i][c.index()] == to || modes_[c.index()] == to) continue;
+      const auto leads_there = [&](TransitionId id) { return step_.plant()[c].transitions[id.index()].to == to; };
+      const auto& [untimed, timed] = std::tie(enabled[c.index()].untimed, enabled[c.index()].timed);
+      if (std::none_of(untimed.begin(), untimed.end(), leads_there) &&
+          std::none_of(timed.begin(), timed.end(), leads_there)) {
+        return false;
+      }
+      next[c.index()] = to;
+    }
+    modes_ = std::move(next);
+    return step_.possible(modes_);
+  }
+
+  const Plan& plan_;
+  automata::PlantStep& step_;
+  automata::Theory::Handle wanted_;
+  std::vector<ComponentId> all_;
+  automata::Modes modes_;
+};
 
 }  // namespace
 
 std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal) {
   std::vector<PlanRisk> risks;
-  const std::vector<ComponentId> decisive = step.locality().support_of(goal).components;
+  Replay replay(plan, step, goal);
   const automata::ControlAction idle = idle_action(step.plant());
   for (std::size_t i = 0; i < plan.commands.size(); ++i) {
     const std::vector<ComponentId> waiting = waited_for(plan, i, step.plant());
     if (waiting.empty() && plan.commands[i] != idle) continue;
     for (const TransitionOf& leaving : lost_at_once(plan, i, step, waiting)) risks.push_back({i, leaving});
-    const std::set<ComponentId> relied = waiting.empty() ? std::set<ComponentId>{} : relied_on(plan, i, step);
     for (std::size_t c = 0; c < step.plant().components.size(); ++c) {
       const ComponentId component(c);
-      const bool asked =
-          relied.contains(component) || std::find(decisive.begin(), decisive.end(), component) != decisive.end();
-      if (!is_kept(plan, i, c, asked)) continue;
-      const auto& timed = step.enabled(component, plan.states[i], plan.commands[i]).timed;
+      if (plan.states[i][c] != plan.states[i + 1][c]) continue;
+      const std::vector<TransitionId> timed = step.enabled(component, plan.states[i], plan.commands[i]).timed;
       const auto leaving = std::find_if(timed.begin(), timed.end(), [&](TransitionId id) {
         const automata::Transition& t = step.plant()[component].transitions[id.index()];
-        return t.to != t.from && !t.timing->upper.is_infinite();
+        return t.to != t.from && !t.timing->upper.is_infinite() && !replay.bears(i, component, t.to);
       });
       if (leaving != timed.end()) risks.push_back({i, {component, *leaving}});
     }

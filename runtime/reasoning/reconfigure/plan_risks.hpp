@@ -11,10 +11,10 @@
 
 namespace rmpl::runtime {
 
-/// A wait, be it with a command in force, and a component that may leave meanwhile, by a timed transition with an upper
-/// bound, a mode that it is to keep to the end: the plan took it there, or the goal depends on it. Whether it is in
-/// time depends on durations, which no plan compares. Or one that leaves at once, by an untimed transition, a mode
-/// without which what is waited for does not come.
+/// A wait, be it with a command in force, and a component that may leave its mode meanwhile, by a timed transition with
+/// an upper bound, so that the rest of the plan does not lead to the goal any more: it rested on that mode, or on what
+/// this takes with it. Whether it is in time depends on durations, which no plan compares. Or one that leaves at once,
+/// by an untimed transition, a mode without which what is waited for does not come.
 struct PlanRisk {
   std::size_t wait;  ///< position among the commands
   TransitionOf leaving;

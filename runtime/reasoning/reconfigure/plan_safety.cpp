@@ -2,7 +2,6 @@
 // done while it waits.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "runtime/reasoning/reconfigure/planner.hpp"
@@ -27,11 +26,37 @@ bool Planner::is_safe(const Modes& modes, const Objective& objective, const Cont
   }
   const auto goes_on = [&](const NominalMove& move) { return !takes_time(move) || stands(*move.transition, at_once); };
   if (!std::all_of(moves.begin(), moves.end(), goes_on)) return false;
-  std::vector<ComponentId> others = nominal_.fleeting(modes, action, objective.part);
-  std::erase_if(others, [&](ComponentId c) { return outcome.modes[c.index()] != modes[c.index()]; });
+  std::vector<NominalMove> others = nominal_.fleeting(modes, action, objective.part);
+  std::erase_if(others,
+                [&](const NominalMove& m) { return outcome.modes[m.component.index()] != modes[m.component.index()]; });
   if (others.empty()) return true;
-  const std::vector<bool> relied = followed_in_part(modes, objective).relied;
-  return std::none_of(others.begin(), others.end(), [&](ComponentId c) { return relied[c.index()]; });
+  const Followed way = followed_in_part(modes, objective);
+  return std::none_of(others.begin(), others.end(), [&](const NominalMove& leaving) {
+    return way.relied[leaving.component.index()] || upsets(modes, objective, way, leaving);
+  });
+}
+
+bool Planner::upsets(const Modes& modes, const Objective& objective, const Followed& way, const NominalMove& leaving) {
+  Modes left = modes;
+  left[leaving.component.index()] = leaving.transition->to;
+  const auto is_lost = [&](ComponentId c, ModeId now) {
+    if (now == modes[c.index()]) return false;
+    if (way.relied[c.index()]) return true;
+    if (!way.moved[c.index()]) return false;
+    const Policy& policy = policies_.of(c, objective.permitted);
+    return std::any_of(way.sought.begin(), way.sought.end(), [&](const auto& aim) {
+      if (aim.first != c) return false;
+      const auto& then = policy.distance(now, aim.second);
+      return !then || policy.distance(modes[c.index()], aim.second) < then;
+    });
+  };
+  for (const Consequence& next : nominal_.aftermath(left, objective.part)) {
+    const bool lost = std::any_of(next.moves.begin(), next.moves.end(), [&](const TransitionOf& move) {
+      return move.component != leaving.component && is_lost(move.component, next.modes[move.component.index()]);
+    });
+    if (lost) return true;
+  }
+  return false;
 }
 
 bool Planner::gives_up(const Modes& modes, const Objective& objective, const NominalOutcome& outcome) {
@@ -61,7 +86,7 @@ Planner::Followed Planner::followed_in_part(const Modes& modes, const Objective&
   for (const ComponentId c : parts_.components(objective.part)) {
     if (objective.wanted[c.index()]) seeds.push_back(c);
   }
-  return followed(modes, objective, seeds);
+  return followed(modes, objective, seeds, Follow::nearest_ways);
 }
 
 Planner::Followed Planner::followed(const Modes& modes, const Objective& objective) {
@@ -69,29 +94,42 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
   for (std::size_t c = 0; c < modes.size(); ++c) {
     if (objective.wanted[c]) seeds.emplace_back(c);
   }
-  return followed(modes, objective, seeds);
+  return followed(modes, objective, seeds, Follow::every_way);
 }
 
-Planner::Followed Planner::followed(const Modes& modes, const Objective& objective,
-                                    std::span<const ComponentId> seeds) {
-  Followed result{std::vector<bool>(modes.size()), std::vector<bool>(modes.size()), false};
-  std::set<std::pair<ComponentId, ModeId>> sought;
+Planner::Followed Planner::followed(const Modes& modes, const Objective& objective, std::span<const ComponentId> seeds,
+                                    Follow follow) {
+  Followed result{std::vector<bool>(modes.size()), std::vector<bool>(modes.size()), false, {}};
   std::vector<std::pair<ComponentId, ModeId>> open;
   const auto seek = [&](ComponentId c, ModeId wanted) {
     if (modes[c.index()] == wanted) {
       result.relied[c.index()] = true;
-    } else if (sought.emplace(c, wanted).second) {
+    } else if (result.sought.emplace(c, wanted).second) {
       open.emplace_back(c, wanted);
       result.moved[c.index()] = true;
     }
   };
-  const auto rely = [&](ComponentId component, const NominalTransition& way) {
-    for (const Precondition& precondition : way.preconditions) {
-      for (const Requirement& r : precondition) {
-        const auto upstream = index_.component_of(r.variable);
-        if (!upstream || *upstream == component) continue;
-        for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
+  const auto rely = [&](ComponentId component, const Precondition& precondition) {
+    for (const Requirement& r : precondition) {
+      const auto upstream = index_.component_of(r.variable);
+      if (!upstream || *upstream == component) continue;
+      if (follow == Follow::nearest_ways && ModeRequirement{*upstream, &r}.met(modes)) {
+        result.relied[upstream->index()] = true;
+        continue;
       }
+      for (const automata::ValueId v : r.values) seek(*upstream, ModeId(v.index()));
+    }
+  };
+  const auto rely_on_nearest = [&](ComponentId component, const NominalTransition& t) {
+    const std::vector<Choice> ways = choices(modes, objective, component, t);
+    for (const Choice& choice : ways) {
+      if (choice.distance == ways.front().distance) rely(component, *choice.way->precondition);
+    }
+  };
+  const auto rely_on_all = [&](ComponentId component, const NominalTransition& t) {
+    for (const NominalTransition& way : graph_.transitions(component)) {
+      if (!is_parallel(component, way, t, objective.permitted)) continue;
+      for (const Precondition& precondition : way.preconditions) rely(component, precondition);
     }
   };
   for (const ComponentId c : seeds) seek(c, objective.target[c.index()]);
@@ -112,8 +150,10 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
     if (t != nullptr && !t->timed && strays) result.relied[component.index()] = true;
     for (; t != nullptr; t = policy.next(t->to, wanted)) {
       result.waits = result.waits || t->timed;
-      for (const NominalTransition& way : graph_.transitions(component)) {
-        if (is_parallel(component, way, *t, objective.permitted)) rely(component, way);
+      if (follow == Follow::nearest_ways && !order_.in_cycle(component)) {
+        rely_on_nearest(component, *t);
+      } else {
+        rely_on_all(component, *t);
       }
     }
   }
@@ -123,7 +163,7 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
 std::optional<PlannedStep> Planner::meanwhile(const Modes& modes, const Objective& objective,
                                               const PlannedStep& waiting) {
   const ComponentId served = waiting.serves;
-  const Followed way = followed(modes, objective, std::span(&served, 1));
+  const Followed way = followed(modes, objective, std::span(&served, 1), Follow::every_way);
   const auto waits_on = [&](const Modes& after) {
     if (!astray(after, objective, served)) return false;
     const NextStep next = approach(after, objective, served);
@@ -145,9 +185,9 @@ std::optional<PlannedStep> Planner::meanwhile(const Modes& modes, const Objectiv
 
 bool Planner::is_brief(const PlannedStep& step, const Objective& objective) {
   const Modes& reached = step.outcome.modes;
-  const std::vector<ComponentId> brief = brief_goals(reached, objective);
+  const std::vector<NominalMove> brief = brief_goals(reached, objective);
   return std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(), [&](const NominalMove& move) {
-    return std::find(brief.begin(), brief.end(), move.component) != brief.end();
+    return std::any_of(brief.begin(), brief.end(), [&](const NominalMove& b) { return b.component == move.component; });
   });
 }
 
@@ -166,10 +206,10 @@ bool Planner::is_passing(const PlannedStep& step, const Objective& objective) {
 }
 
 /// The goals that are achieved, and may be undone by a timed transition of their own.
-std::vector<ComponentId> Planner::brief_goals(const Modes& modes, const Objective& objective) {
-  std::vector<ComponentId> brief = nominal_.fleeting(modes, idle_, objective.part);
-  std::erase_if(brief, [&](ComponentId c) {
-    return !objective.wanted[c.index()] || modes[c.index()] != objective.target[c.index()];
+std::vector<NominalMove> Planner::brief_goals(const Modes& modes, const Objective& objective) {
+  std::vector<NominalMove> brief = nominal_.fleeting(modes, idle_, objective.part);
+  std::erase_if(brief, [&](const NominalMove& m) {
+    return !objective.wanted[m.component.index()] || astray(modes, objective, m.component);
   });
   return brief;
 }

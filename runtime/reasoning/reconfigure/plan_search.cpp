@@ -16,11 +16,13 @@ using automata::Modes;
 namespace {
 
 /// Steps are cycles in which something happens that has to do with the goal. Of paths of one length that goes first
-/// which loses less of what was achieved, then that with fewer commands, then that with the earlier ones: what takes
-/// time is not waited for before what can be commanded at once. Then that with the fewest cycles.
+/// which loses less of what was achieved, then that with fewer steps that take time, as a wait lasts many cycles and a
+/// command one; then that with fewer commands, then that with the earlier ones: what takes time is not waited for
+/// before what can be commanded at once. Then that with the fewest cycles.
 struct Cost {
   Distance distance;
   std::size_t losses = 0;  ///< how often a component that is to be where it is leaves it
+  std::size_t delays = 0;  ///< steps in which something that has to do with the goal takes a timed transition
   std::size_t commands = 0;
   std::size_t late = 0;  ///< how many steps stand before each command, summed
   std::size_t cycles = 0;
@@ -128,7 +130,7 @@ automata::ComponentId Planner::served_by(const Modes& modes, const Objective& ob
   std::optional<automata::ComponentId> first;
   for (const automata::ComponentId c : ordered_[objective.part]) {
     if (!astray(modes, objective, c)) continue;
-    if (followed(modes, objective, std::span(&c, 1)).moved[moved.index()]) return c;
+    if (followed(modes, objective, std::span(&c, 1), Follow::every_way).moved[moved.index()]) return c;
     if (!first) first = c;
   }
   return first.value_or(moved);
@@ -193,10 +195,13 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
           cost.late += cost.distance.steps;
         }
         // What has no part in the goal may do as it likes meanwhile.
-        const bool counts = !off.empty() || std::any_of(outcome.moves.begin(), outcome.moves.end(), [&](const auto& m) {
-          return space.involved[m.component.index()];
-        });
-        cost.distance.steps += counts ? 1 : 0;
+        const auto moves = [&](auto&& suits) {
+          return std::any_of(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
+            return space.involved[move.component.index()] && suits(move);
+          });
+        };
+        cost.distance.steps += !off.empty() || moves([](const NominalMove&) { return true; }) ? 1 : 0;
+        cost.delays += moves([](const NominalMove& move) { return move.transition->timed; }) ? 1 : 0;
         cost.cycles += 1;
         for (const NominalMove& move : outcome.moves) {
           const automata::ComponentId c = move.component;

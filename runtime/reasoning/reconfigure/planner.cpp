@@ -149,17 +149,12 @@ std::vector<ModeId> modes_in(const Requirement& requirement) {
   return result;
 }
 
-bool is_met(const ModeRequirement& r, const Modes& modes) {
-  const auto& values = r.requirement->values;
-  return std::binary_search(values.begin(), values.end(), ValueId(modes[r.component.index()].index()));
-}
-
 }  // namespace
 
 std::optional<Distance> Planner::distance(const Modes& modes, const Objective& objective, const Way& way) {
   Distance sum;
   for (const ModeRequirement& r : way.modes) {
-    if (is_met(r, modes)) continue;
+    if (r.met(modes)) continue;
     const Policy& policy = policies_.of(r.component, objective.permitted);
     // What is not part of the goal state has to be undone again.
     const ModeId target = objective.target[r.component.index()];
@@ -182,7 +177,7 @@ std::optional<Distance> Planner::distance(const Modes& modes, const Objective& o
 std::vector<const ModeRequirement*> Planner::pending(const Modes& modes, const Way& way) const {
   std::vector<const ModeRequirement*> result;
   for (const ModeRequirement& r : way.modes) {
-    if (!is_met(r, modes)) result.push_back(&r);
+    if (!r.met(modes)) result.push_back(&r);
   }
   std::stable_sort(result.begin(), result.end(), [&](const ModeRequirement* a, const ModeRequirement* b) {
     return order_.rank(a->component) < order_.rank(b->component);
@@ -193,7 +188,7 @@ std::vector<const ModeRequirement*> Planner::pending(const Modes& modes, const W
 std::size_t Planner::disturbed(const Modes& modes, const Way& way) const {
   std::size_t count = 0;
   for (const ModeRequirement& r : way.modes) {
-    if (!is_met(r, modes)) count += graph_.dependents(r.component).size();
+    if (!r.met(modes)) count += graph_.dependents(r.component).size();
   }
   return count;
 }

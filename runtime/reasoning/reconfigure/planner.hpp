@@ -4,7 +4,9 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -82,9 +84,10 @@ class Planner {
   /// move, themselves among them.
   struct Followed {
     std::vector<bool> relied, moved;
-    bool waits;  ///< for timed transitions of these
+    bool waits;                                                           ///< for timed transitions of these
+    std::set<std::pair<automata::ComponentId, automata::ModeId>> sought;  ///< where those that are moved are to come
   };
-  /// Of the wanted components.
+  /// Of the wanted components, whichever way they go.
   Followed followed(const automata::Modes& modes, const Objective& objective);
 
   /// Components in the order in which their goals are achieved.
@@ -107,7 +110,7 @@ class Planner {
  private:
   using NextStep = std::variant<PlannedStep, Impasse>;
   bool is_brief(const PlannedStep& step, const Objective& objective);
-  std::vector<automata::ComponentId> brief_goals(const automata::Modes& modes, const Objective& objective);
+  std::vector<NominalMove> brief_goals(const automata::Modes& modes, const Objective& objective);
   /// The order of goals. `commands_first`: downstream first, but commands for others go out while that waits.
   enum class Order { commands_first, downstream_first, lasting_first };
   /// `grounded`: safe, and nothing that the ways rest on is given up, in order to be safe.
@@ -198,10 +201,15 @@ class Planner {
   bool gives_up(const automata::Modes& modes, const Objective& objective, const NominalOutcome& outcome);
   automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,
                                   automata::ComponentId moved);
+  enum class Follow { every_way, nearest_ways };
   Followed followed(const automata::Modes& modes, const Objective& objective,
-                    std::span<const automata::ComponentId> seeds);
-  /// Of the wanted components of the part.
+                    std::span<const automata::ComponentId> seeds, Follow follow);
+  /// Of the wanted components of the part, by the nearest ways.
   Followed followed_in_part(const automata::Modes& modes, const Objective& objective);
+  /// Whether what leaves its mode by itself takes with it, by untimed transitions one after the other, a mode that the
+  /// way relies on, or leads one that is to move farther from where it is to come.
+  bool upsets(const automata::Modes& modes, const Objective& objective, const Followed& way,
+              const NominalMove& leaving);
 
   /// How far away the requirements of a way are; nothing where one of them cannot be met.
   std::optional<Distance> distance(const automata::Modes& modes, const Objective& objective, const Way& way);

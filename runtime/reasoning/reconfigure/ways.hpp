@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
+#include "automata/state.hpp"
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 
@@ -13,6 +15,10 @@ namespace rmpl::runtime {
 struct ModeRequirement {
   automata::ComponentId component;
   const Requirement* requirement;
+  [[nodiscard]] bool met(const automata::Modes& modes) const {
+    const auto& values = requirement->values;
+    return std::binary_search(values.begin(), values.end(), automata::ValueId(modes[component.index()].index()));
+  }
 };
 
 /// A precondition that goes upstream.
