@@ -123,6 +123,11 @@ const AllEnabled& PlantStep::enabled(const Modes& modes, const ControlAction& ac
   return whole(modes, action).enabled;
 }
 
+const AllEnabled* PlantStep::enabled_if_permitted(const Modes& modes, const ControlAction& action) {
+  const Whole& known = whole(modes, action);
+  return known.consistent ? &known.enabled : nullptr;
+}
+
 bool PlantStep::permits(const Modes& modes, const ControlAction& action) { return whole(modes, action).consistent; }
 
 std::vector<Move> PlantStep::moves(ComponentId component, ModeId mode, const Enabled& enabled, Ticks clock_start,

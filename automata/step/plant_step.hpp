@@ -75,6 +75,8 @@ class PlantStep {
   const Enabled& enabled(ComponentId component, const Modes& modes, const ControlAction& action);
   /// Per component, what the store of `modes` and the control action enable. The reference lasts until the next call.
   const AllEnabled& enabled(const Modes& modes, const ControlAction& action);
+  /// The same, or null where they are not consistent.
+  const AllEnabled* enabled_if_permitted(const Modes& modes, const ControlAction& action);
   /// `consistent`, at no cost where `enabled` is asked the same.
   bool permits(const Modes& modes, const ControlAction& action);
 

@@ -16,8 +16,8 @@ using automata::TransitionId;
 bool NominalStep::can_risk(ComponentId c, automata::ModeId mode, const Permitted& permitted) const {
   const auto& transitions = graph_.transitions(c);
   return std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
-    const bool silent = !t.all_preconditions || std::find(t.silent.begin(), t.silent.end(), true) != t.silent.end();
-    return silent && t.possible && !is_permitted(c, t, permitted) && graph_.leads(c, mode, t.from);
+    if (is_permitted(c, t, permitted) || !t.possible || !graph_.leads(c, mode, t.from)) return false;
+    return !t.all_preconditions || std::find(t.silent.begin(), t.silent.end(), true) != t.silent.end();
   });
 }
 
@@ -86,6 +86,19 @@ bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t par
   if (at == then.end()) return false;
   refused_ = *at;
   return true;
+}
+
+bool NominalStep::lets_come_a_risk(const Modes& modes, const ControlAction& action, std::size_t part,
+                                   const Permitted& permitted) {
+  const auto& components = parts_.components(part);
+  const bool forbids = std::any_of(components.begin(), components.end(), [&](ComponentId c) {
+    const auto& transitions = permitted[c.index()];
+    return std::find(transitions.begin(), transitions.end(), false) != transitions.end();
+  });
+  if (!forbids) return false;
+  const std::vector<Modes> besides = let_come(modes, action, part);
+  return std::any_of(besides.begin(), besides.end(),
+                     [&](const Modes& next) { return risks(modes, next, part, permitted); });
 }
 
 }  // namespace rmpl::runtime

@@ -150,18 +150,18 @@ std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const
   return action;
 }
 
-bool NominalStep::permits(const Modes& modes, const ControlAction& action, std::size_t part, const Permitted& permitted,
-                          const NominalMove* intended, const Modes* keep) {
+bool NominalStep::permits(const Modes& modes, const ControlAction& action, const automata::AllEnabled& with,
+                          std::size_t part, const Permitted& permitted, const NominalMove* intended,
+                          const Modes* keep) {
   refused_.reset();
   const ControlAction idle = idle_action(plant());
   if (action == idle) return true;
   // Where the model does not tolerate idle controls, nothing happens without a command.
   static const Enabled nothing;
-  const bool can_idle = tolerates(modes, idle);
-  const automata::AllEnabled without = step_.enabled(modes, idle);
-  const automata::AllEnabled with = step_.enabled(modes, action);
+  const automata::AllEnabled* const idling = step_.enabled_if_permitted(modes, idle);
+  const auto without = idling != nullptr ? std::optional(*idling) : std::nullopt;
   for (const ComponentId c : parts_.components(part)) {
-    const Enabled& anyway = can_idle ? without[c.index()] : nothing;
+    const Enabled& anyway = without ? (*without)[c.index()] : nothing;
     if (&with[c.index()] == &anyway) continue;
     const bool own = intended != nullptr && intended->component == c;
     for (const TransitionId id : with[c.index()].untimed) {
@@ -190,8 +190,10 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
                                                 const Permitted& permitted, const Modes* keep) {
   const std::size_t part = parts_.of(move.component);
   refused_.reset();
-  if (!tolerates(modes, action) || !permits(modes, action, part, permitted, &move, keep)) return std::nullopt;
-  const automata::AllEnabled& enabled = step_.enabled(modes, action);
+  const automata::AllEnabled* const tolerated = step_.enabled_if_permitted(modes, action);
+  if (tolerated == nullptr) return std::nullopt;
+  const automata::AllEnabled enabled = *tolerated;
+  if (!permits(modes, action, enabled, part, permitted, &move, keep)) return std::nullopt;
   NominalOutcome outcome{modes, {}};
   for (const ComponentId c : parts_.components(part)) {
     const auto& untimed = enabled[c.index()].untimed;
@@ -210,8 +212,13 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
     outcome.moves.push_back({c, taken});
   }
   if (!step_.possible(outcome.modes)) return std::nullopt;
-  if (action != idle_action(plant()) && risks(modes, outcome.modes, part, permitted)) return std::nullopt;
-  return outcome;
+  if (action == idle_action(plant())) return outcome;
+  // What is left to chance, or to time, counts as well.
+  if (risks(modes, outcome.modes, part, permitted)) return std::nullopt;
+  for (const NominalOutcome& other : combinations(modes, enabled, part, {})) {
+    if (step_.possible(other.modes) && risks(modes, other.modes, part, permitted)) return std::nullopt;
+  }
+  return lets_come_a_risk(modes, action, part, permitted) ? std::nullopt : std::optional(std::move(outcome));
 }
 
 bool NominalStep::join_others(const Modes& modes, const ControlAction& action, std::size_t part,
@@ -254,6 +261,32 @@ std::vector<NominalMove> NominalStep::fleeting(const Modes& modes, const Control
       if (t.bounded && t.from != t.to && t.possible) result.push_back({c, &t});
     }
   }
+  return result;
+}
+
+std::vector<Modes> NominalStep::let_come(const Modes& modes, const ControlAction& action, std::size_t part) {
+  std::vector<Modes> result;
+  const ControlAction idle = idle_action(plant());
+  if (action == idle) return result;
+  const automata::AllEnabled* const idling = step_.enabled_if_permitted(modes, idle);
+  if (idling == nullptr) return result;
+  const automata::AllEnabled without = *idling;
+  const automata::AllEnabled& with = step_.enabled(modes, action);
+  for (const ComponentId c : parts_.components(part)) {
+    const Enabled& anyway = without[c.index()];
+    if (&with[c.index()] == &anyway) continue;
+    const auto add = [&](const std::vector<TransitionId>& ids, const std::vector<TransitionId>& those_anyway) {
+      for (const TransitionId id : ids) {
+        const NominalTransition& t = nominal(c, id);
+        if (t.from == t.to || !t.possible || contains(those_anyway, id)) continue;
+        result.push_back(modes);
+        result.back()[c.index()] = t.to;
+      }
+    };
+    add(with[c.index()].untimed, anyway.untimed);
+    add(with[c.index()].timed, anyway.timed);
+  }
+  std::erase_if(result, [&](const Modes& next) { return !step_.possible(next); });
   return result;
 }
 
@@ -309,8 +342,10 @@ bool NominalStep::matters(Rest& rest, const OffIdle& off) const {
 std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t part,
                                                   const Permitted& permitted) {
   std::vector<NominalOutcome> result;
-  if (!tolerates(modes, action) || !permits(modes, action, part, permitted, nullptr, nullptr)) return result;
-  const automata::AllEnabled enabled = step_.enabled(modes, action);
+  const automata::AllEnabled* const tolerated = step_.enabled_if_permitted(modes, action);
+  if (tolerated == nullptr) return result;
+  const automata::AllEnabled enabled = *tolerated;
+  if (!permits(modes, action, enabled, part, permitted, nullptr, nullptr)) return result;
   std::vector<NominalOutcome> all = combinations(modes, enabled, part, {});
   const bool moves = std::any_of(all.begin(), all.end(), [](const NominalOutcome& o) { return !o.moves.empty(); });
   if (!moves) {
@@ -326,6 +361,7 @@ std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const Cont
     }
   }
   const bool commanded = action != idle_action(plant());
+  if (commanded && lets_come_a_risk(modes, action, part, permitted)) return {};
   for (NominalOutcome& outcome : all) {
     if (outcome.moves.empty() || !step_.possible(outcome.modes)) continue;
     if (commanded && risks(modes, outcome.modes, part, permitted)) return {};

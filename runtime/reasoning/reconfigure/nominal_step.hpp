@@ -74,6 +74,10 @@ class NominalStep {
     return runtime::aftermath(modes, parts_.components(part), step_);
   }
 
+  /// Where each nominal transition of the part leads, by itself, that the action enables and idling does not.
+  std::vector<automata::Modes> let_come(const automata::Modes& modes, const automata::ControlAction& action,
+                                        std::size_t part);
+
   /// Whether an untimed nominal transition ends the component's mode in the step in which the action is in force.
   bool springs_back(const automata::Modes& modes, const automata::ControlAction& action,
                     automata::ComponentId component);
@@ -105,8 +109,8 @@ class NominalStep {
                                            std::size_t part, std::optional<NominalMove> fixed) const;
   /// Whether all that the action enables, idling does not, and the model does not exclude, may be taken. A step that
   /// cannot be undone is left to chance neither as a side effect nor as the other branch of an intended one.
-  bool permits(const automata::Modes& modes, const automata::ControlAction& action, std::size_t part,
-               const Permitted& permitted, const NominalMove* intended, const automata::Modes* keep);
+  bool permits(const automata::Modes& modes, const automata::ControlAction& action, const automata::AllEnabled& with,
+               std::size_t part, const Permitted& permitted, const NominalMove* intended, const automata::Modes* keep);
 
   template <class Suits>
   std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Precondition* precondition,
@@ -114,6 +118,9 @@ class NominalStep {
   /// Whether from the state that a command leads to a forbidden step could come by itself, at once or in time, after
   /// whatever else comes by itself, and could not before.
   bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t part, const Permitted& permitted);
+  /// The same where each transition that the action enables by itself leads, timed ones too.
+  bool lets_come_a_risk(const automata::Modes& modes, const automata::ControlAction& action, std::size_t part,
+                        const Permitted& permitted);
   std::vector<TransitionOf> forbidden_to_come(const automata::Modes& modes, std::size_t part,
                                               const Permitted& permitted);
   std::vector<NominalOutcome> by_itself(const automata::Modes& modes, std::size_t part,

@@ -188,7 +188,7 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
           excluded = true;
           continue;
         }
-        if (!may_take(objective, outcome)) continue;
+        if (!may_take(current, objective, action, outcome)) continue;
         Cost cost = reached.cost;
         if (!off.empty()) {
           cost.commands += 1;

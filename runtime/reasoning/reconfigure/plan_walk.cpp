@@ -15,12 +15,16 @@ namespace rmpl::runtime {
 using automata::ComponentId;
 using automata::Modes;
 
-bool Planner::may_take(const Objective& objective, const NominalOutcome& outcome) {
+bool Planner::may_take(const Modes& modes, const Objective& objective, const automata::ControlAction& action,
+                       const NominalOutcome& outcome) {
   if (!objective.keeps) return true;
   if (!objective.keeps(outcome.modes)) return false;
-  return std::all_of(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
-    return !move.transition->timed || objective.moved[move.component.index()];
+  const bool waits = std::any_of(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
+    return move.transition->timed && !objective.moved[move.component.index()];
   });
+  if (waits) return false;
+  const std::vector<Modes> besides = nominal_.let_come(modes, action, objective.part);
+  return std::all_of(besides.begin(), besides.end(), objective.keeps);
 }
 
 std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective& objective) const {
@@ -132,7 +136,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
         asides = true;
       }
     }
-    if (!may_take(objective, step.outcome)) {
+    if (!may_take(current, objective, step.action, step.outcome)) {
       return {Impasse{step.component, "what is done beside the goal would not leave it achieved, or would wait"},
               never,
               asides,

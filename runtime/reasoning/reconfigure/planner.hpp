@@ -136,8 +136,10 @@ class Planner {
   [[nodiscard]] static bool astray(const automata::Modes& modes, const Objective& objective, automata::ComponentId c) {
     return objective.wanted[c.index()] && modes[c.index()] != objective.target[c.index()];
   }
-  /// Whether the step may be part of a plan: it keeps what is to be kept, and waits for nothing that it must not.
-  static bool may_take(const Objective& objective, const NominalOutcome& outcome);
+  /// Whether the step may be part of a plan: it keeps what is to be kept, whatever its action lets come besides, and
+  /// waits for nothing that it must not.
+  bool may_take(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
+                const NominalOutcome& outcome);
   Trace follow(const automata::Modes& modes, const Objective& objective, Order order);
   /// Of states that a walk led through, the last of which is one that it came through before.
   [[nodiscard]] Impasse turns_in_a_circle(const std::vector<automata::Modes>& states, automata::ComponentId astray,

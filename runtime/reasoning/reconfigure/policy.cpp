@@ -40,7 +40,7 @@ Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t mo
 }
 
 Policies::Policies(const automata::Plant& plant, const NominalGraph& graph)
-    : graph_(graph), policies_(plant.components.size()) {
+    : graph_(graph), policies_(plant.components.size()), latest_(plant.components.size()) {
   Permitted harmless(plant.components.size());
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     modes_.push_back(plant.components[c].modes.size());
@@ -54,9 +54,14 @@ Policies::Policies(const automata::Plant& plant, const NominalGraph& graph)
 const Policy& Policies::of(ComponentId component, const Permitted& permitted) {
   const std::vector<bool>& bits = permitted[component.index()];
   auto& known = policies_[component.index()];
+  // Most components have no step to forbid, and are asked for again and again.
+  auto& latest = latest_[component.index()];
+  if (latest != nullptr && latest->first == bits) return latest->second;
   const auto at = known.find(bits);
-  if (at != known.end()) return at->second;
-  return known.emplace(bits, Policy(graph_.transitions(component), modes_[component.index()], bits)).first->second;
+  latest = at != known.end()
+               ? &*at
+               : &*known.emplace(bits, Policy(graph_.transitions(component), modes_[component.index()], bits)).first;
+  return latest->second;
 }
 
 PolicyTable policy_table(const automata::Plant& plant, ComponentId component) {

@@ -60,8 +60,10 @@ class Policies {
 
  private:
   const NominalGraph& graph_;
-  std::vector<std::size_t> modes_;                             ///< per component, how many
-  std::vector<std::map<std::vector<bool>, Policy>> policies_;  ///< per component, by what is permitted
+  std::vector<std::size_t> modes_;  ///< per component, how many
+  using ByPermitted = std::map<std::vector<bool>, Policy>;
+  std::vector<ByPermitted> policies_;                   ///< per component, by what is permitted
+  std::vector<const ByPermitted::value_type*> latest_;  ///< per component, the one that was asked for last
 };
 
 /// One entry of a policy table.

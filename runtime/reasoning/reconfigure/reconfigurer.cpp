@@ -237,7 +237,12 @@ class PolicyReconfigurer : public Reconfigurer {
     const Prospects prospects(*graph_, modes, goal, true);
     planner_.renew_budget(housekeeping_trials);
     std::size_t failures = 0;
-    const auto keeps = [&](const Modes& after) { return upkeep.keeps(standing, after); };
+    std::unordered_map<Modes, bool, automata::ModesHash> kept;  // one plan after the other asks of the same states
+    const auto keeps = [&](const Modes& after) {
+      const auto [at, fresh] = kept.try_emplace(after);
+      if (fresh) at->second = upkeep.keeps(standing, after);
+      return at->second;
+    };
     std::vector<bool> moved(modes.size());
     const auto plan_for = [&](const Modes& candidate, std::vector<Offer>& offers) {
       std::vector<bool> wanted(modes.size());
