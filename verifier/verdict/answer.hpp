@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "verifier/property/fault.hpp"
@@ -46,6 +47,8 @@ struct Answer {
   CutOff cut_off;
   /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
   bool startless = false;
+  /// What is most likely meant otherwise in the question, or misunderstood of the answer.
+  std::vector<std::string> warnings;
   /// Of the search that decided; questions that are decided together are counted together.
   Progress progress;
 };

@@ -78,6 +78,7 @@ ordered_json to_json(const Subject& subject, const ProgramQuestion& question, co
   }
   ordered_json json = {{"property", "each-fault"}, {"question", std::move(asked)}, {"faults", ordered_json::array()}};
   if (table.limit) json["reason"] = reason(table.limit, table.progress);
+  if (!table.warnings.empty()) json["warnings"] = table.warnings;
   for (const FaultOutcome& row : table.rows) {
     ordered_json entry = ordered_json::object();
     if (row.fault) {
@@ -141,6 +142,7 @@ std::string to_junit(const Subject& subject, const FaultTable& table) {
                      .message = outcome_text(row),
                      .text = failure_text(subject, row)});
   }
+  for (const std::string& warning : table.warnings) cases.front().notes += "warning: " + warning + "\n";
   return base::to_junit(title(subject), cases);
 }
 

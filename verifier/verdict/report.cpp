@@ -71,12 +71,17 @@ void add_cut_off(ordered_json& json, const Answer& answer) {
   json["cut_off"] = cut_off.still ? "time-stands-still" : cut_off.stuck ? "stuck" : "fault-certain";
 }
 
+void add_warnings(ordered_json& json, const Answer& answer) {
+  if (!answer.warnings.empty()) json["warnings"] = answer.warnings;
+}
+
 ordered_json check_json(const Subject& subject, const Property& property, bool cut_sets, const Answer& answer) {
   ordered_json check = {{"property", name_of(property)}, {"verdict", to_text(answer.verdict)}};
   if (is_warning(property)) check["level"] = "warning";
   check.update(claim_of(subject.plant, property));
   if (holds_vacuously(answer)) check["vacuous"] = true;
   add_cut_off(check, answer);
+  add_warnings(check, answer);
   if (cut_sets) check["cut_sets"] = json_of_cut_sets(subject, answer);
   if (!answer.witness) return check;
   if (answer.fewest_faults) check["fewest_faults"] = *answer.fewest_faults;
@@ -123,6 +128,7 @@ ordered_json to_json(const Subject& subject, const Question& question, const Ans
   if (holds_vacuously(answer)) json["vacuous"] = true;
   if (const std::string why = reason(answer); !why.empty()) json["reason"] = why;
   add_cut_off(json, answer);
+  add_warnings(json, answer);
   if (answer.witness) {
     if (auto found = end_of(subject, question.property, *answer.witness); !found.empty()) json["finding"] = found;
   }
@@ -171,7 +177,8 @@ std::string to_junit(const Subject& subject, const std::vector<Property>& proper
                                 : verdict == Verdict::violated ? failure
                                                                : error,
                      .message = report.substr(0, headline),
-                     .text = report.substr(headline + 1)});
+                     .text = report.substr(headline + 1),
+                     .notes = notes(answers[p])});
   }
   return base::to_junit(title(subject), cases);
 }

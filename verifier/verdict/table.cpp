@@ -121,7 +121,8 @@ std::string to_junit(const Subject& subject, const std::vector<Claim>& claims) {
                                 : claim.decided()   ? Outcome::failure
                                                     : Outcome::error,
                      .message = std::string(to_text(claim.answer.verdict)) + (after.empty() ? "" : ": " + after),
-                     .text = trace_of(subject, claim)});
+                     .text = trace_of(subject, claim),
+                     .notes = notes(claim.answer)});
   }
   return base::to_junit(title(subject), cases);
 }
