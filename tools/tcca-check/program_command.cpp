@@ -224,7 +224,7 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
   print_answer(
       common, [&] { return text_of(subject, properties, free, answers, options, common); },
       [&] { return verifier::to_json(subject, question, answers); },
-      [&] { return verifier::to_junit(subject, properties, answers); });
+      [&] { return verifier::to_junit(subject, question, answers); });
   const bool shown = frame && write_scenario(options.scenario, *file, *frame, subject, step, properties, answers, free,
                                              common, bounds);
   std::vector<runtime::Flight> flights;

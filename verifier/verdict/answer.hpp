@@ -38,7 +38,9 @@ struct Answer {
   std::vector<Witness> others;         ///< of missing plans and endless waits: those with other causes, soonest first
   std::optional<std::size_t> same_as;  ///< the answer, found together with it, that has the same witness
   std::optional<unsigned> fewest_faults;  ///< those of the witness, where they were asked for and there is one
-  std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first
+  std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first, each minimal in any case
+  /// All of runs with up to so many faults are there; none where not even runs without a fault are known.
+  std::optional<unsigned> cut_sets_complete;
   /// Why it is undecided; or, beside a witness, why a better one (fewer steps, or less time) may have been missed.
   std::optional<Limit> limit;
   std::optional<Vacuity> vacuous;  ///< where it holds as nothing could ever violate it
