@@ -32,14 +32,16 @@ void append(pugi::xml_node& suites, const TestSuite& suite) {
     test.append_attribute("name") = xml_text(one.name).c_str();
     test.append_attribute("classname") = xml_text(one.classname).c_str();
     test.append_attribute("time") = seconds;
-    if (one.outcome == Outcome::success) continue;
-    if (one.outcome == Outcome::warning) {
-      test.append_child("system-out").text().set(xml_text(one.message + "\n" + one.text).c_str());
+    if (one.outcome == Outcome::success || one.outcome == Outcome::warning) {
+      // Of what has passed services show nothing else.
+      const bool warns = one.outcome == Outcome::warning;
+      const std::string shown = (warns ? one.message + "\n" + one.text : "") + one.notes;
+      if (!shown.empty()) test.append_child("system-out").text().set(xml_text(shown).c_str());
       continue;
     }
     pugi::xml_node child = test.append_child(one.outcome == Outcome::failure ? "failure" : "error");
     child.append_attribute("message") = xml_text(one.message).c_str();
-    child.text().set(xml_text(one.text).c_str());
+    child.text().set(xml_text(one.text + one.notes).c_str());
   }
 }
 

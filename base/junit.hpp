@@ -13,8 +13,9 @@ struct TestCase {
   std::string classname;
   double seconds;
   Outcome outcome;
-  std::string message;  ///< of a failure or an error
-  std::string text;     ///< what there is to show of it, lines ended
+  std::string message;     ///< of a failure or an error
+  std::string text;        ///< what there is to show of it, lines ended
+  std::string notes = {};  ///< what is to be known of it, whatever its outcome; lines ended
 };
 
 struct TestSuite {

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
@@ -316,6 +317,37 @@ RC_GTEST_PROP(Reachability, CutSetsAreTheMinimalOnes, ()) {
   std::vector<Faults> found;
   for (const auto& cut : result.cut_sets) found.push_back(cut.faults);
   RC_ASSERT(found == minimal_sets(plant, drawn.question));
+}
+
+RC_GTEST_PROP(Reachability, CutSetsThatALimitLeavesAreMinimal, ()) {
+  const automata::Plant plant = with_unlikely_faults((*models(drawn_shape())).plant);
+  Drawn drawn = draw_question(plant);
+  drawn.options.faults = 3;
+  drawn.options.cut_sets = true;
+  const verifier::Reachability target{.target = drawn.question.target, .window = {}};
+  verifier::Slices slices(plant);
+  const auto sets = [&](const verifier::Answer& answer) {
+    std::set<Faults> result;
+    for (const auto& cut : answer.cut_sets) result.insert(cut.faults);
+    return result;
+  };
+  const verifier::Answer all = verifier::check(slices, target, drawn.options, {});
+  const bool faults_needed = !all.cut_sets.empty() && !all.cut_sets.front().faults.empty();
+  RC_PRE(faults_needed);
+  verifier::Limits limits;
+  limits.states = *rc::gen::inRange<std::size_t>(all.progress.states / 3, all.progress.states);
+  const verifier::Answer cut_short = verifier::check(slices, target, drawn.options, limits);
+  const std::set<Faults> minimal = sets(all);
+  const std::set<Faults> left = sets(cut_short);
+  RC_ASSERT(std::includes(minimal.begin(), minimal.end(), left.begin(), left.end()));
+  RC_TAG(!cut_short.limit ? "no limit" : left.empty() ? "none" : left == minimal ? "all" : "some");
+  if (!cut_short.limit) return;
+  RC_ASSERT(cut_short.verdict == verifier::Verdict::undecided);
+  if (!cut_short.cut_sets_complete) return;
+  drawn.options.faults = *cut_short.cut_sets_complete;
+  for (const Faults& faults : sets(verifier::check(slices, target, drawn.options, {}))) {
+    RC_ASSERT(left.contains(faults) || !minimal.contains(faults));
+  }
 }
 
 RC_GTEST_PROP(Reachability, FewestFaultsAreThoseOfTheLeastBudget, ()) {

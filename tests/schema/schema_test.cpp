@@ -108,6 +108,10 @@ const std::vector<Output> outputs = {
      "tcca-check reachability {examples}/propulsion/propulsion.tcca --target 'engine = firing' --max-states 1 --format "
      "json",
      "verdict"},
+    {"CutSetsThatALimitLeaves",
+     "tcca-check safety {examples}/propulsion/propulsion.tcca --never 'engine = failed' --cut-sets 2 --max-states 12 "
+     "--format json",
+     "verdict"},
     {"ModelProgramHolds",
      "tcca-check safety {examples}/rover-camera/rover_camera.rmpl --never 'software = corrupt & software = running' "
      "--format json",
@@ -126,6 +130,15 @@ const std::vector<Output> outputs = {
     {"ProgramIsUndecided",
      "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --max-states 3 --format "
      "json",
+     "program_verdict"},
+    {"CutSetsOfAProgramThatALimitLeaves",
+     "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --never 'engine = "
+     "failed' "
+     "--cut-sets 2 --max-states 20 --format json",
+     "program_verdict"},
+    {"TableThatALimitLeaves",
+     "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --each-fault --finally "
+     "'engine.temp = low | engine.temp = nominal' --max-states 60 --format json",
      "program_verdict"},
     {"EachFault",
      "tcca-check program {examples}/propulsion/burn.rmpl {examples}/propulsion/propulsion.tcca --each-fault --format "

@@ -168,23 +168,12 @@ ExitStatus run(const Options& options, const Common& common) {
   const Subject subject{plant, program_of(document, options, paths)};
   const std::vector<PlantProperty> stated = read_properties(options, common, subject);
   std::vector<verifier::Question> questions = questions_of(stated, plant, options);
-  std::vector<verifier::Property> asked;
-  asked.reserve(questions.size());
-  for (const verifier::Question& question : questions) asked.push_back(question.property);
-  if (!common.quiet) warn_of_commands(asked, plant);
   TraceReport report(options.report, subject);
   verifier::Slices slices(plant);
+  auto warnings = warn_of_questions(questions, slices, common);
   std::vector<verifier::Answer> answers =
       verifier::check_all(subject, slices, questions, limits(options.budget, common));
-  if (std::any_of(answers.begin(), answers.end(), [](const verifier::Answer& a) { return a.startless; })) {
-    warn_of_no_start("nothing is reachable");
-  }
-  for (std::size_t q = 0; q < questions.size() && !common.quiet; ++q) {
-    if (warn_of_held_command(questions[q], answers[q], slices)) break;
-  }
-  for (std::size_t q = 0; q < questions.size() && !common.quiet; ++q) {
-    if (!answers[q].startless) warn_of_empty_claim(questions[q].property, questions[q].options, slices);
-  }
+  warn_of_answers(questions, std::move(warnings), answers, slices, common);
   std::vector<verifier::Claim> claims;
   for (std::size_t q = 0; q < stated.size(); ++q) {
     claims.push_back({stated[q].name, std::move(questions[q]), stated[q].expect_violated, std::move(answers[q])});

@@ -4,13 +4,11 @@
 
 #include <cstdio>
 #include <set>
+#include <utility>
 
-#include "automata/assignment_text.hpp"
-#include "automata/controls.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/progress.hpp"
-#include "verifier/property/held_command.hpp"
-#include "verifier/slice/empty_claims.hpp"
+#include "verifier/slice/warnings.hpp"
 
 namespace rmpl::tools {
 
@@ -95,57 +93,40 @@ ExitStatus status_of(Verdict verdict) {
   return ExitStatus::internal_error;
 }
 
-void warn_of_commands(const std::vector<verifier::Property>& asked, const automata::Plant& plant) {
-  std::set<automata::VariableId> told;
-  for (const verifier::Property& property : asked) {
-    for (const automata::Formula& formula : verifier::formulas_of(property)) {
-      for (const automata::VariableId variable : automata::variables_of(formula)) {
-        if (!automata::is_control(plant, variable) || !told.insert(variable).second) continue;
-        tell("warning: '" + plant.variables.name(variable) +
-             "' is commanded: what is asked is about states, which allow any value of it and imply none; a flight sees "
-             "the command in force");
-      }
+namespace {
+
+/// Whether anybody is to hear of warnings: they are part of what machines read, however quiet it is.
+bool warnings_are_wanted(const Common& common) { return !common.quiet || common.format != Format::text; }
+
+}  // namespace
+
+std::vector<std::vector<std::string>> warn_of_questions(const std::vector<verifier::Question>& questions,
+                                                        verifier::Slices& slices, const Common& common) {
+  std::vector<std::vector<std::string>> result(questions.size());
+  if (!warnings_are_wanted(common)) return result;
+  std::set<std::string> told;
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    result[q] = verifier::warnings_of(questions[q], slices);
+    for (const std::string& warning : result[q]) {
+      if (told.insert(warning).second && !common.quiet) tell("warning: " + warning);
     }
   }
+  return result;
 }
 
-bool warn_of_held_command(const verifier::Question& question, const verifier::Answer& answer,
-                          verifier::Slices& slices) {
-  const verifier::CheckOptions& options = question.options;
-  const bool none_found = answer.verdict != Verdict::undecided && !answer.witness;
-  const bool of_program = std::holds_alternative<verifier::ProgramProperty>(question.property);
-  if (options.period || options.commands == verifier::Commands::none || !none_found || of_program) return false;
-  const automata::Plant& plant = slices.plant();
-  const auto held = verifier::find_held_mode(plant, slices.cone(formulas_of(question.property)));
-  if (!held) return false;
-  const automata::Component& component = plant[held->component];
-  tell("warning: in dense time commands are given at an instant, and time passes with all controls idle: that '" +
-       component.name + "' stays in '" + component.modes[held->mode.index()].name + "' while " +
-       to_text(plant.variables, held->command) +
-       " is held was not looked at; --time T looks at it, and a program where it holds it");
-  return true;
-}
-
-void warn_of_empty_claim(const verifier::Property& property, const verifier::CheckOptions& options,
-                         verifier::Slices& slices) {
-  const automata::Variables& variables = slices.plant().variables;
-  if (const auto event = verifier::out_of_reach(slices, property, options)) {
-    tell("warning: '" + automata::to_text(*event, variables) +
-         "' takes a fault, and none is permitted: --faults K, or 'faults K' in a property file, permits up to K");
+void warn_of_answers(const std::vector<verifier::Question>& questions, std::vector<std::vector<std::string>> warnings,
+                     std::vector<verifier::Answer>& answers, verifier::Slices& slices, const Common& common) {
+  std::set<std::string> told;
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    verifier::Answer& answer = answers[q];
+    answer.warnings = std::move(warnings[q]);
+    // That an answer is about nothing at all is told in any case.
+    if (!warnings_are_wanted(common) && !answer.startless) continue;
+    auto warning = verifier::warning_of(questions[q], answer, slices);
+    if (!warning) continue;
+    if (told.insert(*warning).second && (!common.quiet || answer.startless)) tell("warning: " + *warning);
+    answer.warnings.push_back(std::move(*warning));
   }
-  if (const auto promise = verifier::there_anyway(slices, property)) {
-    tell("warning: every state satisfies '" + automata::to_text(*promise, variables) +
-         "': that it comes says nothing of the plant");
-  } else if (verifier::answers_itself(slices, property)) {
-    const std::vector<automata::Formula> said = verifier::formulas_of(property);
-    tell("warning: whatever satisfies '" + automata::to_text(said.front(), variables) +
-         "' is its own answer: the response says nothing of the plant");
-  }
-}
-
-void warn_of_no_start(const char* consequence) {
-  tell(std::string("warning: no initial state is possible: the initial modes contradict the interconnections, so ") +
-       consequence);
 }
 
 }  // namespace rmpl::tools

@@ -67,16 +67,11 @@ void print_answer(const Common& common, const Text& text, const Json& json, cons
 
 ExitStatus status_of(verifier::Verdict verdict);
 
-/// Says that no initial state is possible; `consequence` is what follows, such as "nothing is reachable".
-void warn_of_no_start(const char* consequence);
-/// Says, where no run was found in dense time, that a mode in the cone of the question lasts only while a command is
-/// held, which no run there does. Whether there was something to say.
-bool warn_of_held_command(const verifier::Question& question, const verifier::Answer& answer, verifier::Slices& slices);
-/// Says of a claim that the model decides it before any run is looked at: what it asks about takes a fault and none is
-/// permitted, or is there in every state.
-void warn_of_empty_claim(const verifier::Property& property, const verifier::CheckOptions& options,
-                         verifier::Slices& slices);
-/// Says, once a control, that what is asked speaks of commands, which are no part of a state.
-void warn_of_commands(const std::vector<verifier::Property>& asked, const automata::Plant& plant);
+/// What there is to be warned of in each question; told, each text once.
+std::vector<std::vector<std::string>> warn_of_questions(const std::vector<verifier::Question>& questions,
+                                                        verifier::Slices& slices, const Common& common);
+/// Puts that beside the answers, with what there is to be warned of in those, which is told too.
+void warn_of_answers(const std::vector<verifier::Question>& questions, std::vector<std::vector<std::string>> warnings,
+                     std::vector<verifier::Answer>& answers, verifier::Slices& slices, const Common& common);
 
 }  // namespace rmpl::tools

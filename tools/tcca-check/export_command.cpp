@@ -11,6 +11,7 @@
 #include "verifier/export/prism.hpp"
 #include "verifier/export/write.hpp"
 #include "verifier/property/initial_modes.hpp"
+#include "verifier/slice/warnings.hpp"
 
 namespace rmpl::tools {
 namespace {
@@ -36,7 +37,7 @@ void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::E
   const verifier::TimedAutomaton automaton = verifier::unfold(step, question, limits);
   if (automaton.locations.empty()) {
     if (!question.from.empty()) verifier::refuse_start();
-    warn_of_no_start("nothing is reachable");
+    tell(std::string("warning: ") + verifier::no_start);
   }
   (uppaal ? verifier::write_uppaal : verifier::write_tchecker)(out, step.plant(), automaton);
 }

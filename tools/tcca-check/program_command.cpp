@@ -184,8 +184,32 @@ std::string text_of(const Subject& subject, const std::vector<Property>& propert
   return text + (options.statistics ? verifier::statistics_text(answers.back().progress) : "");
 }
 
+std::vector<verifier::Question> questions_of(const std::vector<Property>& properties, const CheckOptions& free) {
+  std::vector<verifier::Question> result;
+  result.reserve(properties.size());
+  for (const Property& property : properties) result.push_back({property, free});
+  return result;
+}
+
+ExitStatus run_table(const ProgramOptions& options, const Common& common, const Subject& subject,
+                     automata::PlantStep& step, const std::vector<Property>& properties, const CheckOptions& free) {
+  TraceReport report(options.report, subject);
+  verifier::Slices slices(subject.plant);
+  CheckOptions with_one = free;
+  with_one.faults = 1;
+  const auto warnings = warn_of_questions(questions_of(properties, with_one), slices, common);
+  FaultTable table =
+      verifier::check_each_fault(*subject.program, step, properties, free, limits(options.budget, common));
+  for (const auto& one : warnings) table.warnings.insert(table.warnings.end(), one.begin(), one.end());
+  report.write(flights_of(subject, table, free.period), subject, common.quiet);
+  return print_table(subject, {properties, free, options.budget.bounds()}, table, options, common);
+}
+
 ExitStatus run_check(const ProgramOptions& options, const Common& common, const Subject& subject,
                      automata::PlantStep& step, const std::vector<Property>& properties, const CheckOptions& free) {
+  verifier::Slices slices(subject.plant);
+  const std::vector<verifier::Question> questions = questions_of(properties, free);
+  auto warnings = warn_of_questions(questions, slices, common);
   std::optional<ScenarioFrame> frame;
   std::optional<base::OutputFile> file;
   if (!options.scenario.empty()) {
@@ -194,13 +218,13 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
   }
   TraceReport report(options.report, subject);
   const verifier::Limits bounds = limits(options.budget, common);
-  const std::vector<Answer> answers = verifier::check(*subject.program, step, properties, free, bounds);
+  std::vector<Answer> answers = verifier::check(*subject.program, step, properties, free, bounds);
   const verifier::ProgramQuestion question{properties, free, options.budget.bounds()};
-  if (answers.front().startless) warn_of_no_start("nothing can be violated");
+  warn_of_answers(questions, std::move(warnings), answers, slices, common);
   print_answer(
       common, [&] { return text_of(subject, properties, free, answers, options, common); },
       [&] { return verifier::to_json(subject, question, answers); },
-      [&] { return verifier::to_junit(subject, properties, answers); });
+      [&] { return verifier::to_junit(subject, question, answers); });
   const bool shown = frame && write_scenario(options.scenario, *file, *frame, subject, step, properties, answers, free,
                                              common, bounds);
   std::vector<runtime::Flight> flights;
@@ -222,7 +246,6 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
   const automata::Plant& plant = only_plant(document, paths);
   const Subject subject{plant, &program};
   const std::vector<Property> properties = properties_of(plant, options, common);
-  if (!common.quiet) warn_of_commands(properties, plant);
   const Freedom& freedom = options.freedom;
   const CheckOptions free{.period = freedom.period,
                           .faults = options.cut_sets ? *options.cut_sets : freedom.faults.value_or(0),
@@ -230,16 +253,8 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
                           .fewest_faults = options.fewest_faults,
                           .cut_sets = options.cut_sets.has_value(),
                           .from = assignments_option(freedom.from, plant, "--from", common)};
-  if (!common.quiet && !options.each_fault) {
-    verifier::Slices slices(plant);
-    for (const Property& property : properties) warn_of_empty_claim(property, free, slices);
-  }
   automata::PlantStep step(plant);
-  if (!options.each_fault) return run_check(options, common, subject, step, properties, free);
-  TraceReport report(options.report, subject);
-  const FaultTable table = verifier::check_each_fault(program, step, properties, free, limits(options.budget, common));
-  report.write(flights_of(subject, table, free.period), subject, common.quiet);
-  return print_table(subject, {properties, free, options.budget.bounds()}, table, options, common);
+  return (options.each_fault ? run_table : run_check)(options, common, subject, step, properties, free);
 }
 
 }  // namespace

@@ -91,7 +91,6 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   if (of_model != nullptr) check_window(of_model->window, options.freedom.period);
   const Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::Property asked = ask(plant);
-  if (!common.quiet) warn_of_commands({asked}, plant);
   if (common.verbose) {
     tell("checking " + verifier::name_of(asked) + " of " + plant.name + ": " + std::to_string(plant.components.size()) +
          " components, " + std::to_string(plant.controls.size()) + " controls");
@@ -99,13 +98,14 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   verifier::Slices slices(plant);
   const verifier::Subject subject{plant};
   TraceReport report(options.report, subject);
-  const verifier::Question question{asked, check_options(plant, options, common), options.budget.bounds()};
-  const verifier::Answer answer = verifier::check(slices, asked, question.options, limits(options.budget, common));
-  if (answer.startless) warn_of_no_start("nothing is reachable");
-  if (!common.quiet && !answer.startless) {
-    warn_of_held_command(question, answer, slices);
-    warn_of_empty_claim(asked, question.options, slices);
-  }
+  const std::vector<verifier::Question> questions{
+      {asked, check_options(plant, options, common), options.budget.bounds()}};
+  const verifier::Question& question = questions.front();
+  auto warnings = warn_of_questions(questions, slices, common);
+  std::vector<verifier::Answer> answers{
+      verifier::check(slices, asked, question.options, limits(options.budget, common))};
+  warn_of_answers(questions, std::move(warnings), answers, slices, common);
+  const verifier::Answer& answer = answers.front();
   print_answer(
       common,
       [&] {

@@ -9,6 +9,7 @@
 #include "compiler/session/compiler.hpp"
 #include "compiler/session/provider.hpp"
 #include "runtime/executive/scenario/run.hpp"
+#include "verifier/export/witness_scenario.hpp"
 
 namespace rmpl::tools {
 namespace {
@@ -20,6 +21,7 @@ class Comparison final : public runtime::CycleObserver {
 
   void observe(const runtime::CycleRecord& record) override {
     if (record.cycle == 0) return;
+    if (!record.consistent && !unexplained_) unexplained_ = record.time;
     if (const automata::Modes* modes = modes_at(record.time)) {
       if (difference_.empty()) difference_ = difference(record, *modes);
     } else if (!agreed_) {
@@ -33,6 +35,15 @@ class Comparison final : public runtime::CycleObserver {
   /// To what the trace comes to, where the executive never takes all of that to be so; empty where the trace goes
   /// round.
   [[nodiscard]] std::string last_difference() const { return witness_.repeats_from ? "" : last_difference_; }
+  /// How there can be a difference.
+  [[nodiscard]] std::string origin() const {
+    if (unexplained_) {
+      return "none of the states that it takes to be possible explains the readings at " +
+             automata::format_seconds(*unexplained_) + " s";
+    }
+    return verifier::starts_likely(plant_, witness_) ? "the readings allow both"
+                                                     : "it starts in the modes that are most likely there";
+  }
 
  private:
   [[nodiscard]] std::string difference(const runtime::CycleRecord& record, const automata::Modes& modes) const {
@@ -57,8 +68,15 @@ class Comparison final : public runtime::CycleObserver {
   const automata::Plant& plant_;
   const verifier::Witness& witness_;
   std::string difference_, last_difference_;
-  bool agreed_ = false;  ///< after the trace, at some time
+  bool agreed_ = false;                         ///< after the trace, at some time
+  std::optional<automata::Ticks> unexplained_;  ///< when readings first contradicted the estimate
 };
+
+/// Whether it is violated by something that is there at a time, and not by what does not come.
+bool is_at_a_time(verifier::ProgramProperty::Kind kind) {
+  using Kind = verifier::ProgramProperty::Kind;
+  return kind == Kind::never || kind == Kind::goal_conflict || kind == Kind::no_plan;
+}
 
 }  // namespace
 
@@ -91,6 +109,14 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
   const automata::Expectation& expected = document.scenarios.front().expectations.front();
   const bool waits = expected.after.has_value();
   const bool failed = result.verdict() == runtime::Judgement::Verdict::failed;
+  if (failed && is_at_a_time(property.kind)) {
+    const automata::Ticks found = result.judgements.front().time.value_or(result.time);
+    const automata::Ticks shown = witness.events.back().cycle->begin;
+    if (found < shown) {
+      return "flown, it fails at " + automata::format_seconds(found) + " s, where the trace does at " +
+             automata::format_seconds(shown) + " s: " + comparison.origin();
+    }
+  }
   const std::string& difference = comparison.difference();
   // A program that has not ended may only be on its way.
   const bool open = expected.kind == automata::Expectation::Kind::finished && !result.ended;
@@ -98,10 +124,12 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
   // What is to hold as the program ends is not failed in the same way by one that does not end.
   const bool elsewhere = open && property.kind == verifier::ProgramProperty::Kind::finally;
   if (elsewhere && difference.empty()) return "flown, the program does not end";
-  if (failed && left.empty() && !elsewhere && (!waits || difference.empty())) return std::nullopt;
+  // A flight that starts elsewhere, and is not led to where the trace is, fails for a reason of its own.
+  const bool strict = waits || !verifier::starts_likely(plant, witness);
+  if (failed && left.empty() && !elsewhere && (!strict || difference.empty())) return std::nullopt;
   if (!failed && difference.empty()) return "flown, it meets what it expects";
-  return "flown, it does not fail as the trace does: " + (left.empty() ? difference : left) +
-         "; the readings allow both";
+  return "flown, it does not fail as the trace does: " + (left.empty() ? difference : left) + "; " +
+         comparison.origin();
 }
 
 }  // namespace rmpl::tools

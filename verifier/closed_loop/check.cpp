@@ -7,6 +7,7 @@
 
 #include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/searches.hpp"
+#include "verifier/plant/cut_set_rounds.hpp"
 #include "verifier/slice/empty_claims.hpp"
 
 namespace rmpl::verifier {
@@ -96,7 +97,26 @@ class ProgramCheck {
       answers_[p].same_as = q;
       return;
     }
+    if (options_.cut_sets) return find_cut_sets(p);
     answers_[p].witness = searches_.violation(properties_[p], {});
+  }
+
+  void find_cut_sets(std::size_t p) {
+    Answer& answer = answers_[p];
+    CutSetRounds rounds(step_.plant(), options_.faults.value());
+    do {
+      searches_.allow_faults(rounds.faults());
+      searches_.forget_seen();
+      try {
+        answer.witness = searches_.violation(properties_[p], {});
+      } catch (const LimitReached&) {
+        answer.cut_sets = searches_.cut_sets();
+        rounds.settle(answer);
+        answer.witness.reset();
+        throw;
+      }
+    } while (rounds.next(searches_.cut_sets(), searches_.progress().faults));
+    answer.cut_sets_complete = options_.faults;
   }
 
   /// Further missing plans and endless waits, each with another cause than those before it, until there are no more.

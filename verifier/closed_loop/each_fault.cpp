@@ -62,11 +62,15 @@ class Table {
  private:
   void fill(FaultOutcome& row) {
     const FaultFilter only{true, row.fault};
+    // Before anything is found: a limit leaves what was found until then.
+    if (row.fault) row.anyway = {.goes_on = goes_on_, .stops = stops_, .another = another_};
     if (row.fault) row.happens = searches_.search({.aim = Aim::happens, .filter = only});
     if (row.happens || !row.fault) {
       row.success = searches_.search({.aim = Aim::ends_with, .test = success_, .filter = only});
-      if (!row.fault)
+      if (!row.fault) {
         ends_ = row.success || searches_.search({.aim = Aim::ends_with, .test = anything, .filter = only});
+        row.anyway.goes_on = !ends_;
+      }
       find_loss(row, only);
       row.no_plan = searches_.violation({Kind::no_plan}, only);
       find_wait(row, only);
@@ -79,11 +83,7 @@ class Table {
       goes_on_ = row.goes_on.has_value();
       stops_ = row.stops.has_value();
       another_ = row.another.has_value();
-      row.anyway.goes_on = !ends_;
     } else {
-      row.anyway.goes_on = goes_on_;
-      row.anyway.stops = stops_;
-      row.anyway.another = another_;
       row.costs_success = row.happens && succeeds_ && !row.success;
     }
     row.decided = true;
@@ -110,15 +110,15 @@ class Table {
   /// fault; and where the program never ends, so that to rest is no fault, for a goal without a plan.
   void find_wait(FaultOutcome& row, const FaultFilter& only) {
     const ProgramProperty wait{Kind::endless_wait};
-    row.waits = searches_.violation(wait, only);
-    if (!row.waits) return;
+    auto any = searches_.violation(wait, only);
+    if (!any) return;
     Query query{.aim = Aim::endless_wait, .filter = only, .fresh = [this](const LoopState& state, const Turn& turn) {
                   const bool counts = ends_ || turn.answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
                   return counts && !waits_.contains(waiting_cause(program_, state.marking));
                 }};
     auto own = searches_.search(query, &wait);
     row.anyway.waits = !own;
-    if (own) row.waits = own;
+    row.waits = own ? own : std::move(any);
     if (row.fault) return;
     for (; own; own = searches_.search(query, &wait)) {
       for (Cause& cause : causes_of(program_, *own, false)) waits_.insert(std::move(cause));

@@ -129,7 +129,7 @@ std::optional<Witness> Searches::at_a_moment(Query query, const ProgramProperty&
   const Interval window = interval_of(property.window, time);
   if (!property.window.is_all()) query.window = window;
   std::optional<Witness> best = search(query, &property);
-  if (!property.fastest) return best;
+  if (!property.fastest || options_.cut_sets) return best;
   hasten(best, window, time, [&](const Interval& sooner) {
     query.window = sooner;
     return search(query, &property);
@@ -175,11 +175,15 @@ std::optional<Witness> Searches::search_cut_sets(ProgramSystem& system, const Qu
                                                  const ProgramProperty* shown) {
   FaultSets sets;
   system.tell_faults_apart(sets);
+  std::map<std::vector<Fault>, Witness> witnesses;
   cut_sets_.clear();
-  for (const CutPath& cut : minimal_cut_sets(system, sets, meter_)) {
-    cut_sets_.push_back({cut.set.faults, evidence_.of(cut.path, cut.end, system, query, shown)});
-  }
+  const CutPaths found = minimal_cut_sets(system, sets, meter_, [&](const CutPath& cut) {
+    witnesses.emplace(cut.set.faults, evidence_.of(cut.path, cut.end, system, query, shown));
+    return true;
+  });
+  for (const FaultSet& cut : found.sets) cut_sets_.push_back({cut.faults, std::move(witnesses.at(cut.faults))});
   see(system);
+  if (found.limit) throw LimitReached{*found.limit};
   return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
 }
 

@@ -24,15 +24,6 @@ namespace {
 /// What each sensor reads; one that is silent is absent.
 using Readings = std::map<VariableId, ValueId>;
 
-/// Whether all components start in the modes that are most likely there.
-bool starts_likely(const automata::Plant& plant, const Modes& modes) {
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    const std::vector<double>& initial = plant.components[c].initial;
-    if (initial[modes[c].index()] < *std::max_element(initial.begin(), initial.end())) return false;
-  }
-  return true;
-}
-
 class Writer {
  public:
   Writer(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness, const ScenarioFrame& frame)
@@ -63,7 +54,7 @@ class Writer {
  private:
   /// A flight reads its sensors at the end of the first cycle for the first time.
   [[nodiscard]] std::string doubt() const {
-    if (starts_likely(plant_, witness_.events.front().modes)) return "";
+    if (starts_likely(plant_, witness_)) return "";
     return "// It starts in modes that are not the most likely ones; the first cycle of a flight takes those for "
            "granted.\n";
   }
@@ -218,6 +209,15 @@ class Writer {
 
 bool is_about_patience(const ProgramProperty& property) {
   return property.kind == Kind::endless_wait || property.kind == Kind::termination;
+}
+
+bool starts_likely(const automata::Plant& plant, const Witness& witness) {
+  const Modes& modes = witness.events.front().modes;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const std::vector<double>& initial = plant.components[c].initial;
+    if (initial[modes[c].index()] < *std::max_element(initial.begin(), initial.end())) return false;
+  }
+  return true;
 }
 
 std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,

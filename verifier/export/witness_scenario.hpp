@@ -23,6 +23,9 @@ struct ScenarioFrame {
 /// Whether the flight fails as the program has not ended when it is over, which may be too soon.
 bool is_about_patience(const ProgramProperty& property);
 
+/// Whether all components start in modes that are most likely there, as a flight takes them to.
+bool starts_likely(const automata::Plant& plant, const Witness& witness);
+
 /// Why no flight would fail as the run does; nothing where one does.
 std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
                                        const Witness& witness);

@@ -197,7 +197,8 @@ std::string to_junit(const ModelProgram& program, const MarkingQuestion& questio
                                       : answer.verdict == Verdict::violated ? Outcome::failure
                                                                             : Outcome::error,
                            .message = text.substr(0, headline),
-                           .text = text.substr(headline + 1)};
+                           .text = text.substr(headline + 1),
+                           .notes = notes(words_of(answer))};
   return base::to_junit(program.name, std::vector{one});
 }
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <memory>
 
 #include "base/check.hpp"
 #include "verifier/plant/arena.hpp"
+#include "verifier/plant/cut_set_rounds.hpp"
 #include "verifier/plant/cut_sets.hpp"
 #include "verifier/plant/meeting.hpp"
 #include "verifier/plant/out_of_reach.hpp"
@@ -164,7 +166,7 @@ class Check {
       limit_ = reached.limit;
       return;
     }
-    if (target.fastest) {
+    if (target.fastest && !options_.cut_sets) {
       hasten(witness_, window, time, [this](const Interval& sooner) { return search(reach(sooner)); });
     }
   }
@@ -261,10 +263,25 @@ class Check {
     FaultSets sets;
     system.tell_faults_apart(sets);
     const auto fewer = fewer_steps(arena);
+    std::map<std::vector<Fault>, Witness> witnesses;
+    std::optional<Witness> refused;
+    // What only the cone can do is told at once: the whole plant is searched then.
+    const auto take = [&](const CutPath& cut) {
+      Witness witness = witness_of(cut.path, system, arena);
+      if (cone_ && &arena == &*cone_ && failure_of(witness)) {
+        refused = std::move(witness);
+        return false;
+      }
+      witnesses.emplace(cut.set.faults, std::move(witness));
+      return true;
+    };
     cut_sets_.clear();
-    for (const CutPath& cut : minimal_cut_sets(system, sets, meter_)) {
-      cut_sets_.push_back({arena.out(cut.set.faults), witness_of(cut.path, system, arena)});
+    const CutPaths found = minimal_cut_sets(system, sets, meter_, take);
+    if (refused) return refused;
+    for (const FaultSet& cut : found.sets) {
+      cut_sets_.push_back({arena.out(cut.faults), std::move(witnesses.at(cut.faults))});
     }
+    if (found.limit) throw LimitReached{*found.limit};
     return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
   }
 
@@ -325,10 +342,6 @@ class Check {
   std::optional<Witness> witness_;  ///< the best so far
 };
 
-}  // namespace
-
-namespace {
-
 /// Why nothing can ever violate what holds; nothing where something could.
 std::optional<Vacuity> vacuity_of(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
   if (const auto* safety = std::get_if<Safety>(&property)) {
@@ -344,7 +357,19 @@ std::optional<Vacuity> vacuity_of(Slices& slices, const Property& property, cons
   return asked ? std::nullopt : std::optional(Vacuity::unasked);
 }
 
+Answer decide_cut_sets(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
+  CutSetRounds rounds(slices.plant(), options.faults.value());
+  for (;;) {
+    Answer result = Check(slices, property, options, rounds.faults(), meter).run();
+    if (!result.limit && rounds.next(result.cut_sets, result.progress.faults)) continue;
+    result.cut_sets_complete = options.faults;
+    if (result.limit) rounds.settle(result);
+    return result;
+  }
+}
+
 Answer decide(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
+  if (options.cut_sets) return decide_cut_sets(slices, property, options, meter);
   if (!options.fewest_faults) return Check(slices, property, options, options.faults.value(), meter).run();
   // Round by round one fault more. Where no state needs as many as there may be, more of them may still come together
   // and lead somewhere: whether any number does is found out once, and then that is the answer, or the rounds will end.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "verifier/search/passed.hpp"
 
@@ -13,26 +15,43 @@ namespace {
 
 class Exploration {
  public:
-  Exploration(TransitionSystem& system, const FaultSets& sets, Meter& meter)
-      : system_(system), sets_(sets), meter_(meter), passed_(system, false) {}
+  Exploration(TransitionSystem& system, const FaultSets& sets, Meter& meter,
+              base::FunctionRef<bool(const CutPath&)> found)
+      : system_(system), sets_(sets), meter_(meter), take_(found), passed_(system, false) {}
 
-  std::vector<CutPath> run() {
+  CutPaths run() {
+    CutPaths result;
+    try {
+      explore();
+    } catch (const LimitReached& reached) {
+      result.limit = reached.limit;
+    }
+    const std::vector<FaultSet> open = result.limit ? open_sets() : std::vector<FaultSet>{};
+    for (const FaultSet& cut : found_) {
+      if (!may_be_cut(cut, open) && !holds_one_of(cut, found_)) result.sets.push_back(cut);
+    }
+    std::sort(result.sets.begin(), result.sets.end(), [](const FaultSet& a, const FaultSet& b) {
+      return std::pair(a.faults.size(), a.faults) < std::pair(b.faults.size(), b.faults);
+    });
+    return result;
+  }
+
+ private:
+  void explore() {
     system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
     // Levels are emptied in turn: what a level adds is on it or above it.
-    while (!levels_.empty()) {
+    while (!levels_.empty() && !refused_) {
       auto& level = levels_.begin()->second;
       if (level.empty()) {
         levels_.erase(levels_.begin());
         continue;
       }
-      const std::uint32_t node = level.front();
+      visited_ = level.front();
       level.pop_front();
-      visit(node);
+      visit(visited_);
     }
-    return minimal();
   }
 
- private:
   void add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
     if (superfluous(state.faults)) return;
     const std::uint32_t node = passed_.add(state, label, parent, steps);
@@ -49,11 +68,13 @@ class Exploration {
   void visit(std::uint32_t node) {
     const std::uint32_t steps = passed_[node].steps;
     meter_.at_faults(levels_.begin()->first, levels_.begin()->second.size());
+    meter_.used_faults(levels_.begin()->first);
     meter_.poll();
     if (passed_[node].covered || superfluous(passed_[node].faults)) return;
     const SymbolicState state = passed_.state(node);
     if (system_.accepts(state)) {
-      found_.push_back({sets_[state.faults], passed_.path(node), state});
+      refused_ = !take_({sets_[state.faults], passed_.path(node), state});
+      found_.push_back(sets_[state.faults]);
       return;
     }
     system_.successors(state, [&](SymbolicState&& next, const Label& label) {
@@ -62,37 +83,51 @@ class Exploration {
   }
 
   [[nodiscard]] bool superfluous(unsigned faults) const {
-    return std::any_of(found_.begin(), found_.end(),
-                       [&](const CutPath& cut) { return subset(cut.set, sets_[faults]); });
+    return std::any_of(found_.begin(), found_.end(), [&](const FaultSet& cut) { return subset(cut, sets_[faults]); });
+  }
+
+  /// The sets of the states that are yet to be explored, with that which a limit left half explored.
+  [[nodiscard]] std::vector<FaultSet> open_sets() const {
+    std::set<unsigned> numbers;
+    if (visited_ != Passed::none) numbers.insert(passed_[visited_].faults);
+    for (const auto& [count, level] : levels_) {
+      for (const std::uint32_t node : level) {
+        if (!passed_[node].covered) numbers.insert(passed_[node].faults);
+      }
+    }
+    std::vector<FaultSet> result;
+    for (const unsigned number : numbers) result.push_back(sets_[number]);
+    return result;
+  }
+
+  /// Whether a smaller set may be found yet: after a fault that comes twice.
+  [[nodiscard]] static bool may_be_cut(const FaultSet& cut, const std::vector<FaultSet>& open) {
+    return std::any_of(open.begin(), open.end(),
+                       [&](const FaultSet& set) { return set.faults.size() < cut.faults.size() && subset(set, cut); });
   }
 
   /// A set found early can hold one that was found later, in a run on which a fault comes twice.
-  std::vector<CutPath> minimal() {
-    std::vector<CutPath> result;
-    for (const CutPath& cut : found_) {
-      const bool holds_another = std::any_of(found_.begin(), found_.end(), [&](const CutPath& other) {
-        return other.set.faults != cut.set.faults && subset(other.set, cut.set);
-      });
-      if (!holds_another) result.push_back(cut);
-    }
-    std::sort(result.begin(), result.end(), [](const CutPath& a, const CutPath& b) {
-      return std::pair(a.set.faults.size(), a.set.faults) < std::pair(b.set.faults.size(), b.set.faults);
-    });
-    return result;
+  [[nodiscard]] static bool holds_one_of(const FaultSet& cut, const std::vector<FaultSet>& others) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const FaultSet& other) { return other.faults != cut.faults && subset(other, cut); });
   }
 
   TransitionSystem& system_;
   const FaultSets& sets_;
   Meter& meter_;
+  base::FunctionRef<bool(const CutPath&)> take_;
   Passed passed_;
   std::map<unsigned, std::deque<std::uint32_t>> levels_;  ///< by number of faults
-  std::vector<CutPath> found_;
+  std::vector<FaultSet> found_;
+  bool refused_ = false;
+  std::uint32_t visited_ = Passed::none;  ///< the last one
 };
 
 }  // namespace
 
-std::vector<CutPath> minimal_cut_sets(TransitionSystem& system, const FaultSets& sets, Meter& meter) {
-  return Exploration(system, sets, meter).run();
+CutPaths minimal_cut_sets(TransitionSystem& system, const FaultSets& sets, Meter& meter,
+                          base::FunctionRef<bool(const CutPath&)> found) {
+  return Exploration(system, sets, meter, found).run();
 }
 
 }  // namespace rmpl::verifier

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "verifier/property/fault.hpp"
@@ -37,7 +38,9 @@ struct Answer {
   std::vector<Witness> others;         ///< of missing plans and endless waits: those with other causes, soonest first
   std::optional<std::size_t> same_as;  ///< the answer, found together with it, that has the same witness
   std::optional<unsigned> fewest_faults;  ///< those of the witness, where they were asked for and there is one
-  std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first
+  std::vector<CutSet> cut_sets;           ///< where they were asked for; smallest first, each minimal in any case
+  /// All of runs with up to so many faults are there; none where not even runs without a fault are known.
+  std::optional<unsigned> cut_sets_complete;
   /// Why it is undecided; or, beside a witness, why a better one (fewer steps, or less time) may have been missed.
   std::optional<Limit> limit;
   std::optional<Vacuity> vacuous;  ///< where it holds as nothing could ever violate it
@@ -46,6 +49,8 @@ struct Answer {
   CutOff cut_off;
   /// No initial state is possible (semantics 3), so that nothing is reachable: the verdict says nothing of the plant.
   bool startless = false;
+  /// What is most likely meant otherwise in the question, or misunderstood of the answer.
+  std::vector<std::string> warnings;
   /// Of the search that decided; questions that are decided together are counted together.
   Progress progress;
 };

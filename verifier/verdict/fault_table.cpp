@@ -30,10 +30,9 @@ std::string name_of(const Subject& subject, const FaultOutcome& row) {
          component.modes[row.fault->to.index()].name;
 }
 
-/// What can come of a fault, in words, best first; `undecided` where a limit was hit.
+/// What can come of a fault, in words, best first; where a limit was hit, what was found until then and `undecided`.
 std::vector<std::string> outcomes_of(const FaultOutcome& row) {
-  if (!row.decided) return {"undecided"};
-  if (row.fault && !row.happens) return {"cannot happen"};
+  if (row.decided && row.fault && !row.happens) return {"cannot happen"};
   std::vector<std::string> result;
   if (row.success) result.emplace_back(row.fault ? "recovered" : "success");
   if (row.spoils()) result.emplace_back("never recovered");
@@ -45,6 +44,7 @@ std::vector<std::string> outcomes_of(const FaultOutcome& row) {
   add(row.goes_on.has_value(), row.anyway.goes_on, goes_on_for_ever);
   if (row.stops) add(true, row.anyway.stops, row.stops->stop->still ? "time stands still" : "stuck");
   add(row.another.has_value(), row.anyway.another, row.fault ? another_certain : "a fault is certain");
+  if (!row.decided) result.emplace_back("undecided");
   // All runs lead out of the question.
   if (result.empty()) result.emplace_back(another_certain);
   return result;
@@ -78,6 +78,7 @@ ordered_json to_json(const Subject& subject, const ProgramQuestion& question, co
   }
   ordered_json json = {{"property", "each-fault"}, {"question", std::move(asked)}, {"faults", ordered_json::array()}};
   if (table.limit) json["reason"] = reason(table.limit, table.progress);
+  if (!table.warnings.empty()) json["warnings"] = table.warnings;
   for (const FaultOutcome& row : table.rows) {
     ordered_json entry = ordered_json::object();
     if (row.fault) {
@@ -141,6 +142,7 @@ std::string to_junit(const Subject& subject, const FaultTable& table) {
                      .message = outcome_text(row),
                      .text = failure_text(subject, row)});
   }
+  for (const std::string& warning : table.warnings) cases.front().notes += "warning: " + warning + "\n";
   return base::to_junit(title(subject), cases);
 }
 

@@ -52,6 +52,7 @@ struct FaultTable {
   std::vector<FaultOutcome> rows;  ///< no fault, then every fault transition, in declaration order
   std::optional<Limit> limit = std::nullopt;
   Progress progress = {};
+  std::vector<std::string> warnings = {};  ///< of the mission: what is most likely meant otherwise
 };
 
 /// One row a fault: what may come of it. The properties of the question are the mission.

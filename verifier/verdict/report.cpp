@@ -26,12 +26,20 @@ std::string end_of(const Subject& subject, const Property& property, const Witne
 
 namespace {
 
+std::string faults_text(unsigned faults) { return std::to_string(faults) + (faults == 1 ? " fault" : " faults"); }
+
 std::string text_of_cut_sets(const Subject& subject, const Question& question, const Answer& answer) {
-  if (answer.verdict == Verdict::undecided) return "";
+  if (answer.verdict == Verdict::undecided && !answer.limit) return "";
   const Plant& plant = subject.plant;
-  const std::optional<unsigned> faults = question.options.faults;
-  const std::string most = faults == 1U ? "1 fault" : std::to_string(faults.value()) + " faults";
-  std::string text = "minimal cut sets of up to " + most + ": " + std::to_string(answer.cut_sets.size()) + "\n";
+  std::string text = "minimal cut sets of up to " + faults_text(question.options.faults.value()) + ": ";
+  if (answer.verdict != Verdict::undecided) {
+    text += std::to_string(answer.cut_sets.size());
+  } else {
+    const std::size_t found = answer.cut_sets.size();
+    text += found == 0 ? "none so far" : found == 1 ? "at least this one" : "at least these " + std::to_string(found);
+    if (answer.cut_sets_complete) text += "; complete up to " + faults_text(*answer.cut_sets_complete);
+  }
+  text += "\n";
   for (const CutSet& cut : answer.cut_sets) {
     text += "\ncut set:";
     for (std::size_t f = 0; f < cut.faults.size(); ++f) {
@@ -44,7 +52,7 @@ std::string text_of_cut_sets(const Subject& subject, const Question& question, c
   return text;
 }
 
-ordered_json json_of_cut_sets(const Subject& subject, const Answer& answer) {
+void add_cut_sets(ordered_json& json, const Subject& subject, const Answer& answer) {
   auto sets = ordered_json::array();
   for (const CutSet& cut : answer.cut_sets) {
     auto faults = ordered_json::array();
@@ -54,7 +62,8 @@ ordered_json json_of_cut_sets(const Subject& subject, const Answer& answer) {
     }
     sets.push_back({{"faults", std::move(faults)}, {"trace", json_of(subject, cut.witness)}});
   }
-  return sets;
+  json["cut_sets"] = std::move(sets);
+  if (answer.cut_sets_complete) json["cut_sets_complete_up_to"] = *answer.cut_sets_complete;
 }
 
 /// Further missing plans and endless waits.
@@ -71,13 +80,18 @@ void add_cut_off(ordered_json& json, const Answer& answer) {
   json["cut_off"] = cut_off.still ? "time-stands-still" : cut_off.stuck ? "stuck" : "fault-certain";
 }
 
+void add_warnings(ordered_json& json, const Answer& answer) {
+  if (!answer.warnings.empty()) json["warnings"] = answer.warnings;
+}
+
 ordered_json check_json(const Subject& subject, const Property& property, bool cut_sets, const Answer& answer) {
   ordered_json check = {{"property", name_of(property)}, {"verdict", to_text(answer.verdict)}};
   if (is_warning(property)) check["level"] = "warning";
   check.update(claim_of(subject.plant, property));
   if (holds_vacuously(answer)) check["vacuous"] = true;
   add_cut_off(check, answer);
-  if (cut_sets) check["cut_sets"] = json_of_cut_sets(subject, answer);
+  add_warnings(check, answer);
+  if (cut_sets) add_cut_sets(check, subject, answer);
   if (!answer.witness) return check;
   if (answer.fewest_faults) check["fewest_faults"] = *answer.fewest_faults;
   check["finding"] = end_of(subject, property, *answer.witness);
@@ -123,6 +137,7 @@ ordered_json to_json(const Subject& subject, const Question& question, const Ans
   if (holds_vacuously(answer)) json["vacuous"] = true;
   if (const std::string why = reason(answer); !why.empty()) json["reason"] = why;
   add_cut_off(json, answer);
+  add_warnings(json, answer);
   if (answer.witness) {
     if (auto found = end_of(subject, question.property, *answer.witness); !found.empty()) json["finding"] = found;
   }
@@ -130,7 +145,7 @@ ordered_json to_json(const Subject& subject, const Question& question, const Ans
   json["trace"] = answer.witness ? json_of(subject, *answer.witness) : ordered_json::array();
   add_others(json, subject, question.property, answer);
   if (answer.fewest_faults) json["fewest_faults"] = *answer.fewest_faults;
-  if (question.options.cut_sets) json["cut_sets"] = json_of_cut_sets(subject, answer);
+  if (question.options.cut_sets) add_cut_sets(json, subject, answer);
   json["statistics"] = statistics_of(answer.progress);
   return json;
 }
@@ -153,12 +168,12 @@ ordered_json to_json(const Subject& subject, const ProgramQuestion& question, co
   return json;
 }
 
-std::string to_junit(const Subject& subject, const std::vector<Property>& properties,
-                     const std::vector<Answer>& answers) {
+std::string to_junit(const Subject& subject, const ProgramQuestion& question, const std::vector<Answer>& answers) {
+  const std::vector<Property>& properties = question.properties;
   std::vector<base::TestCase> cases;
   for (std::size_t p = 0; p < properties.size(); ++p) {
     const Verdict verdict = answers[p].verdict;
-    const std::string report = to_text(subject, {properties[p], {}}, answers[p], false);
+    const std::string report = to_text(subject, {properties[p], question.options}, answers[p], false);
     const auto headline = report.find('\n');
     const auto* asked = std::get_if<ProgramProperty>(&properties[p]);
     const std::string formula = asked != nullptr ? asked->text : "";
@@ -171,7 +186,8 @@ std::string to_junit(const Subject& subject, const std::vector<Property>& proper
                                 : verdict == Verdict::violated ? failure
                                                                : error,
                      .message = report.substr(0, headline),
-                     .text = report.substr(headline + 1)});
+                     .text = report.substr(headline + 1),
+                     .notes = notes(answers[p])});
   }
   return base::to_junit(title(subject), cases);
 }

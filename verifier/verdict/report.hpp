@@ -24,8 +24,7 @@ nlohmann::ordered_json to_json(const Subject& subject, const ProgramQuestion& qu
                                const std::vector<Answer>& answers);
 /// A test case a property: a failure where it is violated, an error where it is undecided. All were decided together,
 /// and the first case has the time.
-std::string to_junit(const Subject& subject, const std::vector<Property>& properties,
-                     const std::vector<Answer>& answers);
+std::string to_junit(const Subject& subject, const ProgramQuestion& question, const std::vector<Answer>& answers);
 
 /// What a search has cost.
 nlohmann::ordered_json statistics_of(const Progress& progress);

@@ -45,7 +45,6 @@ Subject subject_of(const Subject& all, const Claim& claim) { return claim.of_pro
 
 /// A trace for people, without the headline of a single result.
 std::string trace_of(const Subject& subject, const Claim& claim) {
-  if (!claim.answer.witness) return "";
   const std::string text = to_text(subject_of(subject, claim), claim.question, claim.answer, false);
   return text.substr(text.find('\n') + 1);
 }
@@ -113,6 +112,9 @@ std::string to_junit(const Subject& subject, const std::vector<Claim>& claims) {
   for (const Claim& claim : claims) {
     using Outcome = base::TestCase::Outcome;
     const std::string after = remark(claim);
+    const std::string trace = trace_of(subject, claim);
+    // What was asked for, also where it is as expected; else the trace tells it.
+    const bool cut_sets = claim.question.options.cut_sets && claim.as_expected();
     cases.push_back({.name = claim.name,
                      .classname = subject.plant.name + "." + (claim.of_program() ? subject.program->name + "." : "") +
                                   name_of(claim.question.property),
@@ -121,7 +123,8 @@ std::string to_junit(const Subject& subject, const std::vector<Claim>& claims) {
                                 : claim.decided()   ? Outcome::failure
                                                     : Outcome::error,
                      .message = std::string(to_text(claim.answer.verdict)) + (after.empty() ? "" : ": " + after),
-                     .text = trace_of(subject, claim)});
+                     .text = trace,
+                     .notes = notes(claim.answer) + (cut_sets ? trace : "")});
   }
   return base::to_junit(title(subject), cases);
 }

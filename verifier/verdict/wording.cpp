@@ -162,6 +162,13 @@ std::string partly(const Answer& answer) {
                : "on runs that get stuck, only up to there";
 }
 
+std::string notes(const Answer& answer) {
+  std::string text = holds_vacuously(answer) ? "vacuous: " + vacuity(answer) + "\n" : "";
+  if (const std::string part = partly(answer); !part.empty()) text += "only in part: " + part + "\n";
+  for (const std::string& warning : answer.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
 std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();

@@ -28,6 +28,9 @@ std::string vacuity(const Answer& answer);
 std::string meaning(const Property& property, const Answer& answer);
 /// Which of the runs that a verdict without a witness speaks of it does not follow to the end; empty where it does.
 std::string partly(const Answer& answer);
+/// For a report of tests, which has but a word for what is as it should be: that nothing could violate what holds, or
+/// up to where runs were looked at, and what is warned of; lines ended.
+std::string notes(const Answer& answer);
 /// What a program's run has come to where it violates the property: the goals, the reason, the locations that wait.
 std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness);
 
