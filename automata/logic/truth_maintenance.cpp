@@ -245,7 +245,7 @@ TruthMaintenance::Answer TruthMaintenance::ask(std::span<const Literal> assumpti
   patience_ = least_patience;
   for (const Literal literal : assumptions) {
     const Variable v = variable(literal);
-    reserve(v);
+    if (v >= values_.size()) reserve(v);
     const std::uint64_t mark = 2 * question_ + (literal < 0 ? 1 : 0);
     if (wanted_[v] == (mark ^ 1)) {  // both a literal and its negation
       blamed_[v] = mark;

@@ -73,18 +73,27 @@ void Elimination::take_away(std::size_t constraint) {
 }
 
 bool Elimination::always_has_a_value(VariableId attribute) const {
+  return always_left(readers_.at(attribute), attribute, std::nullopt, std::nullopt);
+}
+
+bool Elimination::leaves_another(Assignment value, Assignment given) const {
+  return always_left(gone_.at(value.variable), value.variable, value.value, given);
+}
+
+bool Elimination::always_left(const std::set<std::size_t>& constraints, VariableId attribute,
+                              std::optional<ValueId> but, std::optional<Assignment> given) const {
   std::vector<VariableId> others;
   std::vector<Formula> all;
-  for (const std::size_t t : readers_.at(attribute)) {
+  for (const std::size_t t : constraints) {
     others.insert(others.end(), told_[t].variables.begin(), told_[t].variables.end());
-    all.push_back(told_[t].formula);
+    all.push_back(given ? fixed(told_[t].formula, given->variable, given->value) : told_[t].formula);
   }
   std::sort(others.begin(), others.end());
   others.erase(std::unique(others.begin(), others.end()), others.end());
-  std::erase(others, attribute);
+  std::erase_if(others, [&](VariableId v) { return v == attribute || (given && v == given->variable); });
   std::vector<Formula> contradicted;
   for (std::size_t v = 0; v < values_of(attribute); ++v) {
-    contradicted.push_back(negation(fixed(conjunction(all), attribute, ValueId(v))));
+    if (ValueId(v) != but) contradicted.push_back(negation(fixed(conjunction(all), attribute, ValueId(v))));
   }
   return !satisfiable(conjunction(std::move(contradicted)), others);
 }

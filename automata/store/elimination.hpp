@@ -7,6 +7,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -27,11 +28,18 @@ class Elimination {
   /// Positions of the constraints that an attribute took away when it went, ascending. All that they read beside it
   /// went later or is still there, so what is left says of other variables what it did before.
   [[nodiscard]] const std::set<std::size_t>& taken_by(VariableId attribute) const { return gone_.at(attribute); }
+  /// Of an attribute that has gone: whether what it took away leaves it another value than this, whatever all other
+  /// variables are, where `given` holds. Then no store in which `given` holds implies the value: what went before the
+  /// attribute finds a value yet.
+  [[nodiscard]] bool leaves_another(Assignment value, Assignment given) const;
   /// Positions of the constraints that nothing has taken away, ascending.
   [[nodiscard]] const std::set<std::size_t>& left() const { return left_; }
 
  private:
   [[nodiscard]] bool always_has_a_value(VariableId attribute) const;
+  /// Whether the constraints always leave the attribute a value that is not `but`, where `given` holds.
+  [[nodiscard]] bool always_left(const std::set<std::size_t>& constraints, VariableId attribute,
+                                 std::optional<ValueId> but, std::optional<Assignment> given) const;
   [[nodiscard]] bool satisfiable(const Formula& formula, const std::vector<VariableId>& variables) const;
   [[nodiscard]] std::size_t values_of(VariableId variable) const { return variables_[variable].values.size(); }
   void take_away(std::size_t constraint);

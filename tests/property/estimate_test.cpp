@@ -141,6 +141,13 @@ RC_GTEST_PROP(Estimate, OpenReadingsAreOpen, ()) {
           if (slow.possible(any)) RC_ASSERT(slow.observation_factor(any, {reading}) < 1);
         }
       }
+      const runtime::Opening* opening = open.openings().of(reading);
+      RC_TAG(opening == nullptr ? "opened by nobody alone" : "opened by one alone");
+      for (const auto& tuple : reference::tuples(sizes)) {
+        const automata::Modes any(tuple.begin(), tuple.end());
+        const bool opened = opening != nullptr && opening->modes[any[opening->component.index()].index()];
+        if (opened && slow.possible(any)) RC_ASSERT(slow.observation_factor(any, {reading}) < 1);
+      }
       const auto* components = open.components(modes, reading);
       RC_TAG(components == nullptr ? "not known to be open" : "open");
       if (components == nullptr) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "runtime/reasoning/estimate/rank.hpp"
 
@@ -25,7 +26,33 @@ std::vector<double> costs_of(const std::vector<double>& priors) {
   return costs;
 }
 
+std::vector<double> weighted_costs(const OptimalSearch::Domain& by_prior, std::span<const double> factors) {
+  std::vector<double> costs(factors.size(), std::numeric_limits<double>::infinity());
+  for (const OptimalSearch::PricedValue& choice : by_prior.choices()) {
+    const double factor = factors[choice.value];
+    costs[choice.value] = choice.cost - (factor == 1 ? 0.0 : std::log(factor));
+  }
+  return costs;
+}
+
+std::vector<double> less(std::vector<double> costs, double least) {
+  for (double& cost : costs) cost -= least;
+  return costs;
+}
+
 }  // namespace
+
+WeightedDomain::WeightedDomain(const OptimalSearch::Domain& by_prior, std::span<const double> mode_factors)
+    : factors(mode_factors.begin(), mode_factors.end()),
+      least(std::ranges::min(weighted_costs(by_prior, mode_factors))),
+      domain(less(weighted_costs(by_prior, mode_factors), least)) {}
+
+const WeightedDomain& ComponentMoves::weighted(std::span<const double> factors) const {
+  for (const auto& known : weighted_) {
+    if (std::equal(factors.begin(), factors.end(), known->factors.begin(), known->factors.end())) return *known;
+  }
+  return *weighted_.emplace_back(std::make_unique<const WeightedDomain>(domain_, factors));
+}
 
 ComponentMoves::ComponentMoves(const std::vector<automata::Move>& moves)
     : priors_(priors_of(moves)), domain_(costs_of(priors_)) {

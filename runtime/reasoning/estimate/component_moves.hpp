@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -12,6 +13,15 @@
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {
+
+/// The modes of a component that are worth something beside their priors: a factor for each mode, above 0.
+struct WeightedDomain {
+  WeightedDomain(const OptimalSearch::Domain& by_prior, std::span<const double> mode_factors);
+
+  std::vector<double> factors;   ///< by mode
+  double least;                  ///< what the best mode costs, which was taken off all costs
+  OptimalSearch::Domain domain;  ///< those that are left are at least 0
+};
 
 class ComponentMoves {
  public:
@@ -24,11 +34,14 @@ class ComponentMoves {
   [[nodiscard]] double greatest() const { return greatest_; }
   /// Its modes as the values of a decision variable, which cost -ln of their priors.
   [[nodiscard]] const OptimalSearch::Domain& domain() const { return domain_; }
+  /// The same with factors. Remembered: there are as many as there are ways to see what one component leaves open.
+  [[nodiscard]] const WeightedDomain& weighted(std::span<const double> factors) const;
 
  private:
   std::vector<double> priors_;  ///< by mode; modes after the last possible one left out
   double greatest_ = 0;
   OptimalSearch::Domain domain_;
+  mutable std::vector<std::unique_ptr<const WeightedDomain>> weighted_;
 };
 
 /// What the components of a state may do in a step, worked out once for all states that agree on a component: its mode,

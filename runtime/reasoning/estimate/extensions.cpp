@@ -37,15 +37,27 @@ Conflict ReadingEvidence::blame(const automata::Modes& modes) {
   return conflict;
 }
 
-/// Each reading that the base leaves open stays open until one of the components that this rests on changes.
-FactorBound ReadingEvidence::factor_bound(const automata::Modes& base) const {
+const OpeningFactors& ReadingEvidence::opening_factors() {
+  if (!opening_factors_) opening_factors_.emplace(step_.plant(), open_->openings(), observation_);
+  return *opening_factors_;
+}
+
+/// Each reading that the base leaves open stays open until one of the components that this rests on changes. What a
+/// component opens by itself is counted where it is: in the base it is left out here, and in another mode taken back.
+FactorBound ReadingEvidence::factor_bound(const automata::Modes& base, const OpeningFactors* counted) const {
   FactorBound bound{1, std::vector<double>(base.size(), 1.0)};
-  for (const automata::Assignment& reading : observation_) {
+  for (std::size_t i = 0; i < observation_.size(); ++i) {
+    const Opening* const opening = counted != nullptr ? counted->opening(i) : nullptr;
+    if (opening != nullptr && opening->modes[base[opening->component.index()].index()]) continue;
+    const automata::Assignment reading = observation_[i];
     const std::vector<automata::ComponentId>* components = open_->components(base, reading);
     if (components == nullptr) continue;
     const auto values = static_cast<double>(step_.plant().variables[reading.variable].values.size());
     bound.most /= values;
     for (const automata::ComponentId c : *components) bound.gains[c.index()] *= values;
+    if (opening == nullptr) continue;
+    if (std::find(components->begin(), components->end(), opening->component) != components->end()) continue;
+    bound.gains[opening->component.index()] *= values;
   }
   return bound;
 }
@@ -60,7 +72,7 @@ double ReadingEvidence::greatest_factor() const {
 }
 
 NearbyFactors ReadingEvidence::nearby_factors(const automata::Modes& base) const {
-  const FactorBound bound = factor_bound(base);
+  const FactorBound bound = factor_bound(base, nullptr);
   NearbyFactors result{bound.most, {}};
   for (std::size_t c = 0; c < base.size(); ++c) {
     if (bound.gains[c] == 1) continue;
@@ -103,6 +115,7 @@ void Extensions::restart(ReadingEvidence& evidence, const std::vector<const Comp
   tight_ = looked_ = false;
   base_.clear();
   factors_ = {};
+  openings_ = nullptr;
   offset_ = 0;
   for (const ComponentMoves* const component : moves_) best_ *= component->greatest();
 }
@@ -117,25 +130,24 @@ void Extensions::start() {
   search_.restart(domains, evidence_->conflicts());
 }
 
-/// Domains of their own for the components that may gain: the base mode at its cost, the others at theirs less the
-/// gain, and all of them less the least, which goes into the offset.
+/// Domains of their own for the components that may gain or lose. Where only what a component opens counts, all sources
+/// share them.
 void Extensions::adjust(std::vector<const OptimalSearch::Domain*>& domains) {
   adjusted_.clear();
   adjusted_.reserve(domains.size());
   offset_ = -std::log(factors_.most);
+  std::vector<double> gains;
   for (std::size_t c = 0; c < domains.size(); ++c) {
-    if (factors_.gains[c] == 1) continue;
-    const double gain = std::log(factors_.gains[c]);
-    std::vector<double> costs;
-    double least = std::numeric_limits<double>::infinity();
-    for (const OptimalSearch::PricedValue& choice : domains[c]->choices()) {
-      costs.resize(std::max<std::size_t>(costs.size(), choice.value + 1), std::numeric_limits<double>::infinity());
-      costs[choice.value] = choice.cost - (choice.value == base_[c].index() ? 0.0 : gain);
-      least = std::min(least, costs[choice.value]);
+    const bool near_base = factors_.gains[c] != 1;
+    if (!near_base && !openings_->opens(c)) continue;
+    if (near_base) {
+      gains.assign(evidence_->modes_of(c), 1.0);
+      for (std::size_t m = 0; m < gains.size(); ++m) gains[m] = gain(c, automata::ModeId(m));
     }
-    for (double& cost : costs) cost -= least;
-    offset_ += least;
-    domains[c] = &adjusted_.emplace_back(costs);
+    const WeightedDomain& weighted =
+        near_base ? adjusted_.emplace_back(*domains[c], gains) : moves_[c]->weighted(openings_->of(c));
+    offset_ += weighted.least;
+    domains[c] = &weighted.domain;
   }
 }
 
@@ -148,16 +160,16 @@ void Extensions::look_at_factors() {
     base_.emplace_back(component->domain().choices().front().value);
   }
   factors_ = evidence_->factor_bound(base_);
-  if (factors_.most == 1) {
-    factors_ = {};
-    return;
-  }
+  const OpeningFactors& openings = evidence_->opening_factors();
+  if (factors_.most == 1 && openings.empty()) return;
+  openings_ = &openings;
   mass_ = factors_.most;
   for (std::size_t c = 0; c < moves_.size(); ++c) {
-    const double stays = prior(c, base_[c]);
     double all = 0;
-    for (const OptimalSearch::PricedValue& choice : moves_[c]->domain().choices()) all += std::exp(-choice.cost);
-    mass_ *= stays + std::max(0.0, all - stays) * factors_.gains[c];
+    for (const OptimalSearch::PricedValue& choice : moves_[c]->domain().choices()) {
+      all += promise(c, automata::ModeId(choice.value));
+    }
+    mass_ *= all;
   }
 }
 
@@ -167,7 +179,15 @@ bool Extensions::tighten() {
   look_at_factors();
   if (!adjusts()) return false;
   found_.clear();
-  start();
+  started_ = false;
+  best_ = factors_.most;
+  for (std::size_t c = 0; c < moves_.size(); ++c) {
+    double greatest = 0;
+    for (const OptimalSearch::PricedValue& choice : choices(c)) {
+      greatest = std::max(greatest, promise(c, automata::ModeId(choice.value)));
+    }
+    best_ *= greatest;
+  }
   return true;
 }
 
@@ -177,9 +197,9 @@ double Extensions::mass() {
 }
 
 double Extensions::share(const automata::Modes& modes, double prior) const {
-  if (factors_.gains.empty()) return prior;
+  if (!informed()) return prior;
   double share = prior * factors_.most;
-  for (std::size_t c = 0; c < modes.size(); ++c) share *= modes[c] == base_[c] ? 1.0 : factors_.gains[c];
+  for (std::size_t c = 0; c < modes.size(); ++c) share *= gain(c, modes[c]);
   return share;
 }
 

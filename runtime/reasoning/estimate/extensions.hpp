@@ -18,16 +18,16 @@
 
 namespace rmpl::runtime {
 
-/// What is known at once of the observation factor of all modes near some `base`: it is `most` at most for these, and a
-/// component that is in another mode multiplies it by `gains`, by component, at most: the readings that its mode in the
-/// base may be needed to leave open.
+/// What is known at once of the observation factor of all modes near some `base`, beside what components leave open by
+/// themselves: it is `most` at most for these, and a component that is in another mode multiplies it by `gains`, by
+/// component, at most: the readings that its mode in the base may be needed to leave open.
 struct FactorBound {
   double most = 1;
   std::vector<double> gains;
 };
 
-/// The same, by the modes of those components that gain anything: a mode that leaves the readings open by itself gains
-/// nothing.
+/// The same of all readings, by the modes of those components that gain anything: a mode that leaves the readings open
+/// by itself gains nothing.
 struct NearbyFactors {
   double most = 1;
   std::map<std::size_t, std::vector<double>> gains;
@@ -46,21 +46,32 @@ class ReadingEvidence {
   double factor(const automata::Modes& modes);
   /// The mode assignments to blame for a factor of 0.
   Conflict blame(const automata::Modes& modes);
-  [[nodiscard]] FactorBound factor_bound(const automata::Modes& base) const;
+  /// What is known of components by themselves, in whatever modes the others are.
+  const OpeningFactors& opening_factors();
+  /// Of modes near `base`, beside these.
+  [[nodiscard]] FactorBound factor_bound(const automata::Modes& base) { return factor_bound(base, &opening_factors()); }
   [[nodiscard]] NearbyFactors nearby_factors(const automata::Modes& base) const;
   /// What the factor of any modes is at most: each reading that no modes imply costs them its 1/m.
   [[nodiscard]] double greatest_factor() const;
   /// Whether it says more than that no factor is above 1.
   [[nodiscard]] bool bounds_factors() const { return open_ != nullptr && !observation_.empty(); }
+  /// How many modes a component has.
+  [[nodiscard]] std::size_t modes_of(std::size_t component) const {
+    return step_.plant().components[component].modes.size();
+  }
   /// All that is known to be inconsistent with this observation.
   [[nodiscard]] const std::shared_ptr<ConflictSet>& conflicts() const { return conflicts_; }
 
  private:
+  /// Without the readings that `counted` counts; of all where it is null.
+  [[nodiscard]] FactorBound factor_bound(const automata::Modes& base, const OpeningFactors* counted) const;
+
   automata::PlantStep& step_;
   automata::Observation observation_;
   ConflictSet& lasting_;
   OpenReadings* open_;
   std::shared_ptr<ConflictSet> conflicts_;
+  std::optional<OpeningFactors> opening_factors_;
 };
 
 /// One target of a step. `prior` is P_T, the product of the moves' probabilities in order of component; `factor` the
@@ -100,10 +111,14 @@ class Extensions {
   [[nodiscard]] double share(const automata::Modes& modes, double prior) const;
   /// Prior times factor of an extension are at most the product of the greatest factor and of what each of its modes
   /// promises. In these terms `share` is that product.
-  [[nodiscard]] double greatest_factor() const { return factors_.gains.empty() ? 1.0 : factors_.most; }
+  [[nodiscard]] double greatest_factor() const { return factors_.most; }
   [[nodiscard]] double promise(std::size_t component, automata::ModeId mode) const {
-    const double stays = prior(component, mode);
-    return factors_.gains.empty() || mode == base_[component] ? stays : stays * factors_.gains[component];
+    return prior(component, mode) * gain(component, mode);
+  }
+  /// Whether a component may move as in the other, and promises the same by it; false also where telling takes longer.
+  [[nodiscard]] bool moves_as(const Extensions& other, std::size_t component) const {
+    const bool same = moves_[component] == other.moves_[component] && openings_ == other.openings_;
+    return same && (!informed() || factors_.gains[component] == other.factors_.gains[component]);
   }
   /// The modes that a component may move to, likeliest first.
   [[nodiscard]] std::span<const OptimalSearch::PricedValue> choices(std::size_t component) const {
@@ -118,28 +133,39 @@ class Extensions {
   [[nodiscard]] double prior(std::size_t component, automata::ModeId mode) const {
     return moves_[component]->prior(mode);
   }
+  /// What is known to be inconsistent.
+  [[nodiscard]] const std::vector<Conflict>& conflicts() const { return evidence_->conflicts()->conflicts(); }
   /// How many candidates were checked.
   [[nodiscard]] std::size_t checked() const { return started_ ? search_.checked() : 0; }
 
  private:
   void start();
   void look_at_factors();
-  [[nodiscard]] bool adjusts() const { return tight_ && !factors_.gains.empty(); }
+  /// Whether anything is known of the factors.
+  [[nodiscard]] bool informed() const { return openings_ != nullptr; }
+  [[nodiscard]] bool adjusts() const { return tight_ && informed(); }
+  /// What the factor gains by the mode, at most, or loses, at least.
+  [[nodiscard]] double gain(std::size_t component, automata::ModeId mode) const {
+    if (!informed()) return 1;
+    const double gain = mode == base_[component] ? 1 : factors_.gains[component];
+    return gain * openings_->of(component, mode);
+  }
   void adjust(std::vector<const OptimalSearch::Domain*>& domains);
   [[nodiscard]] double bound_of(double cost) const;
 
   ReadingEvidence* evidence_ = nullptr;
   std::vector<const ComponentMoves*> moves_;  ///< by component
   std::vector<ComponentMoves> own_;           ///< where nobody else has them
-  double best_ = 1;                           ///< the product of the greatest priors
+  double best_ = 1;                           ///< no extension is worth more
   double mass_ = 1;
-  bool started_ = false;  ///< most sources are too unlikely for a search ever to begin
-  bool tight_ = false;    ///< `tighten` was called
-  bool looked_ = false;   ///< whether the next two are worked out:
-  automata::Modes base_;  ///< the likeliest modes,
-  FactorBound factors_;   ///< what is known of the factors near them; without gains: nothing
-  double offset_ = 0;     ///< cost of what no choice can change
-  std::vector<OptimalSearch::Domain> adjusted_;
+  bool started_ = false;                      ///< most sources are too unlikely for a search ever to begin
+  bool tight_ = false;                        ///< `tighten` was called
+  bool looked_ = false;                       ///< whether the next three are worked out:
+  automata::Modes base_;                      ///< the likeliest modes,
+  FactorBound factors_;                       ///< what is known of the factors near them,
+  const OpeningFactors* openings_ = nullptr;  ///< and of those of single components; null: nothing of either
+  double offset_ = 0;                         ///< cost of what no choice can change
+  std::vector<WeightedDomain> adjusted_;
   OptimalSearch search_{{}};
   std::vector<Extension> found_;
 };

@@ -5,85 +5,93 @@
 #include <algorithm>
 
 namespace rmpl::runtime {
-namespace {
 
 using automata::ModeId;
 
-constexpr std::size_t most_nodes = 512;
-
-double greatest_promise(const Extensions& extensions, std::size_t component) {
-  double greatest = 0;
-  for (const OptimalSearch::PricedValue& choice : extensions.choices(component)) {
-    greatest = std::max(greatest, extensions.promise(component, ModeId(choice.value)));
-  }
-  return greatest;
-}
-
-ModeId best_mode(const Extensions& extensions, std::size_t component) {
-  ModeId best(0u);
-  double greatest = -1;
-  for (const OptimalSearch::PricedValue& choice : extensions.choices(component)) {
-    const double promise = extensions.promise(component, ModeId(choice.value));
-    if (promise > greatest) {
-      greatest = promise;
-      best = ModeId(choice.value);
-    }
-  }
-  return best;
-}
-
-}  // namespace
-
-void JointBound::look_at(std::span<const Source> sources) {
+void JointBound::look_at(std::span<const Source> sources, const Clocks& clocks, automata::Ticks now) {
   contested_.clear();
   promise_.assign(1, {});
-  const std::size_t components = sources.empty() ? 0 : sources.front().state->modes.size();
-  for (const Source& source : sources) {
-    double best = source.weight * source.extensions->greatest_factor();
-    for (std::size_t c = 0; c < components; ++c) best *= greatest_promise(*source.extensions, c);
-    promise_.front().push_back(best);
+  excluded_.clear();
+  if (sources.empty()) return;
+  for (const Conflict& conflict : sources.front().extensions->conflicts()) {
+    if (conflict.size() == 1) excluded_.push_back(conflict.front());
   }
-  for (std::size_t c = 0; c < components; ++c) contest(sources, c);
+  std::sort(excluded_.begin(), excluded_.end());
+  for (const Source& source : sources) {
+    promise_.front().push_back(source.weight * source.extensions->greatest_factor());
+  }
+  const std::size_t components = sources.front().state->modes.size();
+  for (std::size_t c = 0; c < components; ++c) {
+    contest(sources, c, [&](const Source& source, ModeId mode) {
+      return Place{mode, clocks.advance(c, source.state->modes[c], source.state->clock_starts[c], mode, now)};
+    });
+  }
   std::stable_sort(contested_.begin(), contested_.end(),
                    [](const Contested& a, const Contested& b) { return a.dissent > b.dissent; });
   promise_.resize(contested_.size() + 1, std::vector<double>(sources.size()));
 }
 
-/// Adds the component where the sources do not agree on its best mode. Modes that are best in none count as one, in
-/// which each source has the best of them.
-void JointBound::contest(std::span<const Source> sources, std::size_t component) {
-  std::vector<ModeId> bests;
-  Contested contested;
-  for (const Source& source : sources) {
-    const ModeId best = best_mode(*source.extensions, component);
-    if (std::find(bests.begin(), bests.end(), best) == bests.end()) bests.push_back(best);
-    if (best != bests.front()) contested.dissent += source.weight;
+template <class PlaceOf>
+JointBound::Best JointBound::best(const Source& source, std::size_t component, const PlaceOf& place) {
+  ModeId mode(0u);
+  double greatest = -1;
+  for (const OptimalSearch::PricedValue& choice : source.extensions->choices(component)) {
+    const double promise = source.extensions->promise(component, ModeId(choice.value));
+    if (promise <= greatest) continue;
+    greatest = promise;
+    mode = ModeId(choice.value);
   }
-  if (bests.size() < 2) return;
-  contested.options.resize(bests.size() + 1);
+  return {place(source, mode), std::max(greatest, 0.0)};
+}
+
+/// Adds the component where the sources do not agree on its best place. Places that are best in none count as one, in
+/// which each source has the best of them. Most components are in most sources as they are in the first.
+template <class PlaceOf>
+void JointBound::contest(std::span<const Source> sources, std::size_t component, const PlaceOf& place) {
+  const Source& first = sources.front();
+  const auto as_in_first = [&](const Source& source) {
+    return source.extensions->moves_as(*first.extensions, component) &&
+           source.state->modes[component] == first.state->modes[component] &&
+           source.state->clock_starts[component] == first.state->clock_starts[component];
+  };
+  bests_.assign(1, best(first, component, place));
+  std::vector<Place> places{bests_.front().place};
+  Contested contested;
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    if (s > 0) bests_.push_back(as_in_first(sources[s]) ? bests_.front() : best(sources[s], component, place));
+    promise_.front()[s] *= bests_[s].promise;
+    if (bests_[s].place == places.front()) continue;
+    contested.dissent += sources[s].weight;
+    if (std::find(places.begin(), places.end(), bests_[s].place) == places.end()) places.push_back(bests_[s].place);
+  }
+  if (places.size() < 2) return;
+  contested.options.assign(places.size() + 1, std::vector<double>(sources.size(), 0.0));
   bool others = false;
-  for (const Source& source : sources) {
-    const double greatest = greatest_promise(*source.extensions, component);
-    const auto share = [&](ModeId mode) {
-      return greatest > 0 ? source.extensions->promise(component, mode) / greatest : 0.0;
-    };
-    double other = 0;
-    for (const OptimalSearch::PricedValue& choice : source.extensions->choices(component)) {
-      const ModeId mode(choice.value);
-      if (std::find(bests.begin(), bests.end(), mode) == bests.end()) other = std::max(other, share(mode));
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    if (s > 0 && as_in_first(sources[s])) {
+      for (std::vector<double>& option : contested.options) option[s] = option.front();
+      continue;
     }
-    others = others || other > 0;
-    for (std::size_t i = 0; i < bests.size(); ++i) contested.options[i].push_back(share(bests[i]));
-    contested.options.back().push_back(other);
+    for (const OptimalSearch::PricedValue& choice : sources[s].extensions->choices(component)) {
+      const ModeId mode(choice.value);
+      const Decision decision{static_cast<std::uint32_t>(component), choice.value};
+      if (std::binary_search(excluded_.begin(), excluded_.end(), decision)) continue;
+      const double most = bests_[s].promise;
+      const double share = most > 0 ? sources[s].extensions->promise(component, mode) / most : 0.0;
+      const auto own = std::find(places.begin(), places.end(), place(sources[s], mode)) - places.begin();
+      double& option = contested.options[static_cast<std::size_t>(own)][s];
+      option = std::max(option, share);
+    }
+    others = others || contested.options.back()[s] > 0;
   }
   if (!others) contested.options.pop_back();
   contested_.push_back(std::move(contested));
 }
 
-bool JointBound::reaches(std::span<const double> fronts, double enough) {
+bool JointBound::reaches(std::span<const double> fronts, double enough, std::size_t nodes) {
   fronts_ = fronts;
   enough_ = enough;
-  nodes_ = most_nodes;
+  nodes_ = nodes;
   return reaches(0);
 }
 
@@ -91,7 +99,7 @@ bool JointBound::reaches(std::size_t depth) {
   if (nodes_ == 0) return true;
   --nodes_;
   double sum = 0;
-  for (std::size_t s = 0; s < fronts_.size(); ++s) sum += std::min(fronts_[s], promise_[depth][s]);
+  for (std::size_t s = 0; s < fronts_.size() && sum < enough_; ++s) sum += std::min(fronts_[s], promise_[depth][s]);
   if (sum < enough_) return false;
   if (depth == contested_.size()) return true;
   for (const std::vector<double>& option : contested_[depth].options) {

@@ -72,6 +72,7 @@ class KBest final : public ListedFilter {
         open_(step),
         search_(clocks_, options_) {
     CHECK(options.k > 0);
+    if (options.observation_factor && options.merge_trajectories) open_.openings();
     estimate_.modes = likeliest_initial_modes(step.plant());
     estimate_.consistent = start({});
   }

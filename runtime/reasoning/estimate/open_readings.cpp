@@ -162,7 +162,10 @@ OpenReadings::Patch OpenReadings::patch(std::vector<Attribute> inside, const Mod
 
 OpenReadings::Lemma OpenReadings::work_out(const Modes& modes, Assignment reading) {
   Lemma lemma{{}, {}, false};
-  if (!leaves_open(modes, reading)) {
+  if (openings().opened_by(modes, reading, lemma.components)) {
+    lemma.open = true;
+  } else if (!leaves_open(modes, reading)) {
+    lemma.components.clear();
     if (possible_) implied_.insert_or_assign(key(reading), true);
     for (const Assignment& needed : step_.theory().conflict()) {
       lemma.components.push_back(*owner_[needed.variable.index()]);

@@ -18,6 +18,7 @@
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/estimate/openings.hpp"
 
 namespace rmpl::runtime {
 
@@ -26,6 +27,11 @@ class OpenReadings {
   /// Keeps a reference to the step, and looks at its plant when it is first asked.
   explicit OpenReadings(automata::PlantStep& step) : step_(step), plant_(step.plant()) {}
 
+  /// What single components leave open; worked out when it is first asked for.
+  const Openings& openings() {
+    if (!openings_) openings_.emplace(plant_);
+    return *openings_;
+  }
   /// Components whose modes in `modes` are enough to leave `reading` (of an attribute) unimplied, ascending; nothing
   /// where none were found: the reading is implied, or it would have taken too much work. Remembered by those modes.
   /// The pointer lasts until the next call.
@@ -80,6 +86,7 @@ class OpenReadings {
 
   automata::PlantStep& step_;
   const automata::Plant& plant_;
+  std::optional<Openings> openings_;
   std::vector<std::optional<automata::ComponentId>> owner_;  ///< by variable
   std::vector<Attribute> equal_;                             ///< by variable
   std::vector<Told> told_;

@@ -21,6 +21,12 @@ constexpr std::size_t least_index = 256;
 /// A search that is taken up again and again begins anew once it has so many times the targets that it needs.
 constexpr std::size_t outgrown = 2;
 
+/// What several sources can give to one target is looked into again after so many candidates, at least; the first time
+/// for so many sums over the sources; and a candidate costs as much as so many terms of these for each component.
+constexpr std::size_t pace = 2;
+constexpr std::size_t first_look = 512;
+constexpr std::size_t terms_of_check = 128;
+
 /// A run whose unexplored mass is more than this share of what it found takes the observation factor into its bounds.
 constexpr double noticeable = 0.01;
 
@@ -81,6 +87,7 @@ void TrajectorySearch::begin(std::size_t k) {
   cut_ = false;
   joint_known_ = false;
   next_look_ = 0;
+  nodes_ = first_look;
   tight_ = !may_tighten();
 }
 
@@ -151,9 +158,9 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
 }
 
 /// Whether no state that was not found yet comes near the k-th best. That the bounds of several sources cannot be about
-/// one state is looked into before a candidate is checked, now and then: it costs as much as some of these.
+/// one state is looked into before a candidate is checked, now and then: it costs as much as some of these. A look that
+/// decides nothing is followed by a longer one, and each by candidates that cost as much.
 bool TrajectorySearch::enough_found(std::span<const Source> sources) {
-  constexpr std::size_t pace = 2;
   const double enough = best_.front() * (1 - stop_margin);
   if (fronts_.front().bound >= enough) return false;
   if (!options_.merge_trajectories) return true;
@@ -162,12 +169,15 @@ bool TrajectorySearch::enough_found(std::span<const Source> sources) {
   if (sum < enough) return true;
   const std::uint32_t next = fronts_.front().source;
   if (checked_ < next_look_ || cursors_[next] < sources[next].extensions->found().size()) return false;
-  next_look_ = checked_ + pace;
-  if (!joint_known_) joint_.look_at(sources);
+  if (!joint_known_) joint_.look_at(sources, clocks_, now_);
   joint_known_ = true;
   left_.assign(sources.size(), 0);
   for (const Front& front : fronts_) left_[front.source] = front.bound;
-  return !joint_.reaches(left_, enough);
+  const bool reaches = joint_.reaches(left_, enough, nodes_);
+  const std::size_t spent = (nodes_ - joint_.nodes_left()) * sources.size();
+  next_look_ = checked_ + std::max(pace, spent / (terms_of_check * sources.front().state->modes.size()));
+  if (joint_.undecided()) nodes_ *= 2;
+  return !reaches;
 }
 
 /// Puts the sources into the queue, each with what it has left.

@@ -108,7 +108,8 @@ class TrajectorySearch {
   std::size_t needed_ = 0;  ///< targets of the last run that began anew
   JointBound joint_;
   bool joint_known_ = false;   ///< `joint_` has looked at the sources as they are
-  std::size_t next_look_ = 0;  ///< how many candidates are checked before it is asked again
+  std::size_t next_look_ = 0;  ///< how many candidates are checked before it is asked again,
+  std::size_t nodes_ = 0;      ///< and how long that may take then
   std::vector<double> left_;   ///< by source: what it has left
   double explored_ = 0;        ///< prior mass of all that was looked at
   double dropped_ = 0;         ///< worth of trajectories that lost to a better one into the same state

@@ -29,6 +29,7 @@ OptimalSearch::Domain::Domain(std::span<const double> costs, int exponent) {
     if (std::isfinite(cost)) greatest_ = std::max(greatest_, cost);
   }
   exponent_ = std::max(exponent, exponent_of(greatest_));
+  choices_.reserve(costs.size());
   for (std::size_t v = 0; v < costs.size(); ++v) {
     if (!std::isfinite(costs[v])) continue;
     choices_.push_back({static_cast<std::uint32_t>(v), std::llround(std::ldexp(costs[v], -exponent_)), costs[v]});
