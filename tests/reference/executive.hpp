@@ -9,13 +9,19 @@
 // - what each command on the way leads nearer to: no way takes more cycles than the shortest on which one thing happens
 //   at a time, where what the goal names lasts.
 //
-// Left open, and looked at only as far as is said: which of several ways; a wait for what comes at once before anything
-// else is done; how long ways to what does not last are, as durations are not compared; plans by coincidence or by
-// chance. What a goal has and loses at once is not looked after: there the rest may be gone for. Where all controls
-// idle contradict the model, any command that does not; where only the interconnections keep from coming what is
-// enabled, irreversible steps. For reward: that it may be done, not that it must be: it keeps what the goal has, takes
-// no forbidden step and leads to where some component is worth more; whether a command serves the goal or a reward,
-// where it may be for either. SPDX-License-Identifier: MIT
+// Left open, and looked at only as far as is said:
+// - which of several ways; a wait for what comes at once before anything else is done; how long ways to what does not
+//   last are, as durations are not compared; plans by coincidence or by chance;
+// - what a goal has and loses at once is not looked after: there the rest may be gone for; and a wait that leads on may
+//   come before the irreversible step on which the plan fails;
+// - irreversible steps that come later by themselves, where some outcome of the command, or an interconnection, does
+//   without them;
+// - where all controls idle contradict the model, any command that does not;
+// - for reward: that it may be done, not that it must be: it keeps what the goal has and takes no forbidden step, and
+//   leads to where some component is worth more, or holds something back while the goal is waited for; whether a
+//   command serves the goal or a reward, where it may be for either.
+//
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <compare>
