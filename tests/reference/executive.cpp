@@ -35,7 +35,8 @@ std::set<Advice> Executive::needed(std::size_t state, Plans& plans, const Goal& 
   std::set<Advice> result;
   if (!plans.soberly(state)) result.insert({true, courses_.actions()[courses_.idle()], false});
   std::optional<std::size_t> bound;
-  if (lasts(courses_.step().plant(), automata::conjunction_of(goal))) bound = plans.surely(state);
+  const bool compares = lasts(courses_.step().plant(), automata::conjunction_of(goal)) && !waits_are_unsafe(state);
+  if (compares) bound = plans.surely(state);
   for (std::size_t a = 0; a < courses_.actions().size(); ++a) {
     if (!plans.is_choice(state, a)) continue;
     const bool rests = a == courses_.rest(state);
@@ -78,6 +79,18 @@ bool Executive::moves_at_once(std::size_t state) {
   const auto& enabled = courses_.enabled(state, courses_.rest(state));
   return std::any_of(enabled.begin(), enabled.end(),
                      [](const Transition* t) { return !t->timing && t->from != t->to; });
+}
+
+bool Executive::waits_are_unsafe(std::size_t state) {
+  const auto& components = courses_.step().plant().components;
+  const auto& later = courses_.by_itself(state);
+  return std::any_of(later.begin(), later.end(), [&](std::size_t s) {
+    const auto& enabled = courses_.enabled(s, courses_.rest(s));
+    const auto leaves = [&](const Transition& t) { return t.timing && t.from != t.to && enabled.contains(&t); };
+    return std::count_if(components.begin(), components.end(), [&](const automata::Component& component) {
+             return std::any_of(component.transitions.begin(), component.transitions.end(), leaves);
+           }) > 1;
+  });
 }
 
 bool Executive::is_housekeeping(std::size_t state, std::size_t action, Plans& plans, const Goal& goal) {

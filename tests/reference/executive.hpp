@@ -7,7 +7,7 @@
 //   with one thing happening at a time;
 // - nothing is commanded where the goal is entailed and nothing is to be gained;
 // - what each command on the way leads nearer to: no way takes more cycles than the shortest on which one thing happens
-//   at a time, where what the goal names lasts.
+//   at a time, where what the goal names lasts and no two components may go on in time by themselves.
 //
 // Left open, and looked at only as far as is said:
 // - which of several ways; a wait for what comes at once before anything else is done; how long ways to what does not
@@ -62,6 +62,8 @@ class Executive {
   Goal put_off(std::size_t state, const Goal& goal);
   bool is_lost_at_once(std::size_t state, const automata::Assignment& part);
   bool moves_at_once(std::size_t state);
+  /// Whether, while nothing is done, several components may leave their modes in time: of ways a safe one goes first.
+  bool waits_are_unsafe(std::size_t state);
   bool is_housekeeping(std::size_t state, std::size_t action, Plans& plans, const Goal& goal);
   /// Whether an action takes away nothing that the goal has, and no hope of it.
   bool keeps(std::size_t state, std::size_t action, Plans& plans, const Goal& goal);
