@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/bounded_cache.hpp"
+#include "tests/property/advice.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/closed_loop.hpp"
@@ -69,18 +70,16 @@ automata::Program chain(const automata::Plant& plant) {
   return program;
 }
 
-reference::Adviser advice_of(runtime::Reconfigurer& reconfigurer, const automata::Plant& plant) {
+/// An adviser that refers to what it is made of.
+reference::Adviser adviser_of(reference::Executive& executive, runtime::Reconfigurer& reconfigurer,
+                              const automata::Plant& plant) {
   return [&](const automata::Modes& modes, const std::vector<automata::Assignment>& goal) {
-    const auto answer = reconfigurer.next(modes, automata::conjunction_of(goal));
-    const bool command = answer.outcome == runtime::Reconfiguration::Outcome::command;
-    return reference::Advice{answer.outcome == runtime::Reconfiguration::Outcome::no_plan,
-                             command ? answer.action : automata::idle_action(plant),
-                             answer.why.purpose == runtime::Reason::Purpose::reward};
+    return advised(executive, reconfigurer, plant, modes, goal);
   };
 }
 
-/// The twin plans by itself: in every state of the loop from which it knows a way to a goal that lasts, the executive
-/// has a plan, which takes no more cycles.
+/// In every state of the loop from which the twin knows a way to a goal that lasts, the executive has a plan, and all
+/// of it takes no more cycles.
 RC_GTEST_PROP(ClosedLoop, NoWayIsShorterThanThoseTaken, ()) {
   Shape shape = small();
   shape.max_components = 3;
@@ -96,16 +95,18 @@ RC_GTEST_PROP(ClosedLoop, NoWayIsShorterThanThoseTaken, ()) {
   automata::PlantStep step(model.plant);
   const auto reconfigurer = runtime::make_reconfigurer(step);
   const reference::Step slow(model.plant);
-  const reference::Adviser told = advice_of(*reconfigurer, model.plant);
+  reference::Executive executive(slow);
+  const reference::Adviser next = adviser_of(executive, *reconfigurer, model.plant);
+  reference::Courses courses(slow);
   std::size_t planned = 0;
   const reference::Adviser adviser = [&](const automata::Modes& modes, const std::vector<automata::Assignment>& asked) {
     const automata::Formula goal = automata::conjunction_of(asked);
     const auto achieved = [&](const automata::Modes& state) {
       return slow.models().entails(reference::assumptions_of(model.plant, state), goal);
     };
-    if (achieved(modes) || !reference::lasts(model.plant, goal)) return told(modes, asked);
-    const auto fewest = reference::fewest_cycles(slow, modes, goal);
-    if (!fewest) return told(modes, asked);
+    if (achieved(modes) || !reference::lasts(model.plant, goal)) return next(modes, asked);
+    const auto fewest = reference::Plans(courses, goal).surely(courses.number(modes));
+    if (!fewest) return next(modes, asked);
     std::size_t cycles = 0;
     for (automata::Modes at = modes; !achieved(at); ++cycles) {
       const runtime::Reconfiguration answer = reconfigurer->next(at, goal);
@@ -116,7 +117,7 @@ RC_GTEST_PROP(ClosedLoop, NoWayIsShorterThanThoseTaken, ()) {
       at = *answer.expected;
     }
     ++planned;
-    return told(modes, asked);
+    return next(modes, asked);
   };
   reference::LoopQuestion question;
   question.faults = shape.faults ? up_to(0, 1) : 0;
@@ -145,8 +146,9 @@ void compare(std::optional<Ticks> period, bool chained = false) {
 
   automata::PlantStep step(model.plant);
   const auto reconfigurer = runtime::make_reconfigurer(step);
-  const reference::Adviser adviser = advice_of(*reconfigurer, model.plant);
   const reference::Step slow(model.plant);
+  reference::Executive executive(slow);
+  const reference::Adviser adviser = adviser_of(executive, *reconfigurer, model.plant);
   const reference::LoopAnswer expected = reference::explore_loop(program.program, slow, adviser, question);
   RC_PRE(!expected.too_many);
 
@@ -263,8 +265,9 @@ RC_GTEST_PROP(ClosedLoop, CutSetsAreTheSmallestThatLeadThere, ()) {
   question.formula = chance(50) ? automata::conjunction(std::move(both)) : automata::disjunction(std::move(both));
   automata::PlantStep step(model.plant);
   const auto reconfigurer = runtime::make_reconfigurer(step);
-  const reference::Adviser adviser = advice_of(*reconfigurer, model.plant);
   const reference::Step slow(model.plant);
+  reference::Executive executive(slow);
+  const reference::Adviser adviser = adviser_of(executive, *reconfigurer, model.plant);
   std::vector<std::set<FaultMode>> expected;
   for (std::size_t size = 0; size <= faults.size(); ++size) {
     for (std::size_t chosen = 0; chosen < std::size_t{1} << faults.size(); ++chosen) {

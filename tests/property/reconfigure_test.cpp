@@ -224,11 +224,12 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
 /// takes; those in which only something else is done beside it do not count.
 RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
   const Subject subject(in_time);
+  reference::Courses courses(subject.slow);
   for (int question = 0; question < 4; ++question) {
     const Modes modes = *modes_of(subject.model.plant);
     const Formula goal = draw_goal(subject.model.plant);
     if (!subject.slow.possible(modes) || goal.is_true() || entails(subject.slow, modes, goal)) continue;
-    const auto fewest = reference::fewest_cycles(subject.slow, modes, goal);
+    const auto fewest = reference::Plans(courses, goal).surely(courses.number(modes));
     if (!fewest) continue;
     const runtime::Plan plan = runtime::make_plan(subject.model.plant, *subject.reconfigurer, modes, goal);
     RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << " from " << rc::toString(modes) << ": "

@@ -10,17 +10,12 @@
 #include <vector>
 
 #include "automata/program.hpp"
+#include "tests/reference/executive.hpp"
 #include "tests/reference/sequencer.hpp"
 #include "tests/reference/step.hpp"
 
 namespace rmpl::reference {
 
-/// What the reconfigurer says to modes and goal.
-struct Advice {
-  bool no_plan = false;
-  automata::ControlAction action;
-  bool for_reward = false;  ///< no part of the goal needs the command
-};
 using Adviser = std::function<Advice(const automata::Modes&, const std::vector<automata::Assignment>&)>;
 
 struct LoopQuestion {

@@ -33,8 +33,6 @@ bool is_single(const automata::Plant& plant, const ControlAction& action) {
   return off_idle <= 1;
 }
 
-namespace {
-
 std::vector<Modes> all_states(const automata::Plant& plant) {
   std::vector<std::size_t> sizes;
   for (const automata::Component& component : plant.components) sizes.push_back(component.modes.size());
@@ -45,6 +43,8 @@ std::vector<Modes> all_states(const automata::Plant& plant) {
   }
   return result;
 }
+
+namespace {
 
 bool can_be_brought_about(const Step& step, std::size_t component, const Transition& t) {
   for (const Modes& modes : all_states(step.plant())) {

@@ -14,6 +14,9 @@ namespace rmpl::reference {
 /// Every combination of values of the controls.
 std::vector<automata::ControlAction> all_actions(const automata::Plant& plant);
 
+/// Every combination of modes, possible or not.
+std::vector<automata::Modes> all_states(const automata::Plant& plant);
+
 /// Whether at most one control is off its idle value.
 bool is_single(const automata::Plant& plant, const automata::ControlAction& action);
 

@@ -3,114 +3,140 @@
 #include "tests/reference/plans.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
 
 #include "tests/reference/goals.hpp"
 
 namespace rmpl::reference {
 
-using automata::ControlAction;
 using automata::Modes;
 using automata::Transition;
 
-namespace {
+Plans::Plans(Courses& courses, const automata::Formula& goal) : courses_(courses) {
+  const Step& step = courses.step();
+  for (const Modes& modes : courses.states())
+    met_.push_back(step.models().entails(assumptions_of(step.plant(), modes), goal));
+  for (std::size_t c = 0; c < step.plant().components.size(); ++c)
+    for (const Transition& t : step.plant().components[c].transitions)
+      if (is_forbidden(step, c, t, goal)) forbidden_.emplace_back(c, &t);
+}
 
-/// What one goal allows of one plant.
-class Search {
- public:
-  Search(const Step& step, const automata::Formula& goal)
-      : step_(step), goal_(goal), idle_(automata::idle_action(step.plant())) {
-    for (std::size_t i = 0; i < step.plant().components.size(); ++i)
-      for (const Transition& t : step.plant().components[i].transitions)
-        if (is_forbidden(step, i, t, goal)) forbidden_.emplace_back(i, &t);
-    for (const ControlAction& action : all_actions(step.plant()))
-      if (is_single(step.plant(), action)) actions_.push_back(action);
+Plans::Steps Plans::taken(std::size_t state, std::size_t action) {
+  Steps result;
+  for (const auto& [component, t] : forbidden_) {
+    if (!courses_.enabled(state, action).contains(t)) continue;
+    for (const std::size_t next : courses_.one_by_one(state, action))
+      if (courses_.states()[next][component] == t->to) result.emplace(component, t->to);
   }
+  return result;
+}
 
-  std::optional<std::size_t> from(const Modes& modes) {
-    std::map<Modes, std::size_t> cycles{{modes, 0}};
-    std::vector<Modes> open{modes};
-    for (std::size_t next = 0; next < open.size(); ++next) {
-      const Modes state = open[next];
-      if (step_.models().entails(assumptions_of(step_.plant(), state), goal_) && stays(state)) return cycles.at(state);
-      for (const ControlAction& action : actions_) {
-        if (!tolerates(state, action) || takes_forbidden(state, action)) continue;
-        for (const Modes& after : single_outcomes(state, action))
-          if (cycles.try_emplace(after, cycles.at(state) + 1).second) open.push_back(after);
-      }
-    }
-    return std::nullopt;
+const Plans::Steps& Plans::coming(std::size_t state) {
+  const auto [at, fresh] = coming_.try_emplace(state);
+  Steps& steps = at->second;
+  if (fresh)
+    for (const std::size_t later : courses_.by_itself(state))
+      if (courses_.tolerates(later, courses_.idle())) steps.merge(taken(later, courses_.idle()));
+  return steps;
+}
+
+bool Plans::permits(std::size_t state, std::size_t action) {
+  if (!courses_.tolerates(state, action)) return false;
+  if (!courses_.is_plain(state)) return true;
+  const Steps& anyway = coming(state);
+  const auto comes = [&](const Steps& steps) {
+    return std::includes(anyway.begin(), anyway.end(), steps.begin(), steps.end());
+  };
+  const auto& outcomes = courses_.after(state, action);
+  return comes(taken(state, action)) && std::any_of(outcomes.begin(), outcomes.end(), [&](std::size_t next) {
+           return courses_.is_held_back(next) || comes(coming(next));
+         });
+}
+
+/// By relaxation: from the goals back, until nothing is nearer any more.
+template <class Goals, class Outcomes>
+Plans::Distances Plans::distances(const Goals& goals, const Outcomes& outcomes) {
+  const std::size_t states = courses_.states().size();
+  std::vector<std::set<std::size_t>> next(states);
+  for (std::size_t s = 0; s < states; ++s)
+    for (std::size_t a = 0; a < courses_.actions().size(); ++a) next[s].merge(outcomes(s, a));
+  Distances result(states);
+  for (std::size_t s = 0; s < states; ++s)
+    if (goals(s)) result[s] = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t s = 0; s < states; ++s)
+      for (const std::size_t n : next[s])
+        if (result[n] && (!result[s] || *result[s] > *result[n] + 1)) {
+          result[s] = *result[n] + 1;
+          changed = true;
+        }
   }
+  return result;
+}
 
- private:
-  bool tolerates(const Modes& modes, const ControlAction& action) const {
-    return step_.models().consistent(assumptions_of(step_.plant(), modes, action));
-  }
+bool Plans::is_choice(std::size_t state, std::size_t action) {
+  return permits(state, action) && (action == courses_.rest(state) || courses_.is_one_command(state, action));
+}
 
-  bool stays(const Modes& modes) const {
-    return tolerates(modes, idle_) && nominal_successors(step_, modes, idle_) == std::set<Modes>{modes};
-  }
+std::optional<std::size_t> Plans::hoped(std::size_t state) {
+  if (!hoped_)
+    hoped_ = distances(
+        [&](std::size_t s) { return is_met(s); },
+        [&](std::size_t s, std::size_t a) { return is_choice(s, a) ? courses_.after(s, a) : std::set<std::size_t>{}; });
+  return (*hoped_)[state];
+}
 
-  /// Each way a step may go in which one thing happens at a time.
-  std::set<Modes> single_outcomes(const Modes& modes, const ControlAction& action) const {
-    std::set<Modes> result;
-    for (const Modes& next : nominal_successors(step_, modes, action)) {
-      std::size_t timed = 0;
-      std::size_t untimed = 0;
-      for (std::size_t i = 0; i < modes.size(); ++i) {
-        if (next[i] == modes[i]) continue;
-        const auto& transitions = step_.plant().components[i].transitions;
-        const bool now = std::any_of(transitions.begin(), transitions.end(), [&](const Transition& t) {
-          return t.from == modes[i] && t.to == next[i] && !t.timing && can_be_taken(t) &&
-                 step_.enabled(t, modes, action);
-        });
-        ++(now ? untimed : timed);
-      }
-      if (timed <= (untimed > 0 ? 0u : 1u)) result.insert(next);
-    }
-    return result;
-  }
+std::optional<std::size_t> Plans::boldly(std::size_t state) {
+  if (!boldly_)
+    boldly_ = distances([&](std::size_t s) { return is_met(s); },
+                        [&](std::size_t s, std::size_t a) {
+                          const Steps& anyway = coming(s);
+                          const Steps steps = taken(s, a);
+                          const bool may = courses_.tolerates(s, a) &&
+                                           std::includes(anyway.begin(), anyway.end(), steps.begin(), steps.end());
+                          return may ? courses_.after(s, a) : std::set<std::size_t>{};
+                        });
+  return (*boldly_)[state];
+}
 
-  /// Whether the action, and no idle one, enables a forbidden step here or where time alone leads from there.
-  bool takes_forbidden(const Modes& modes, const ControlAction& action) const {
-    if (action == idle_) return false;
-    if (enables_forbidden(modes, action, tolerates(modes, idle_))) return true;
-    for (const Modes& after : nominal_successors(step_, modes, action)) {
-      std::vector<Modes> open{after};
-      std::set<Modes> seen{after};
-      for (std::size_t next = 0; next < open.size(); ++next) {
-        const Modes state = open[next];
-        if (!tolerates(state, idle_)) continue;
-        if (enables_forbidden(state, idle_, false)) return true;
-        for (const Modes& further : nominal_successors(step_, state, idle_))
-          if (seen.insert(further).second) open.push_back(further);
-      }
-    }
-    return false;
-  }
+std::optional<std::size_t> Plans::soberly(std::size_t state) {
+  if (!soberly_)
+    soberly_ = distances([&](std::size_t s) { return is_met(s); },
+                         [&](std::size_t s, std::size_t a) { return sober_outcomes(s, a); });
+  return (*soberly_)[state];
+}
 
-  bool enables_forbidden(const Modes& modes, const ControlAction& action, bool can_idle) const {
-    return std::any_of(forbidden_.begin(), forbidden_.end(), [&](const auto& forbidden) {
-      const auto& [component, t] = forbidden;
-      return t->from == modes[component] && step_.enabled(*t, modes, action) &&
-             !(can_idle && step_.enabled(*t, modes, idle_));
-    });
-  }
+std::optional<std::size_t> Plans::surely(std::size_t state) {
+  if (!surely_)
+    surely_ = distances([&](std::size_t s) { return is_met(s) && courses_.stays(s); },
+                        [&](std::size_t s, std::size_t a) { return sober_outcomes(s, a); });
+  return (*surely_)[state];
+}
 
-  const Step& step_;
-  const automata::Formula& goal_;
-  ControlAction idle_;
-  std::vector<std::pair<std::size_t, const Transition*>> forbidden_;  ///< by component
-  std::vector<ControlAction> actions_;
-};
+/// Each way a step may go in which one thing happens at a time; none, where the action is doubtful.
+std::set<std::size_t> Plans::sober_outcomes(std::size_t state, std::size_t action) {
+  const bool single = is_single(courses_.step().plant(), courses_.actions()[action]);
+  const bool idles = courses_.tolerates(state, courses_.idle()) && !courses_.after(state, courses_.idle()).empty();
+  if (!single || !idles || !courses_.tolerates(state, action) || leaves_to_chance(state, action)) return {};
+  return courses_.one_by_one(state, action);
+}
 
-}  // namespace
-
-std::optional<std::size_t> fewest_cycles(const Step& step, const Modes& modes, const automata::Formula& goal) {
-  return Search(step, goal).from(modes);
+/// Whether the action, and not idling, enables a forbidden step here or where time alone leads from there.
+bool Plans::leaves_to_chance(std::size_t state, std::size_t action) {
+  const auto enabled = [&](const Transition* t, std::size_t s, std::size_t a) {
+    return courses_.enabled(s, a).contains(t);
+  };
+  const auto comes = [&](const Transition* t, std::size_t from) {
+    const auto& later = courses_.by_itself(from);
+    return std::any_of(later.begin(), later.end(), [&](std::size_t s) { return enabled(t, s, courses_.rest(s)); });
+  };
+  return std::any_of(forbidden_.begin(), forbidden_.end(), [&](const auto& forbidden) {
+    const Transition* const t = forbidden.second;
+    if (comes(t, state)) return false;
+    const auto& outcomes = courses_.after(state, action);
+    return enabled(t, state, action) ||
+           std::any_of(outcomes.begin(), outcomes.end(), [&](std::size_t next) { return comes(t, next); });
+  });
 }
 
 bool lasts(const automata::Plant& plant, const automata::Formula& goal) {
