@@ -268,12 +268,9 @@ class Check {
     // What only the cone can do is told at once: the whole plant is searched then.
     const auto take = [&](const CutPath& cut) {
       Witness witness = witness_of(cut.path, system, arena);
-      if (cone_ && &arena == &*cone_ && failure_of(witness)) {
-        refused = std::move(witness);
-        return false;
-      }
+      if (cone_ && &arena == &*cone_ && failure_of(witness)) refused = witness;
       witnesses.emplace(cut.set.faults, std::move(witness));
-      return true;
+      return !refused;
     };
     cut_sets_.clear();
     const CutPaths found = minimal_cut_sets(system, sets, meter_, take);

@@ -96,6 +96,7 @@ class Exploration {
       }
     }
     std::vector<FaultSet> result;
+    result.reserve(numbers.size());
     for (const unsigned number : numbers) result.push_back(sets_[number]);
     return result;
   }
