@@ -30,6 +30,7 @@ class ProgramDraw {
   automata::Program draw() {
     add_composite(std::nullopt, 2);
     for (Location& location : program_.locations) add_arcs(location);
+    keep_own_clocks_inside();
     return std::move(program_);
   }
 
@@ -78,6 +79,24 @@ class ProgramDraw {
       }
       location.arcs.push_back({chance(50) ? condition() : Condition{}, pick(chance(85) ? siblings : all)});
     }
+  }
+
+  /// Nothing outside of a definition can name its clock, so as to start it.
+  void keep_own_clocks_inside() {
+    for (std::size_t owner = 0; owner < program_.locations.size(); ++owner) {
+      for (const ClockId own : program_.locations[owner].own_clocks) {
+        for (Location& location : program_.locations) {
+          if (location.clock_start == own && !is_inside(location, LocationId(owner))) location.clock_start.reset();
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_inside(const Location& location, LocationId owner) const {
+    for (auto around = location.parent; around; around = program_.locations[around->index()].parent) {
+      if (*around == owner) return true;
+    }
+    return false;
   }
 
   Condition condition() {
