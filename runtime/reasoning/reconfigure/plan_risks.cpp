@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "runtime/reasoning/reconfigure/aftermath.hpp"
@@ -87,9 +86,28 @@ std::vector<TransitionOf> lost_at_once(const Plan& plan, std::size_t at, automat
 class Replay {
  public:
   Replay(const Plan& plan, automata::PlantStep& step, const automata::Formula& goal)
-      : plan_(plan), step_(step), wanted_(step.theory().encode(goal)) {
-    for (std::size_t c = 0; c < step.plant().components.size(); ++c) all_.emplace_back(c);
+      : plan_(plan), step_(step), wanted_(step.theory().encode(goal)), concerned_(step.plant().components.size()) {
+    const auto concern = [this](ComponentId c) {
+      if (!concerned_[c.index()]) all_.push_back(c);
+      concerned_[c.index()] = true;
+    };
+    for (const ComponentId c : step.locality().support_of(goal).components) concern(c);
+    for (std::size_t i = 0; i < plan.commands.size(); ++i) {
+      for (std::size_t c = 0; c < concerned_.size(); ++c) {
+        if (plan.states[i][c] != plan.states[i + 1][c]) concern(ComponentId(c));
+      }
+    }
+    for (std::size_t next = 0; next < all_.size(); ++next) {
+      for (const automata::Transition& t : step.plant()[all_[next]].transitions) {
+        if (t.guard.is_true()) continue;
+        for (const ComponentId c : step.locality().support_of(t.guard).components) concern(c);
+      }
+    }
+    std::sort(all_.begin(), all_.end());
   }
+
+  /// Those that the goal and the plan have to do with.
+  [[nodiscard]] const std::vector<ComponentId>& concerned() const { return all_; }
 
   /// Whether the steps from one on still lead to the goal where a component has come to a mode before that, and to
   /// those where time may take it from there.
@@ -100,6 +118,7 @@ class Replay {
       there[component.index()] = come_to[next];
       if (!step_.possible(there)) continue;
       if (!arrives(from, there)) return false;
+      if (!step_.permits(there, plan_.commands[from])) continue;
       for (const TransitionId id : step_.enabled(component, there, plan_.commands[from]).timed) {
         const automata::Transition& t = step_.plant()[component].transitions[id.index()];
         const bool known = std::find(come_to.begin(), come_to.end(), t.to) != come_to.end();
@@ -124,15 +143,15 @@ class Replay {
 
   /// Whether what moves in a step of the plan comes to where that takes it, or is there before that.
   bool goes_on(std::size_t i) {
-    const automata::AllEnabled enabled = step_.enabled(modes_, plan_.commands[i]);
+    if (!step_.permits(modes_, plan_.commands[i])) return false;
     automata::Modes next = modes_;
     for (const ComponentId c : all_) {
       const automata::ModeId to = plan_.states[i + 1][c.index()];
       if (plan_.states[i][c.index()] == to || modes_[c.index()] == to) continue;
       const auto leads_there = [&](TransitionId id) { return step_.plant()[c].transitions[id.index()].to == to; };
-      const auto& [untimed, timed] = std::tie(enabled[c.index()].untimed, enabled[c.index()].timed);
-      if (std::none_of(untimed.begin(), untimed.end(), leads_there) &&
-          std::none_of(timed.begin(), timed.end(), leads_there)) {
+      const automata::Enabled& enabled = step_.enabled(c, modes_, plan_.commands[i]);
+      if (std::none_of(enabled.untimed.begin(), enabled.untimed.end(), leads_there) &&
+          std::none_of(enabled.timed.begin(), enabled.timed.end(), leads_there)) {
         return false;
       }
       next[c.index()] = to;
@@ -144,6 +163,7 @@ class Replay {
   const Plan& plan_;
   automata::PlantStep& step_;
   automata::Theory::Handle wanted_;
+  std::vector<bool> concerned_;
   std::vector<ComponentId> all_;
   automata::Modes modes_;
 };
@@ -158,9 +178,8 @@ std::vector<PlanRisk> risks_of(const Plan& plan, automata::PlantStep& step, cons
     const std::vector<ComponentId> waiting = waited_for(plan, i, step.plant());
     if (waiting.empty() && plan.commands[i] != idle) continue;
     for (const TransitionOf& leaving : lost_at_once(plan, i, step, waiting)) risks.push_back({i, leaving});
-    for (std::size_t c = 0; c < step.plant().components.size(); ++c) {
-      const ComponentId component(c);
-      if (plan.states[i][c] != plan.states[i + 1][c]) continue;
+    for (const ComponentId component : replay.concerned()) {
+      if (plan.states[i][component.index()] != plan.states[i + 1][component.index()]) continue;
       const std::vector<TransitionId> timed = step.enabled(component, plan.states[i], plan.commands[i]).timed;
       const auto leaving = std::find_if(timed.begin(), timed.end(), [&](TransitionId id) {
         const automata::Transition& t = step.plant()[component].transitions[id.index()];
