@@ -40,7 +40,7 @@ class Chain : public testing::Test {
 
 TEST_F(Chain, AnUnknownModeOpensWhatComesOutOfIt) {
   const Openings openings(plant);
-  for (std::size_t c : {0, 1}) {
+  for (const std::size_t c : {0u, 1u}) {
     const Opening* const opening = openings.of({plant.observables[c], ValueId(0)});
     ASSERT_NE(opening, nullptr);
     EXPECT_EQ(opening->component, ComponentId(c));
