@@ -3,7 +3,8 @@
 #include "verifier/plant/cut_set_rounds.hpp"
 
 #include <algorithm>
-#include <utility>
+
+#include "verifier/plant/fault_sets.hpp"
 
 namespace rmpl::verifier {
 
@@ -66,9 +67,7 @@ void CutSetRounds::settle(Answer& answer) const {
     answer.cut_sets_complete = std::min(*before_faults_, static_cast<unsigned>(cut->faults.size()) - 1);
     break;  // smallest first
   }
-  std::sort(sets.begin(), sets.end(), [](const CutSet& a, const CutSet& b) {
-    return std::pair(a.faults.size(), a.faults) < std::pair(b.faults.size(), b.faults);
-  });
+  std::sort(sets.begin(), sets.end(), told_before);
 }
 
 }  // namespace rmpl::verifier

@@ -6,7 +6,6 @@
 #include <deque>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "verifier/search/passed.hpp"
 
@@ -30,9 +29,7 @@ class Exploration {
     for (const FaultSet& cut : found_) {
       if (!may_be_cut(cut, open) && !holds_one_of(cut, found_)) result.sets.push_back(cut);
     }
-    std::sort(result.sets.begin(), result.sets.end(), [](const FaultSet& a, const FaultSet& b) {
-      return std::pair(a.faults.size(), a.faults) < std::pair(b.faults.size(), b.faults);
-    });
+    std::sort(result.sets.begin(), result.sets.end(), told_before);
     return result;
   }
 

@@ -18,6 +18,10 @@ struct FaultSet {
 
 /// Whether all of `a` is in `b`.
 bool subset(const FaultSet& a, const FaultSet& b);
+/// The order in which sets of faults are told, for whatever has `faults`: small ones first, then by component and mode.
+inline constexpr auto told_before = [](const auto& a, const auto& b) {
+  return a.faults.size() != b.faults.size() ? a.faults.size() < b.faults.size() : a.faults < b.faults;
+};
 
 /// The sets met so far, by number; 0 is the empty one.
 class FaultSets {

@@ -216,7 +216,8 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
   // What is left to chance, or to time, counts as well.
   if (risks(modes, outcome.modes, part, permitted)) return std::nullopt;
   for (const NominalOutcome& other : combinations(modes, enabled, part, {})) {
-    if (step_.possible(other.modes) && risks(modes, other.modes, part, permitted)) return std::nullopt;
+    if (other.modes == outcome.modes || !step_.possible(other.modes)) continue;
+    if (risks(modes, other.modes, part, permitted)) return std::nullopt;
   }
   return lets_come_a_risk(modes, action, part, permitted) ? std::nullopt : std::optional(std::move(outcome));
 }
