@@ -13,12 +13,11 @@
 
 namespace rmpl::property {
 
-inline reference::Advice told(runtime::Reconfigurer& reconfigurer, const automata::Plant& plant,
-                              const automata::Modes& modes, const reference::Executive::Goal& goal) {
+inline reference::Advice told(runtime::Reconfigurer& reconfigurer, const automata::Modes& modes,
+                              const reference::Executive::Goal& goal) {
   const runtime::Reconfiguration answer = reconfigurer.next(modes, automata::conjunction_of(goal));
   const bool command = answer.outcome == runtime::Reconfiguration::Outcome::command;
-  return {answer.outcome == runtime::Reconfiguration::Outcome::no_plan,
-          command ? answer.action : automata::idle_action(plant),
+  return {answer.outcome == runtime::Reconfiguration::Outcome::no_plan, answer.action,
           command && answer.why.purpose == runtime::Reason::Purpose::reward};
 }
 
@@ -27,7 +26,7 @@ inline reference::Advice advised(reference::Executive& executive, runtime::Recon
                                  const automata::Plant& plant, const automata::Modes& modes,
                                  const reference::Executive::Goal& goal) {
   const std::set<reference::Advice>& allowed = executive.allowed(modes, goal);
-  const reference::Advice chosen = told(reconfigurer, plant, modes, goal);
+  const reference::Advice chosen = told(reconfigurer, modes, goal);
   RC_LOG() << automata::to_text(automata::conjunction_of(goal), plant.variables) << " from " << rc::toString(modes)
            << (chosen.no_plan ? ": no plan" : ": ") << rc::toString(chosen.action)
            << (chosen.for_reward ? " for reward" : "") << std::endl;

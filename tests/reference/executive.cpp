@@ -16,7 +16,7 @@ const std::set<Advice>& Executive::allowed(const Modes& modes, const Goal& goal)
   const auto [at, fresh] = allowed_.try_emplace({state, goal});
   std::set<Advice>& result = at->second;
   if (!fresh) return result;
-  if (goal.empty()) return result = {advice(courses_.idle(), false)};
+  if (goal.empty()) return result = {advice(courses_.rest(state), false)};
   Plans& plans = plans_of(goal);
   const Advice rest = advice(courses_.rest(state), false);
   result = plans.is_met(state) ? std::set{rest} : needed(state, plans, goal);
@@ -33,7 +33,7 @@ Advice Executive::advice(std::size_t action, bool for_reward) const {
 
 std::set<Advice> Executive::needed(std::size_t state, Plans& plans, const Goal& goal) {
   std::set<Advice> result;
-  if (!plans.soberly(state)) result.insert({true, courses_.actions()[courses_.idle()], false});
+  if (!plans.soberly(state)) result.insert({true, courses_.actions()[courses_.rest(state)], false});
   std::optional<std::size_t> bound;
   const bool compares = lasts(courses_.step().plant(), automata::conjunction_of(goal)) && !waits_are_unsafe(state);
   if (compares) bound = plans.surely(state);

@@ -2,7 +2,8 @@
 // state and every command.
 //
 // Derived, so that nothing else is allowed:
-// - no goal asks for nothing, and without a plan all controls are idle;
+// - no goal asks for nothing, and without a plan all controls are idle, or what is nearest to that of what the model
+//   tolerates;
 // - *no plan*, where no permitted commands lead to the goal whatever is hoped for; and that there is one, where some do
 //   with one thing happening at a time;
 // - nothing is commanded where the goal is entailed and nothing is to be gained;

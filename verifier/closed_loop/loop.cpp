@@ -144,8 +144,7 @@ Turn Loop::work_out(const LoopState& state, unsigned faults) {
   turn.conflicts = asserted.conflicts;
   if (turn.conflicts.empty()) turn.goal = asserted.goal;
   turn.answer = reconfigurer_.next(state.modes, automata::conjunction_of(turn.goal));
-  turn.action = turn.answer.outcome == runtime::Reconfiguration::Outcome::command ? turn.answer.action
-                                                                                  : automata::idle_action(plant());
+  turn.action = turn.answer.action;
   std::vector<std::vector<Choice>> all;
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     all.push_back(choices_of(state, turn, ComponentId(c)));

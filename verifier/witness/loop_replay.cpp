@@ -96,7 +96,7 @@ class LoopReplay {
     const auto answer = planner_.next(modes(), automata::conjunction_of(goal_));
     outcome_ = answer.outcome;
     purpose_ = answer.why.purpose;
-    action_ = outcome_ == runtime::Reconfiguration::Outcome::command ? answer.action : automata::idle_action(plant());
+    action_ = answer.action;
   }
 
   /// The first half of the cycle of an event. In dense time the marking may go round at this instant, so that a clock

@@ -88,7 +88,7 @@ void Executive::assert_goals() {
 
 void Executive::note_reconfiguration() {
   const Reconfiguration& answer = reconfiguration_.answer();
-  record_.command = reconfiguration_.command();
+  record_.command = answer.action;
   record_.considered = reconfiguration_.checked();
   record_.outcome = answer.outcome;
   record_.why = answer.why;

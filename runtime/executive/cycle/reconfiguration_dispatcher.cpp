@@ -9,20 +9,14 @@ namespace rmpl::runtime {
 ReconfigurationDispatcher::ReconfigurationDispatcher(const automata::Plant& plant, Reconfigurer& reconfigurer,
                                                      const Clock& clock, MessageQueue<ReconfigurationMessage>& queue,
                                                      ControlAdapter& control)
-    : reconfigurer_(reconfigurer),
-      clock_(clock),
-      queue_(queue),
-      control_(control),
-      idle_(automata::idle_action(plant)) {}
+    : reconfigurer_(reconfigurer), clock_(clock), queue_(queue), control_(control) {
+  answer_.action = automata::idle_action(plant);
+}
 
 void ReconfigurationDispatcher::dispatch() {
   while (const auto message = queue_.pop()) {
     std::visit([this](const auto& m) { handle(m); }, *message);
   }
-}
-
-const automata::ControlAction& ReconfigurationDispatcher::command() const {
-  return answer_.outcome == Reconfiguration::Outcome::command ? answer_.action : idle_;
 }
 
 // 4. Goals are dequeued and conjoined.
@@ -39,7 +33,7 @@ void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
   }
   goals_.clear();
   // 7. It goes to the control adapter.
-  control_.issue(command(), clock_.now());
+  control_.issue(answer_.action, clock_.now());
 }
 
 void ReconfigurationDispatcher::handle(const StateEstimated& message) {

@@ -20,14 +20,12 @@ class ReconfigurationDispatcher {
   ReconfigurationDispatcher(const automata::Plant& plant, Reconfigurer& reconfigurer, const Clock& clock,
                             MessageQueue<ReconfigurationMessage>& queue, ControlAdapter& control);
 
-  /// Steps 4 to 7: dequeues all there is. A request issues one command, idle unless there is something to do.
+  /// Steps 4 to 7: dequeues all there is. A request issues one command.
   void dispatch();
   /// What MR answered to the last request.
   [[nodiscard]] const Reconfiguration& answer() const { return answer_; }
   /// Candidates that MR checked for it; 0 where nothing had changed and MR was not asked anew.
   [[nodiscard]] std::size_t checked() const { return checked_; }
-  /// The command that was issued then.
-  [[nodiscard]] const automata::ControlAction& command() const;
 
  private:
   void handle(const GoalAsserted& message);
@@ -40,7 +38,6 @@ class ReconfigurationDispatcher {
   ControlAdapter& control_;
   std::vector<automata::Modes> tracked_;  ///< the most likely first; it alone where MR does not look at the others
   std::vector<automata::Assignment> goals_;
-  const automata::ControlAction idle_;
   // Most cycles ask what the cycle before asked, and an answer depends on states and goal alone: no formula is made
   // then.
   std::vector<automata::Modes> asked_states_;

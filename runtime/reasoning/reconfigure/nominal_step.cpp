@@ -3,10 +3,8 @@
 #include "runtime/reasoning/reconfigure/nominal_step.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/check.hpp"
-#include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {
 
@@ -78,76 +76,6 @@ std::vector<NominalOutcome> NominalStep::combinations(const Modes& modes, const 
     all = std::move(extended);
   }
   return all;
-}
-
-std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Precondition* precondition) {
-  return least_action(modes, precondition, [](const ControlAction&) { return true; });
-}
-
-std::optional<ControlAction> NominalStep::resting_action(const Modes& modes) {
-  if (tolerates(modes, idle_action(plant()))) return idle_action(plant());
-  auto resting = least_action(modes, nullptr, [&](const ControlAction& action) {
-    const automata::AllEnabled& enabled = step_.enabled(modes, action);
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      const auto& untimed = enabled[c].untimed;
-      if (std::any_of(untimed.begin(), untimed.end(),
-                      [&](TransitionId id) { return nominal(ComponentId(c), id).to != modes[c]; })) {
-        return false;
-      }
-    }
-    return true;
-  });
-  return resting ? resting : least_action(modes);
-}
-
-template <class Suits>
-std::optional<ControlAction> NominalStep::least_action(const Modes& modes, const Precondition* precondition,
-                                                       const Suits& suits) {
-  const auto& controls = plant().controls;
-  ControlAction action = idle_action(plant());
-  std::vector<const Requirement*> asked(precondition == nullptr ? 0 : controls.size(), nullptr);
-  for (std::size_t i = 0; precondition != nullptr && i < asked.size(); ++i) {
-    const auto at = std::find_if(precondition->begin(), precondition->end(),
-                                 [&](const Requirement& r) { return r.variable == controls[i].variable; });
-    if (at == precondition->end()) continue;
-    asked[i] = &*at;
-    if (!std::binary_search(at->values.begin(), at->values.end(), action[i])) action[i] = at->values.front();
-  }
-  if (tolerates(modes, action) && suits(action)) return action;
-  OptimalSearch::Costs costs;
-  for (const automata::Control& control : controls) {
-    auto& cost = costs.emplace_back(plant().variables[control.variable].values.size(), 1.0);
-    cost[control.idle.index()] = 0;
-    const Requirement* const values = asked.empty() ? nullptr : asked[costs.size() - 1];
-    for (std::size_t v = 0; v < cost.size() && values != nullptr; ++v) {
-      if (std::binary_search(values->values.begin(), values->values.end(), automata::ValueId(v))) continue;
-      cost[v] = std::numeric_limits<double>::infinity();
-    }
-  }
-  OptimalSearch search(costs);
-  constexpr std::size_t action_limit = 1u << 12;
-  search.set_budget(action_limit);
-  const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
-    for (std::size_t i = 0; i < action.size(); ++i) action[i] = automata::ValueId(values[i]);
-    std::vector<automata::Assignment> store = assignments_of(plant(), modes);
-    const auto commands = assignments_of(plant(), action);
-    store.insert(store.end(), commands.begin(), commands.end());
-    Conflict conflict;
-    if (step_.theory().consistent(store)) {
-      if (suits(action)) return std::nullopt;
-      for (std::uint32_t i = 0; i < action.size(); ++i) conflict.push_back({i, values[i]});
-      return conflict;
-    }
-    for (const automata::Assignment& a : step_.theory().conflict()) {
-      for (std::uint32_t i = 0; i < action.size(); ++i) {
-        if (controls[i].variable == a.variable) conflict.push_back({i, values[i]});
-      }
-    }
-    std::sort(conflict.begin(), conflict.end());
-    return conflict;
-  });
-  if (outcome != OptimalSearch::Outcome::solution) return std::nullopt;
-  return action;
 }
 
 bool NominalStep::permits(const Modes& modes, const ControlAction& action, const automata::AllEnabled& with,

@@ -43,13 +43,6 @@ class NominalStep {
     return step_.permits(modes, action);
   }
 
-  /// All controls idle; where the store does not tolerate that, the tolerated action with the fewest controls off idle,
-  /// of several the first by values. Nothing where it tolerates none. With `precondition`, of those that meet it.
-  std::optional<automata::ControlAction> least_action(const automata::Modes& modes,
-                                                      const Precondition* precondition = nullptr);
-  /// Likewise; where it cannot be idle, before all others one under which no untimed transition changes a mode.
-  std::optional<automata::ControlAction> resting_action(const automata::Modes& modes);
-
   /// Why the last action that was asked about was not permitted, where that was the reason.
   [[nodiscard]] const std::optional<TransitionOf>& refused() const { return refused_; }
 
@@ -112,9 +105,6 @@ class NominalStep {
   bool permits(const automata::Modes& modes, const automata::ControlAction& action, const automata::AllEnabled& with,
                std::size_t part, const Permitted& permitted, const NominalMove* intended, const automata::Modes* keep);
 
-  template <class Suits>
-  std::optional<automata::ControlAction> least_action(const automata::Modes& modes, const Precondition* precondition,
-                                                      const Suits& suits);
   /// Whether from the state that a command leads to a forbidden step could come by itself, at once or in time, after
   /// whatever else comes by itself, and could not before.
   bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t part, const Permitted& permitted);

@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
+#include "runtime/reasoning/reconfigure/idling.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/precondition_finder.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
@@ -57,9 +58,9 @@ class OneStepReconfigurer final : public Reconfigurer {
   [[nodiscard]] bool looks_at_all() const override { return true; }
 
   Reconfiguration next_of_all(std::span<const Modes> tracked, const Formula& formula) override {
+    if (formula.is_true()) return at_rest(step_, tracked.front());
     Reconfiguration answer;
-    answer.action = idle_;
-    if (formula.is_true()) return answer;
+    answer.action = resting_action(step_, tracked.front());
     const Goal& goal = goals_.find(formula).goal;
     Found found = search(tracked, goal, Scope::permitted);
     answer.checked = found.checked;

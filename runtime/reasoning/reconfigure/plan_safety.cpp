@@ -14,43 +14,56 @@ using automata::ModeId;
 using automata::Modes;
 using automata::ValueId;
 
-bool Planner::is_safe(const Modes& modes, const Objective& objective, const ControlAction& action,
-                      const NominalOutcome& outcome) {
+const Planner::Followed& Planner::Reliance::way() {
+  if (!way_) way_ = planner_.followed_in_part(modes_, objective_);
+  return *way_;
+}
+
+bool Planner::Reliance::is_safe(const ControlAction& action, const NominalOutcome& outcome) {
   const auto& moves = outcome.moves;
   const auto takes_time = [](const NominalMove& m) { return m.transition->timed; };
   if (std::none_of(moves.begin(), moves.end(), takes_time)) return true;
   // What is waited for does not come any more where something else takes its ground away at once.
-  Modes at_once = modes;
+  Modes at_once = modes_;
   for (const NominalMove& move : moves) {
     if (!takes_time(move)) at_once[move.component.index()] = move.transition->to;
   }
-  const auto goes_on = [&](const NominalMove& move) { return !takes_time(move) || stands(*move.transition, at_once); };
+  const auto goes_on = [&](const NominalMove& move) {
+    return !takes_time(move) || planner_.stands(*move.transition, at_once);
+  };
   if (!std::all_of(moves.begin(), moves.end(), goes_on)) return false;
-  std::vector<NominalMove> others = nominal_.fleeting(modes, action, objective.part);
-  std::erase_if(others,
-                [&](const NominalMove& m) { return outcome.modes[m.component.index()] != modes[m.component.index()]; });
-  if (others.empty()) return true;
-  const Followed way = followed_in_part(modes, objective);
+  const std::vector<NominalMove>& others = threats(action);
   return std::none_of(others.begin(), others.end(), [&](const NominalMove& leaving) {
-    return way.relied[leaving.component.index()] || upsets(modes, objective, way, leaving);
+    return outcome.modes[leaving.component.index()] == modes_[leaving.component.index()];
   });
 }
 
-bool Planner::upsets(const Modes& modes, const Objective& objective, const Followed& way, const NominalMove& leaving) {
-  Modes left = modes;
+const std::vector<NominalMove>& Planner::Reliance::threats(const ControlAction& action) {
+  if (!threats_ || threats_->first != action) {
+    std::vector<NominalMove> found = planner_.nominal_.fleeting(modes_, action, objective_.part);
+    std::erase_if(found, [&](const NominalMove& leaving) {
+      return !way().relied[leaving.component.index()] && !upsets(leaving);
+    });
+    threats_.emplace(action, std::move(found));
+  }
+  return threats_->second;
+}
+
+bool Planner::Reliance::upsets(const NominalMove& leaving) {
+  Modes left = modes_;
   left[leaving.component.index()] = leaving.transition->to;
   const auto is_lost = [&](ComponentId c, ModeId now) {
-    if (now == modes[c.index()]) return false;
-    if (way.relied[c.index()]) return true;
-    if (!way.moved[c.index()]) return false;
-    const Policy& policy = policies_.of(c, objective.permitted);
-    return std::any_of(way.sought.begin(), way.sought.end(), [&](const auto& aim) {
+    if (now == modes_[c.index()]) return false;
+    if (way().relied[c.index()]) return true;
+    if (!way().moved[c.index()]) return false;
+    const Policy& policy = planner_.policies_.of(c, objective_.permitted);
+    return std::any_of(way().sought.begin(), way().sought.end(), [&](const auto& aim) {
       if (aim.first != c) return false;
       const auto& then = policy.distance(now, aim.second);
-      return !then || policy.distance(modes[c.index()], aim.second) < then;
+      return !then || policy.distance(modes_[c.index()], aim.second) < then;
     });
   };
-  for (const Consequence& next : nominal_.aftermath(left, objective.part)) {
+  for (const Consequence& next : planner_.nominal_.aftermath(left, objective_.part)) {
     const bool lost = std::any_of(next.moves.begin(), next.moves.end(), [&](const TransitionOf& move) {
       return move.component != leaving.component && is_lost(move.component, next.modes[move.component.index()]);
     });
@@ -59,14 +72,14 @@ bool Planner::upsets(const Modes& modes, const Objective& objective, const Follo
   return false;
 }
 
-bool Planner::gives_up(const Modes& modes, const Objective& objective, const NominalOutcome& outcome) {
+bool Planner::Reliance::gives_up(const NominalOutcome& outcome) {
   const auto leaves = [&](const NominalMove& move) {
-    return move.transition->to != move.transition->from && !astray(modes, objective, move.component) &&
-           !(objective.wanted[move.component.index()] && move.transition->timed) &&
-           !nominal_.springs_back(modes, idle_, move.component);
+    return move.transition->to != move.transition->from && !planner_.astray(modes_, objective_, move.component) &&
+           !(objective_.wanted[move.component.index()] && move.transition->timed) &&
+           !planner_.nominal_.springs_back(modes_, planner_.idle_, move.component);
   };
   if (std::none_of(outcome.moves.begin(), outcome.moves.end(), leaves)) return false;
-  const std::vector<bool> relied = followed_in_part(modes, objective).relied;
+  const std::vector<bool>& relied = way().relied;
   return std::any_of(outcome.moves.begin(), outcome.moves.end(),
                      [&](const NominalMove& move) { return leaves(move) && relied[move.component.index()]; });
 }

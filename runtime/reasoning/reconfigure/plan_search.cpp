@@ -176,6 +176,7 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
       return {std::move(otherwise), excluded, {}, true};
     }
     NominalStep::Rest rest = nominal_.rest(current);
+    Reliance reliance(*this, current, objective);
     for (const OffIdle& off : space.actions) {
       automata::ControlAction action = idle_;
       for (const auto& [control, value] : off) action[control] = value;
@@ -183,8 +184,8 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
       if (!off.empty() && !nominal_.matters(rest, off)) continue;
       ++space.tried;
       for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.part, objective.permitted)) {
-        const bool risks = waits != Waits::any && !is_safe(current, objective, action, outcome);
-        if (risks || (waits == Waits::grounded && gives_up(current, objective, outcome))) {
+        const bool risks = waits != Waits::any && !reliance.is_safe(action, outcome);
+        if (risks || (waits == Waits::grounded && reliance.gives_up(outcome))) {
           excluded = true;
           continue;
         }

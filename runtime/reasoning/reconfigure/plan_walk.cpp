@@ -142,7 +142,7 @@ Planner::Trace Planner::follow(const Modes& modes, const Objective& objective, O
               asides,
               {}};
     }
-    unsafe += is_safe(current, objective, step.action, step.outcome) ? 0 : 1;
+    unsafe += Reliance(*this, current, objective).is_safe(step.action, step.outcome) ? 0 : 1;
     Modes next = step.outcome.modes;
     for (const ComponentId c : parts_.components(objective.part)) {
       loses = loses || (objective.wanted[c.index()] && !astray(current, objective, c) && astray(next, objective, c));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "runtime/reasoning/reconfigure/idling.hpp"
 
 namespace rmpl::runtime {
 
@@ -59,7 +60,8 @@ const std::vector<OffIdle>& Planner::actions(std::size_t part) {
 }
 
 Planner::Planner(automata::PlantStep& step, const NominalGraph& graph, const Parts& parts)
-    : graph_(graph),
+    : step_(step),
+      graph_(graph),
       parts_(parts),
       order_(step.plant(), graph),
       policies_(step.plant(), graph),
@@ -217,13 +219,12 @@ Planner::NextStep Planner::command(const Modes& modes, const Objective& objectiv
   const auto change = [&](ComponentId c, const char* goes, ModeId from, ModeId to) {
     return "'" + plant[c].name + "' " + goes + " from " + name(c, from) + " to " + name(c, to);
   };
-  auto action = nominal_.least_action(modes, &precondition);
+  auto action = least_action(step_, modes, precondition);
   auto outcome = action
                      ? nominal_.take(modes, *action, {component, &transition}, objective.permitted, &objective.target)
                      : std::nullopt;
   if (outcome) {
-    const bool idle =
-        *action == idle_ || (!nominal_.tolerates(modes, idle_) && action == nominal_.resting_action(modes));
+    const bool idle = *action == idle_ || *action == resting_action(step_, modes);
     return PlannedStep{std::move(*action), component, component, std::move(*outcome), idle};
   }
   Reason why{.purpose = Reason::Purpose::goal,

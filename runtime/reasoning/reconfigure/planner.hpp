@@ -76,10 +76,6 @@ class Planner {
   std::variant<IslandPlan, Impasse> next(const automata::Modes& modes, const Objective& objective);
   /// The searches of one answer share a budget; this renews it.
   void renew_budget(std::size_t trials = trial_limit) { tried_ = tried_alike_ = trial_limit - trials; }
-  /// All controls idle, or what the model tolerates that is nearest to it and, if possible, changes nothing.
-  std::optional<automata::ControlAction> resting_action(const automata::Modes& modes) {
-    return nominal_.resting_action(modes);
-  }
   /// What the policies that lead components to their targets go through: modes that they rely on, components that they
   /// move, themselves among them.
   struct Followed {
@@ -194,13 +190,7 @@ class Planner {
                                  const NominalTransition& other, const Permitted& permitted) const {
     return t.from == other.from && t.to == other.to && permitted[component.index()][graph_.position(component, t)];
   }
-  /// Whether the step is no wait, or a safe one.
-  bool is_safe(const automata::Modes& modes, const Objective& objective, const automata::ControlAction& action,
-               const NominalOutcome& outcome);
   [[nodiscard]] bool stands(const NominalTransition& transition, const automata::Modes& modes) const;
-  /// Whether a component that is not to move leaves a mode that the ways of others rely on, or that was achieved; not
-  /// where it leaves it at once whatever is done, nor where what was achieved ends in time, and is achieved again.
-  bool gives_up(const automata::Modes& modes, const Objective& objective, const NominalOutcome& outcome);
   automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,
                                   automata::ComponentId moved);
   enum class Follow { every_way, nearest_ways };
@@ -208,10 +198,34 @@ class Planner {
                     std::span<const automata::ComponentId> seeds, Follow follow);
   /// Of the wanted components of the part, by the nearest ways.
   Followed followed_in_part(const automata::Modes& modes, const Objective& objective);
-  /// Whether what leaves its mode by itself takes with it, by untimed transitions one after the other, a mode that the
-  /// way relies on, or leads one that is to move farther from where it is to come.
-  bool upsets(const automata::Modes& modes, const Objective& objective, const Followed& way,
-              const NominalMove& leaving);
+  /// What the plan relies on in one state, for all steps that are looked at there; each part of it is worked out when
+  /// it is first asked for.
+  class Reliance {
+   public:
+    Reliance(Planner& planner, const automata::Modes& modes, const Objective& objective)
+        : planner_(planner), modes_(modes), objective_(objective) {}
+
+    /// Whether the step is no wait, or a safe one.
+    bool is_safe(const automata::ControlAction& action, const NominalOutcome& outcome);
+    /// Whether a component that is not to move leaves a mode that the ways of others rely on, or that was achieved; not
+    /// where it leaves it at once whatever is done, nor where what was achieved ends in time, and is achieved again.
+    bool gives_up(const NominalOutcome& outcome);
+
+   private:
+    /// Of the wanted components of the part, by the nearest ways.
+    const Followed& way();
+    /// What may leave its mode in time while the action is held, and takes away what the plan relies on.
+    const std::vector<NominalMove>& threats(const automata::ControlAction& action);
+    /// Whether what leaves its mode by itself takes with it, by untimed transitions one after the other, a mode that
+    /// the way relies on, or leads one that is to move farther from where it is to come.
+    bool upsets(const NominalMove& leaving);
+
+    Planner& planner_;
+    const automata::Modes& modes_;
+    const Objective& objective_;
+    std::optional<Followed> way_;
+    std::optional<std::pair<automata::ControlAction, std::vector<NominalMove>>> threats_;  ///< under the last action
+  };
 
   /// How far away the requirements of a way are; nothing where one of them cannot be met.
   std::optional<Distance> distance(const automata::Modes& modes, const Objective& objective, const Way& way);
@@ -251,6 +265,7 @@ class Planner {
   /// Beyond about so many remembered steps they are forgotten.
   static constexpr std::size_t memory_limit = 1u << 11;
 
+  automata::PlantStep& step_;
   const NominalGraph& graph_;
   const Parts& parts_;
   CausalOrder order_;

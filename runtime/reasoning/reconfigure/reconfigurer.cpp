@@ -12,6 +12,7 @@
 #include "runtime/reasoning/reconfigure/course.hpp"
 #include "runtime/reasoning/reconfigure/drift.hpp"
 #include "runtime/reasoning/reconfigure/goal_interpreter.hpp"
+#include "runtime/reasoning/reconfigure/idling.hpp"
 #include "runtime/reasoning/reconfigure/lasting.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/part_plans.hpp"
@@ -58,7 +59,7 @@ class PolicyReconfigurer : public Reconfigurer {
         course_(step, *graph_, parts_) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
-    if (goal.is_true()) return at_rest(std::nullopt);
+    if (goal.is_true()) return at_rest(step_, modes);
     Asked& asked = goals_.find(goal);
     checked_ = 0;
     Reconfiguration answer = settled(modes, asked);
@@ -80,13 +81,6 @@ class PolicyReconfigurer : public Reconfigurer {
   static constexpr std::size_t exact_failures = 32;
   static constexpr std::size_t housekeeping_trials = 1u << 11;
 
-  [[nodiscard]] Reconfiguration at_rest(std::optional<Modes> modes) const {
-    Reconfiguration answer;
-    answer.action = idle_;
-    answer.goal_state = std::move(modes);
-    return answer;
-  }
-
   const Reconfiguration& settled(const Modes& modes, Asked& asked) {
     Answers& answers = asked.memory.answers;
     if (const auto known = answers.find(modes); known != answers.end()) return known->second.answer;
@@ -104,19 +98,13 @@ class PolicyReconfigurer : public Reconfigurer {
     } else {
       result = towards(modes, asked, reward);
     }
-    if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = idle_;
+    if (result.outcome == Reconfiguration::Outcome::no_plan) result.action = resting_action(step_, modes);
     return result;
   }
 
-  /// Nothing to do, but for what the model asks for.
   Reconfiguration achieved(const Modes& modes) {
-    Reconfiguration result = at_rest(modes);
-    const auto action = planner_.resting_action(modes);
-    if (!action || *action == idle_) return result;
-    result.outcome = Reconfiguration::Outcome::command;
-    result.action = *action;
-    result.expected = modes;
-    result.why.purpose = Reason::Purpose::model;
+    Reconfiguration result = at_rest(step_, modes);
+    result.goal_state = modes;
     return result;
   }
 

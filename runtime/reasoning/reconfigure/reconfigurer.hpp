@@ -26,7 +26,8 @@ struct Reconfiguration {
     no_plan         ///< no reachable state entails the goal, or no commands lead there; `reason` says why
   };
   Outcome outcome = Outcome::nothing_to_do;
-  automata::ControlAction action;                  ///< idle unless `command`
+  automata::ControlAction action;                  ///< sent whatever the outcome; unless `command`, what is nearest
+                                                   ///< to idle of what the model tolerates
   std::optional<automata::Modes> goal_state;       ///< chosen by the goal interpreter
   std::optional<automata::Modes> expected;         ///< with `command` and `wait`: the state after it if nothing fails
   std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one;
