@@ -151,7 +151,7 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
 }
 
 bool NominalStep::join_others(const Modes& modes, const ControlAction& action, std::size_t part,
-                              const Permitted& permitted, NominalOutcome& outcome) {
+                              NominalOutcome& outcome) {
   const auto join = [&outcome](const std::vector<NominalMove>& moves) {
     for (const NominalMove& move : moves) {
       outcome.modes[move.component.index()] = move.transition->to;
@@ -172,9 +172,11 @@ bool NominalStep::join_others(const Modes& modes, const ControlAction& action, s
     if (step_.possible(drift.modes)) {
       join(drift.moves);
     } else {
-      const std::vector<NominalOutcome> ways = outcomes(modes, action, other, permitted);
-      if (ways.empty()) return false;
-      join(ways.front().moves);
+      const std::vector<NominalOutcome> ways = combinations(modes, enabled, other, {});
+      const auto way =
+          std::find_if(ways.begin(), ways.end(), [&](const NominalOutcome& o) { return step_.possible(o.modes); });
+      if (way == ways.end()) return false;
+      join(way->moves);
     }
   }
   return true;
@@ -201,19 +203,22 @@ std::vector<Modes> NominalStep::let_come(const Modes& modes, const ControlAction
   if (idling == nullptr) return result;
   const automata::AllEnabled without = *idling;
   const automata::AllEnabled& with = step_.enabled(modes, action);
-  for (const ComponentId c : parts_.components(part)) {
-    const Enabled& anyway = without[c.index()];
-    if (&with[c.index()] == &anyway) continue;
-    const auto add = [&](const std::vector<TransitionId>& ids, const std::vector<TransitionId>& those_anyway) {
-      for (const TransitionId id : ids) {
+  const auto is_new = [&](const NominalMove& move) {
+    const Enabled& anyway = without[move.component.index()];
+    return !contains(move.transition->timed ? anyway.timed : anyway.untimed, move.transition->id);
+  };
+  for (const NominalOutcome& at_once : combinations(modes, with, part, {})) {
+    if (std::any_of(at_once.moves.begin(), at_once.moves.end(), is_new)) result.push_back(at_once.modes);
+    for (const ComponentId c : parts_.components(part)) {
+      const Enabled& enabled = with[c.index()];
+      if (!enabled.untimed.empty() || &enabled == &without[c.index()]) continue;
+      for (const TransitionId id : enabled.timed) {
         const NominalTransition& t = nominal(c, id);
-        if (t.from == t.to || !t.possible || contains(those_anyway, id)) continue;
-        result.push_back(modes);
+        if (t.from == t.to || !t.possible || !is_new({c, &t})) continue;
+        result.push_back(at_once.modes);
         result.back()[c.index()] = t.to;
       }
-    };
-    add(with[c.index()].untimed, anyway.untimed);
-    add(with[c.index()].timed, anyway.timed);
+    }
   }
   std::erase_if(result, [&](const Modes& next) { return !step_.possible(next); });
   return result;

@@ -56,7 +56,7 @@ class NominalStep {
   /// Adds to a step of one part what goes on in the others meanwhile: each of their components takes its heaviest
   /// enabled untimed transition, or a part goes some other way where that one is impossible. Whether there is a way.
   bool join_others(const automata::Modes& modes, const automata::ControlAction& action, std::size_t part,
-                   const Permitted& permitted, NominalOutcome& outcome);
+                   NominalOutcome& outcome);
 
   /// The timed nominal transitions with an upper bound that end modes of components of the part while the action is
   /// held; none where the modes do not tolerate it.
@@ -67,7 +67,8 @@ class NominalStep {
     return runtime::aftermath(modes, parts_.components(part), step_);
   }
 
-  /// Where each nominal transition of the part leads, by itself, that the action enables and idling does not.
+  /// Where the part may come in one step because of the action: what is left at once with something that idling does
+  /// not enable, and where a timed transition leads that it does not, by itself and after what is left at once.
   std::vector<automata::Modes> let_come(const automata::Modes& modes, const automata::ControlAction& action,
                                         std::size_t part);
 

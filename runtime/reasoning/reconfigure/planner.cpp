@@ -87,8 +87,7 @@ std::variant<IslandPlan, Impasse> Planner::next(const Modes& modes, const Object
   CHECK(!arrived(modes, objective) && "there is something to do");
   auto result = planned(modes, objective);
   auto* const plan = std::get_if<IslandPlan>(&result);
-  if (plan == nullptr ||
-      nominal_.join_others(modes, plan->first.action, objective.part, objective.permitted, plan->first.outcome)) {
+  if (plan == nullptr || nominal_.join_others(modes, plan->first.action, objective.part, plan->first.outcome)) {
     return result;
   }
   return Impasse{std::nullopt, "what happens next of itself contradicts the model"};
