@@ -104,8 +104,9 @@ RC_GTEST_PROP(Reconfigure, WhatDoesNotMatterLeadsNowhereElse, ()) {
   const runtime::NominalGraph graph(model.plant);
   const runtime::Parts parts(model.plant, graph.restless());
   runtime::NominalStep nominal(step, graph, parts);
-  runtime::Permitted all;
-  for (const automata::ComponentId c : graph.components()) all.emplace_back(graph.transitions(c).size(), true);
+  runtime::Permitted::Steps steps;
+  for (const automata::ComponentId c : graph.components()) steps.emplace_back(graph.transitions(c).size(), true);
+  const runtime::Permitted all{steps, steps};
   const auto idle = idle_action(model.plant);
   for (int question = 0; question < 8; ++question) {
     const Modes modes = *modes_of(model.plant);

@@ -84,13 +84,18 @@ bool Executive::moves_at_once(std::size_t state) {
 bool Executive::waits_are_unsafe(std::size_t state) {
   const auto& components = courses_.step().plant().components;
   const auto& later = courses_.by_itself(state);
-  return std::any_of(later.begin(), later.end(), [&](std::size_t s) {
-    const auto& enabled = courses_.enabled(s, courses_.rest(s));
+  const auto is_unsafe = [&](std::size_t s, std::size_t a) {
+    const auto& enabled = courses_.enabled(s, a);
     const auto leaves = [&](const Transition& t) { return t.timing && t.from != t.to && enabled.contains(&t); };
-    return std::count_if(components.begin(), components.end(), [&](const automata::Component& component) {
+    return courses_.tolerates(s, a) &&
+           std::count_if(components.begin(), components.end(), [&](const automata::Component& component) {
              return std::any_of(component.transitions.begin(), component.transitions.end(), leaves);
            }) > 1;
-  });
+  };
+  for (const std::size_t s : later)
+    for (std::size_t a = 0; a < courses_.actions().size(); ++a)
+      if (is_unsafe(s, a)) return true;
+  return false;
 }
 
 bool Executive::is_housekeeping(std::size_t state, std::size_t action, Plans& plans, const Goal& goal) {

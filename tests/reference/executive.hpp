@@ -63,7 +63,8 @@ class Executive {
   Goal put_off(std::size_t state, const Goal& goal);
   bool is_lost_at_once(std::size_t state, const automata::Assignment& part);
   bool moves_at_once(std::size_t state);
-  /// Whether, while nothing is done, several components may leave their modes in time: of ways a safe one goes first.
+  /// Whether, with nothing done before that, several components may leave their modes in time at once: of ways a safe
+  /// one goes first.
   bool waits_are_unsafe(std::size_t state);
   bool is_housekeeping(std::size_t state, std::size_t action, Plans& plans, const Goal& goal);
   /// Whether an action takes away nothing that the goal has, and no hope of it.

@@ -53,6 +53,10 @@ void drift(const NominalGraph& graph, Reached& reached, const std::vector<Compon
   });
 }
 
+bool drifts(const NominalGraph& graph, ComponentId component, const NominalTransition& t, const Reached& reached) {
+  return t.possible && reached[component.index()][t.from.index()] && comes_by_itself(graph, t, reached);
+}
+
 Reached only(const NominalGraph& graph, const automata::Modes& modes) {
   Reached reached(modes.size());
   for (const ComponentId c : graph.components()) {

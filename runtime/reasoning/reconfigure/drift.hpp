@@ -36,6 +36,9 @@ enum class Drift { any, untimed };
 /// at by itself, with others in any of the modes that they may come to.
 void drift(const NominalGraph& graph, Reached& reached, const std::vector<automata::ComponentId>& components,
            Drift how = Drift::any);
+/// Whether a transition may be taken so, by what is reached.
+bool drifts(const NominalGraph& graph, automata::ComponentId component, const NominalTransition& transition,
+            const Reached& reached);
 /// From some modes, all components.
 Reached drift_from(const NominalGraph& graph, const automata::Modes& modes, Drift how = Drift::any);
 

@@ -38,8 +38,13 @@ using NamedModes = std::vector<std::vector<bool>>;
 /// Neither does an equivalence, which asks for its sides as much as it forbids them.
 NamedModes named_modes(const automata::Plant& plant, const automata::Formula& goal);
 
-/// Per component, per position in `NominalGraph::transitions`: whether reconfiguration may take the transition.
-using Permitted = std::vector<std::vector<bool>>;
+/// What reconfiguration may take, per component, per position in `NominalGraph::transitions`.
+struct Permitted {
+  using Steps = std::vector<std::vector<bool>>;
+  Steps on_ways;  ///< ways may lead through them
+  Steps
+      granted;  ///< of these all but those that are permitted only as they may come by themselves where the ways begin
+};
 
 /// Per component, the graph over its modes. Computed once; its cost is that of the preconditions.
 class NominalGraph {

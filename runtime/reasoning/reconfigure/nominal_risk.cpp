@@ -16,7 +16,7 @@ using automata::TransitionId;
 bool NominalStep::can_risk(ComponentId c, automata::ModeId mode, const Permitted& permitted) const {
   const auto& transitions = graph_.transitions(c);
   return std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
-    if (is_permitted(c, t, permitted) || !t.possible || !graph_.leads(c, mode, t.from)) return false;
+    if (is_granted(c, t, permitted) || !t.possible || !graph_.leads(c, mode, t.from)) return false;
     return !t.all_preconditions || std::find(t.silent.begin(), t.silent.end(), true) != t.silent.end();
   });
 }
@@ -46,7 +46,7 @@ std::vector<NominalOutcome> NominalStep::by_itself(const Modes& modes, std::size
   return result;
 }
 
-/// The forbidden steps that may come by themselves from there on. So many states are looked at.
+/// The forbidden steps that may come by themselves from there on, also after each other. So many states are looked at.
 std::vector<TransitionOf> NominalStep::forbidden_to_come(const Modes& modes, std::size_t part,
                                                          const Permitted& permitted) {
   constexpr std::size_t most_states = 128;
@@ -63,25 +63,26 @@ std::vector<TransitionOf> NominalStep::forbidden_to_come(const Modes& modes, std
   for (std::size_t next = 0; next < states.size() && states.size() < most_states; ++next) {
     const Modes state = states[next];
     for (NominalOutcome& outcome : by_itself(state, part, in_question)) {
-      const auto forbidden = std::find_if(outcome.moves.begin(), outcome.moves.end(), [&](const NominalMove& move) {
-        return !is_permitted(move.component, *move.transition, permitted);
-      });
-      if (forbidden != outcome.moves.end()) {
-        result.push_back({forbidden->component, forbidden->transition->id});
-      } else if (seen.insert(outcome.modes).second) {
-        states.push_back(std::move(outcome.modes));
+      for (const NominalMove& move : outcome.moves) {
+        if (!is_granted(move.component, *move.transition, permitted)) {
+          result.push_back({move.component, move.transition->id});
+        }
       }
+      if (seen.insert(outcome.modes).second) states.push_back(std::move(outcome.modes));
     }
   }
   return result;
 }
 
+bool NominalStep::comes_anyway(const Modes& modes, ComponentId c, const NominalTransition& t) {
+  if (!drift_ || drift_->first != modes) drift_.emplace(modes, drift_from(graph_, modes));
+  return drifts(graph_, c, t, drift_->second);
+}
+
 bool NominalStep::risks(const Modes& before, const Modes& after, std::size_t part, const Permitted& permitted) {
   const std::vector<TransitionOf> then = forbidden_to_come(after, part, permitted);
-  if (then.empty()) return false;
-  const std::vector<TransitionOf> anyway = forbidden_to_come(before, part, permitted);
   const auto at = std::find_if(then.begin(), then.end(), [&](const TransitionOf& step) {
-    return std::find(anyway.begin(), anyway.end(), step) == anyway.end();
+    return !comes_anyway(before, step.component, nominal(step.component, step.transition));
   });
   if (at == then.end()) return false;
   refused_ = *at;
@@ -92,7 +93,7 @@ bool NominalStep::lets_come_a_risk(const Modes& modes, const ControlAction& acti
                                    const Permitted& permitted) {
   const auto& components = parts_.components(part);
   const bool forbids = std::any_of(components.begin(), components.end(), [&](ComponentId c) {
-    const auto& transitions = permitted[c.index()];
+    const auto& transitions = permitted.granted[c.index()];
     return std::find(transitions.begin(), transitions.end(), false) != transitions.end();
   });
   if (!forbids) return false;

@@ -79,7 +79,7 @@ std::vector<NominalOutcome> NominalStep::combinations(const Modes& modes, const 
 }
 
 bool NominalStep::permits(const Modes& modes, const ControlAction& action, const automata::AllEnabled& with,
-                          std::size_t part, const Permitted& permitted, const NominalMove* intended,
+                          std::size_t part, const Permitted& permitted, std::optional<ComponentId> intended,
                           const Modes* keep) {
   refused_.reset();
   const ControlAction idle = idle_action(plant());
@@ -88,25 +88,27 @@ bool NominalStep::permits(const Modes& modes, const ControlAction& action, const
   static const Enabled nothing;
   const automata::AllEnabled* const idling = step_.enabled_if_permitted(modes, idle);
   const auto without = idling != nullptr ? std::optional(*idling) : std::nullopt;
+  const auto may_come = [&](ComponentId c, const NominalTransition& t) {
+    return is_granted(c, t, permitted) || comes_anyway(modes, c, t);
+  };
   for (const ComponentId c : parts_.components(part)) {
     const Enabled& anyway = without ? (*without)[c.index()] : nothing;
     if (&with[c.index()] == &anyway) continue;
-    const bool own = intended != nullptr && intended->component == c;
     for (const TransitionId id : with[c.index()].untimed) {
       const NominalTransition& t = nominal(c, id);
-      if (t.from == t.to || contains(anyway.untimed, id) || (own && intended->transition == &t)) continue;
-      const bool undoes = !own && keep != nullptr && (*keep)[c.index()] == t.from;
-      if (is_permitted(c, t, permitted) && !undoes) continue;
+      if (t.from == t.to || contains(anyway.untimed, id)) continue;
+      const bool undoes = c != intended && keep != nullptr && (*keep)[c.index()] == t.from;
+      const bool may = may_come(c, t);
+      if (may && !undoes) continue;
       const auto ways = combinations(modes, with, part, NominalMove{c, &t});
       if (std::any_of(ways.begin(), ways.end(), [&](const NominalOutcome& o) { return step_.possible(o.modes); })) {
-        if (!is_permitted(c, t, permitted)) refused_ = TransitionOf{c, id};
+        if (!may) refused_ = TransitionOf{c, id};
         return false;
       }
     }
     for (const TransitionId id : with[c.index()].timed) {
       const NominalTransition& t = nominal(c, id);
-      if (t.from == t.to || contains(anyway.timed, id) || (own && intended->transition == &t)) continue;
-      if (!t.possible || is_permitted(c, t, permitted)) continue;
+      if (t.from == t.to || contains(anyway.timed, id) || !t.possible || may_come(c, t)) continue;
       refused_ = TransitionOf{c, id};
       return false;
     }
@@ -121,7 +123,7 @@ std::optional<NominalOutcome> NominalStep::take(const Modes& modes, const Contro
   const automata::AllEnabled* const tolerated = step_.enabled_if_permitted(modes, action);
   if (tolerated == nullptr) return std::nullopt;
   const automata::AllEnabled enabled = *tolerated;
-  if (!permits(modes, action, enabled, part, permitted, &move, keep)) return std::nullopt;
+  if (!permits(modes, action, enabled, part, permitted, move.component, keep)) return std::nullopt;
   NominalOutcome outcome{modes, {}};
   for (const ComponentId c : parts_.components(part)) {
     const auto& untimed = enabled[c.index()].untimed;
@@ -279,7 +281,7 @@ std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const Cont
   const automata::AllEnabled* const tolerated = step_.enabled_if_permitted(modes, action);
   if (tolerated == nullptr) return result;
   const automata::AllEnabled enabled = *tolerated;
-  if (!permits(modes, action, enabled, part, permitted, nullptr, nullptr)) return result;
+  if (!permits(modes, action, enabled, part, permitted, {}, nullptr)) return result;
   std::vector<NominalOutcome> all = combinations(modes, enabled, part, {});
   const bool moves = std::any_of(all.begin(), all.end(), [](const NominalOutcome& o) { return !o.moves.empty(); });
   if (!moves) {

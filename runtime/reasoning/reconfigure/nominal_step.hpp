@@ -10,6 +10,7 @@
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/reconfigure/aftermath.hpp"
+#include "runtime/reasoning/reconfigure/drift.hpp"
 #include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/reason.hpp"
@@ -101,11 +102,15 @@ class NominalStep {
   /// impossible ones too; with `fixed`, those that it is part of.
   std::vector<NominalOutcome> combinations(const automata::Modes& modes, const automata::AllEnabled& enabled,
                                            std::size_t part, std::optional<NominalMove> fixed) const;
-  /// Whether all that the action enables, idling does not, and the model does not exclude, may be taken. A step that
-  /// cannot be undone is left to chance neither as a side effect nor as the other branch of an intended one.
+  /// Whether all that the action enables, idling does not, and the model does not exclude, may be taken, or may come by
+  /// itself anyway. A step that cannot be undone is left to chance neither as a side effect nor as the other branch of
+  /// an intended one. With `keep`, no other component than the intended one leaves its mode there.
   bool permits(const automata::Modes& modes, const automata::ControlAction& action, const automata::AllEnabled& with,
-               std::size_t part, const Permitted& permitted, const NominalMove* intended, const automata::Modes* keep);
+               std::size_t part, const Permitted& permitted, std::optional<automata::ComponentId> intended,
+               const automata::Modes* keep);
 
+  /// Whether the step may come with all controls idle from there on; what interconnections exclude counts, too.
+  bool comes_anyway(const automata::Modes& modes, automata::ComponentId c, const NominalTransition& t);
   /// Whether from the state that a command leads to a forbidden step could come by itself, at once or in time, after
   /// whatever else comes by itself, and could not before.
   bool risks(const automata::Modes& before, const automata::Modes& after, std::size_t part, const Permitted& permitted);
@@ -117,9 +122,8 @@ class NominalStep {
   std::vector<NominalOutcome> by_itself(const automata::Modes& modes, std::size_t part,
                                         const std::vector<bool>& in_question);
   [[nodiscard]] bool can_risk(automata::ComponentId c, automata::ModeId mode, const Permitted& permitted) const;
-  [[nodiscard]] bool is_permitted(automata::ComponentId c, const NominalTransition& t,
-                                  const Permitted& permitted) const {
-    return permitted[c.index()][graph_.position(c, t)];
+  [[nodiscard]] bool is_granted(automata::ComponentId c, const NominalTransition& t, const Permitted& permitted) const {
+    return permitted.granted[c.index()][graph_.position(c, t)];
   }
 
   automata::PlantStep& step_;
@@ -127,6 +131,7 @@ class NominalStep {
   const Parts& parts_;
   std::vector<std::vector<NominalMove>> readers_;  ///< by control: the transitions whose preconditions read it
   std::optional<TransitionOf> refused_;
+  std::optional<std::pair<automata::Modes, Reached>> drift_;  ///< of the state that was asked about last
 };
 
 }  // namespace rmpl::runtime

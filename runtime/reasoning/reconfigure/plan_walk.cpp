@@ -38,8 +38,9 @@ std::vector<std::uint64_t> Planner::question(const Modes& modes, const Objective
     // Few irreversible steps are permitted, most often none.
     const auto& transitions = graph_.transitions(c);
     for (std::size_t i = 0; i < transitions.size(); ++i) {
-      if (NominalGraph::harmless(transitions[i]) || !objective.permitted[c.index()][i]) continue;
-      key.push_back(std::uint64_t{c.value} << 32 | i);
+      if (NominalGraph::harmless(transitions[i]) || !objective.permitted.on_ways[c.index()][i]) continue;
+      const std::uint64_t granted = objective.permitted.granted[c.index()][i] ? 1 : 0;
+      key.push_back(std::uint64_t{c.value} << 32 | granted << 31 | i);
     }
   }
   return key;

@@ -188,7 +188,8 @@ class Planner {
   /// be taken.
   [[nodiscard]] bool is_parallel(automata::ComponentId component, const NominalTransition& t,
                                  const NominalTransition& other, const Permitted& permitted) const {
-    return t.from == other.from && t.to == other.to && permitted[component.index()][graph_.position(component, t)];
+    return t.from == other.from && t.to == other.to &&
+           permitted.on_ways[component.index()][graph_.position(component, t)];
   }
   [[nodiscard]] bool stands(const NominalTransition& transition, const automata::Modes& modes) const;
   automata::ComponentId served_by(const automata::Modes& modes, const Objective& objective,

@@ -41,26 +41,26 @@ Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t mo
 
 Policies::Policies(const automata::Plant& plant, const NominalGraph& graph)
     : graph_(graph), policies_(plant.components.size()), latest_(plant.components.size()) {
-  Permitted harmless(plant.components.size());
+  Permitted::Steps harmless(plant.components.size());
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     modes_.push_back(plant.components[c].modes.size());
     for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
       harmless[c].push_back(NominalGraph::harmless(t));
     }
-    of(ComponentId(c), harmless);
+    of(ComponentId(c), harmless[c]);
   }
 }
 
-const Policy& Policies::of(ComponentId component, const Permitted& permitted) {
-  const std::vector<bool>& bits = permitted[component.index()];
+const Policy& Policies::of(ComponentId component, const std::vector<bool>& permitted) {
   auto& known = policies_[component.index()];
   // Most components have no step to forbid, and are asked for again and again.
   auto& latest = latest_[component.index()];
-  if (latest != nullptr && latest->first == bits) return latest->second;
-  const auto at = known.find(bits);
+  if (latest != nullptr && latest->first == permitted) return latest->second;
+  const auto at = known.find(permitted);
   latest = at != known.end()
                ? &*at
-               : &*known.emplace(bits, Policy(graph_.transitions(component), modes_[component.index()], bits)).first;
+               : &*known.emplace(permitted, Policy(graph_.transitions(component), modes_[component.index()], permitted))
+                       .first;
   return latest->second;
 }
 

@@ -56,9 +56,13 @@ class Policies {
  public:
   Policies(const automata::Plant& plant, const NominalGraph& graph);
 
-  const Policy& of(automata::ComponentId component, const Permitted& permitted);
+  const Policy& of(automata::ComponentId component, const Permitted& permitted) {
+    return of(component, permitted.on_ways[component.index()]);
+  }
 
  private:
+  const Policy& of(automata::ComponentId component, const std::vector<bool>& permitted);
+
   const NominalGraph& graph_;
   std::vector<std::size_t> modes_;  ///< per component, how many
   using ByPermitted = std::map<std::vector<bool>, Policy>;

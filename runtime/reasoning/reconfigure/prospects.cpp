@@ -21,7 +21,7 @@ Prospects::Prospects(const NominalGraph& graph, const Modes& modes, const Goal& 
       commandable_(modes.size()) {
   spread(graph, passed_, graph.components(), [&](ComponentId c, const NominalTransition& t) {
     if (!supported(t)) return false;
-    if (drifts(c, t)) return true;
+    if (drifts(graph, c, t, drift_)) return true;
     const bool leave = NominalGraph::harmless(t) || graph_.leads_to_named(c, t.to, goal_.named());
     return leave && (!keeping || goal_.permits(c, t.to));
   });
@@ -32,15 +32,6 @@ Prospects::Prospects(const NominalGraph& graph, const Modes& modes, const Goal& 
 bool Prospects::supported(const NominalTransition& t) const {
   return std::any_of(t.preconditions.begin(), t.preconditions.end(),
                      [&](const Precondition& s) { return runtime::supported(graph_, s, passed_); });
-}
-
-/// Whether it may be taken with all controls idle.
-bool Prospects::drifts(ComponentId c, const NominalTransition& t) const {
-  if (!drift_[c.index()][t.from.index()] || !drift_[c.index()][t.to.index()]) return false;
-  for (std::size_t i = 0; i < t.preconditions.size(); ++i) {
-    if (t.silent[i] && runtime::supported(graph_, t.preconditions[i], drift_)) return true;
-  }
-  return false;
 }
 
 void Prospects::count_steps(ComponentId c) {
@@ -54,7 +45,7 @@ void Prospects::count_steps(ComponentId c) {
       const auto& before = steps[t.from.index()];
       auto& after = steps[t.to.index()];
       if (!before || !passed_[c.index()][t.to.index()] || !supported(t)) continue;
-      const std::uint32_t count = *before + (NominalGraph::harmless(t) || drifts(c, t) ? 0 : 1);
+      const std::uint32_t count = *before + (NominalGraph::harmless(t) || drifts(graph_, c, t, drift_) ? 0 : 1);
       if (after && *after <= count) continue;
       after = count;
       fewer = true;
@@ -112,13 +103,14 @@ void Prospects::find_commandable() {
 }
 
 Permitted Prospects::permitted(const Modes& target) const {
-  Permitted permitted(modes_.size());
+  Permitted permitted{Permitted::Steps(modes_.size()), Permitted::Steps(modes_.size())};
   for (std::size_t c = 0; c < modes_.size(); ++c) {
     const ComponentId id(c);
     const bool named = goal_.named()[c][target[c].index()];
     for (const NominalTransition& t : graph_.transitions(id)) {
-      permitted[c].push_back(NominalGraph::harmless(t) || (named && graph_.leads_to_named(id, t.to, goal_.named())) ||
-                             drifts(id, t));
+      const bool granted = NominalGraph::harmless(t) || (named && graph_.leads_to_named(id, t.to, goal_.named()));
+      permitted.granted[c].push_back(granted);
+      permitted.on_ways[c].push_back(granted || drifts(graph_, id, t, drift_));
     }
   }
   return permitted;

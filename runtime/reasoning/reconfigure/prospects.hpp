@@ -52,7 +52,6 @@ class Prospects {
 
  private:
   [[nodiscard]] bool supported(const NominalTransition& t) const;
-  [[nodiscard]] bool drifts(automata::ComponentId c, const NominalTransition& t) const;
   [[nodiscard]] bool felt(automata::ComponentId c, const NominalTransition& t) const;
   void count_steps(automata::ComponentId c);
   void find_commandable();
