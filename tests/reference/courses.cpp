@@ -94,6 +94,14 @@ bool Courses::is_held_back(std::size_t state) {
   return false;
 }
 
+/// Whether at most one component leaves its mode at once.
+bool Courses::others_rest(std::size_t state, std::size_t action) {
+  std::set<std::size_t> leave;
+  for (const Transition* t : enabled(state, action))
+    if (!t->timing && t->from != t->to) leave.insert(component_of_.at(t));
+  return leave.size() < 2;
+}
+
 bool Courses::is_one_command(std::size_t state, std::size_t action) {
   const ControlAction& whole = actions_[action];
   const ControlAction& idle = actions_[idle_];
@@ -104,7 +112,7 @@ bool Courses::is_one_command(std::size_t state, std::size_t action) {
       is_part = is_part && (actions_[a][i] == whole[i] || actions_[a][i] == idle[i]);
     if (is_part) parts.push_back(a);
   }
-  if (parts.empty()) return true;
+  if (parts.empty() || (!tolerates(state, idle_) && others_rest(state, action))) return true;
   // Some component may do what it may do by no part of it.
   const auto of = [&](std::size_t c, std::size_t a) {
     std::set<const Transition*> result = enabled(state, a);

@@ -45,7 +45,8 @@ class Courses {
   /// Whether idling is tolerated, and changes nothing.
   bool stays(std::size_t state) { return tolerates(state, idle_) && after(state, idle_) == std::set{state}; }
   /// Whether it takes all controls that are off idle to bring something about or to prevent it: two commands at once
-  /// are not one.
+  /// are not one. Where idling contradicts the model, it may take one that is off idle to keep all others where they
+  /// are.
   bool is_one_command(std::size_t state, std::size_t action);
   /// The nominal transitions that the action enables, and that can be taken at all.
   const std::set<const automata::Transition*>& enabled(std::size_t state, std::size_t action) {
@@ -60,6 +61,7 @@ class Courses {
     std::set<std::size_t> one_by_one;
   };
   const Move& known(std::size_t state, std::size_t action);
+  bool others_rest(std::size_t state, std::size_t action);
   [[nodiscard]] bool is_one_by_one(const Move& move, const automata::Modes& from, const automata::Modes& to) const;
 
   const Step& step_;

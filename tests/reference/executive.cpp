@@ -48,8 +48,7 @@ std::set<Advice> Executive::needed(std::size_t state, Plans& plans, const Goal& 
     const bool on_the_way = std::any_of(outcomes.begin(), outcomes.end(), leads);
     // A wait before the step that cannot be taken.
     const bool in_vain = rests && !plans.hoped(state) && plans.boldly(state);
-    const bool any = plans.hoped(state) && !courses_.tolerates(state, courses_.idle());
-    if (on_the_way || in_vain || any) result.insert(advice(a, false));
+    if (on_the_way || in_vain) result.insert(advice(a, false));
   }
   const Goal first = put_off(state, goal);
   if (first != goal && plans.is_possible() && !plans_of(first).is_met(state)) {

@@ -17,7 +17,6 @@
 //   come before the irreversible step on which the plan fails;
 // - irreversible steps that come later by themselves, where some outcome of the command, or an interconnection, does
 //   without them;
-// - where all controls idle contradict the model, any command that does not;
 // - for reward: that it may be done, not that it must be: it keeps what the goal has and takes no forbidden step, and
 //   leads to where some component is worth more, or holds something back while the goal is waited for; whether a
 //   command serves the goal or a reward, where it may be for either.

@@ -21,20 +21,23 @@ namespace {
 
 using Suits = base::FunctionRef<bool(const ControlAction&)>;
 
-std::optional<ControlAction> least_action(automata::PlantStep& step, const Modes& modes,
-                                          const Precondition& precondition, Suits suits) {
-  const automata::Plant& plant = step.plant();
-  const auto& controls = plant.controls;
-  ControlAction action = idle_action(plant);
-  std::vector<const Requirement*> asked(controls.size(), nullptr);
+/// By control: what the precondition asks of it.
+std::vector<const Requirement*> asked_of(const automata::Plant& plant, const Precondition& precondition) {
+  std::vector<const Requirement*> asked(plant.controls.size(), nullptr);
   for (std::size_t i = 0; !precondition.empty() && i < asked.size(); ++i) {
     const auto at = std::find_if(precondition.begin(), precondition.end(),
-                                 [&](const Requirement& r) { return r.variable == controls[i].variable; });
-    if (at == precondition.end()) continue;
-    asked[i] = &*at;
-    if (!std::binary_search(at->values.begin(), at->values.end(), action[i])) action[i] = at->values.front();
+                                 [&](const Requirement& r) { return r.variable == plant.controls[i].variable; });
+    if (at != precondition.end()) asked[i] = &*at;
   }
-  if (step.permits(modes, action) && suits(action)) return action;
+  return asked;
+}
+
+/// Of the tolerated actions that suit and do as they are asked, the one with the fewest controls off idle, of several
+/// the first by values.
+std::optional<ControlAction> least_of_all(automata::PlantStep& step, const Modes& modes,
+                                          const std::vector<const Requirement*>& asked, Suits suits) {
+  const automata::Plant& plant = step.plant();
+  const auto& controls = plant.controls;
   OptimalSearch::Costs costs;
   for (std::size_t i = 0; i < controls.size(); ++i) {
     auto& cost = costs.emplace_back(plant.variables[controls[i].variable].values.size(), 1.0);
@@ -47,6 +50,7 @@ std::optional<ControlAction> least_action(automata::PlantStep& step, const Modes
   OptimalSearch search(costs);
   constexpr std::size_t action_limit = 1u << 12;
   search.set_budget(action_limit);
+  ControlAction action = idle_action(plant);
   const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
     for (std::size_t i = 0; i < action.size(); ++i) action[i] = automata::ValueId(values[i]);
     std::vector<automata::Assignment> store = assignments_of(plant, modes);
@@ -72,29 +76,44 @@ std::optional<ControlAction> least_action(automata::PlantStep& step, const Modes
 
 constexpr auto any = [](const ControlAction&) { return true; };
 
-}  // namespace
-
-std::optional<ControlAction> least_action(automata::PlantStep& step, const Modes& modes,
-                                          const Precondition& precondition) {
-  return least_action(step, modes, precondition, any);
+/// Whether no untimed transition changes a mode, but of the component that is to move.
+bool rests(automata::PlantStep& step, const Modes& modes, const ControlAction& action,
+           std::optional<ComponentId> moved) {
+  const automata::AllEnabled& enabled = step.enabled(modes, action);
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const auto& transitions = step.plant()[ComponentId(c)].transitions;
+    const auto& untimed = enabled[c].untimed;
+    const auto leaves = [&](automata::TransitionId id) { return transitions[id.index()].to != modes[c]; };
+    if (moved != ComponentId(c) && std::any_of(untimed.begin(), untimed.end(), leaves)) return false;
+  }
+  return true;
 }
+
+}  // namespace
 
 ControlAction resting_action(automata::PlantStep& step, const Modes& modes) {
   ControlAction idle = idle_action(step.plant());
   if (step.permits(modes, idle) || !step.possible(modes)) return idle;
-  const auto rests = [&](const ControlAction& action) {
-    const automata::AllEnabled& enabled = step.enabled(modes, action);
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      const auto& transitions = step.plant()[ComponentId(c)].transitions;
-      const auto& untimed = enabled[c].untimed;
-      const auto leaves = [&](automata::TransitionId id) { return transitions[id.index()].to != modes[c]; };
-      if (std::any_of(untimed.begin(), untimed.end(), leaves)) return false;
-    }
-    return true;
-  };
-  auto resting = least_action(step, modes, {}, rests);
-  if (!resting) resting = least_action(step, modes, {}, any);
+  const auto asked = asked_of(step.plant(), {});
+  auto resting = least_of_all(step, modes, asked, [&](const ControlAction& a) { return rests(step, modes, a, {}); });
+  if (!resting) resting = least_of_all(step, modes, asked, any);
   return resting ? *std::move(resting) : std::move(idle);
+}
+
+std::optional<ControlAction> least_action(automata::PlantStep& step, const Modes& modes,
+                                          const Precondition& precondition, ComponentId moved) {
+  const auto asked = asked_of(step.plant(), precondition);
+  ControlAction action = idle_action(step.plant());
+  const bool idles = step.permits(modes, action);
+  for (std::size_t i = 0; i < action.size(); ++i) {
+    if (asked[i] == nullptr) continue;
+    const auto& values = asked[i]->values;
+    if (!std::binary_search(values.begin(), values.end(), action[i])) action[i] = values.front();
+  }
+  const auto others_rest = [&](const ControlAction& a) { return idles || rests(step, modes, a, moved); };
+  if (step.permits(modes, action) && others_rest(action)) return action;
+  auto least = idles ? std::nullopt : least_of_all(step, modes, asked, others_rest);
+  return least ? std::move(least) : least_of_all(step, modes, asked, any);
 }
 
 Reconfiguration at_rest(automata::PlantStep& step, const Modes& modes) {

@@ -11,15 +11,15 @@
 
 namespace rmpl::runtime {
 
-/// Of the actions that meet the precondition and that the store of the modes tolerates, the one with the fewest
-/// controls off idle, of several the first by values. Nothing where there is none among the first 4,096.
-std::optional<automata::ControlAction> least_action(automata::PlantStep& step, const automata::Modes& modes,
-                                                    const Precondition& precondition);
-
 /// All controls idle; where the store of the modes does not tolerate that, the tolerated action with the fewest
 /// controls off idle, before all others one under which no untimed transition changes a mode. Idle where it tolerates
 /// none.
 automata::ControlAction resting_action(automata::PlantStep& step, const automata::Modes& modes);
+
+/// The same of the actions that meet the precondition, under which a component is to move. Nothing where none is
+/// tolerated among the first 4,096.
+std::optional<automata::ControlAction> least_action(automata::PlantStep& step, const automata::Modes& modes,
+                                                    const Precondition& precondition, automata::ComponentId moved);
 
 /// Nothing to do, but for that action where it is a command: what the model asks for.
 Reconfiguration at_rest(automata::PlantStep& step, const automata::Modes& modes);

@@ -218,7 +218,7 @@ Planner::NextStep Planner::command(const Modes& modes, const Objective& objectiv
   const auto change = [&](ComponentId c, const char* goes, ModeId from, ModeId to) {
     return "'" + plant[c].name + "' " + goes + " from " + name(c, from) + " to " + name(c, to);
   };
-  auto action = least_action(step_, modes, precondition);
+  auto action = least_action(step_, modes, precondition, component);
   auto outcome = action
                      ? nominal_.take(modes, *action, {component, &transition}, objective.permitted, &objective.target)
                      : std::nullopt;
