@@ -21,7 +21,11 @@ constexpr std::size_t stopwatch = 1;
 
 PlantSystem::PlantSystem(Situations& situations, Observer observer, const Symmetry& symmetry,
                          const std::vector<Modes>& start)
-    : situations_(situations), observer_(std::move(observer)), symmetry_(symmetry), start_(start) {}
+    : situations_(situations),
+      observer_(std::move(observer)),
+      symmetry_(symmetry),
+      start_(start),
+      ranks_(situations.plant(), start.empty() ? Modes{} : start.front()) {}
 
 void PlantSystem::initial(const Visit& visit) {
   enumerate_initial([&](Entered&& entered) {
@@ -245,6 +249,10 @@ bool PlantSystem::in_time(Zone& zone, Phase phase, const Situation& situation) c
   if (!observer_.timed(phase)) return true;
   return zone.constrain(stopwatch, {0, observer_.accepted()->upper}) &&
          (time_left_ == nullptr || time_left_->cut(zone, situation.modes, situation.live));
+}
+
+std::uint32_t PlantSystem::rank(std::uint64_t discrete) {
+  return ranks_.sum(situations_.modes(situation_of(discrete)));
 }
 
 void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& result) {

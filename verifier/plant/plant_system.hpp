@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "verifier/plant/fault_sets.hpp"
+#include "verifier/plant/mode_ranks.hpp"
 #include "verifier/plant/observer.hpp"
 #include "verifier/plant/situation.hpp"
 #include "verifier/plant/time_left.hpp"
@@ -35,6 +36,7 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] bool accepts(const SymbolicState& state) const override;
   [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override;
   [[nodiscard]] unsigned fault_count(unsigned faults) const override;
+  [[nodiscard]] std::uint32_t rank(std::uint64_t discrete) override;
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override;
 
   /// A discrete part, taken apart.
@@ -105,6 +107,7 @@ class PlantSystem : public TransitionSystem {
   FaultSets* sets_ = nullptr;            ///< none: faults are counted
   const TimeLeft* time_left_ = nullptr;  ///< none: nothing is known of it
   const std::vector<automata::Modes>& start_;
+  ModeRanks ranks_;
 };
 
 }  // namespace rmpl::verifier

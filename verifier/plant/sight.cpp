@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/sight.hpp"
 
+#include <algorithm>
 #include <memory>
+
+#include "automata/dependencies/plant_index.hpp"
 
 namespace rmpl::verifier {
 
@@ -17,6 +20,16 @@ automata::Support support_of(const PlantStep& step, const Formula& formula) {
 }
 
 Observer::Test holds(PlantStep& step, const Formula& formula, bool certain) {
+  // A possible state gives every mode a value: where nothing else is asked for, the store has nothing to add.
+  const automata::PlantIndex index(step.plant());
+  const std::vector<automata::VariableId> variables = automata::variables_of(formula);
+  if (std::all_of(variables.begin(), variables.end(), [&](auto v) { return index.component_of(v).has_value(); })) {
+    return [index, formula](const Modes& modes) {
+      return automata::evaluate(formula, [&](automata::VariableId v) {
+        return automata::ValueId(modes[index.component_of(v)->index()].index());
+      });
+    };
+  }
   using Memory = automata::Memory<bool>;
   const automata::Support support = support_of(step, formula);
   const Theory::Handle handle = step.theory().encode(formula);

@@ -3,6 +3,7 @@
 #include "verifier/search/search.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <deque>
 #include <map>
 
@@ -27,11 +28,19 @@ class Guided : public TransitionSystem {
   [[nodiscard]] bool accepts(const SymbolicState& state) const override { return system_.accepts(state); }
   [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override { return system_.no_more_faults(a, b); }
   [[nodiscard]] unsigned fault_count(unsigned faults) const override { return system_.fault_count(faults); }
+  [[nodiscard]] std::uint32_t rank(std::uint64_t discrete) override { return system_.rank(discrete); }
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override { system_.limits(discrete, result); }
 
  private:
   TransitionSystem& system_;
   const Corridor& corridor_;
+};
+
+/// What is explored first: the least. Of several the first found, where steps are counted of all.
+struct Urgency {
+  unsigned faults = 0;
+  std::uint32_t rank = 0;
+  auto operator<=>(const Urgency&) const = default;
 };
 
 /// Whether the states of a search are new, or were counted by another one.
@@ -72,7 +81,7 @@ class Search {
       if (parent == Passed::none) continue;
       const std::uint32_t steps = passed_[parent].steps;
       if (order_ != SearchOrder::fewest_steps) {
-        meter_.at_faults(queue->first, queue->second.size());
+        meter_.at_faults(queue->first.faults, queue->second.size());
       } else {
         meter_.at_steps(steps, queue->second.size());
       }
@@ -84,12 +93,17 @@ class Search {
     }
   }
 
+  [[nodiscard]] Urgency urgency(const SymbolicState& state) {
+    if (order_ == SearchOrder::fewest_steps) return {};
+    return {system_.fault_count(state.faults), system_.rank(state.discrete)};
+  }
+
   void add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
     const std::uint32_t number = passed_.add(state, label, parent, steps);
     if (number == Passed::none) return;
     if (counted_ == Counted::now) meter_.count_state();
     if (system_.accepts(state)) found_ = number;
-    auto& queue = queues_[order_ != SearchOrder::fewest_steps ? system_.fault_count(state.faults) : 0];
+    auto& queue = queues_[urgency(state)];
     if (label.silent) {
       queue.push_front(number);
     } else {
@@ -102,7 +116,7 @@ class Search {
   Meter& meter_;
   Counted counted_;
   Passed passed_;
-  std::map<unsigned, std::deque<std::uint32_t>> queues_;  ///< by number of faults where that is the order
+  std::map<Urgency, std::deque<std::uint32_t>> queues_;
   std::optional<std::uint32_t> found_;
 };
 

@@ -13,7 +13,7 @@ namespace rmpl::verifier {
 /// In which order states are explored.
 enum class SearchOrder {
   fewest_steps,  ///< in order of steps: the path has fewest
-  covering,      ///< fewest faults first, then fewest steps; covered states are not explored
+  covering,      ///< fewest faults first, then the least rank; covered states are not explored
   merging        ///< the same, states that wait being put together; see find_corridor
 };
 

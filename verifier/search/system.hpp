@@ -41,6 +41,8 @@ class TransitionSystem {
   [[nodiscard]] virtual bool no_more_faults(unsigned a, unsigned b) const { return a <= b; }
   /// How many faults that is.
   [[nodiscard]] virtual unsigned fault_count(unsigned faults) const { return faults; }
+  /// How far from the start: states with as many faults are explored by this, the least first.
+  [[nodiscard]] virtual std::uint32_t rank(std::uint64_t /*discrete*/) { return 0; }
   /// The greatest constants that the clocks of states with this discrete part are compared with from there on. A search
   /// takes one state to cover another up to what can be told apart by them. None: zones are compared as they are.
   virtual void limits([[maybe_unused]] std::uint64_t discrete, std::vector<ClockLimits>& result) { result.clear(); }
