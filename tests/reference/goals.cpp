@@ -340,6 +340,15 @@ Modes best_kept(const Step& step, const Modes& modes, const automata::Formula& g
   return best;
 }
 
+std::optional<Modes> best_reached(const Step& step, const Modes& modes, const automata::Formula& goal) {
+  std::optional<Modes> best;
+  for (const auto& [state, count] : reached(step, modes, [](const Modes&) { return true; })) {
+    if (!step.models().entails(assumptions_of(step.plant(), state), goal)) continue;
+    if (!best || is_better(step.plant(), modes, state, *best)) best = state;
+  }
+  return best;
+}
+
 std::optional<std::size_t> fewest_commands(const Step& step, const Modes& modes, const automata::Formula& goal) {
   const auto entails = [&](const Modes& state) {
     return step.models().entails(assumptions_of(step.plant(), state), goal);

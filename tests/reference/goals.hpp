@@ -51,6 +51,11 @@ bool is_better(const automata::Plant& plant, const automata::Modes& from, const 
 /// of which can be undone, through states that entail it and in which nothing happens of itself.
 automata::Modes best_kept(const Step& step, const automata::Modes& modes, const automata::Formula& goal);
 
+/// The best of the states that entail the goal and that such commands reach, whatever is on the way. Nothing where
+/// there is none.
+std::optional<automata::Modes> best_reached(const Step& step, const automata::Modes& modes,
+                                            const automata::Formula& goal);
+
 /// The fewest such commands after which the goal is entailed first. Nothing where there are none.
 std::optional<std::size_t> fewest_commands(const Step& step, const automata::Modes& modes,
                                            const automata::Formula& goal);
