@@ -1,5 +1,5 @@
-// Parts that have nothing to do with each other, searched each by itself, against the same parts searched as one.
-// SPDX-License-Identifier: MIT
+// What is tried beside a search as one, against it: parts that have nothing to do with each other, each by itself;
+// plans. SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -58,6 +58,29 @@ RC_GTEST_PROP(Parts, MeetAsIfSearchedAsOne, ()) {
   if (target.fastest && as_one.witness) {
     RC_ASSERT(apart.witness->events.back().time == as_one.witness->events.back().time);
   }
+}
+
+/// Whether there is a run does not depend on when a plan is tried, and one that a plan leads along is no shorter.
+RC_GTEST_PROP(Plans, StandInForASearch, ()) {
+  Shape shape{.max_components = 3, .max_modes = 3, .max_attributes = 3};
+  shape.commanded = chance(70);
+  const Model model = *models(shape);
+  verifier::Reachability target = draw_target(model.plant);
+  if (chance(80)) target = {target.target, {}, false};
+  verifier::CheckOptions options;
+  options.faults = static_cast<unsigned>(up_to(0, 1));
+  options.fewest_faults = chance(20);
+  if (chance(30)) options.period = Ticks::of_seconds(1);
+  verifier::Slices slices(model.plant);
+  const verifier::Answer searched = verifier::check(slices, target, options, {});
+  options.states_before_plan = 0;
+  const verifier::Answer planned = verifier::check(slices, target, options, {});
+  RC_CLASSIFY(planned.limit == verifier::Limit::plan);
+  RC_LOG() << to_text(target.target, model.plant.variables) << ": " << static_cast<int>(searched.verdict) << ", "
+           << static_cast<int>(planned.verdict) << '\n';
+  RC_ASSERT(planned.verdict == searched.verdict);
+  RC_ASSERT(planned.fewest_faults == searched.fewest_faults);
+  if (searched.witness) RC_ASSERT(planned.witness->events.size() >= searched.witness->events.size());
 }
 
 }  // namespace

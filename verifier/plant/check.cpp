@@ -158,7 +158,7 @@ class Check {
     try {
       if (refuted_in_part(target, any_time)) return;
       if (look_apart(target, any_time)) return;
-      if (!witness_) witness_ = search(any_time);
+      if (!witness_) witness_ = search_or_plan(target, any_time);
     } catch (const LimitReached& reached) {
       if (reached.limit == Limit::interrupt || options_.cut_sets) throw;
       witness_ = planned(target);
@@ -171,17 +171,34 @@ class Check {
     }
   }
 
-  /// Where a search was given up: what the plant's reconfiguration would do may lead there all the same. It was made
-  /// for plants that are too large to search.
+  /// A search that comes to many states stops for a plan that leads there.
+  std::optional<Witness> search_or_plan(const Target& target, const Observe& observe) {
+    if (target.fastest || options_.cut_sets || !target.window.is_all()) return search(observe);
+    std::optional<Witness> plan;
+    const Meter::Milestone many(meter_, options_.states_before_plan, [&] {
+      plan = planned(target);
+      if (plan) throw AllowanceSpent{};
+    });
+    try {
+      return search(observe);
+    } catch (const AllowanceSpent&) {
+      limit_ = Limit::plan;
+      return plan;
+    }
+  }
+
+  /// What the plant's reconfiguration would do may lead there where a search does not, or not soon. It was made for
+  /// plants that are too large to search.
   std::optional<Witness> planned(const Target& target) {
     if (cone_) {
       const auto& wanted = std::get<Target>(cone_->wanted());
-      auto run = planned_run(cone_->step(), cone_->start().front(), wanted.formula, target.window, options_.period);
+      auto run =
+          planned_run(cone_->step().plant(), cone_->start().front(), wanted.formula, target.window, options_.period);
       std::optional<Witness> witness = run ? std::optional(cone_->out(std::move(*run))) : std::nullopt;
       if (witness && !failure_of(*witness)) return witness;
     }
     const Modes& start = slices_.start(options_.from).value();
-    auto run = planned_run(slices_.whole(), start, target.formula, target.window, options_.period);
+    auto run = planned_run(slices_.plant(), start, target.formula, target.window, options_.period);
     return run && !failure_of(*run) ? std::move(run) : std::nullopt;
   }
 

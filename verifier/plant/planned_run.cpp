@@ -142,8 +142,9 @@ class PlannedRun {
 
 }  // namespace
 
-std::optional<Witness> planned_run(automata::PlantStep& step, const Modes& start, const automata::Formula& target,
+std::optional<Witness> planned_run(const automata::Plant& plant, const Modes& start, const automata::Formula& target,
                                    const Window& window, std::optional<Ticks> period) {
+  automata::PlantStep step(plant);
   return PlannedRun(step, start, target, period).run(window);
 }
 

@@ -14,7 +14,7 @@ namespace rmpl::verifier {
 /// early as the bounds of time let it; time goes on until the window begins. No fault happens. Nothing where there is
 /// no plan. The run may still be none that is asked about (several commands at once, an outcome that is too unlikely, a
 /// target that is met too late): that is for a replay to say. Costs what planning costs.
-std::optional<Witness> planned_run(automata::PlantStep& step, const automata::Modes& start,
+std::optional<Witness> planned_run(const automata::Plant& plant, const automata::Modes& start,
                                    const automata::Formula& target, const Window& window,
                                    std::optional<automata::Ticks> period);
 

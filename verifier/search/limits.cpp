@@ -52,6 +52,7 @@ void Meter::count_state() {
   if (limits_.states && progress_.states >= *limits_.states) throw LimitReached{Limit::states};
   if (allowed_ && progress_.states >= *allowed_) throw AllowanceSpent{};
   ++progress_.states;
+  if (milestone_ && progress_.states > milestone_->first) std::exchange(milestone_, std::nullopt)->second();
 }
 
 void Meter::used_faults(unsigned faults) { progress_.faults = std::max(progress_.faults, faults); }

@@ -7,11 +7,12 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace rmpl::verifier {
 
-/// What ended a search before its end.
-enum class Limit { states, time, memory, interrupt };
+/// What ended a search before its end: what it may cost, a signal, or that a plan leads there.
+enum class Limit { states, time, memory, interrupt, plan };
 
 /// How far a search is, or how far it got.
 struct Progress {
@@ -64,6 +65,20 @@ class Meter {
     Meter& meter_;
   };
 
+  /// Is called once where so many states more have been found, as long as this lives; may throw. Not to be nested.
+  class [[nodiscard]] Milestone {
+   public:
+    Milestone(Meter& meter, std::size_t states, std::function<void()> reached) : meter_(meter) {
+      meter_.milestone_ = {meter_.progress_.states + states, std::move(reached)};
+    }
+    ~Milestone() { meter_.milestone_.reset(); }
+    Milestone(const Milestone&) = delete;
+    Milestone& operator=(const Milestone&) = delete;
+
+   private:
+    Meter& meter_;
+  };
+
   /// To be called often. Throws LimitReached.
   void poll();
   /// One more symbolic state. Throws LimitReached and AllowanceSpent.
@@ -87,6 +102,7 @@ class Meter {
   std::size_t polls_ = 0;
   double last_report_ = 0;
   std::optional<std::size_t> allowed_;  ///< how many states there may be in all
+  std::optional<std::pair<std::size_t, std::function<void()>>> milestone_;
   Progress progress_;
 };
 

@@ -26,6 +26,8 @@ std::string_view limit_text(Limit limit) {
       return "the limit of memory (--max-memory) was reached";
     case Limit::interrupt:
       return "interrupted";
+    case Limit::plan:
+      return "a plan was found before the search came to an end";
   }
   return "";
 }

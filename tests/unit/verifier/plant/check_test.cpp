@@ -180,6 +180,23 @@ TEST(Limits, AreSaid) {
   EXPECT_EQ(check(slices, Reachability{b.is("engine", "firing"), {}, false}, {}, limits).limit, Limit::interrupt);
 }
 
+TEST(Planned, RunsStandInForASearchThatComesToManyStates) {
+  const auto b = test::engine();
+  Slices slices(b.plant);
+  CheckOptions options;
+  options.states_before_plan = 0;
+  const Reachability standby{b.is("engine", "standby"), {}, false};
+  const Answer planned = check(slices, standby, options, {});
+  EXPECT_EQ(planned.verdict, Verdict::holds);
+  EXPECT_EQ(planned.limit, Limit::plan);
+  EXPECT_EQ(planned.witness->events.back().time, seconds(30));
+  // No plan leads to a fault: the search goes on.
+  options.faults = 1;
+  const Answer failed = check(slices, Safety{b.is("engine", "failed"), {}, false}, options, {});
+  EXPECT_EQ(failed.verdict, Verdict::violated);
+  EXPECT_FALSE(failed.limit);
+}
+
 TEST(Planned, RunsStandInForASearchThatWasGivenUp) {
   const auto b = test::engine();
   Slices slices(b.plant);
