@@ -73,7 +73,7 @@ RC_GTEST_PROP(Plans, StandInForASearch, ()) {
   if (chance(30)) options.period = Ticks::of_seconds(1);
   verifier::Slices slices(model.plant);
   const verifier::Answer searched = verifier::check(slices, target, options, {});
-  options.states_before_plan = 0;
+  options.states_before_plan = options.components_for_plan = 0;
   const verifier::Answer planned = verifier::check(slices, target, options, {});
   RC_CLASSIFY(planned.limit == verifier::Limit::plan);
   RC_LOG() << to_text(target.target, model.plant.variables) << ": " << static_cast<int>(searched.verdict) << ", "

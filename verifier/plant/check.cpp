@@ -161,7 +161,7 @@ class Check {
       if (!witness_) witness_ = search_or_plan(target, any_time);
     } catch (const LimitReached& reached) {
       if (reached.limit == Limit::interrupt || options_.cut_sets) throw;
-      witness_ = planned(target);
+      witness_ = planned(target, runtime::planning_trials);
       if (!witness_) throw;
       limit_ = reached.limit;
       return;
@@ -173,10 +173,12 @@ class Check {
 
   /// A search that comes to many states stops for a plan that leads there.
   std::optional<Witness> search_or_plan(const Target& target, const Observe& observe) {
-    if (target.fastest || options_.cut_sets || !target.window.is_all()) return search(observe);
+    const auto& searched = (cone_ ? *cone_ : whole()).step().plant().components;
+    const bool few = searched.size() < options_.components_for_plan;
+    if (few || target.fastest || options_.cut_sets || !target.window.is_all()) return search(observe);
     std::optional<Witness> plan;
-    const Meter::Milestone many(meter_, options_.states_before_plan, [&] {
-      plan = planned(target);
+    const Meter::Milestone many_states(meter_, options_.states_before_plan, [&] {
+      plan = planned(target, 0);
       if (plan) throw AllowanceSpent{};
     });
     try {
@@ -189,16 +191,16 @@ class Check {
 
   /// What the plant's reconfiguration would do may lead there where a search does not, or not soon. It was made for
   /// plants that are too large to search.
-  std::optional<Witness> planned(const Target& target) {
+  std::optional<Witness> planned(const Target& target, std::size_t trials) {
     if (cone_) {
       const auto& wanted = std::get<Target>(cone_->wanted());
-      auto run =
-          planned_run(cone_->step().plant(), cone_->start().front(), wanted.formula, target.window, options_.period);
+      auto run = planned_run(cone_->step().plant(), cone_->start().front(), wanted.formula, target.window,
+                             options_.period, trials);
       std::optional<Witness> witness = run ? std::optional(cone_->out(std::move(*run))) : std::nullopt;
       if (witness && !failure_of(*witness)) return witness;
     }
     const Modes& start = slices_.start(options_.from).value();
-    auto run = planned_run(slices_.plant(), start, target.formula, target.window, options_.period);
+    auto run = planned_run(slices_.plant(), start, target.formula, target.window, options_.period, trials);
     return run && !failure_of(*run) ? std::move(run) : std::nullopt;
   }
 

@@ -26,12 +26,12 @@ constexpr std::size_t most_steps = 1024;
 class PlannedRun {
  public:
   PlannedRun(automata::PlantStep& step, const Modes& start, const automata::Formula& target,
-             std::optional<Ticks> period)
+             std::optional<Ticks> period, std::size_t trials)
       : step_(step),
         target_(target),
         period_(period),
         idle_(automata::idle_action(step.plant())),
-        reconfigurer_(runtime::make_reconfigurer(step)),
+        reconfigurer_(runtime::make_reconfigurer(step, nullptr, trials)),
         state_{start, std::vector<Ticks>(start.size(), Ticks{0})} {
     witness_.events.push_back({now_, start, idle_});
   }
@@ -143,9 +143,9 @@ class PlannedRun {
 }  // namespace
 
 std::optional<Witness> planned_run(const automata::Plant& plant, const Modes& start, const automata::Formula& target,
-                                   const Window& window, std::optional<Ticks> period) {
+                                   const Window& window, std::optional<Ticks> period, std::size_t trials) {
   automata::PlantStep step(plant);
-  return PlannedRun(step, start, target, period).run(window);
+  return PlannedRun(step, start, target, period, trials).run(window);
 }
 
 }  // namespace rmpl::verifier

@@ -110,9 +110,10 @@ struct CheckOptions {
   /// Parts of a target that have nothing to do with each other are searched as one until there are so many states, and
   /// then each by itself (plant/meeting.hpp). No verdict depends on it.
   std::size_t states_as_one = 4096;
-  /// Beyond so many states a plan is tried, where the question names no times: its run is an answer, though there may
-  /// be a shorter one.
+  /// Beyond so many states of so many components a plan is tried, where the question names no times: its run is an
+  /// answer, though there may be a shorter one. Few components are searched sooner than planned for.
   std::size_t states_before_plan = 4096;
+  std::size_t components_for_plan = 32;
   /// States are put together where they are one set cut in pieces. No verdict depends on it.
   bool merge = true;
   /// Modes to start in, all clocks 0, in place of the initial distribution of their components.

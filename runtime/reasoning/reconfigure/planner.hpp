@@ -21,6 +21,7 @@
 #include "runtime/reasoning/reconfigure/nominal_step.hpp"
 #include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/policy.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 #include "runtime/reasoning/reconfigure/ways.hpp"
 
 namespace rmpl::runtime {
@@ -99,7 +100,7 @@ class Planner {
   /// States that a search visits at most, before it gives up.
   static constexpr std::size_t search_limit = 1u << 14;
   /// Control actions that the searches of one answer try at most, over all states, but for those that change nothing.
-  static constexpr std::size_t trial_limit = 1u << 16;
+  static constexpr std::size_t trial_limit = planning_trials;
   /// Of those of housekeeping, for a shorter way than one that is known.
   static constexpr std::size_t shortcut_trials = 1u << 7;
 

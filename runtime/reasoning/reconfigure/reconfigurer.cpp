@@ -47,8 +47,9 @@ Reconfiguration refusal(Impasse impasse, std::optional<Modes> goal_state) {
 
 class PolicyReconfigurer : public Reconfigurer {
  public:
-  PolicyReconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph)
+  PolicyReconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph, std::size_t trials)
       : step_(step),
+        trials_(trials),
         idle_(idle_action(step.plant())),
         graph_(std::move(graph)),
         parts_(step.plant(), graph_->restless()),
@@ -138,7 +139,7 @@ class PolicyReconfigurer : public Reconfigurer {
 
   /// With the whole budget.
   std::variant<Modes, Impasse> result_of(Pursuit& pursuit) {
-    planner_.renew_budget();
+    planner_.renew_budget(trials_);
     auto result = pursuit.run();
     checked_ += interpreter_.checked();
     return result;
@@ -202,7 +203,7 @@ class PolicyReconfigurer : public Reconfigurer {
         return upkeep.leaves(resting, standing, after, needed.target) && upkeep.keeps(standing, after);
       };
       const Permitted permitted = prospects.permitted(aim);
-      planner_.renew_budget(housekeeping_trials);
+      planner_.renew_budget(std::min(trials_, housekeeping_trials));
       auto found = planner_.next(modes, {aim, permitted, parts_.of(c), wanted, others_rest, wanted, std::nullopt});
       auto* const plan = std::get_if<IslandPlan>(&found);
       if (plan == nullptr || plan->first.idle) continue;
@@ -223,7 +224,7 @@ class PolicyReconfigurer : public Reconfigurer {
     if (known == 0) known = ++numbers_;
     const auto number = goal.rest() ? std::nullopt : std::optional(known);
     const Prospects prospects(*graph_, modes, goal, true);
-    planner_.renew_budget(housekeeping_trials);
+    planner_.renew_budget(std::min(trials_, housekeeping_trials));
     std::size_t failures = 0;
     std::unordered_map<Modes, bool, automata::ModesHash> kept;  // one plan after the other asks of the same states
     const auto keeps = [&](const Modes& after) {
@@ -330,6 +331,7 @@ class PolicyReconfigurer : public Reconfigurer {
   }
 
   automata::PlantStep& step_;
+  std::size_t trials_;
   automata::ControlAction idle_;
   std::shared_ptr<const NominalGraph> graph_;
   Parts parts_;
@@ -344,9 +346,10 @@ class PolicyReconfigurer : public Reconfigurer {
 
 }  // namespace
 
-std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph) {
+std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph,
+                                                std::size_t trials) {
   if (!graph) graph = reconfiguration_graph(step.plant());
-  return std::make_unique<PolicyReconfigurer>(step, std::move(graph));
+  return std::make_unique<PolicyReconfigurer>(step, std::move(graph), trials);
 }
 
 std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant) {

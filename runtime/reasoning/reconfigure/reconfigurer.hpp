@@ -53,12 +53,18 @@ class Reconfigurer {
   [[nodiscard]] virtual bool looks_at_all() const { return false; }
 };
 
+/// Commands that the searches of one answer try before they are given up (semantics 5).
+inline constexpr std::size_t planning_trials = 1u << 16;
+
 /// Goal interpreter and reactive planner (6.3.1, 6.3.2), with policies computed at construction. Remembers its answers:
 /// a repeated question costs a look-up. Keeps a reference to `step`, and asks its theory.
 /// `graph` is what was computed beforehand for the same plant, by `reconfiguration_graph`; without it that is done
 /// here.
+/// `trials`: how many commands the searches of one answer may try; beyond it there is no plan but those that policies
+/// lead along.
 std::unique_ptr<Reconfigurer> make_reconfigurer(automata::PlantStep& step,
-                                                std::shared_ptr<const NominalGraph> graph = nullptr);
+                                                std::shared_ptr<const NominalGraph> graph = nullptr,
+                                                std::size_t trials = planning_trials);
 
 /// What reconfiguration computes before the first question, and most of its cost: several runs of one plant share it.
 std::shared_ptr<const NominalGraph> reconfiguration_graph(const automata::Plant& plant);

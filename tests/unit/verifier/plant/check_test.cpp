@@ -184,7 +184,7 @@ TEST(Planned, RunsStandInForASearchThatComesToManyStates) {
   const auto b = test::engine();
   Slices slices(b.plant);
   CheckOptions options;
-  options.states_before_plan = 0;
+  options.states_before_plan = options.components_for_plan = 0;
   const Reachability standby{b.is("engine", "standby"), {}, false};
   const Answer planned = check(slices, standby, options, {});
   EXPECT_EQ(planned.verdict, Verdict::holds);
