@@ -11,7 +11,6 @@
 namespace rmpl::verifier {
 
 using automata::ControlAction;
-using automata::Enabled;
 using automata::Modes;
 using automata::Ticks;
 using automata::Transition;
