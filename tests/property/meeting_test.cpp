@@ -1,5 +1,5 @@
-// What is tried beside a search as one, against it: parts that have nothing to do with each other, each by itself;
-// plans. SPDX-License-Identifier: MIT
+// What is tried beside a search as one, against it: parts that have nothing to do with each other, and plans.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -76,14 +76,15 @@ class Search {
       }
       std::uint32_t parent = queue->second.front();
       queue->second.pop_front();
+      --waiting_;
       if (order_ != SearchOrder::fewest_steps && passed_[parent].covered) continue;
       if (order_ == SearchOrder::merging) parent = passed_.grown(parent);
       if (parent == Passed::none) continue;
       const std::uint32_t steps = passed_[parent].steps;
       if (order_ != SearchOrder::fewest_steps) {
-        meter_.at_faults(queue->first.faults, queue->second.size());
+        meter_.at_faults(queue->first.faults, waiting_);
       } else {
-        meter_.at_steps(steps, queue->second.size());
+        meter_.at_steps(steps, waiting_);
       }
       meter_.used_faults(system_.fault_count(passed_[parent].faults));
       meter_.poll();
@@ -103,6 +104,7 @@ class Search {
     if (number == Passed::none) return;
     if (counted_ == Counted::now) meter_.count_state();
     if (system_.accepts(state)) found_ = number;
+    ++waiting_;
     auto& queue = queues_[urgency(state)];
     if (label.silent) {
       queue.push_front(number);
@@ -117,6 +119,7 @@ class Search {
   Counted counted_;
   Passed passed_;
   std::map<Urgency, std::deque<std::uint32_t>> queues_;
+  std::size_t waiting_ = 0;  ///< in all of them
   std::optional<std::uint32_t> found_;
 };
 
