@@ -1,362 +1,17 @@
-// Checking a property of a plant: an observer for it, a search, the evidence.
+// Checking a property of a plant: in rounds of ever more faults where fewest are asked for.
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/check.hpp"
 
-#include <algorithm>
 #include <limits>
-#include <map>
-#include <memory>
 
-#include "base/check.hpp"
-#include "verifier/plant/arena.hpp"
+#include "verifier/plant/check_once.hpp"
 #include "verifier/plant/cut_set_rounds.hpp"
-#include "verifier/plant/cut_sets.hpp"
-#include "verifier/plant/meeting.hpp"
-#include "verifier/plant/out_of_reach.hpp"
-#include "verifier/plant/planned_run.hpp"
-#include "verifier/plant/plant_system.hpp"
-#include "verifier/plant/sight.hpp"
-#include "verifier/plant/soonest.hpp"
-#include "verifier/plant/timetable.hpp"
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/slice/empty_claims.hpp"
-#include "verifier/witness/claim.hpp"
-#include "verifier/witness/plant_stop.hpp"
-#include "verifier/witness/replay.hpp"
 
 namespace rmpl::verifier {
 
-using automata::Formula;
-using automata::Modes;
-using automata::PlantStep;
-
 namespace {
-
-/// How many states parts that are searched each by itself may have all together, before they are searched as one.
-constexpr std::size_t states_apart = 1u << 16;
-
-class Check {
- public:
-  Check(Slices& slices, const Property& property, const CheckOptions& options, unsigned faults, Meter& meter)
-      : slices_(slices),
-        options_(options),
-        property_(property),
-        wanted_(wanted_of(property)),
-        meter_(meter),
-        terms_{TimeModel::of(options.period, slices.plant(), times_of(wanted_)), options, faults, meter} {}
-
-  /// Any witness will do.
-  Answer run_for_any_witness() {
-    any_ = true;
-    return run();
-  }
-
-  Answer run() {
-    Answer result;
-    try {
-      result.startless = !slices_.start(options_.from);
-      if (result.startless && !options_.from.empty()) refuse_start();
-      if (!result.startless) {
-        set_out();
-        std::visit([&](const auto& wanted) { look_for(wanted); }, wanted_);
-      }
-      result.limit = limit_;
-    } catch (const LimitReached& reached) {
-      result.limit = reached.limit;
-    }
-    if (witness_ || !result.limit) {
-      result.verdict =
-          witness_.has_value() == std::holds_alternative<Reachability>(property_) ? Verdict::holds : Verdict::violated;
-      if (!witness_) result.cut_off = cut_off_;
-      // What would follow is not known, as no time comes in which it would.
-      if (result.cut_off.still) result.verdict = Verdict::undecided;
-    }
-    result.witness = std::move(witness_);
-    result.cut_sets = std::move(cut_sets_);
-    result.progress = meter_.progress();
-    return result;
-  }
-
- private:
-  /// What observes in an arena.
-  using Observe = std::function<Observer(Arena&)>;
-
-  /// The cone becomes a plant of its own, unless it is everything.
-  void set_out() {
-    if (!options_.slice || std::holds_alternative<Stuck>(wanted_)) return;
-    const std::vector<Formula> formulas = formulas_of(wanted_);
-    const Cone cone = slices_.cone(formulas);
-    if (cone.size() == slices_.plant().components.size()) return;
-    cone_.emplace(slices_.part(cone, formulas), slices_.start(options_.from).value(), wanted_, terms_);
-  }
-
-  Arena& whole() {
-    if (!whole_) whole_.emplace(slices_.whole(), wanted_, terms_);
-    return *whole_;
-  }
-
-  [[nodiscard]] Observe reach(std::optional<Interval> window) const {
-    return [this, window](Arena& searched) {
-      const Formula& wanted = std::get<Target>(searched.wanted()).formula;
-      return Observer::reach(holds(searched.step(), wanted, options_.entailed), window);
-    };
-  }
-
-  /// Of what is to hold all at once, whether a part can never hold, as its own cone tells where that is much smaller.
-  /// Components that have nothing to do with each other do not multiply then.
-  bool refuted_in_part(const Target& target, const Observe& observe) {
-    const std::vector<Formula> parts = automata::conjuncts_of(target.formula);
-    if (!options_.slice || options_.cut_sets || !terms_.time.is_dense() || parts.size() < 2) return false;
-    const std::size_t all = slices_.cone({&target.formula, 1}).size();
-    return std::any_of(parts.begin(), parts.end(), [&](const Formula& part) {
-      const Cone cone = slices_.cone({&part, 1});
-      if (2 * cone.size() > all) return false;
-      const Wanted wanted = Target{part, target.window};
-      Arena arena(slices_.part(cone, {&part, 1}), slices_.start(options_.from).value(), wanted, terms_);
-      PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
-      const auto fewer = fewer_steps(arena);
-      const bool reached = options_.merge ? find_corridor(system, meter_).has_value()
-                                          : find_path(system, SearchOrder::covering, meter_).has_value();
-      if (reached) return false;
-      if (system.cut_off().ends()) return false;
-      cut_off_ = system.cut_off();
-      return true;
-    });
-  }
-
-  /// Where parts of the target have nothing to do with each other: as one as long as there are few states, then each by
-  /// itself. Whether that decides all that was asked; there may be a witness where it does not.
-  bool look_apart(const Target& target, const Observe& observe) {
-    if (!options_.slice || options_.cut_sets || !terms_.time.is_dense()) return false;
-    Meeting meeting(slices_, target, terms_);
-    if (!meeting.worthwhile()) return false;
-    try {
-      const Meter::Allowance few(meter_, options_.states_as_one);
-      witness_ = search(observe);
-      return !witness_;
-    } catch (const AllowanceSpent&) {
-      cut_off_ = {};
-    }
-    try {
-      const Meter::Allowance more(meter_, states_apart);
-      auto found = meeting.look([this](const Witness& witness) { return !failure_of(witness); });
-      witness_ = std::move(found.witness);
-      cut_off_.spent = meeting.spent();
-      return found.never || witness_;
-    } catch (const AllowanceSpent&) {
-      return false;
-    }
-  }
-
-  void look_for(const Target& target) {
-    Arena& arena = cone_ ? *cone_ : whole();
-    const Formula& formula = std::get<Target>(arena.wanted()).formula;
-    if (options_.slice && out_of_reach(arena.step(), formula, arena.from(), terms_.faults)) return;
-    const TimeModel& time = terms_.time;
-    const Interval window = interval_of(target.window, time);
-    const Observe any_time = reach(target.window.is_all() ? std::nullopt : std::optional(window));
-    try {
-      if (refuted_in_part(target, any_time)) return;
-      if (look_apart(target, any_time)) return;
-      if (!witness_) witness_ = search_or_plan(target, any_time);
-    } catch (const LimitReached& reached) {
-      if (reached.limit == Limit::interrupt || options_.cut_sets) throw;
-      witness_ = planned(target, runtime::planning_trials);
-      if (!witness_) throw;
-      limit_ = reached.limit;
-      return;
-    }
-    if (target.fastest && !options_.cut_sets) {
-      hasten(witness_, window, time, [this](const Interval& sooner) { return search(reach(sooner)); });
-    }
-  }
-
-  /// A search that comes to many states stops for a plan that leads there.
-  std::optional<Witness> search_or_plan(const Target& target, const Observe& observe) {
-    const auto& searched = (cone_ ? *cone_ : whole()).step().plant().components;
-    const bool few = searched.size() < options_.components_for_plan;
-    if (few || target.fastest || options_.cut_sets || !target.window.is_all()) return search(observe);
-    std::optional<Witness> plan;
-    const Meter::Milestone many_states(meter_, options_.states_before_plan, [&] {
-      plan = planned(target, 0);
-      if (plan) throw AllowanceSpent{};
-    });
-    try {
-      return search(observe);
-    } catch (const AllowanceSpent&) {
-      limit_ = Limit::plan;
-      return plan;
-    }
-  }
-
-  /// What the plant's reconfiguration would do may lead there where a search does not, or not soon. It was made for
-  /// plants that are too large to search.
-  std::optional<Witness> planned(const Target& target, std::size_t trials) {
-    if (cone_) {
-      const auto& wanted = std::get<Target>(cone_->wanted());
-      auto run = planned_run(cone_->step().plant(), cone_->start().front(), wanted.formula, target.window,
-                             options_.period, trials);
-      std::optional<Witness> witness = run ? std::optional(cone_->out(std::move(*run))) : std::nullopt;
-      if (witness && !failure_of(*witness)) return witness;
-    }
-    const Modes& start = slices_.start(options_.from).value();
-    auto run = planned_run(slices_.plant(), start, target.formula, target.window, options_.period, trials);
-    return run && !failure_of(*run) ? std::move(run) : std::nullopt;
-  }
-
-  void look_for(const Response& response) {
-    if (response.within.is_infinite()) return;
-    Arena& arena = cone_ ? *cone_ : whole();
-    const Formula& asks = std::get<Response>(arena.wanted()).after;
-    if (options_.slice && out_of_reach(arena.step(), asks, arena.from(), terms_.faults)) return;
-    const Units deadline = terms_.time.more_than(response.within);
-    owed_ = &response;
-    witness_ = search([this, deadline](Arena& searched) {
-      const auto& asked = std::get<Response>(searched.wanted());
-      PlantStep& step = searched.step();
-      return Observer::miss(holds(step, asked.after, options_.entailed), holds(step, asked.then, !options_.entailed),
-                            deadline);
-    });
-  }
-
-  void look_for(const Stuck&) {
-    witness_ = search([](Arena&) { return Observer::end(); });
-  }
-
-  /// First the cone of influence alone: if it cannot reach the target, the plant cannot; and if the rest may stay as it
-  /// is all the while, a path with fewest steps of the cone is one of the plant.
-  std::optional<Witness> search(const Observe& observe) {
-    if (cone_) {
-      std::optional<Witness> witness = search_in(*cone_, observe);
-      if (!witness || !failure_of_all(*witness)) return witness;
-    }
-    std::optional<Witness> witness = search_in(whole(), observe);
-    if (!witness) return std::nullopt;
-    if (const auto failure = failure_of_all(*witness)) throw base::InternalError("a witness fails: " + *failure);
-    return witness;
-  }
-
-  /// Why the run, or one of the cut sets, is not possible in the plant or does not show what it is to show.
-  [[nodiscard]] std::optional<std::string> failure_of_all(const Witness& witness) {
-    std::optional<std::string> failure = failure_of(witness);
-    for (const CutSet& cut : cut_sets_) {
-      if (!failure) failure = failure_of(cut.witness);
-    }
-    return failure;
-  }
-
-  /// The rules for replays: a plant with a solver of its own, made where there is something to replay.
-  automata::PlainStep& judge() {
-    if (!judge_) judge_.emplace(slices_.plant());
-    return *judge_;
-  }
-
-  [[nodiscard]] ClaimTerms claim_terms() const { return {options_.entailed, options_.period}; }
-
-  [[nodiscard]] std::optional<std::string> failure_of(const Witness& witness) {
-    if (auto failure = replay(judge(), witness, {options_.period, options_.commands, terms_.faults, options_.from})) {
-      return failure;
-    }
-    return failure_to_show(judge(), property_, claim_terms(), witness);
-  }
-
-  /// In dense time, for as long as it lives, the steps that nothing else makes up for.
-  [[nodiscard]] std::unique_ptr<const Situations::FewerSteps> fewer_steps(Arena& arena) {
-    if (!terms_.time.is_dense()) return nullptr;
-    automata::Support visible;  // what the observer reads on the way
-    if (const auto* response = std::get_if<Response>(&arena.wanted())) {
-      visible.join(support_of(arena.step(), response->after));
-      visible.join(support_of(arena.step(), response->then));
-    }
-    return std::make_unique<const Situations::FewerSteps>(arena.situations(), visible.components);
-  }
-
-  /// Where a target is to be reached by some time: how long it takes at least.
-  std::optional<TimeLeft> time_left_in(Arena& arena, const Observer& observer) {
-    const auto* target = std::get_if<Target>(&arena.wanted());
-    if (target == nullptr || !observer.accepted() || observer.accepted()->upper == unbounded) return std::nullopt;
-    return TimeLeft(arena.step(), terms_.time, target->formula, terms_.faults > 0, observer.accepted()->upper);
-  }
-
-  std::optional<Witness> search_cut_sets(PlantSystem& system, Arena& arena) {
-    FaultSets sets;
-    system.tell_faults_apart(sets);
-    const auto fewer = fewer_steps(arena);
-    std::map<std::vector<Fault>, Witness> witnesses;
-    std::optional<Witness> refused;
-    // What only the cone can do is told at once: the whole plant is searched then.
-    const auto take = [&](const CutPath& cut) {
-      Witness witness = witness_of(cut.path, system, arena);
-      if (cone_ && &arena == &*cone_ && failure_of(witness)) refused = witness;
-      witnesses.emplace(cut.set.faults, std::move(witness));
-      return !refused;
-    };
-    cut_sets_.clear();
-    const CutPaths found = minimal_cut_sets(system, sets, meter_, take);
-    if (refused) return refused;
-    for (const FaultSet& cut : found.sets) {
-      cut_sets_.push_back({arena.out(cut.faults), std::move(witnesses.at(cut.faults))});
-    }
-    if (found.limit) throw LimitReached{*found.limit};
-    return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
-  }
-
-  /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
-  /// the fewest steps are looked for among all.
-  std::optional<Witness> search_in(Arena& arena, const Observe& observe) {
-    PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
-    const auto time_left = time_left_in(arena, system.observer());
-    if (time_left) system.leave_out_late(*time_left);
-    if (options_.cut_sets) return search_cut_sets(system, arena);
-    std::optional<Witness> any;
-    if (terms_.time.is_dense() || options_.fewest_faults) {
-      const auto fewer = fewer_steps(arena);
-      const auto path = any_path(system, options_.merge, meter_);
-      if (path) any = witness_of(*path, system, arena);
-      cut_off_ = system.cut_off();
-      if (!any || any_) return any;
-    }
-    try {
-      const auto path = find_path(system, SearchOrder::fewest_steps, meter_);
-      // Where time stands still, a step that was left out may be the answer that is owed.
-      const bool stands_still = any && any->stop && any->stop->still;
-      CHECK((path.has_value() || !any || stands_still) && "fewer steps lead where all do not");
-      cut_off_ = system.cut_off();
-      return path ? std::optional(witness_of(*path, system, arena)) : std::nullopt;
-    } catch (const LimitReached& reached) {
-      if (!any) throw;
-      limit_ = reached.limit;
-      return any;
-    }
-  }
-
-  /// With how it is cut off, where that is what it shows.
-  Witness witness_of(const std::vector<PathState>& path, PlantSystem& system, const Arena& arena) {
-    Witness witness = arena.out(earliest_witness(path, system));
-    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
-    if (!is_end(PlantSystem::phase_of(path.back().discrete))) return witness;
-    const auto failure = explain_stop(judge(), witness, options_.commands, options_.period);
-    if (failure) throw base::InternalError("a witness fails: it is cut off, but " + *failure);
-    if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
-    return witness;
-  }
-
-  Slices& slices_;
-  const CheckOptions& options_;
-  bool any_ = false;
-  const Property& property_;
-  Wanted wanted_;
-  Meter& meter_;
-  Arena::Terms terms_;
-  std::optional<Arena> cone_;                 ///< where the rest can be left alone
-  std::optional<Arena> whole_;                ///< made where the cone does not decide
-  std::optional<automata::PlainStep> judge_;  ///< has no part in the search: it replays what that finds
-  const Response* owed_ = nullptr;            ///< what a witness is to miss
-  std::vector<CutSet> cut_sets_;
-  CutOff cut_off_;                  ///< seen by the search that decided
-  std::optional<Limit> limit_;      ///< what kept the best from being better
-  std::optional<Witness> witness_;  ///< the best so far
-};
 
 /// Why nothing can ever violate what holds; nothing where something could.
 std::optional<Vacuity> vacuity_of(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
@@ -369,14 +24,14 @@ std::optional<Vacuity> vacuity_of(Slices& slices, const Property& property, cons
   plain.cut_sets = plain.fewest_faults = false;
   const unsigned faults = options.faults.value_or(std::numeric_limits<unsigned>::max());
   const Property asks = Reachability{response->after, {}, false};
-  const bool asked = Check(slices, asks, plain, faults, meter).run_for_any_witness().verdict != Verdict::violated;
+  const bool asked = check_for_any_witness(slices, asks, plain, faults, meter).verdict != Verdict::violated;
   return asked ? std::nullopt : std::optional(Vacuity::unasked);
 }
 
 Answer decide_cut_sets(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
   CutSetRounds rounds(slices.plant(), options.faults.value());
   for (;;) {
-    Answer result = Check(slices, property, options, rounds.faults(), meter).run();
+    Answer result = check_once(slices, property, options, rounds.faults(), meter);
     if (!result.limit && rounds.next(result.cut_sets, result.progress.faults)) continue;
     result.cut_sets_complete = options.faults;
     if (result.limit) rounds.settle(result);
@@ -386,17 +41,17 @@ Answer decide_cut_sets(Slices& slices, const Property& property, const CheckOpti
 
 Answer decide(Slices& slices, const Property& property, const CheckOptions& options, Meter& meter) {
   if (options.cut_sets) return decide_cut_sets(slices, property, options, meter);
-  if (!options.fewest_faults) return Check(slices, property, options, options.faults.value(), meter).run();
+  if (!options.fewest_faults) return check_once(slices, property, options, options.faults.value(), meter);
   // Round by round one fault more. Where no state needs as many as there may be, more of them may still come together
   // and lead somewhere: whether any number does is found out once, and then that is the answer, or the rounds will end.
   const unsigned most = options.faults.value_or(std::numeric_limits<unsigned>::max());
   bool reachable = false;
   for (unsigned faults = 0;; ++faults) {
-    Answer result = Check(slices, property, options, faults, meter).run();
+    Answer result = check_once(slices, property, options, faults, meter);
     if (result.witness) result.fewest_faults = faults;
     if (result.witness || result.limit || faults == most) return result;
     if (reachable || result.progress.faults == faults) continue;
-    Answer any = Check(slices, property, options, most, meter).run_for_any_witness();
+    Answer any = check_for_any_witness(slices, property, options, most, meter);
     if (!any.witness) return any;
     reachable = true;
   }

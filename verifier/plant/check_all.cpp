@@ -60,8 +60,7 @@ class CheckAll {
     for (std::size_t q = 0; q < questions_.size(); ++q) {
       if (taken[q]) continue;
       if (!cones[q]) {
-        answers_[q] = check(slices_, questions_[q].property, questions_[q].options, remaining(limits_, spent_));
-        spend(answers_[q]);
+        ask_alone(q);
         continue;
       }
       std::vector<std::size_t> group;
@@ -84,12 +83,22 @@ class CheckAll {
       const Reachability any{automata::disjunction(std::move(targets)), *target_of(first)->window, false};
       const Answer found = check(slices_, any, first.options, remaining(limits_, spent_));
       spend(found);
+      // What cuts runs off may leave one of them alone, as parts of it tell.
+      if (group.size() > 1 && (found.cut_off.ends() || found.cut_off.spent)) {
+        std::for_each(group.begin(), group.end(), [this](std::size_t q) { ask_alone(q); });
+        return;
+      }
       const auto decided = std::stable_partition(group.begin(), group.end(), [&](std::size_t q) {
         return found.witness && !holds_at_end(*target_of(questions_[q])->formula, *found.witness);
       });
       std::for_each(decided, group.end(), [&](std::size_t q) { answer(q, found); });
       group.erase(decided, group.end());
     }
+  }
+
+  void ask_alone(std::size_t q) {
+    answers_[q] = check(slices_, questions_[q].property, questions_[q].options, remaining(limits_, spent_));
+    spend(answers_[q]);
   }
 
   void answer(std::size_t q, const Answer& found) {
