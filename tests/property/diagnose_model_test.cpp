@@ -124,18 +124,22 @@ std::map<Marking, double> starts_of(const automata::MarkingRules& rules, const s
   for (const auto& outcomes : initial.parts) {
     own.push_back(std::any_of(outcomes.begin(), outcomes.end(), [&](const auto& o) { return touches(o.marked); }));
   }
+  const auto possible = [&](const Marking& marking) {
+    return std::any_of(worlds.begin(), worlds.end(),
+                       [&](const World& world) { return tells(rules.program(), marking, world); });
+  };
   base::for_each_combination(initial.parts, [&](const std::vector<automata::MarkingOutcome>& outcomes) {
     Marking marking = initial.certain;
     double way = 1;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       marking.insert(marking.end(), outcomes[i].marked.begin(), outcomes[i].marked.end());
-      if (own[i] && outcomes[i].improbable > 0) way *= outcomes[i].probability;
+      if (!own[i]) continue;
+      if (!possible(outcomes[i].marked)) return;  // its locations are no members: it would seem to mark nothing
+      if (outcomes[i].improbable > 0) way *= outcomes[i].probability;
     }
     std::erase_if(marking, [&](LocationId l) { return !members.contains(l); });
     std::sort(marking.begin(), marking.end());
-    const bool possible = std::any_of(worlds.begin(), worlds.end(),
-                                      [&](const World& world) { return tells(rules.program(), marking, world); });
-    if (possible) starts[marking] = std::max(starts[marking], way);
+    if (possible(marking)) starts[marking] = std::max(starts[marking], way);
   });
   return starts;
 }

@@ -348,7 +348,7 @@ class Check {
     if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
     if (!is_end(PlantSystem::phase_of(path.back().discrete))) return witness;
     const auto failure = explain_stop(judge(), witness, options_.commands, options_.period);
-    if (failure) throw base::InternalError("a witness fails: it is cut off, but " + *failure);
+    if (failure && arena.is_whole()) throw base::InternalError("a witness fails: it is cut off, but " + *failure);
     if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
     return witness;
   }

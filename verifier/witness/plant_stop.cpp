@@ -35,10 +35,10 @@ class Stops {
 
   std::optional<std::string> explain() {
     const SystemState end = end_of_run();
-    witness_.stop.emplace();
     if (!step_from(end)) return blame(end);
     if (period_) return "a step is possible";
     for (SystemState state = end; !met_.contains(state);) {
+      if (fault_is_certain(state)) return "a fault is certain";
       if (StepsAt(rules_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
       const auto next = step_from(state);
       if (!next) break;
@@ -47,7 +47,7 @@ class Stops {
       state = automata::advance(state, next->modes, now_);
       if (const auto before = met_.find(state); before != met_.end()) witness_.repeats_from = before->second;
     }
-    witness_.stop->still = true;
+    witness_.stop.emplace().still = true;
     return std::nullopt;
   }
 
@@ -57,6 +57,10 @@ class Stops {
     SystemState state{start, std::vector<Ticks>(start.size(), Ticks{0})};
     for (const Event& event : witness_.events) state = automata::advance(state, event.modes, event.time);
     return state;
+  }
+
+  bool fault_is_certain(const SystemState& state) {
+    return StepsAt(rules_, state, now_ + period_.value_or(Ticks{0}), period_).fault_is_certain(idle_);
   }
 
   /// Some step out of the state under a free command, the simplest command first.
@@ -74,10 +78,11 @@ class Stops {
   }
 
   std::optional<std::string> blame(const SystemState& state) {
+    if (fault_is_certain(state)) return "a fault is certain";
     if (!period_ && StepsAt(rules_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
     StepsAt steps(rules_, state, now_ + period_.value_or(Ticks{0}), period_);
     steps.any(idle_, [](const Modes&) { return true; });
-    witness_.stop->refused = steps.refused();
+    witness_.stop.emplace().refused = steps.refused();
     if (!steps.refused().empty()) witness_.stop->conflict = conflict_of(rules_.plant(), steps.refused());
     return std::nullopt;
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/steps_at.hpp"
 
+#include <algorithm>
+
 #include "base/product.hpp"
 #include "verifier/witness/rules.hpp"
 
@@ -12,18 +14,29 @@ using automata::ModeId;
 using automata::Modes;
 using automata::Ticks;
 
-bool StepsAt::any(const ControlAction& action, base::FunctionRef<bool(const Modes&)> visit) {
+/// Of each component the modes that it may be in next without a fault.
+std::vector<std::vector<ModeId>> StepsAt::options(const ControlAction& action) {
   const automata::Plant& plant = rules_.plant();
   const std::vector<automata::Enabled> enabled = rules_.enabled(state_.modes, action);
-  std::vector<std::vector<ModeId>> options;
+  std::vector<std::vector<ModeId>> result;
   for (std::size_t c = 0; c < state_.modes.size(); ++c) {
     const Ticks clock = now_ - state_.clock_starts[c];
     const Rules rules(plant.components[c], enabled[c], clock - period_.value_or(Ticks{0}), clock, period_);
-    auto& own = options.emplace_back();
+    auto& own = result.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
       if (rules.allows_without_fault(state_.modes[c], ModeId(m))) own.emplace_back(m);
     }
   }
+  return result;
+}
+
+bool StepsAt::fault_is_certain(const ControlAction& action) {
+  const auto all = options(action);
+  return std::any_of(all.begin(), all.end(), [](const auto& own) { return own.empty(); });
+}
+
+bool StepsAt::any(const ControlAction& action, base::FunctionRef<bool(const Modes&)> visit) {
+  const auto options = this->options(action);
   Modes next;
   std::size_t changes = 0;
   const auto is_change = [&](std::size_t c, std::size_t i) { return options[c][i] != state_.modes[c] ? 1U : 0U; };

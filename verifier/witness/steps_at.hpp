@@ -23,10 +23,14 @@ class StepsAt {
   bool any(const automata::ControlAction& action, base::FunctionRef<bool(const automata::Modes&)> visit);
   /// Modes that no step leads to as they are impossible; empty where there are none.
   [[nodiscard]] const automata::Modes& refused() const { return refused_; }
+  /// Whether some component has no step but into a fault.
+  [[nodiscard]] bool fault_is_certain(const automata::ControlAction& action);
   /// In dense time: whether time may pass.
   bool time_passes(const automata::ControlAction& action);
 
  private:
+  [[nodiscard]] std::vector<std::vector<automata::ModeId>> options(const automata::ControlAction& action);
+
   automata::PlainStep& rules_;
   const automata::SystemState& state_;
   automata::Ticks now_;
