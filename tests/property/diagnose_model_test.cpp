@@ -130,14 +130,14 @@ std::map<Marking, double> starts_of(const automata::MarkingRules& rules, const s
   };
   base::for_each_combination(initial.parts, [&](const std::vector<automata::MarkingOutcome>& outcomes) {
     Marking marking = initial.certain;
+    std::erase_if(marking, [&](LocationId l) { return !members.contains(l); });
     double way = 1;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      marking.insert(marking.end(), outcomes[i].marked.begin(), outcomes[i].marked.end());
+      // What can never be marked is no member: drawn, it must not seem to mark nothing.
       if (!own[i]) continue;
-      if (!possible(outcomes[i].marked)) return;  // its locations are no members: it would seem to mark nothing
+      marking.insert(marking.end(), outcomes[i].marked.begin(), outcomes[i].marked.end());
       if (outcomes[i].improbable > 0) way *= outcomes[i].probability;
     }
-    std::erase_if(marking, [&](LocationId l) { return !members.contains(l); });
     std::sort(marking.begin(), marking.end());
     if (possible(marking)) starts[marking] = std::max(starts[marking], way);
   });
