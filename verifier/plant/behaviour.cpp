@@ -18,12 +18,23 @@ using automata::Theory;
 using automata::TransitionId;
 
 Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time)
-    : step_(step), time_(time), like_(step.plant()) {
+    : step_(step),
+      time_(time),
+      like_(step.plant()),
+      readers_(step.plant().components.size() + step.plant().controls.size()) {
   const automata::Plant& plant = step.plant();
+  const auto reads = [this](std::size_t position, ComponentId reader) {
+    std::vector<ComponentId>& readers = readers_[position];
+    if (readers.empty() || readers.back() != reader) readers.push_back(reader);
+  };
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    const ComponentId id(c);
     auto& modes = known_.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
-      modes.push_back({{}, {plant, step.support(ComponentId(c), ModeId(m))}});
+      const automata::Support& support = step.support(id, ModeId(m));
+      modes.push_back({{}, {plant, support}});
+      for (const ComponentId read : support.components) reads(read.index(), id);
+      for (const std::size_t control : support.controls) reads(plant.components.size() + control, id);
     }
   }
 }
@@ -61,8 +72,26 @@ void Behaviours::read(const Modes& modes, const ControlAction& action, std::vect
   }
 }
 
+void Behaviours::read(const Known& elsewhere, const Modes& modes, const ControlAction& action,
+                      std::vector<BehaviourId>& result) {
+  like_.read(modes, seen_);
+  if (!step_.consistent(seen_, action)) return read(modes, action, result);
+  result = elsewhere.behaviours;
+  const auto look_up_readers = [&](std::size_t position) {
+    for (const ComponentId c : readers_[position]) result[c.index()] = look_up(c, modes[c.index()], action);
+  };
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    if (modes[c] == elsewhere.modes[c]) continue;
+    result[c] = look_up(ComponentId(c), modes[c], action);
+    look_up_readers(c);
+  }
+  for (std::size_t i = 0; i < action.size(); ++i) {
+    if (action[i] != elsewhere.action[i]) look_up_readers(modes.size() + i);
+  }
+}
+
 BehaviourId Behaviours::look_up(ComponentId component, ModeId mode, const ControlAction& action) {
-  Known& known = known_[component.index()][mode.index()];
+  Answers& known = known_[component.index()][mode.index()];
   if (const auto behaviour = known.decided.find(seen_, action)) return BehaviourId(*behaviour);
   return known.rest.find(seen_, action, [&] {
     Modes modes = seen_;

@@ -42,11 +42,20 @@ class Behaviours {
   [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return table_[id.index()]; }
   /// Per component, in possible modes under a control action.
   void read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
+  /// What has been read somewhere else. Keeps references.
+  struct Known {
+    const automata::Modes& modes;
+    const automata::ControlAction& action;  ///< the store is consistent with it there
+    const std::vector<BehaviourId>& behaviours;
+  };
+  /// The same, by looking up only what reads something that is different there.
+  void read(const Known& elsewhere, const automata::Modes& modes, const automata::ControlAction& action,
+            std::vector<BehaviourId>& result);
   [[nodiscard]] automata::PlantStep& step() { return step_; }
   [[nodiscard]] const TimeModel& time() const { return time_; }
 
  private:
-  struct Known {
+  struct Answers {
     Decisions decided;
     automata::Memory<BehaviourId> rest;
   };
@@ -64,7 +73,9 @@ class Behaviours {
   automata::Modes seen_;  ///< the modes at hand, as the store tells them apart
   std::deque<Behaviour> table_;
   std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>>, BehaviourId> numbers_;
-  std::vector<std::vector<Known>> known_;  ///< per component, per mode
+  std::vector<std::vector<Answers>> known_;  ///< per component, per mode
+  /// Per component, then per control: the components whose guards, in some mode, could depend on it.
+  std::vector<std::vector<automata::ComponentId>> readers_;
 };
 
 }  // namespace rmpl::verifier

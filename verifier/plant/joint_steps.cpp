@@ -35,6 +35,7 @@ void JointSteps::set_out(const Modes& modes, const Late& late, const std::vector
   late_ = &late;
   idling_ = &idling;
   alone_.clear();
+  calm_ = false;
   calm_ = steps_ == Steps::irreducible && calm({modes, late, idle_, idling, idling}, modes);
 }
 
@@ -137,7 +138,11 @@ void JointSteps::all(const At& at, const Visit& visit) {
 
 bool JointSteps::calm(const At& at, const Modes& modes) {
   if (!behaviours_.step().possible(modes) || !behaviours_.step().consistent(modes, idle_)) return false;
-  behaviours_.read(modes, idle_, there_);
+  if (calm_) {  // then the store is consistent with idle controls here
+    behaviours_.read({at.modes, idle_, at.idling}, modes, idle_, there_);
+  } else {
+    behaviours_.read(modes, idle_, there_);
+  }
   for (std::size_t c = 0; c < modes.size(); ++c) {
     if (!may_stay(at, c, there_[c], modes)) return false;
   }
@@ -171,7 +176,7 @@ bool JointSteps::goes_first(const At& at, const Option& option) {
   if (!then.calm) return false;
   const Modes& next = after(at, {&option, 1});
   if (!behaviours_.step().consistent(next, at.action)) return false;
-  behaviours_.read(next, at.action, there_commanded_);
+  behaviours_.read({next, idle_, then.behaviours}, next, at.action, there_commanded_);
   for (std::size_t c = 0; c < next.size(); ++c) {
     const Behaviour& commanded = behaviours_[there_commanded_[c]];
     if (c == option.component) {

@@ -132,6 +132,7 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   std::vector<JointStep> result;
   std::vector<BehaviourId> idling;
   behaviours_.read(modes, actions_.front(), idling);
+  const bool may_idle = step_.consistent(modes, actions_.front());
   const std::vector<Box> idle_waits = waits(idling);
   joint_steps_.set_out(modes, late, idling);
   // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a
@@ -150,7 +151,11 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   std::set<std::uint32_t, decltype(before)> seen_moves(before);  // positions in the result
   for_each_action(plant(), commands_, [&](const ControlAction& action) {
     meter_.poll();
-    behaviours_.read(modes, action, behaviours_here_);
+    if (may_idle) {
+      behaviours_.read({modes, actions_.front(), idling}, modes, action, behaviours_here_);
+    } else {
+      behaviours_.read(modes, action, behaviours_here_);
+    }
     behaviours.insert(behaviours.end(), behaviours_here_.begin(), behaviours_here_.end());
     if (!seen_behaviours.insert(behaviours.size() - width).second) {
       behaviours.resize(behaviours.size() - width);
