@@ -114,6 +114,14 @@ unsigned JointSteps::faults_of(std::span<const Option> taken) {
   return faults;
 }
 
+bool JointSteps::takes_action(const At& at, std::span<const Option> taken) const {
+  return std::any_of(taken.begin(), taken.end(), [&](const Option& option) {
+    if (at.here[option.component] == at.idling[option.component]) return false;  // the same choices
+    const std::vector<Choice>& idling = behaviours_[at.idling[option.component]].choices;
+    return std::find(idling.begin(), idling.end(), *option.choice) == idling.end();
+  });
+}
+
 void JointSteps::emit(const At& at, std::span<const Option> taken, const Visit& visit) {
   if (after(at, taken) == at.modes || !nogoods_.possible(next_)) return;
   box_.clear();
@@ -128,12 +136,15 @@ void JointSteps::all(const At& at, const Visit& visit) {
   Options options;
   for (std::size_t c = 0; c < at.modes.size(); ++c) {
     const Behaviour& behaviour = behaviours_[at.here[c]];
-    if (!behaviour.changes && behaviour.free_to_stay()) continue;
+    const bool concerned = at.here[c] != at.idling[c];
+    if (!concerned && !behaviour.changes && behaviour.free_to_stay()) continue;
     options.add(c, behaviour.choices);
     ahead_.decided[c] = false;
   }
   std::vector<Option> taken;
-  product(at, options, 0, taken, [&] { emit(at, taken, visit); });
+  product(at, options, 0, taken, [&] {
+    if (at.action == idle_ || takes_action(at, taken)) emit(at, taken, visit);
+  });
 }
 
 bool JointSteps::calm(const At& at, const Modes& modes) {
@@ -214,8 +225,7 @@ void JointSteps::irreducible(const At& at, const Visit& visit) {
   }
   std::vector<Option> taken;
   product(at, core_, 0, taken, [&] {
-    // Where the core stays as it is, a step of the others is one under idle controls too.
-    if (!calm_ || is_idle || after(at, taken) != at.modes) rest(at, taken, free_, visit);
+    if (is_idle || takes_action(at, taken)) rest(at, taken, free_, visit);
   });
 }
 

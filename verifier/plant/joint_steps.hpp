@@ -105,6 +105,9 @@ class JointSteps {
   void irreducible(const At& at, const Visit& visit);
   void rest(const At& at, std::span<const Option> core, const Options& free, const Visit& visit);
   [[nodiscard]] static unsigned faults_of(std::span<const Option> taken);
+  /// Whether it takes the action to do these: with idle controls some component could not. What it does not take is
+  /// enumerated with idle controls.
+  [[nodiscard]] bool takes_action(const At& at, std::span<const Option> taken) const;
   /// Calls `leaf` for every way of taking one of each list, within the faults that are left after `faults`.
   template <class Leaf>
   void product(const At& at, const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf);

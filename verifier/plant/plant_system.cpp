@@ -95,7 +95,7 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
       enter(move.target, target, next, faults, from.select(sources),
             {static_cast<std::uint32_t>(m), no_wait, move.hold}, visit);
     };
-    const Phase next = observer_.next(phase, target->modes);
+    const Phase next = this->next(phase, move.target, *target);
     if (observer_.answers(phase, next)) {
       // The period that brings the response may be the first one to end after the deadline: that is too late.
       Zone late = zone;
@@ -104,6 +104,13 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
     step_into(next, zone);
   }
   enter_end(here, id, phase, state, *moves, visit);
+}
+
+Phase PlantSystem::next(Phase phase, SituationId id, const Situation& situation) {
+  const std::size_t at = 2 * std::size_t{id.value} + (observer_.owes(phase) ? 1 : 0);
+  if (at >= next_.size()) next_.resize(2 * (at + 1));
+  if (!next_[at]) next_[at] = observer_.next(phase, situation.modes);
+  return *next_[at];
 }
 
 /// What a run is cut off in, if there is such a thing.

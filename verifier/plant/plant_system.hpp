@@ -93,6 +93,8 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] static bool within(Zone& zone, const Box& box, const Place& place);
   [[nodiscard]] static bool wait(Zone& zone, const Box& box, const Place& place);
   [[nodiscard]] bool in_time(Zone& zone, Phase phase, const Situation& situation) const;
+  /// What the observer comes to there; its formulas are evaluated once for a situation.
+  [[nodiscard]] Phase next(Phase phase, SituationId id, const Situation& situation);
   [[nodiscard]] bool is_spent(const SymbolicState& state) const;
 
   Situations& situations_;
@@ -108,6 +110,7 @@ class PlantSystem : public TransitionSystem {
   const TimeLeft* time_left_ = nullptr;  ///< none: nothing is known of it
   const std::vector<automata::Modes>& start_;
   ModeRanks ranks_;
+  std::vector<std::optional<Phase>> next_;  ///< by situation, while the observer owes nothing and while it does
 };
 
 }  // namespace rmpl::verifier

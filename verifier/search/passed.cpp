@@ -143,26 +143,33 @@ std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::u
 }
 
 std::uint32_t Passed::grown(std::uint32_t number) {
+  const auto may_join = [](const Node& other, const Node& grows) {
+    return !other.explored && other.faults == grows.faults;
+  };
   nodes_[number].explored = true;
   const Node node = nodes_[number];
-  std::vector<Zone> parts;
-  std::vector<Zone> waiting;
-  for (std::uint32_t n = first(node.discrete); n != none && parts.size() < most_parts; n = nodes_[n].next) {
+  std::vector<std::uint32_t> others;
+  bool some_wait = false;
+  for (std::uint32_t n = first(node.discrete); n != none && others.size() < most_parts; n = nodes_[n].next) {
     if (nodes_[n].covered || n == number || !system_.no_more_faults(nodes_[n].faults, node.faults)) continue;
-    parts.push_back(state(n).zone);
-    if (!nodes_[n].explored && nodes_[n].faults == node.faults) waiting.push_back(parts.back());
+    others.push_back(n);
+    some_wait = some_wait || may_join(nodes_[n], node);
   }
-  if (waiting.empty()) return number;
+  if (!some_wait) return number;
   SymbolicState result = state(number);
-  parts.push_back(result.zone);
-  const std::size_t own = parts.size() - 1;
+  std::vector<Zone> parts = {result.zone};
+  for (const std::uint32_t n : others) parts.push_back(state(n).zone);
   bool grows = false;
-  for (const Zone& zone : waiting) {
-    if (result.zone.includes(zone)) continue;
-    Zone both = hull(result.zone, zone);
-    if (!within_union(both, parts, most_pieces)) continue;
+  for (std::size_t other = 1; other < parts.size(); ++other) {
+    if (!may_join(nodes_[others[other - 1]], node) || result.zone.includes(parts[other])) continue;
+    Zone both = hull(result.zone, parts[other]);
+    // The two come first: they leave the fewest pieces for the others.
+    std::swap(parts[1], parts[other]);
+    const bool whole = within_union(both, parts, most_pieces);
+    std::swap(parts[1], parts[other]);
+    if (!whole) continue;
     result.zone = std::move(both);
-    parts[own] = result.zone;
+    parts[0] = result.zone;
     grows = true;
   }
   if (!grows) return number;
