@@ -201,9 +201,9 @@ bool is_rewarded(const automata::Plant& plant) {
 }
 
 /// Where nothing happens without a command, and what it does is certain and can be undone, what can be reached is:
-/// modes in no more cycles than it takes; beside a goal that is entailed what is worth most, then what moves fewest,
-/// then the first; of goal states that are yet to be reached, where nothing is worth more, that which moves fewest,
-/// then the first.
+/// modes in no more cycles than it takes, and that of one component without moving others, if it can be in as many;
+/// beside a goal that is entailed what is worth most, then what moves fewest, then the first; of goal states that are
+/// yet to be reached, where nothing is worth more, that which moves fewest, then the first.
 RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
   Shape shape = certain;
   shape.rewards = chance(50);
@@ -220,9 +220,15 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
     RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
     if (asks_for_modes(subject.model.plant, goal)) {
       std::size_t cycles = 0;
-      for (Modes at = modes; !entails(subject.slow, at, goal); ++cycles)
-        at = *subject.reconfigurer->next(at, goal).expected;
+      Modes at = modes;
+      for (; !entails(subject.slow, at, goal); ++cycles) at = *subject.reconfigurer->next(at, goal).expected;
       RC_ASSERT(cycles <= *commands);
+      const auto asked = subject.model.plant.component_of(conjuncts_of(goal).front().variable);
+      if (conjuncts_of(goal).size() == 1 && !is_rewarded(subject.model.plant)) {
+        const auto alone = reference::fewest_commands_alone(subject.slow, modes, *asked, goal);
+        at[asked->index()] = modes[asked->index()];
+        RC_ASSERT(!alone || *alone > *commands || at == modes);
+      }
     }
     const auto aim = subject.reconfigurer->next(modes, goal).goal_state;
     if (*commands > 0) {

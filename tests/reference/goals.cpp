@@ -358,4 +358,18 @@ std::optional<std::size_t> fewest_commands(const Step& step, const Modes& modes,
   return std::nullopt;
 }
 
+std::optional<std::size_t> fewest_commands_alone(const Step& step, const Modes& modes, automata::ComponentId component,
+                                                 const automata::Formula& goal) {
+  const auto entails = [&](const Modes& state) {
+    return step.models().entails(assumptions_of(step.plant(), state), goal);
+  };
+  const auto rests = [&](Modes state) {
+    state[component.index()] = modes[component.index()];
+    return state == modes;
+  };
+  for (const auto& [state, count] : reached(step, modes, [&](const Modes& s) { return rests(s) && !entails(s); }))
+    if (rests(state) && entails(state)) return count;
+  return std::nullopt;
+}
+
 }  // namespace rmpl::reference

@@ -59,6 +59,9 @@ std::optional<automata::Modes> best_reached(const Step& step, const automata::Mo
 /// The fewest such commands after which the goal is entailed first. Nothing where there are none.
 std::optional<std::size_t> fewest_commands(const Step& step, const automata::Modes& modes,
                                            const automata::Formula& goal);
+/// The same where no other component moves, on the way neither.
+std::optional<std::size_t> fewest_commands_alone(const Step& step, const automata::Modes& modes,
+                                                 automata::ComponentId component, const automata::Formula& goal);
 
 double reward_of(const automata::Plant& plant, const automata::Modes& modes);
 

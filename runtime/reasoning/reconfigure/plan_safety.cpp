@@ -152,7 +152,7 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
     open.pop_back();
     const Policy& policy = policies_.of(component, objective.permitted);
     const ModeId mode = modes[component.index()];
-    const NominalTransition* t = policy.next(mode, wanted);
+    const Route way = route(modes, objective, component, wanted);
     // Where time takes it to a mode that is no farther from the target, nothing is lost.
     const bool strays =
         std::any_of(graph_.transitions(component).begin(), graph_.transitions(component).end(),
@@ -160,8 +160,8 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
                       const auto& left = policy.distance(leaving.to, wanted);
                       return leaving.from == mode && leaving.timed && (!left || policy.distance(mode, wanted) < left);
                     });
-    if (t != nullptr && !t->timed && strays) result.relied[component.index()] = true;
-    for (; t != nullptr; t = policy.next(t->to, wanted)) {
+    if (!way.empty() && !way.front()->timed && strays) result.relied[component.index()] = true;
+    for (const NominalTransition* const t : way) {
       result.waits = result.waits || t->timed;
       if (follow == Follow::nearest_ways && !order_.in_cycle(component)) {
         rely_on_nearest(component, *t);

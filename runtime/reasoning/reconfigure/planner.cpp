@@ -126,8 +126,7 @@ Planner::NextStep Planner::achieve(const Modes& modes, const Objective& objectiv
                     .component = component,
                     .aim = *nearest}};
   }
-  const Policy& policy = policies_.of(component, objective.permitted);
-  return bring_about(modes, objective, component, *policy.next(current, *nearest));
+  return bring_about(modes, objective, component, *route(modes, objective, component, *nearest).front());
 }
 
 const ModeId* Planner::nearest_of(const Modes& modes, const Objective& objective, ComponentId component,
@@ -279,8 +278,7 @@ std::optional<PlannedStep> Planner::preparation(const Modes& modes, const Object
                                                 base::FunctionRef<bool(const PlannedStep&)> suits) {
   const ModeId* const nearest = nearest_of(modes, objective, component, wanted);
   if (nearest == nullptr || *nearest == modes[component.index()] || order_.in_cycle(component)) return std::nullopt;
-  const NominalTransition& next =
-      *policies_.of(component, objective.permitted).next(modes[component.index()], *nearest);
+  const NominalTransition& next = *route(modes, objective, component, *nearest).front();
   const std::vector<Choice> ways = choices(modes, objective, component, next);
   const auto& [distance, disturbed, transition, way] = ways.front();
   const auto lacking = pending(modes, *way);

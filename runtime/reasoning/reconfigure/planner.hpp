@@ -236,6 +236,22 @@ class Planner {
   /// Of the modes that are wanted of a component, the nearest by its policy; null where none can be come to.
   const automata::ModeId* nearest_of(const automata::Modes& modes, const Objective& objective,
                                      automata::ComponentId component, std::span<const automata::ModeId> wanted);
+  /// What a step takes, its own and those of the components that a way to it has to move first, and back; and how many
+  /// these are.
+  struct Effort {
+    Distance distance;
+    std::size_t others = 0;
+    auto operator<=>(const Effort&) const = default;
+    friend Effort operator+(const Effort& a, const Effort& b) { return {a.distance + b.distance, a.others + b.others}; }
+  };
+  /// By the way that takes least; nothing where none can be gone.
+  std::optional<Effort> effort(const automata::Modes& modes, const Objective& objective,
+                               automata::ComponentId component, const NominalTransition& t);
+  /// The transitions by which a component goes to a mode: those of its policy, or, where others have to move for these,
+  /// such as take less with all that moves. Empty where the policy has none.
+  using Route = std::vector<const NominalTransition*>;
+  Route route(const automata::Modes& modes, const Objective& objective, automata::ComponentId component,
+              automata::ModeId target);
   /// How many others depend on the components that a way has to move first.
   std::size_t disturbed(const automata::Modes& modes, const Way& way) const;
   /// One way to bring a step about.

@@ -190,6 +190,8 @@ class PolicyReconfigurer : public Reconfigurer {
     for (const ComponentId c : planner_.order()) {
       const bool broken = step_.plant()[c].modes[modes[c.index()].index()].fault;
       if ((way[c.index()] && !broken) || target[c.index()] == modes[c.index()]) continue;
+      // What the goal would have to undo again is not done.
+      if (!broken && !left_by_itself(target, c, step_).empty()) continue;
       Modes aim = modes;
       aim[c.index()] = target[c.index()];
       std::vector<bool> wanted(modes.size());

@@ -1,0 +1,86 @@
+// The reactive planner: the transitions by which a component goes to a mode.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <tuple>
+
+#include "runtime/reasoning/reconfigure/planner.hpp"
+
+namespace rmpl::runtime {
+
+using automata::ComponentId;
+using automata::ModeId;
+using automata::Modes;
+
+std::optional<Planner::Effort> Planner::effort(const Modes& modes, const Objective& objective, ComponentId component,
+                                               const NominalTransition& t) {
+  std::optional<Effort> least;
+  for (const Way& way : ways_.of(component, t)) {
+    const auto others = distance(modes, objective, way);
+    if (!others) continue;
+    const Effort effort{*others + Distance{NominalGraph::harmless(t) ? 0u : 1u, 1u}, pending(modes, way).size()};
+    if (!least || effort < *least) least = effort;
+  }
+  return least;
+}
+
+Planner::Route Planner::route(const Modes& modes, const Objective& objective, ComponentId component, ModeId target) {
+  const Policy& policy = policies_.of(component, objective.permitted);
+  const ModeId current = modes[component.index()];
+  Route shortest;
+  for (const auto* t = policy.next(current, target); t != nullptr; t = policy.next(t->to, target)) {
+    shortest.push_back(t);
+  }
+  const auto goes_alone = [&](const NominalTransition* step) {
+    const auto& all = graph_.transitions(component);
+    return std::any_of(all.begin(), all.end(), [&](const NominalTransition& t) {
+      const auto& ways = ways_.of(component, t);
+      return is_parallel(component, t, *step, objective.permitted) &&
+             std::any_of(ways.begin(), ways.end(), [&](const Way& way) { return pending(modes, way).empty(); });
+    });
+  };
+  if (std::all_of(shortest.begin(), shortest.end(), goes_alone)) return shortest;
+
+  // Few modes: relaxed towards the target, as a policy is.
+  struct Rest {
+    std::optional<Effort> effort;
+    const NominalTransition* next = nullptr;
+  };
+  std::vector<Rest> rest(graph_.mode_count(component));
+  rest[target.index()].effort = Effort{};
+  const auto& transitions = graph_.transitions(component);
+  std::vector<std::optional<Effort>> efforts;
+  for (std::size_t i = 0; i < transitions.size(); ++i) {
+    const NominalTransition& t = transitions[i];
+    const bool usable = t.possible && t.from != t.to && objective.permitted.on_ways[component.index()][i];
+    efforts.push_back(usable ? effort(modes, objective, component, t) : std::nullopt);
+  }
+  for (bool less = true; less;) {
+    less = false;
+    for (std::size_t i = 0; i < transitions.size(); ++i) {
+      const Rest& there = rest[transitions[i].to.index()];
+      if (!efforts[i] || !there.effort) continue;
+      const Effort all = *efforts[i] + *there.effort;
+      Rest& here = rest[transitions[i].from.index()];
+      if (here.effort && *here.effort <= all) continue;
+      here = {all, &transitions[i]};
+      less = true;
+    }
+  }
+  std::optional<Effort> of_shortest = Effort{};
+  for (const NominalTransition* step : shortest) {
+    std::optional<Effort> least;
+    for (std::size_t i = 0; i < transitions.size(); ++i) {
+      if (!efforts[i] || !is_parallel(component, transitions[i], *step, objective.permitted)) continue;
+      if (!least || *efforts[i] < *least) least = efforts[i];
+    }
+    of_shortest = least ? std::optional(*of_shortest + *least) : std::nullopt;
+    if (!of_shortest) break;
+  }
+  const auto& least = rest[current.index()].effort;
+  if (!least || (of_shortest && *of_shortest <= *least)) return shortest;
+  Route other;
+  for (ModeId at = current; at != target; at = other.back()->to) other.push_back(rest[at.index()].next);
+  return other;
+}
+
+}  // namespace rmpl::runtime
