@@ -33,6 +33,13 @@ void add_empty_claim(std::vector<std::string>& warnings, const Question& questio
                        "' takes a fault, and none is permitted: --faults K, or 'faults K' in a property file, permits "
                        "up to K");
   }
+  if (const auto* reachability = std::get_if<Reachability>(&property)) {
+    if (const auto why = vacuity_of_never(slices, reachability->target, question.options.entailed)) {
+      warnings.push_back("no state whatever " + std::string(*why == Vacuity::unsatisfiable ? "satisfies" : "implies") +
+                         " '" + automata::to_text(reachability->target, variables) +
+                         "': that it is not reached says nothing of the plant");
+    }
+  }
   if (const auto promise = there_anyway(slices, property)) {
     warnings.push_back("every state satisfies '" + automata::to_text(*promise, variables) +
                        "': that it comes says nothing of the plant");

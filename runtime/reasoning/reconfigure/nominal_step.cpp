@@ -278,6 +278,7 @@ bool NominalStep::matters(Rest& rest, const OffIdle& off) const {
 std::vector<NominalOutcome> NominalStep::outcomes(const Modes& modes, const ControlAction& action, std::size_t part,
                                                   const Permitted& permitted) {
   std::vector<NominalOutcome> result;
+  refused_.reset();
   const automata::AllEnabled* const tolerated = step_.enabled_if_permitted(modes, action);
   if (tolerated == nullptr) return result;
   const automata::AllEnabled enabled = *tolerated;

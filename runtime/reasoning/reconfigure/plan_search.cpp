@@ -143,6 +143,7 @@ automata::ComponentId Planner::served_by(const Modes& modes, const Objective& ob
 Planner::Found Planner::search(const Modes& modes, const Objective& objective, Impasse otherwise, Waits waits,
                                const SearchSpace& space) {
   bool excluded = false;
+  std::optional<TransitionOf> refused;  // the first that bars a way
   std::unordered_map<Modes, Path, automata::ModesHash> paths;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<PlannedStep> first_steps;
@@ -183,7 +184,9 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
       // Idling comes first, and costs no more than what changes nothing.
       if (!off.empty() && !nominal_.matters(rest, off)) continue;
       ++space.tried;
-      for (NominalOutcome& outcome : nominal_.outcomes(current, action, objective.part, objective.permitted)) {
+      auto outcomes = nominal_.outcomes(current, action, objective.part, objective.permitted);
+      if (!refused) refused = nominal_.refused();
+      for (NominalOutcome& outcome : outcomes) {
         const bool risks = waits != Waits::any && !reliance.is_safe(action, outcome);
         if (risks || (waits == Waits::grounded && reliance.gives_up(outcome))) {
           excluded = true;
@@ -218,6 +221,11 @@ Planner::Found Planner::search(const Modes& modes, const Objective& objective, I
         offer(outcome.modes, cost, first);
       }
     }
+  }
+  if (refused && otherwise.why.obstacle == Reason::Obstacle::not_found) {
+    otherwise.reason += "; what would lead on" + would_let(*refused);
+    otherwise.why.obstacle = Reason::Obstacle::forbidden;
+    otherwise.why.step = refused;
   }
   return {std::move(otherwise), excluded, {}};
 }

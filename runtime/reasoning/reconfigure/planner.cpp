@@ -210,6 +210,14 @@ std::vector<Planner::Choice> Planner::choices(const Modes& modes, const Objectiv
   return result;
 }
 
+std::string Planner::would_let(const TransitionOf& refused) const {
+  const auto& component = nominal_.plant()[refused.component];
+  const auto& t = component.transitions[refused.transition.index()];
+  return " would let '" + component.name + "' go from " + name(refused.component, t.from) + " to " +
+         name(refused.component, t.to) +
+         ", which is irreversible, and the goal does not name a mode that this leads to";
+}
+
 /// The step of a way of which only the command is missing.
 Planner::NextStep Planner::command(const Modes& modes, const Objective& objective, ComponentId component,
                                    const NominalTransition& transition, const Precondition& precondition) {
@@ -232,14 +240,9 @@ Planner::NextStep Planner::command(const Modes& modes, const Objective& objectiv
              .step = TransitionOf{component, transition.id}};
   const std::string purpose = change(component, "to go", transition.from, transition.to);
   if (action && nominal_.refused()) {
-    const TransitionOf refused = *nominal_.refused();
-    const auto& t = plant[refused.component].transitions[refused.transition.index()];
     why.obstacle = Reason::Obstacle::forbidden;
-    why.step = refused;
-    return Impasse{component,
-                   "what causes " + purpose + " would let " + change(refused.component, "go", t.from, t.to) +
-                       ", which is irreversible, and the goal does not name a mode that this leads to",
-                   why};
+    why.step = nominal_.refused();
+    return Impasse{component, "what causes " + purpose + would_let(*why.step), why};
   }
   if (action && transition.timed && nominal_.springs_back(modes, *action, component)) {
     why.obstacle = Reason::Obstacle::not_found;

@@ -266,6 +266,8 @@ class Planner {
                               const NominalTransition& next);
   [[nodiscard]] bool arrived(const automata::Modes& modes, const Objective& objective) const;
   [[nodiscard]] std::string name(automata::ComponentId component, automata::ModeId mode) const;
+  /// The end of a sentence: what forbidden step a command would let be taken.
+  [[nodiscard]] std::string would_let(const TransitionOf& refused) const;
 
   /// What the part and the objective have to do with where a walk leads, as a key.
   std::vector<std::uint64_t> question(const automata::Modes& modes, const Objective& objective) const;

@@ -18,9 +18,10 @@ std::string mode(const Plant& plant, automata::ComponentId component, automata::
   return "'" + plant[component].modes[m.index()].name + "'";
 }
 
-/// Where a component that enters the mode stays: behind modes that it only passes through, as time alone leads on from
-/// them, to one other mode.
-automata::ModeId lasting(const automata::Component& component, automata::ModeId m) {
+/// Where a component stays that takes a step which cannot be undone: behind modes that it only passes through, as time
+/// alone leads on from them, to one other mode. What seems to lead back never does.
+automata::ModeId lasting(const automata::Component& component, const automata::Transition& step) {
+  automata::ModeId m = step.to;
   for (std::size_t passed = 0; passed < component.modes.size(); ++passed) {
     const automata::Transition* only = nullptr;
     for (const automata::Transition& t : component.transitions) {
@@ -29,6 +30,7 @@ automata::ModeId lasting(const automata::Component& component, automata::ModeId 
       only = &t;
     }
     if (only == nullptr) return m;
+    if (only->to == step.from) return step.to;
     m = only->to;
   }
   return m;
@@ -95,7 +97,7 @@ std::string remedy(const Reason& reason, const Plant& plant) {
       if (!reason.step) return "";
       return "a goal that asks for " + named() +
              plant[reason.step->component]
-                 .modes[lasting(plant[reason.step->component], transition(plant, *reason.step).to).index()]
+                 .modes[lasting(plant[reason.step->component], transition(plant, *reason.step)).index()]
                  .name +
              ", or a way back in the model, would permit it";
     case Reason::Obstacle::unsupported:
