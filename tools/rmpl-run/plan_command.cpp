@@ -128,13 +128,30 @@ std::string hint(const automata::Plant& plant, const runtime::Reason& why) {
   return "  " + (origin.line == 0 ? "" : short_place(origin) + ": ") + would + "\n";
 }
 
+/// `step 3 waits`, `steps 3, 5 and 6 wait`.
+std::string waiting(const std::vector<std::size_t>& waits) {
+  std::string steps;
+  for (std::size_t i = 0; i < waits.size(); ++i) {
+    if (i > 0) steps += i + 1 == waits.size() ? " and " : ", ";
+    steps += std::to_string(waits[i] + 1);
+  }
+  return waits.size() == 1 ? "step " + steps + " waits" : "steps " + steps + " wait";
+}
+
+/// A line for each transition, with all the waits in which it may come.
 std::string text_of(const automata::Plant& plant, const std::vector<PlanRisk>& risks) {
-  std::string text;
+  std::vector<std::pair<TransitionOf, std::vector<std::size_t>>> lines;
   for (const PlanRisk& risk : risks) {
-    const automata::Component& component = plant[risk.leaving.component];
-    const automata::Transition& leaving = component.transitions[risk.leaving.transition.index()];
-    text += "step " + std::to_string(risk.wait + 1) + " waits, and meanwhile '" + component.name + "' " +
-            (leaving.timing ? "may go" : "goes") + " from '" + component.modes[leaving.from.index()].name + "' to '" +
+    const auto known = std::find_if(lines.begin(), lines.end(), [&](const auto& l) { return l.first == risk.leaving; });
+    auto& line = known != lines.end() ? *known : lines.emplace_back(risk.leaving, std::vector<std::size_t>{});
+    line.second.push_back(risk.wait);
+  }
+  std::string text;
+  for (const auto& [step, waits] : lines) {
+    const automata::Component& component = plant[step.component];
+    const automata::Transition& leaving = component.transitions[step.transition.index()];
+    text += waiting(waits) + ", and meanwhile '" + component.name + "' " + (leaving.timing ? "may go" : "goes") +
+            " from '" + component.modes[leaving.from.index()].name + "' to '" +
             component.modes[leaving.to.index()].name + "' by itself" +
             (leaving.origin.line == 0 ? "" : " (" + short_place(leaving.origin) + ")") +
             (leaving.timing ? ": how long each takes is not compared\n"
