@@ -165,8 +165,9 @@ class LoopReplay {
   /// Whether the clocks read what the cycle sees.
   [[nodiscard]] bool reads(const Cycle& cycle) const {
     const Readings now = real(cycle.begin);
-    // In dense time a cycle at a constant may be one just before or just after it.
-    const Ticks slack{rules_.period ? 0 : 1};
+    // In dense time a cycle at a constant may be one just before or just after it, and so may that have been which
+    // started the clock.
+    const Ticks slack{rules_.period ? 0 : 2};
     for (std::size_t c = 0; c < now.size(); ++c) {
       if (!cycle.readings[c]) continue;
       if (!now[c] || *cycle.readings[c] > *now[c] + slack || *cycle.readings[c] + slack < *now[c]) return false;
