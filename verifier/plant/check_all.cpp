@@ -78,6 +78,7 @@ class CheckAll {
   void look_for(std::vector<std::size_t> group) {
     while (!group.empty()) {
       std::vector<Formula> targets;
+      targets.reserve(group.size());
       for (const std::size_t q : group) targets.push_back(*target_of(questions_[q])->formula);
       const Question& first = questions_[group.front()];
       const Reachability any{automata::disjunction(std::move(targets)), *target_of(first)->window, false};

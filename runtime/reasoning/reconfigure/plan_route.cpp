@@ -1,7 +1,6 @@
 // The reactive planner: the transitions by which a component goes to a mode.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <tuple>
 
 #include "runtime/reasoning/reconfigure/planner.hpp"
 
