@@ -14,9 +14,10 @@ std::optional<Planner::Effort> Planner::effort(const Modes& modes, const Objecti
                                                const NominalTransition& t) {
   std::optional<Effort> least;
   for (const Way& way : ways_.of(component, t)) {
-    const auto others = distance(modes, objective, way);
+    const auto others = detour(modes, objective, way);
     if (!others) continue;
-    const Effort effort{*others + Distance{NominalGraph::harmless(t) ? 0u : 1u, 1u}, pending(modes, way).size()};
+    const Effort effort{others->and_back + Distance{NominalGraph::harmless(t) ? 0u : 1u, 1u},
+                        pending(modes, way).size()};
     if (!least || effort < *least) least = effort;
   }
   return least;
@@ -80,6 +81,11 @@ Planner::Route Planner::route(const Modes& modes, const Objective& objective, Co
   Route other;
   for (ModeId at = current; at != target; at = other.back()->to) other.push_back(rest[at.index()].next);
   return other;
+}
+
+bool Planner::is_under_way(const Modes& modes, const Objective& objective, ComponentId component) {
+  const Route way = route(modes, objective, component, objective.target[component.index()]);
+  return !way.empty() && way.front()->timed;
 }
 
 }  // namespace rmpl::runtime

@@ -136,7 +136,7 @@ Planner::Followed Planner::followed(const Modes& modes, const Objective& objecti
   const auto rely_on_nearest = [&](ComponentId component, const NominalTransition& t) {
     const std::vector<Choice> ways = choices(modes, objective, component, t);
     for (const Choice& choice : ways) {
-      if (choice.distance == ways.front().distance) rely(component, *choice.way->precondition);
+      if (choice.detour == ways.front().detour) rely(component, *choice.way->precondition);
     }
   };
   const auto rely_on_all = [&](ComponentId component, const NominalTransition& t) {

@@ -151,25 +151,27 @@ std::vector<ModeId> modes_in(const Requirement& requirement) {
 
 }  // namespace
 
-std::optional<Distance> Planner::distance(const Modes& modes, const Objective& objective, const Way& way) {
-  Distance sum;
+std::optional<Planner::Detour> Planner::detour(const Modes& modes, const Objective& objective, const Way& way) {
+  Detour sum;
   for (const ModeRequirement& r : way.modes) {
     if (r.met(modes)) continue;
     const Policy& policy = policies_.of(r.component, objective.permitted);
-    // What is not part of the goal state has to be undone again.
+    // What is not part of the goal state has to be undone again; nothing goes back to a fault.
     const ModeId target = objective.target[r.component.index()];
-    std::optional<Distance> nearest;
+    const bool stays = nominal_.plant()[r.component].modes[target.index()].fault;
+    std::optional<Detour> nearest;
     for (const ValueId v : r.requirement->values) {
       const auto& there = policy.distance(modes[r.component.index()], ModeId(v.index()));
       const auto& back = policy.distance(ModeId(v.index()), target);
       if (!there) continue;
       // What the goal state asks for anyway is no detour.
       const bool anyway = objective.wanted[r.component.index()] && ModeId(v.index()) == target;
-      const Distance distance = anyway ? Distance{} : *there + back.value_or(Distance{1, 0});
-      if (!nearest || distance < *nearest) nearest = distance;
+      const Detour detour =
+          anyway ? Detour{} : Detour{*there + (stays ? Distance{} : back.value_or(Distance{1, 0})), *there};
+      if (!nearest || detour < *nearest) nearest = detour;
     }
     if (!nearest) return std::nullopt;
-    sum = sum + *nearest;
+    sum = {sum.and_back + nearest->and_back, sum.there + nearest->there};
   }
   return sum;
 }
@@ -199,13 +201,13 @@ std::vector<Planner::Choice> Planner::choices(const Modes& modes, const Objectiv
   for (const NominalTransition& t : graph_.transitions(component)) {
     if (!is_parallel(component, t, next, objective.permitted)) continue;
     for (const Way& way : ways_.of(component, t)) {
-      result.push_back({distance(modes, objective, way), disturbed(modes, way), &t, &way});
+      result.push_back({detour(modes, objective, way), disturbed(modes, way), &t, &way});
     }
   }
   std::stable_sort(result.begin(), result.end(), [](const Choice& a, const Choice& b) {
-    if (!a.distance || !b.distance) return a.distance.has_value() && !b.distance;
-    return std::tuple(*a.distance, a.transition->timed, a.disturbed) <
-           std::tuple(*b.distance, b.transition->timed, b.disturbed);
+    if (!a.detour || !b.detour) return a.detour.has_value() && !b.detour;
+    return std::tuple(*a.detour, a.transition->timed, a.disturbed) <
+           std::tuple(*b.detour, b.transition->timed, b.disturbed);
   });
   return result;
 }
@@ -261,7 +263,7 @@ Planner::NextStep Planner::bring_about(const Modes& modes, const Objective& obje
            name(component, next.to);
   };
   std::optional<Impasse> obstacle;
-  for (const auto& [distance, disturbed, transition, way] : choices(modes, objective, component, next)) {
+  for (const auto& [detour, disturbed, transition, way] : choices(modes, objective, component, next)) {
     std::optional<NextStep> choice;
     if (const auto lacking = pending(modes, *way); !lacking.empty()) {
       choice = achieve(modes, objective, lacking.front()->component, modes_in(*lacking.front()->requirement));
@@ -283,7 +285,7 @@ std::optional<PlannedStep> Planner::preparation(const Modes& modes, const Object
   if (nearest == nullptr || *nearest == modes[component.index()] || order_.in_cycle(component)) return std::nullopt;
   const NominalTransition& next = *route(modes, objective, component, *nearest).front();
   const std::vector<Choice> ways = choices(modes, objective, component, next);
-  const auto& [distance, disturbed, transition, way] = ways.front();
+  const auto& [detour, disturbed, transition, way] = ways.front();
   const auto lacking = pending(modes, *way);
   if (lacking.empty()) {
     NextStep step = command(modes, objective, component, *transition, *way->precondition);

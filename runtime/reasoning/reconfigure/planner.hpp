@@ -87,6 +87,9 @@ class Planner {
   /// Of the wanted components, whichever way they go.
   Followed followed(const automata::Modes& modes, const Objective& objective);
 
+  /// Whether time alone takes the component on to its target.
+  bool is_under_way(const automata::Modes& modes, const Objective& objective, automata::ComponentId component);
+
   /// Components in the order in which their goals are achieved.
   [[nodiscard]] const std::vector<automata::ComponentId>& order() const { return order_.downstream_first(); }
 
@@ -229,8 +232,13 @@ class Planner {
     std::optional<std::pair<automata::ControlAction, std::vector<NominalMove>>> threats_;  ///< under the last action
   };
 
-  /// How far away the requirements of a way are; nothing where one of them cannot be met.
-  std::optional<Distance> distance(const automata::Modes& modes, const Objective& objective, const Way& way);
+  /// How far away the requirements of a way are, with the way back of what moves only for it; and without.
+  struct Detour {
+    Distance and_back, there;
+    auto operator<=>(const Detour&) const = default;
+  };
+  /// Nothing where one of them cannot be met.
+  std::optional<Detour> detour(const automata::Modes& modes, const Objective& objective, const Way& way);
   /// The requirements that the modes do not meet yet, those furthest downstream first.
   [[nodiscard]] std::vector<const ModeRequirement*> pending(const automata::Modes& modes, const Way& way) const;
   /// Of the modes that are wanted of a component, the nearest by its policy; null where none can be come to.
@@ -256,7 +264,7 @@ class Planner {
   std::size_t disturbed(const automata::Modes& modes, const Way& way) const;
   /// One way to bring a step about.
   struct Choice {
-    std::optional<Distance> distance;
+    std::optional<Detour> detour;
     std::size_t disturbed;
     const NominalTransition* transition;
     const Way* way;

@@ -192,6 +192,7 @@ class PolicyReconfigurer : public Reconfigurer {
       if ((way[c.index()] && !broken) || target[c.index()] == modes[c.index()]) continue;
       // What the goal would have to undo again is not done.
       if (!broken && !left_by_itself(target, c, step_).empty()) continue;
+      if (!broken && has_begun_on(modes, target, prospects, c)) continue;
       Modes aim = modes;
       aim[c.index()] = target[c.index()];
       std::vector<bool> wanted(modes.size());
@@ -215,6 +216,21 @@ class PolicyReconfigurer : public Reconfigurer {
       if (broken || pays) return std::move(plan->first);
     }
     return std::nullopt;
+  }
+
+  /// Whether time takes another component to the mode that is aimed at for it, on a way that relies on this one.
+  bool has_begun_on(const Modes& modes, const Modes& target, const Prospects& prospects, ComponentId relied) {
+    const Permitted permitted = prospects.permitted(target);
+    for (const ComponentId c : parts_.components(parts_.of(relied))) {
+      if (c == relied || target[c.index()] == modes[c.index()]) continue;
+      std::vector<bool> wanted(modes.size());
+      wanted[c.index()] = true;
+      const Objective objective{target, permitted, parts_.of(c), wanted};
+      if (planner_.is_under_way(modes, objective, c) && planner_.followed(modes, objective).relied[relied.index()]) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Then housekeeping: what is worth more, under which the goal stays entailed.
