@@ -83,11 +83,45 @@ class PolicyReconfigurer : public Reconfigurer {
   static constexpr std::size_t housekeeping_trials = 1u << 11;
 
   const Reconfiguration& settled(const Modes& modes, Asked& asked) {
+    if (asked.memory.answers.size() >= answer_limit) asked.memory.answers.clear();
+    Answered& answered = weighed(modes, asked);
+    return answered.answer;
+  }
+
+  Answered& weighed(const Modes& modes, Asked& asked) {
     Answers& answers = asked.memory.answers;
-    if (const auto known = answers.find(modes); known != answers.end()) return known->second.answer;
-    if (answers.size() >= answer_limit) answers.clear();
-    settle(modes, course_, answers, [&](const Modes& state, For reward) { return answer(state, asked, reward); });
-    return answers.at(modes).answer;
+    const auto known = answers.find(modes);
+    if (known == answers.end()) {
+      settle(modes, course_, answers, [&](const Modes& state, For reward) { return answer(state, asked, reward); });
+    }
+    Answered& answered = answers.at(modes);
+    if (std::exchange(answered.weighed, true)) return answered;
+    const bool begins = answered.answer.outcome == Reconfiguration::Outcome::command &&
+                        answered.answer.why.purpose == Reason::Purpose::reward;
+    if (begins && interpreter_.entailed(modes, asked.goal) &&
+        worth_less_at_rest(modes, *answered.answer.expected, asked))
+      answered = {For::nothing, answer(modes, asked, For::nothing), true};
+    return answered;
+  }
+
+  /// Whether what is done for reward from the next state on comes to rest, with no time passing, where all modes
+  /// together are worth less: some of it was not gone on with. Follows so many steps.
+  bool worth_less_at_rest(const Modes& modes, Modes next, Asked& asked) {
+    constexpr int most_steps = 64;
+    for (int step = 0; step < most_steps; ++step) {
+      const Reconfiguration& then = weighed(next, asked).answer;
+      if (then.outcome == Reconfiguration::Outcome::nothing_to_do) return worth(next) < worth(modes);
+      if (then.outcome != Reconfiguration::Outcome::command || then.why.purpose != Reason::Purpose::reward)
+        return false;
+      next = *then.expected;
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::int64_t worth(const Modes& modes) const {
+    std::int64_t sum = 0;
+    for (std::size_t c = 0; c < modes.size(); ++c) sum += interpreter_.rewards()[c][modes[c].index()];
+    return sum;
   }
 
   Reconfiguration answer(const Modes& modes, Asked& asked, For reward) {

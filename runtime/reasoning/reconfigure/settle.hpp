@@ -19,6 +19,7 @@ enum class For : std::uint8_t { rewards, lasting_rewards, nothing };
 struct Answered {
   For reward = For::rewards;
   Reconfiguration answer;
+  bool weighed = false;  ///< what it comes to in the end has been looked at
 };
 using Answers = std::unordered_map<automata::Modes, Answered, automata::ModesHash>;
 
