@@ -22,6 +22,7 @@
 #include "runtime/reasoning/reconfigure/pursuit.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
 #include "runtime/reasoning/reconfigure/settle.hpp"
+#include "runtime/reasoning/reconfigure/telling.hpp"
 #include "runtime/reasoning/reconfigure/upkeep.hpp"
 
 namespace rmpl::runtime {
@@ -50,14 +51,14 @@ class PolicyReconfigurer : public Reconfigurer {
   PolicyReconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph, std::size_t trials)
       : step_(step),
         trials_(trials),
-        idle_(idle_action(step.plant())),
         graph_(std::move(graph)),
         parts_(step.plant(), graph_->restless()),
         interpreter_(step, *graph_),
         planner_(step, *graph_, parts_),
         plans_(planner_, parts_),
         goals_(step),
-        course_(step, *graph_, parts_) {}
+        course_(step, *graph_, parts_),
+        tell_(step) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
     if (goal.is_true()) return at_rest(step_, modes);
@@ -151,7 +152,7 @@ class PolicyReconfigurer : public Reconfigurer {
     auto interpreted = result_of(pursuit);
     if (auto* impasse = std::get_if<Impasse>(&interpreted)) {
       Impasse barred = std::move(*impasse);
-      barred.why.conjunct = open_conjunct(modes, goal, barred.serves ? barred.serves : barred.component);
+      barred.why.conjunct = tell_.open_conjunct(modes, goal, barred.serves ? barred.serves : barred.component);
       barred.why.purpose = Reason::Purpose::goal;
       auto alone = barred_alone(modes, goal);
       return alone ? std::move(*alone) : refusal(std::move(barred), pursuit.refused());
@@ -162,9 +163,9 @@ class PolicyReconfigurer : public Reconfigurer {
     const bool waits = step.idle && reward != For::nothing;
     if (auto aside =
             waits ? beside(modes, std::get<Modes>(interpreted), needed, prospects, asked, reward) : std::nullopt) {
-      result = told(modes, *aside, std::get<Modes>(interpreted), goal, Reason::Purpose::reward);
+      result = tell_.step(modes, *aside, std::get<Modes>(interpreted), goal, Reason::Purpose::reward);
     } else {
-      result = told(modes, step, needed.target, goal, Reason::Purpose::goal);
+      result = tell_.step(modes, step, needed.target, goal, Reason::Purpose::goal);
     }
     result.goal_state = aim(modes, needed, asked);
     if (!result.goal_state) result.goal_state = std::get<Modes>(std::move(interpreted));
@@ -321,7 +322,7 @@ class PolicyReconfigurer : public Reconfigurer {
     // What the rest comes to stay upon comes first, where it has a plan by itself: a supply before its load.
     std::vector<Offer> ground;
     if (const auto first = rested_on(modes, end, step_); first && !plan_for(*first, ground)) offers = std::move(ground);
-    Reconfiguration result = told(modes, PartPlans::best(offers), target, goal, Reason::Purpose::reward);
+    Reconfiguration result = tell_.step(modes, PartPlans::best(offers), target, goal, Reason::Purpose::reward);
     result.goal_state = end;
     return result;
   }
@@ -348,43 +349,8 @@ class PolicyReconfigurer : public Reconfigurer {
     return *asked.memory.upkeep;
   }
 
-  Reconfiguration told(const Modes& modes, const PlannedStep& step, const Modes& target, const Goal& goal,
-                       Reason::Purpose purpose) {
-    Reconfiguration result;
-    result.outcome = step.action == idle_ ? Reconfiguration::Outcome::wait : Reconfiguration::Outcome::command;
-    result.action = step.action;
-    result.expected = step.outcome.modes;
-    result.component = step.component;
-    result.irreversible = !step.idle && std::any_of(step.outcome.moves.begin(), step.outcome.moves.end(),
-                                                    [](const NominalMove& m) { return !m.transition->reversible; });
-    result.why.purpose = purpose;
-    if (purpose == Reason::Purpose::goal) result.why.conjunct = open_conjunct(modes, goal, step.serves);
-    result.why.component = step.serves;
-    result.why.aim = target[step.serves.index()];
-    for (const NominalMove& move : step.outcome.moves) {
-      if (move.component == step.component) result.why.step = TransitionOf{move.component, move.transition->id};
-    }
-    return result;
-  }
-
-  /// The first conjunct that is not entailed yet, of those that ask for modes of the component where there is one.
-  std::optional<std::uint32_t> open_conjunct(const Modes& modes, const Goal& goal, std::optional<ComponentId> served) {
-    const auto now = assignments_of(step_.plant(), modes);
-    const std::vector<Formula> conjuncts = conjuncts_of(goal.formula());
-    std::optional<std::uint32_t> first;
-    for (std::uint32_t i = 0; i < conjuncts.size(); ++i) {
-      const auto variables = variables_of(conjuncts[i]);
-      const bool about = served && std::binary_search(variables.begin(), variables.end(), step_.plant()[*served].mode);
-      if ((first && !about) || step_.theory().entails(now, step_.theory().encode(conjuncts[i]))) continue;
-      if (about) return i;
-      first = i;
-    }
-    return first;
-  }
-
   automata::PlantStep& step_;
   std::size_t trials_;
-  automata::ControlAction idle_;
   std::shared_ptr<const NominalGraph> graph_;
   Parts parts_;
   GoalInterpreter interpreter_;
@@ -392,6 +358,7 @@ class PolicyReconfigurer : public Reconfigurer {
   PartPlans plans_;
   RecentGoals<Memory> goals_;
   Course course_;
+  Telling tell_;
   std::uint64_t numbers_ = 0;  ///< given so far
   std::size_t checked_ = 0;
 };
