@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/check/vocabulary.hpp"
 
+#include "base/enumerated.hpp"
 #include "base/nearest.hpp"
 
 namespace rmpl::compiler {
@@ -15,14 +16,10 @@ std::string backquoted(std::string_view name) { return "`" + std::string(name) +
 
 std::string one_of(const std::vector<std::string>& names) {
   constexpr std::size_t shown = 8;
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < shown; ++i) {
-    const bool last = i + 1 == names.size();
-    if (i > 0) text += last ? " or " : ", ";
-    text += backquoted(names[i]);
-  }
-  if (names.size() > shown) text += " or one of " + std::to_string(names.size() - shown) + " more";
-  return text;
+  std::vector<std::string> quoted;
+  for (std::size_t i = 0; i < names.size() && i < shown; ++i) quoted.push_back(backquoted(names[i]));
+  if (names.size() > shown) quoted.push_back("one of " + std::to_string(names.size() - shown) + " more");
+  return base::enumerated(quoted, "or");
 }
 
 void suggest(grammar::Diagnostic& diagnostic, std::size_t errors_so_far, std::string_view name,

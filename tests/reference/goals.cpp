@@ -330,11 +330,13 @@ bool is_better(const automata::Plant& plant, const Modes& from, const Modes& lef
   return std::pair(changed(left), left) < std::pair(changed(right), right);
 }
 
+static bool is_met(const Step& step, const Modes& state, const automata::Formula& goal) {
+  return step.models().entails(assumptions_of(step.plant(), state), goal);
+}
+
 Modes best_kept(const Step& step, const Modes& modes, const automata::Formula& goal) {
   Modes best = modes;
-  const auto entails = [&](const Modes& state) {
-    return step.models().entails(assumptions_of(step.plant(), state), goal);
-  };
+  const auto entails = [&](const Modes& state) { return is_met(step, state, goal); };
   for (const auto& [state, count] : reached(step, modes, entails))
     if (entails(state) && is_better(step.plant(), modes, state, best)) best = state;
   return best;
@@ -343,16 +345,14 @@ Modes best_kept(const Step& step, const Modes& modes, const automata::Formula& g
 std::optional<Modes> best_reached(const Step& step, const Modes& modes, const automata::Formula& goal) {
   std::optional<Modes> best;
   for (const auto& [state, count] : reached(step, modes, [](const Modes&) { return true; })) {
-    if (!step.models().entails(assumptions_of(step.plant(), state), goal)) continue;
+    if (!is_met(step, state, goal)) continue;
     if (!best || is_better(step.plant(), modes, state, *best)) best = state;
   }
   return best;
 }
 
 std::optional<std::size_t> fewest_commands(const Step& step, const Modes& modes, const automata::Formula& goal) {
-  const auto entails = [&](const Modes& state) {
-    return step.models().entails(assumptions_of(step.plant(), state), goal);
-  };
+  const auto entails = [&](const Modes& state) { return is_met(step, state, goal); };
   for (const auto& [state, count] : reached(step, modes, [&](const Modes& s) { return !entails(s); }))
     if (entails(state)) return count;
   return std::nullopt;
@@ -360,9 +360,7 @@ std::optional<std::size_t> fewest_commands(const Step& step, const Modes& modes,
 
 std::optional<std::size_t> fewest_commands_alone(const Step& step, const Modes& modes, automata::ComponentId component,
                                                  const automata::Formula& goal) {
-  const auto entails = [&](const Modes& state) {
-    return step.models().entails(assumptions_of(step.plant(), state), goal);
-  };
+  const auto entails = [&](const Modes& state) { return is_met(step, state, goal); };
   const auto rests = [&](Modes state) {
     state[component.index()] = modes[component.index()];
     return state == modes;

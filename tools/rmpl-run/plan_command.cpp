@@ -7,6 +7,7 @@
 #include "automata/assignment_text.hpp"
 #include "automata/place.hpp"
 #include "automata/step/plant_step.hpp"
+#include "base/enumerated.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/reconfigure/one_step.hpp"
@@ -129,27 +130,22 @@ std::string hint(const automata::Plant& plant, const runtime::Reason& why) {
 }
 
 /// `step 3 waits`, `steps 3, 5 and 6 wait`.
-std::string waiting(const std::vector<std::size_t>& waits) {
-  std::string steps;
-  for (std::size_t i = 0; i < waits.size(); ++i) {
-    if (i > 0) steps += i + 1 == waits.size() ? " and " : ", ";
-    steps += std::to_string(waits[i] + 1);
-  }
-  return waits.size() == 1 ? "step " + steps + " waits" : "steps " + steps + " wait";
+std::string waiting(const std::vector<std::string>& steps) {
+  return steps.size() == 1 ? "step " + steps.front() + " waits" : "steps " + base::enumerated(steps) + " wait";
 }
 
 /// A line for each transition, with all the waits in which it may come.
 std::string text_of(const automata::Plant& plant, const std::vector<PlanRisk>& risks) {
-  std::vector<std::pair<TransitionOf, std::vector<std::size_t>>> lines;
+  std::vector<std::pair<TransitionOf, std::vector<std::string>>> lines;
   for (const PlanRisk& risk : risks) {
     const auto known = std::find_if(lines.begin(), lines.end(), [&](const auto& l) { return l.first == risk.leaving; });
-    auto& line = known != lines.end() ? *known : lines.emplace_back(risk.leaving, std::vector<std::size_t>{});
-    line.second.push_back(risk.wait);
+    auto& line = known != lines.end() ? *known : lines.emplace_back(risk.leaving, std::vector<std::string>{});
+    line.second.push_back(std::to_string(risk.wait + 1));
   }
   std::string text;
-  for (const auto& [step, waits] : lines) {
-    const automata::Component& component = plant[step.component];
-    const automata::Transition& leaving = component.transitions[step.transition.index()];
+  for (const auto& [move, waits] : lines) {
+    const automata::Component& component = plant[move.component];
+    const automata::Transition& leaving = component.transitions[move.transition.index()];
     text += waiting(waits) + ", and meanwhile '" + component.name + "' " + (leaving.timing ? "may go" : "goes") +
             " from '" + component.modes[leaving.from.index()].name + "' to '" +
             component.modes[leaving.to.index()].name + "' by itself" +

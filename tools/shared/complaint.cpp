@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enumerated.hpp"
 #include "base/nearest.hpp"
 
 namespace rmpl::tools {
@@ -16,16 +17,6 @@ namespace {
 using Words = std::vector<std::string>;
 
 std::string nearest_of(const std::string& word, const Words& words) { return base::suggestion(word, words); }
-
-/// `a, b or c`.
-std::string enumerated(const Words& words) {
-  std::string text;
-  for (std::size_t w = 0; w < words.size(); ++w) {
-    if (w > 0) text += w + 1 == words.size() ? " or " : ", ";
-    text += words[w];
-  }
-  return text;
-}
 
 /// The subcommands that were called, and the program itself.
 std::vector<const CLI::App*> called(const CLI::App& app) {
@@ -44,7 +35,7 @@ Words subcommands_of(const CLI::App& app) {
 std::string unknown_subcommand(const std::string& word, const CLI::App& app) {
   const Words names = subcommands_of(app);
   const std::string near = nearest_of(word, names);
-  return "unknown subcommand '" + word + "'" + (near.empty() ? "; expected " + enumerated(names) : near);
+  return "unknown subcommand '" + word + "'" + (near.empty() ? "; expected " + base::enumerated(names, "or") : near);
 }
 
 std::string unknown_option(std::string word, const CLI::App& app) {
@@ -71,7 +62,7 @@ std::optional<std::string> between(const std::string& text, std::string_view bef
 
 /// What is missing: a subcommand, an argument, an option.
 std::string missing(const CLI::App& app, const std::string& text) {
-  if (text.starts_with("A subcommand")) return "expected a subcommand: " + enumerated(subcommands_of(app));
+  if (text.starts_with("A subcommand")) return "expected a subcommand: " + base::enumerated(subcommands_of(app), "or");
   const std::string name = text.substr(0, text.find(' '));
   return name + ": is missing";
 }

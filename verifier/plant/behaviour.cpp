@@ -58,7 +58,7 @@ BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled
   return number(mode, choices(automaton, mode, enabled, time_), waits(automaton, mode, enabled, time_));
 }
 
-void Behaviours::read(const Modes& modes, const ControlAction& action, std::vector<BehaviourId>& result) {
+bool Behaviours::read(const Modes& modes, const ControlAction& action, std::vector<BehaviourId>& result) {
   result.resize(modes.size());
   like_.read(modes, seen_);
   const automata::AllEnabled* all = step_.consistent(seen_, action) ? nullptr : &step_.enabled(modes, action);
@@ -70,12 +70,16 @@ void Behaviours::read(const Modes& modes, const ControlAction& action, std::vect
       result[c] = look_up(id, modes[c], action);
     }
   }
+  return all == nullptr;
 }
 
 void Behaviours::read(const Known& elsewhere, const Modes& modes, const ControlAction& action,
                       std::vector<BehaviourId>& result) {
   like_.read(modes, seen_);
-  if (!step_.consistent(seen_, action)) return read(modes, action, result);
+  if (!step_.consistent(seen_, action)) {
+    read(modes, action, result);
+    return;
+  }
   result = elsewhere.behaviours;
   const auto look_up_readers = [&](std::size_t position) {
     for (const ComponentId c : readers_[position]) result[c.index()] = look_up(c, modes[c.index()], action);

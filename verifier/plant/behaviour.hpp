@@ -40,8 +40,8 @@ class Behaviours {
   Behaviours(automata::PlantStep& step, const TimeModel& time);
 
   [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return table_[id.index()]; }
-  /// Per component, in possible modes under a control action.
-  void read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
+  /// Per component, in possible modes under a control action; whether the store is consistent with it there.
+  bool read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
   /// What has been read somewhere else. Keeps references.
   struct Known {
     const automata::Modes& modes;

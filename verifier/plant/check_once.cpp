@@ -281,8 +281,9 @@ class Check {
     bool in_doubt;  ///< of one of them
   };
 
-  /// Ends with the first set that is in doubt, or that only the cone leads to: the whole plant is searched then.
-  FirstCut search_cut_sets(PlantSystem& system, Arena& arena, bool fewer_steps) {
+  /// `left_out`: steps that others make up for are. Ends with the first set that is in doubt, or that only the cone
+  /// leads to: the whole plant is searched then.
+  FirstCut search_cut_sets(PlantSystem& system, Arena& arena, bool left_out) {
     FaultSets sets;
     system.tell_faults_apart(sets);
     std::map<std::vector<Fault>, Witness> witnesses;
@@ -290,7 +291,7 @@ class Check {
     bool in_doubt = false;
     const auto take = [&](const CutPath& cut) {
       Witness witness = witness_of(cut.path, system, arena);
-      in_doubt = fewer_steps && is_in_doubt(witness);
+      in_doubt = left_out && is_in_doubt(witness);
       if (in_doubt) return false;
       if (const auto failure = failure_of(witness)) {
         if (arena.is_whole()) throw base::InternalError("a witness fails: " + *failure);

@@ -131,8 +131,7 @@ std::shared_ptr<const std::vector<JointStep>> Situations::moves(SituationId id, 
 std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late) {
   std::vector<JointStep> result;
   std::vector<BehaviourId> idling;
-  behaviours_.read(modes, actions_.front(), idling);
-  const bool may_idle = step_.consistent(modes, actions_.front());
+  const bool may_idle = behaviours_.read(modes, actions_.front(), idling);
   const std::vector<Box> idle_waits = waits(idling);
   joint_steps_.set_out(modes, late, idling);
   // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "automata/assignment_text.hpp"
+#include "base/enumerated.hpp"
 #include "compiler/check/vocabulary.hpp"
 
 namespace rmpl::compiler {
@@ -83,14 +84,10 @@ void PlantReport::blame(grammar::Diagnostic& finding, const Contradiction& contr
 }
 
 std::string enumerated(const std::vector<std::string>& names, std::size_t limit) {
-  std::string result;
   const std::size_t shown = names.size() > limit + 1 ? limit : names.size();
-  for (std::size_t i = 0; i < shown; ++i) {
-    if (i > 0) result += i + 1 == names.size() ? " and " : ", ";
-    result += names[i];
-  }
-  if (shown < names.size()) result += " and " + std::to_string(names.size() - shown) + " more";
-  return result;
+  std::vector<std::string> told(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown));
+  if (shown < names.size()) told.push_back(std::to_string(names.size() - shown) + " more");
+  return base::enumerated(told);
 }
 
 }  // namespace rmpl::compiler

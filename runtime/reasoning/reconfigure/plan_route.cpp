@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "runtime/reasoning/reconfigure/least_ways.hpp"
 #include "runtime/reasoning/reconfigure/planner.hpp"
 
 namespace rmpl::runtime {
@@ -40,13 +41,6 @@ Planner::Route Planner::route(const Modes& modes, const Objective& objective, Co
   };
   if (std::all_of(shortest.begin(), shortest.end(), goes_alone)) return shortest;
 
-  // Few modes: relaxed towards the target, as a policy is.
-  struct Rest {
-    std::optional<Effort> effort;
-    const NominalTransition* next = nullptr;
-  };
-  std::vector<Rest> rest(graph_.mode_count(component));
-  rest[target.index()].effort = Effort{};
   const auto& transitions = graph_.transitions(component);
   std::vector<std::optional<Effort>> efforts;
   for (std::size_t i = 0; i < transitions.size(); ++i) {
@@ -54,32 +48,26 @@ Planner::Route Planner::route(const Modes& modes, const Objective& objective, Co
     const bool usable = t.possible && t.from != t.to && objective.permitted.on_ways[component.index()][i];
     efforts.push_back(usable ? effort(modes, objective, component, t) : std::nullopt);
   }
-  for (bool less = true; less;) {
-    less = false;
-    for (std::size_t i = 0; i < transitions.size(); ++i) {
-      const Rest& there = rest[transitions[i].to.index()];
-      if (!efforts[i] || !there.effort) continue;
-      const Effort all = *efforts[i] + *there.effort;
-      Rest& here = rest[transitions[i].from.index()];
-      if (here.effort && *here.effort <= all) continue;
-      here = {all, &transitions[i]};
-      less = true;
+  const auto effort_of = [&](const NominalTransition& t) { return efforts[graph_.position(component, t)]; };
+  const auto effort_of_shortest = [&]() -> std::optional<Effort> {
+    Effort sum;
+    for (const NominalTransition* const step : shortest) {
+      std::optional<Effort> least;
+      for (const NominalTransition& t : transitions) {
+        if (!is_parallel(component, t, *step, objective.permitted) || !effort_of(t)) continue;
+        if (!least || *effort_of(t) < *least) least = effort_of(t);
+      }
+      if (!least) return std::nullopt;
+      sum = sum + *least;
     }
-  }
-  std::optional<Effort> of_shortest = Effort{};
-  for (const NominalTransition* step : shortest) {
-    std::optional<Effort> least;
-    for (std::size_t i = 0; i < transitions.size(); ++i) {
-      if (!efforts[i] || !is_parallel(component, transitions[i], *step, objective.permitted)) continue;
-      if (!least || *efforts[i] < *least) least = efforts[i];
-    }
-    of_shortest = least ? std::optional(*of_shortest + *least) : std::nullopt;
-    if (!of_shortest) break;
-  }
-  const auto& least = rest[current.index()].effort;
+    return sum;
+  };
+  const auto ways = least_ways<Effort>(transitions, graph_.mode_count(component), target, effort_of);
+  const auto& least = ways[current.index()].cost;
+  const auto of_shortest = effort_of_shortest();
   if (!least || (of_shortest && *of_shortest <= *least)) return shortest;
   Route other;
-  for (ModeId at = current; at != target; at = other.back()->to) other.push_back(rest[at.index()].next);
+  for (ModeId at = current; at != target; at = other.back()->to) other.push_back(ways[at.index()].next);
   return other;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "runtime/reasoning/reconfigure/least_ways.hpp"
+
 namespace rmpl::runtime {
 
 using automata::ComponentId;
@@ -13,23 +15,18 @@ Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t mo
     : modes_(modes), cells_(modes * modes) {
   for (std::size_t target = 0; target < modes; ++target) {
     Cell* const row = &cells_[target * modes];
-    row[target].distance = Distance{};
+    const auto cost_of = [&](const NominalTransition& t) -> std::optional<Distance> {
+      if (t.from == t.to || !t.possible || !permitted[static_cast<std::size_t>(&t - transitions.data())])
+        return std::nullopt;
+      return Distance{NominalGraph::harmless(t) ? 0u : 1u, 1u};
+    };
+    const auto ways = least_ways<Distance>(transitions, modes, ModeId(target), cost_of);
+    for (std::size_t m = 0; m < modes; ++m) row[m].distance = ways[m].cost;
     const auto through = [&](const NominalTransition& t) -> std::optional<Distance> {
       const auto& rest = row[t.to.index()].distance;
-      if (!rest || t.from == t.to || !t.possible || !permitted[static_cast<std::size_t>(&t - transitions.data())])
-        return std::nullopt;
-      return *rest + Distance{NominalGraph::harmless(t) ? 0u : 1u, 1u};
+      const auto own = cost_of(t);
+      return rest && own ? std::optional(*rest + *own) : std::nullopt;
     };
-    for (bool shorter = true; shorter;) {
-      shorter = false;
-      for (const NominalTransition& t : transitions) {
-        const auto distance = through(t);
-        auto& known = row[t.from.index()].distance;
-        if (!distance || (known && *known <= *distance)) continue;
-        known = distance;
-        shorter = true;
-      }
-    }
     for (const NominalTransition& t : transitions) {
       Cell& at = row[t.from.index()];
       if (t.from.index() == target || !at.distance || through(t) != at.distance) continue;

@@ -84,18 +84,21 @@ class PolicyReconfigurer : public Reconfigurer {
   static constexpr std::size_t housekeeping_trials = 1u << 11;
 
   const Reconfiguration& settled(const Modes& modes, Asked& asked) {
-    if (asked.memory.answers.size() >= answer_limit) asked.memory.answers.clear();
-    Answered& answered = weighed(modes, asked);
-    return answered.answer;
+    Answers& answers = asked.memory.answers;
+    if (const auto known = answers.find(modes); known != answers.end())
+      return weighed(modes, known->second, asked).answer;
+    if (answers.size() >= answer_limit) answers.clear();
+    return weighed(modes, asked).answer;
   }
 
   Answered& weighed(const Modes& modes, Asked& asked) {
     Answers& answers = asked.memory.answers;
-    const auto known = answers.find(modes);
-    if (known == answers.end()) {
-      settle(modes, course_, answers, [&](const Modes& state, For reward) { return answer(state, asked, reward); });
-    }
-    Answered& answered = answers.at(modes);
+    if (const auto known = answers.find(modes); known != answers.end()) return weighed(modes, known->second, asked);
+    settle(modes, course_, answers, [&](const Modes& state, For reward) { return answer(state, asked, reward); });
+    return weighed(modes, answers.at(modes), asked);
+  }
+
+  Answered& weighed(const Modes& modes, Answered& answered, Asked& asked) {
     if (std::exchange(answered.weighed, true)) return answered;
     const bool begins = answered.answer.outcome == Reconfiguration::Outcome::command &&
                         answered.answer.why.purpose == Reason::Purpose::reward;
@@ -222,12 +225,13 @@ class PolicyReconfigurer : public Reconfigurer {
     std::vector<bool> way = followed.relied;
     for (std::size_t c = 0; c < way.size(); ++c) way[c] = way[c] || followed.moved[c];
     const Reached at_once = drift_from(*graph_, modes, Drift::untimed);
+    const std::vector<bool> carried = relied_on_under_way(modes, target, prospects);
     for (const ComponentId c : planner_.order()) {
       const bool broken = step_.plant()[c].modes[modes[c.index()].index()].fault;
       if ((way[c.index()] && !broken) || target[c.index()] == modes[c.index()]) continue;
       // What the goal would have to undo again is not done.
       if (!broken && !left_by_itself(target, c, step_).empty()) continue;
-      if (!broken && has_begun_on(modes, target, prospects, c)) continue;
+      if (!broken && carried[c.index()]) continue;
       Modes aim = modes;
       aim[c.index()] = target[c.index()];
       std::vector<bool> wanted(modes.size());
@@ -253,19 +257,20 @@ class PolicyReconfigurer : public Reconfigurer {
     return std::nullopt;
   }
 
-  /// Whether time takes another component to the mode that is aimed at for it, on a way that relies on this one.
-  bool has_begun_on(const Modes& modes, const Modes& target, const Prospects& prospects, ComponentId relied) {
+  /// What others rely on that time takes to the modes that are aimed at for them.
+  std::vector<bool> relied_on_under_way(const Modes& modes, const Modes& target, const Prospects& prospects) {
+    std::vector<bool> result(modes.size());
     const Permitted permitted = prospects.permitted(target);
-    for (const ComponentId c : parts_.components(parts_.of(relied))) {
-      if (c == relied || target[c.index()] == modes[c.index()]) continue;
+    for (const ComponentId c : planner_.order()) {
+      if (target[c.index()] == modes[c.index()]) continue;
       std::vector<bool> wanted(modes.size());
       wanted[c.index()] = true;
       const Objective objective{target, permitted, parts_.of(c), wanted};
-      if (planner_.is_under_way(modes, objective, c) && planner_.followed(modes, objective).relied[relied.index()]) {
-        return true;
-      }
+      if (!planner_.is_under_way(modes, objective, c)) continue;
+      const std::vector<bool> relied = planner_.followed(modes, objective).relied;
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] || (relied[i] && ComponentId(i) != c);
     }
-    return false;
+    return result;
   }
 
   /// Then housekeeping: what is worth more, under which the goal stays entailed.

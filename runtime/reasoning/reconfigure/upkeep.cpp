@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/product.hpp"
+#include "runtime/reasoning/reconfigure/least_ways.hpp"
 
 namespace rmpl::runtime {
 
@@ -108,15 +109,10 @@ Upkeep::Standing Upkeep::standing(const Modes& modes) {
 
 std::vector<std::size_t> Upkeep::steps_to(ComponentId component, automata::ModeId aim) const {
   const auto& transitions = graph_.transitions(component);
-  std::vector<std::size_t> steps(drift_[component.index()].size(), transitions.size() + 1);
-  steps[aim.index()] = 0;
-  for (bool fewer = true; fewer;) {
-    fewer = false;
-    for (const NominalTransition& t : transitions) {
-      if (!t.possible || steps[t.to.index()] + 1 >= steps[t.from.index()]) continue;
-      steps[t.from.index()] = steps[t.to.index()] + 1;
-      fewer = true;
-    }
+  const auto one = [](const NominalTransition& t) { return t.possible ? std::optional<std::size_t>(1) : std::nullopt; };
+  std::vector<std::size_t> steps;
+  for (const auto& way : least_ways<std::size_t>(transitions, drift_[component.index()].size(), aim, one)) {
+    steps.push_back(way.cost.value_or(transitions.size() + 1));
   }
   return steps;
 }
