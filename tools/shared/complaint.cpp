@@ -69,7 +69,7 @@ std::string missing(const CLI::App& app, const std::string& text) {
 
 /// What the parser objects to, in our own words.
 std::string sentence(const CLI::App& app, const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   const std::string name = text.substr(0, text.find(':'));
   const std::string kind = error.get_name();
   if (kind == "RequiredError") return missing(app, text);

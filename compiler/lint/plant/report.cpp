@@ -41,6 +41,7 @@ bool PlantReport::all(const std::vector<ComponentId>& instances) const {
 std::string PlantReport::name(const std::vector<ComponentId>& instances) const {
   if (all(instances)) return backquoted(plant_[instances.front()].type);
   std::vector<std::string> names;
+  names.reserve(instances.size());
   for (const ComponentId instance : instances) names.push_back(backquoted(plant_[instance].name));
   return enumerated(names, 3);
 }
@@ -51,6 +52,7 @@ std::string PlantReport::mode(PlantMode mode) const {
 
 std::string PlantReport::list(const std::vector<Assignment>& assignments) const {
   std::vector<std::string> texts;
+  texts.reserve(assignments.size());
   for (const Assignment& a : assignments) {
     texts.push_back(backquoted(to_text(plant_.variables, a)));
   }
