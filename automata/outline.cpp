@@ -19,7 +19,8 @@ namespace {
 /// Names with more dots are taken as they are: a document may have any.
 constexpr std::size_t depth_limit = 200;
 
-/// Hashes a plant: all that tells two apart, but where a component starts that is the only one.
+/// Hashes a plant: all that tells two apart, but where a component starts that is the only one, and whether it is one
+/// of progress.
 class Print {
  public:
   explicit Print(const Plant& plant) {
@@ -65,6 +66,8 @@ class Print {
     add(static_cast<std::uint64_t>(timing.density.kind));
     add(timing.density.mean);
     add(timing.density.standard_deviation);
+    add(timing.density.shape);
+    add(timing.density.scale);
   }
   void add(const Component& component) {
     add(component.type);
@@ -216,15 +219,19 @@ class Outliner {
           part.components[0].initial != known.components[0].initial) {
         initial = std::exchange(part.components[0].initial, known.components[0].initial);
       }
-      if (part == known) return {name, type, std::move(initial)};
+      const bool progress = part.components.size() == 1 && known.components.size() == 1 &&
+                            part.components[0].progress && !known.components[0].progress;
+      if (progress) part.components[0].progress = false;
+      if (part == known) return {name, type, std::move(initial), progress};
       if (initial) part.components[0].initial = std::move(*initial);
+      if (progress) part.components[0].progress = true;
     }
     PlantParts parts = parts_of(part, depth + 1);
     const bool is_component = part.components.size() == 1 && part.components[0].name.empty();
     const std::string& wanted = is_component ? part.components[0].type : name;
     by_hash_[hash].push_back(outline_.types.size());
     outline_.types.push_back({new_name(wanted), std::move(part), std::move(parts)});
-    return {name, outline_.types.size() - 1, std::nullopt};
+    return {name, outline_.types.size() - 1, std::nullopt, false};
   }
 
   std::string new_name(const std::string& wanted) {

@@ -17,6 +17,7 @@ struct PlantInstance {
   std::size_t type = 0;  ///< its position in `PlantOutline::types`
   /// Of a type with one component: where the instance starts, if that is not as the type does.
   std::optional<std::vector<double>> initial;
+  bool progress = false;  ///< likewise: its steps need no licence, and those of the type do
 };
 
 /// A plant, or a type, put together: its own variables and components first, then its instances, one after the other,

@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "automata/place.hpp"
 
-#include <filesystem>
-
 namespace rmpl::automata {
 
-std::string short_place(const Origin& origin) {
-  return std::filesystem::path(origin.file).filename().string() + ":" + std::to_string(origin.line);
-}
+std::string short_place(const Origin& origin) { return origin.file + ":" + std::to_string(origin.line); }
 
 std::string in_parentheses(const Origin& origin) { return origin.line == 0 ? "" : " (" + short_place(origin) + ")"; }
 

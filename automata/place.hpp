@@ -1,4 +1,4 @@
-// Places in a source as people read them in a story: the file without its folders, and the line.
+// Places in a source as people read them in a story: the file as it was named, and the line.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace rmpl::automata {
 
-/// `mars_edl.rmpl:41`.
+/// `models/mars_edl.rmpl:41`.
 std::string short_place(const Origin& origin);
 
 /// ` (mars_edl.rmpl:41)`; empty where there is no source.

@@ -63,6 +63,7 @@ struct Component {
   std::vector<double> initial;  ///< per mode; sums to 1
   std::vector<Transition> transitions;
   Origin origin;
+  bool progress = false;  ///< it is meant to go forward only: its steps need no licence (semantics 5)
   bool operator==(const Component&) const = default;
 
   [[nodiscard]] bool is_fault(const Transition& t) const { return modes[t.to.index()].fault; }

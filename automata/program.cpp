@@ -24,7 +24,7 @@ class Binder {
     bound.variables = plant_.variables;
     for (Location& location : bound.locations) {
       origin_ = &location.origin;
-      for (Assignment& goal : location.goal) goal = bind(goal);
+      bind_goal(location);
       location.maintenance.constraint = bind(location.maintenance.constraint);
       for (Arc& arc : location.arcs) arc.guard.constraint = bind(arc.guard.constraint);
     }
@@ -45,17 +45,20 @@ class Binder {
     report("'" + value + "' is no value of '" + plant_.variables.name(known) + "'");
   }
 
-  Assignment bind(const Assignment& goal) {
-    const auto known = variable(goal.variable);
-    if (!known) return goal;
-    const std::string& value = program_.variables.value(goal);
-    const auto id = plant_.variables[*known].find(value);
-    if (!id) {
-      report_value(*known, value);
-      return goal;
+  /// An assignment of an attribute is a constraint: components alone have modes.
+  void bind_goal(Location& location) {
+    std::vector<Formula> constraints;
+    for (const Assignment& assigned : std::exchange(location.goal, {})) {
+      const Formula bound = bind(is(assigned.variable, assigned.value));
+      const bool mode = bound.kind == Formula::Kind::member && plant_.component_of(bound.variable).has_value();
+      if (mode && bound.values.size() == 1) {
+        location.goal.push_back({bound.variable, bound.values.front()});
+      } else {
+        constraints.push_back(bound);
+      }
     }
-    if (!plant_.component_of(*known)) report("'" + plant_.variables.name(*known) + "' is no component, so no goal");
-    return {*known, *id};
+    for (const Formula& constraint : location.goal_constraints) constraints.push_back(bind(constraint));
+    location.goal_constraints = std::move(constraints);
   }
 
   Formula bind(const Formula& formula) {
@@ -71,6 +74,11 @@ class Binder {
       return equality(*left, *right);
     }
     Formula result = formula;
+    if (formula.kind == Formula::Kind::knowledge && formula.about_one) {
+      const auto known = variable(formula.variable);
+      if (known && !plant_.component_of(*known)) report("'" + plant_.variables.name(*known) + "' is no component");
+      result.variable = known.value_or(formula.variable);
+    }
     for (Formula& operand : result.operands) operand = bind(operand);
     return result;
   }
@@ -104,6 +112,32 @@ class Binder {
 };
 
 }  // namespace
+
+Formula goal_of(const Location& location) {
+  std::vector<Formula> conjuncts;
+  for (const Assignment& assigned : location.goal) conjuncts.push_back(is(assigned.variable, assigned.value));
+  conjuncts.insert(conjuncts.end(), location.goal_constraints.begin(), location.goal_constraints.end());
+  return conjunction(std::move(conjuncts));
+}
+
+std::vector<std::size_t> goal_parts_of(const Program& program) {
+  std::vector<std::size_t> parts;
+  std::size_t count = 0;
+  for (const Location& location : program.locations) {
+    const std::size_t around = location.parent ? parts[location.parent->index()] : 0;
+    parts.push_back(location.apart ? ++count : around);
+  }
+  return parts;
+}
+
+std::vector<Formula> knowledge_asked_by(const Program& program) {
+  std::vector<Formula> atoms;
+  for (const Location& location : program.locations) {
+    collect_knowledge(location.maintenance.constraint, atoms);
+    for (const Arc& arc : location.arcs) collect_knowledge(arc.guard.constraint, atoms);
+  }
+  return atoms;
+}
 
 Binding bind(const Program& program, const Plant& plant) { return Binder(program, plant).run(); }
 

@@ -34,7 +34,10 @@ struct Location {
   bool composite = false;
   std::optional<LocationId> parent;  ///< none for location 1, the program itself
   bool start = false;                ///< one of its parent's start locations
-  std::vector<Assignment> goal;      ///< conjunction of mode assignments; empty means true
+  bool apart = false;                ///< a composite: a branch of an `each`, whose goals are asked for by themselves
+  /// The conjuncts of its goal that assign a mode, and the others, which are over modes and attributes. None: true.
+  std::vector<Assignment> goal;
+  std::vector<Formula> goal_constraints;
   std::optional<ClockId> clock_start;
   std::vector<ClockId> own_clocks;  ///< of a composite: inactive whenever it is entered; no other has them
   Condition maintenance;            ///< applies to all that is inside
@@ -42,7 +45,12 @@ struct Location {
   std::string label;  ///< what it is, for people: `engine = standby`, `when t1 >= 16200 s`, `EntrySequence()`
   Origin origin;
   bool operator==(const Location&) const = default;
+
+  [[nodiscard]] bool has_goal() const { return !goal.empty() || !goal_constraints.empty(); }
 };
+
+/// The whole goal of a location.
+Formula goal_of(const Location& location);
 
 /// A THCA. Location k (from 0) is printed as k + 1; a child comes after its parent (pre-order of the source).
 /// `variables` holds what the program mentions; `bind` replaces it by a plant's table.
@@ -53,6 +61,13 @@ struct Program {
   std::vector<Location> locations;
   bool operator==(const Program&) const = default;
 };
+
+/// Per location the part of the program whose goals it asserts: 0 is the program itself; the branches of each `each`
+/// follow in the order of the program.
+std::vector<std::size_t> goal_parts_of(const Program& program);
+
+/// What the conditions of a program ask of the executive's knowledge, each atom once, in the order of the locations.
+std::vector<Formula> knowledge_asked_by(const Program& program);
 
 /// What a program asks for and a plant lacks.
 struct Mismatch {

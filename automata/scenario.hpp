@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "automata/monitor.hpp"
 #include "automata/phca.hpp"
 #include "automata/plant.hpp"
 #include "automata/program.hpp"
@@ -31,6 +32,26 @@ struct SensorOverride {
   bool operator==(const SensorOverride&) const = default;
 };
 
+/// `at T channel "P1" = 2.7;` is a sample of a channel, of which monitors make readings from then on.
+struct ChannelSample {
+  Ticks at;
+  std::string channel;
+  std::optional<double> number;  ///< none: a text
+  std::string text;              ///< as written
+  Origin origin;
+  bool operator==(const ChannelSample&) const = default;
+};
+
+/// `at T command x = v [for d];` is sent in each cycle that begins from `at` on, before `duration` is over, whatever
+/// the executive commands of that control.
+struct GivenCommand {
+  Ticks at;
+  Ticks duration;
+  Assignment command;
+  Origin origin;
+  bool operator==(const GivenCommand&) const = default;
+};
+
 /// `when command x = v after N cycles observe y = w [for d];` the rule-based simulation of thesis 7.2.1. Each time the
 /// command in force satisfies `trigger` where it did not in the cycle before, the reading holds from `delay` on.
 struct Rule {
@@ -48,18 +69,20 @@ struct Rule {
 /// What must come true. `truth` speaks of the simulated plant, else of the executive's estimate.
 struct Expectation {
   enum class Kind {
-    eventually,     ///< condition becomes true (after `after`, within `within` of it or of the start)
-    never,          ///< condition is never true
-    finished,       ///< the program ends (within `within`), and condition is true as it does
-    goal_conflict,  ///< the program never asserts goals that contradict each other
-    no_plan         ///< no goal is ever without a plan
+    eventually,      ///< condition becomes true (after `after`, within `within` of it or of the start)
+    never,           ///< condition is never true
+    finished,        ///< the program ends (within `within`), and condition is true as it does
+    never_finished,  ///< the program does not end (within `within`) with condition true
+    goal_conflict,   ///< the program never asserts goals that contradict each other
+    no_plan          ///< no goal is ever without a plan
   };
   Kind kind = Kind::eventually;
   bool truth = false;
   Formula condition = constant(true);
   std::optional<Formula> after;
   std::optional<Ticks> within;
-  std::string text;  ///< as written
+  std::string text;                            ///< as written, without requirements
+  std::vector<std::string> requirements = {};  ///< besides those of the scenario
   Origin origin;
   bool operator==(const Expectation&) const = default;
 };
@@ -76,8 +99,12 @@ struct Scenario {
   std::vector<Assignment> truth;  ///< mode variables: the real initial modes that are given
   std::vector<ForcedMode> forced;
   std::vector<SensorOverride> overrides;
+  std::vector<GivenCommand> commands;
+  std::vector<ChannelSample> samples;
+  std::vector<Monitor> monitors = {};  ///< what makes readings of the samples; not written, since it is another input
   std::vector<Rule> rules;
   std::vector<Expectation> expectations;
+  std::vector<std::string> requirements = {};  ///< that it verifies, with all of its expectations
   Origin origin;
   bool operator==(const Scenario&) const = default;
 };

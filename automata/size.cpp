@@ -24,6 +24,7 @@ Clauses count(const Formula& formula, const Variables& variables) {
     case Formula::Kind::constant:
       return formula.truth ? Clauses{0, 1} : Clauses{1, 0};
     case Formula::Kind::clock:
+    case Formula::Kind::knowledge:
       return {1, 1};
     case Formula::Kind::member:
       // One of some values is one clause; none of them are as many.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/controls.hpp"
 #include "automata/facade.hpp"
 #include "base/error.hpp"
 
@@ -48,13 +49,12 @@ void append_known(const Plant& plant, const Modes& modes, std::vector<Assignment
 ControlAction action_from(const Plant& plant, std::span<const Assignment> assignments) {
   ControlAction action = idle_action(plant);
   for (const Assignment& a : assignments) {
-    const auto at = std::find_if(plant.controls.begin(), plant.controls.end(),
-                                 [&](const Control& control) { return control.variable == a.variable; });
-    if (at == plant.controls.end()) {
+    const auto at = control_of(plant, a.variable);
+    if (!at) {
       throw base::InputError("'" + plant.variables.name(a.variable) + "' is no control variable of plant '" +
                              plant.name + "'");
     }
-    action[static_cast<std::size_t>(at - plant.controls.begin())] = a.value;
+    action[*at] = a.value;
   }
   return action;
 }

@@ -3,6 +3,7 @@
 #include "base/input_file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/limit_error.hpp"
 #include "base/rewrite_file.hpp"
 
 namespace rmpl::base {
@@ -54,10 +56,26 @@ class FilesRead {
 /// At once, in bytes. Set before anything is read, so that threads only read it.
 std::size_t limit = std::size_t{1} << 30;
 
+/// Whether whoever runs this wants to wait no longer. Set before anything is read.
+std::function<bool()> inputs_ended;
+
 void check_length(const std::string& name, const char* what, std::size_t length) {
   if (length <= limit) return;
   throw InputError(name + ": " + what + " of more than " + std::to_string(limit) +
                    " bytes; `--max-input` permits more");
+}
+
+/// All that there is, up to a bound, and the limit.
+std::string whole(InputFile& file, std::size_t most) {
+  std::streambuf& buffer = *file.stream().rdbuf();
+  std::string text;
+  std::array<char, std::size_t{1} << 16> block;
+  while (const std::streamsize count = buffer.sgetn(block.data(), block.size())) {
+    text.append(block.data(), static_cast<std::size_t>(count));
+    check_length(file.name(), "a text", text.size());
+    if (text.size() > most) throw InputError(file.name() + ": a text of more than " + std::to_string(most) + " bytes");
+  }
+  return text;
 }
 
 FilesRead& files_read() {
@@ -76,17 +94,22 @@ FilesRead& files_read() {
 /// A descriptor that is read in blocks.
 class InputFile::Buffer final : public std::streambuf {
  public:
-  Buffer(const std::string& path, const std::string& name, std::function<bool()> stop)
-      : name_(name), stop_(std::move(stop)), owned_(path != "-") {
+  Buffer(const std::string& path, const std::string& name, std::function<bool()> stop, Accept accept)
+      : name_(name), stop_(std::move(stop)), owned_(path != "-" || accept == Accept::regular_files) {
     if (path.empty()) throw InputError("'' is no name of a file");
-    file_ = owned_ ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO;
+    const bool regular = accept == Accept::regular_files;
+    const int flags = O_RDONLY | O_CLOEXEC | (regular ? O_NONBLOCK | O_NOCTTY : 0);
+    do {
+      file_ = owned_ ? ::open(path.c_str(), flags) : STDIN_FILENO;
+    } while (file_ < 0 && errno == EINTR && !(stop_ && stop_()));
+    if (file_ < 0 && errno == EINTR) throw LimitError(name_ + ": interrupted before its beginning");
     if (file_ < 0) fail(name_, errno);
     struct stat about = {};
     const int reason = fstat(file_, &about) != 0 ? errno : S_ISDIR(about.st_mode) ? EISDIR : 0;
-    if (reason != 0) {
-      close();
-      fail(name_, reason);
-    }
+    const bool refused = regular && !S_ISREG(about.st_mode);
+    if (reason != 0 || refused) close();
+    if (reason != 0) fail(name_, reason);
+    if (refused) throw InputError(name_ + ": is no regular file");
     if (S_ISREG(about.st_mode)) files_read().add(about, name_);
   }
   ~Buffer() override { close(); }
@@ -97,8 +120,8 @@ class InputFile::Buffer final : public std::streambuf {
   int_type underflow() override {
     ssize_t count = 0;
     do {
+      if (!waits_for_more()) return traits_type::eof();
       count = ::read(file_, block_.data(), block_.size());
-      if (count < 0 && errno == EINTR && stop_ && stop_()) return traits_type::eof();
     } while (count < 0 && errno == EINTR);
     if (count < 0) fail(name_, errno);
     measure(std::string_view(block_.data(), static_cast<std::size_t>(count)));
@@ -109,6 +132,17 @@ class InputFile::Buffer final : public std::streambuf {
  private:
   void close() {
     if (owned_) ::close(file_);
+  }
+  /// Returns once there is something to read, or an error; false where `stop` says that this is the end. It is asked
+  /// now and then: a signal that comes just before a read would not end that.
+  bool waits_for_more() {
+    constexpr int pace = 100;  // milliseconds
+    if (!stop_) return true;
+    for (pollfd file = {file_, POLLIN, 0};;) {
+      const int ready = ::poll(&file, 1, pace);
+      if (ready > 0 || (ready < 0 && errno != EINTR)) return true;
+      if (stop_()) return false;
+    }
   }
   void measure(std::string_view text) {
     const std::size_t end = text.find_last_of('\n');
@@ -124,9 +158,9 @@ class InputFile::Buffer final : public std::streambuf {
   std::array<char, std::size_t{1} << 16> block_;
 };
 
-InputFile::InputFile(const std::string& path, std::function<bool()> stop)
-    : name_(path == "-" ? standard_input : path),
-      buffer_(std::make_unique<Buffer>(path, name_, std::move(stop))),
+InputFile::InputFile(const std::string& path, std::function<bool()> stop, Accept accept)
+    : name_(path == "-" && accept == Accept::anything ? standard_input : path),
+      buffer_(std::make_unique<Buffer>(path, name_, std::move(stop), accept)),
       stream_(buffer_.get()) {
   stream_.exceptions(std::ios::badbit);  // what the buffer throws comes out of whatever reads
 }
@@ -135,16 +169,19 @@ InputFile::~InputFile() = default;
 
 void limit_inputs(std::size_t bytes) { limit = bytes; }
 
+void end_inputs_when(std::function<bool()> ended) { inputs_ended = std::move(ended); }
+
 std::string read_file(const std::string& path) {
-  InputFile file(path);
-  std::streambuf& buffer = *file.stream().rdbuf();
-  std::string text;
-  std::array<char, std::size_t{1} << 16> block;
-  while (const std::streamsize count = buffer.sgetn(block.data(), block.size())) {
-    text.append(block.data(), static_cast<std::size_t>(count));
-    check_length(file.name(), "a text", text.size());
-  }
+  bool ended = false;
+  InputFile file(path, [&ended] { return ended = inputs_ended && inputs_ended(); });
+  std::string text = whole(file, limit);
+  if (ended) throw LimitError(file.name() + ": interrupted before its end");
   return text;
+}
+
+std::string read_regular_file(const std::string& path, std::size_t most) {
+  InputFile file(path, {}, InputFile::Accept::regular_files);
+  return whole(file, most);
 }
 
 bool is_read_again(const std::string& path) {

@@ -15,15 +15,26 @@ namespace rmpl::base {
 /// it is set. What is longer is an InputError, so that a wrong file name does not end in a lack of memory.
 void limit_inputs(std::size_t bytes);
 
-/// The whole of a file; `-` is standard input. Throws InputError with the reason where a byte of it cannot be read.
+/// Once `ended` says so, a file that is read whole and is not there yet (a pipe, a terminal) is a LimitError. To be set
+/// before anything is read; asked while it waits.
+void end_inputs_when(std::function<bool()> ended);
+
+/// The whole of a file; `-` is standard input. Throws InputError with the reason where a byte of it cannot be read, and
+/// LimitError as above.
 std::string read_file(const std::string& path);
+
+/// The same of what is a regular file of at most `most` bytes: for names that nobody has typed just now, but that stand
+/// in a text or were found beside one. Never waits: a pipe may have no writer, and a device no end.
+std::string read_regular_file(const std::string& path, std::size_t most = static_cast<std::size_t>(-1));
 
 /// A file as a stream; `-` is standard input. What cannot be read is an InputError with the reason, thrown where the
 /// stream is opened, or out of what reads from it.
 class InputFile {
  public:
-  /// Where a signal comes while it waits for more, `stop` is asked whether that is the end.
-  explicit InputFile(const std::string& path, std::function<bool()> stop = {});
+  enum class Accept { anything, regular_files };  ///< of the latter `-` is one by that name
+
+  /// While it waits for more, `stop` is asked whether that is the end.
+  explicit InputFile(const std::string& path, std::function<bool()> stop = {}, Accept accept = Accept::anything);
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;

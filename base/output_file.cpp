@@ -205,6 +205,14 @@ void write_file(const std::string& path, std::string_view text) {
   file.keep();
 }
 
+bool remove_stale_file(const std::string& path) {
+  if (const auto input = input_at(path)) throw InputError(path + ": removing it would destroy the input " + *input);
+  struct stat about = {};
+  if (is_device(path) || stat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return false;
+  if (::unlink(behind_links(path).c_str()) == 0) return true;
+  throw InputError(path + ": is of an earlier run, and cannot be removed: " + std::strerror(errno));
+}
+
 void remove_unfinished_files() noexcept {
   for (Slot& slot : slots) {
     if (slot.state == Slot::used) ::unlink(slot.name.data());

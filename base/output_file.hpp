@@ -60,6 +60,10 @@ class OutputFile {
 /// Writes a text as a file: all of the above at once.
 void write_file(const std::string& path, std::string_view text);
 
+/// Removes what an earlier run left at `path`, for this one has nothing to write there: whether there was a regular
+/// file. Throws InputError with the reason where it cannot be removed, or is one that was read.
+bool remove_stale_file(const std::string& path);
+
 /// Removes what was begun and not kept. For the end of a process by a signal: only calls what a handler may call.
 void remove_unfinished_files() noexcept;
 

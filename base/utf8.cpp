@@ -48,4 +48,13 @@ std::size_t code_point_length(std::string_view text) {
   return length;
 }
 
+char32_t code_point(std::string_view text) {
+  const std::size_t length = code_point_length(text);
+  const auto bits = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (length < 2) return bits(0);
+  char32_t c = bits(0) & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) c = c << 6U | (bits(i) & 0x3FU);
+  return c;
+}
+
 }  // namespace rmpl::base

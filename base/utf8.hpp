@@ -17,4 +17,7 @@ std::size_t code_points(std::string_view text);
 /// surrogates); 0 where there is none.
 std::size_t code_point_length(std::string_view text);
 
+/// The code point at the start of a text that is not empty; its first byte where it is not well-formed.
+char32_t code_point(std::string_view text);
+
 }  // namespace rmpl::base

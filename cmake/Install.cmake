@@ -39,12 +39,12 @@ install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONE
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT programs)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT programs
         FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN "*.y*ml" PATTERN development.md EXCLUDE PATTERN architecture.md EXCLUDE
-        PATTERN "house.*" EXCLUDE)
+        PATTERN "house.*" EXCLUDE PATTERN site EXCLUDE)
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT programs
         PATTERN CMakeLists.txt EXCLUDE PATTERN fly EXCLUDE PATTERN check EXCLUDE)
 
 # The libraries: find_package(rmpl), targets rmpl::automata, …
-set(RMPL_LIBRARIES base automata grammar compiler reasoning executive report verifier)
+set(RMPL_LIBRARIES base automata grammar compiler reasoning telemetry executive report verifier)
 install(TARGETS ${RMPL_LIBRARIES} rmpl_cadical rmpl_bliss EXPORT rmpl
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/rmpl COMPONENT development
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rmpl)

@@ -5,6 +5,12 @@ find_package(Boost REQUIRED COMPONENTS program_options)
 find_package(Threads REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(SQLite3 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_library(EDIT_LIBRARY edit REQUIRED)
+find_path(EDIT_INCLUDE_DIR editline/readline.h REQUIRED)
+add_library(rmpl_libedit INTERFACE)
+target_link_libraries(rmpl_libedit INTERFACE ${EDIT_LIBRARY})
+target_include_directories(rmpl_libedit SYSTEM INTERFACE ${EDIT_INCLUDE_DIR})
 find_library(CADICAL_LIBRARY cadical REQUIRED)
 find_path(CADICAL_INCLUDE_DIR cadical.hpp REQUIRED)
 add_library(rmpl_cadical INTERFACE)
@@ -20,16 +26,26 @@ target_link_libraries(rmpl_bliss INTERFACE $<BUILD_INTERFACE:${BLISS_LIBRARY}> $
 target_compile_definitions(rmpl_bliss INTERFACE BLISS_USE_GMP)
 target_include_directories(rmpl_bliss SYSTEM INTERFACE $<BUILD_INTERFACE:${BLISS_INCLUDE_DIR}>)
 
-# rmpl_folder(<name> [links…]): every .cpp below this folder, as one static library.
+# rmpl_folder(<name> [links…] [ALONE <folders…>]): every .cpp below this folder, as one static library. No unit is made of
+# the files of the folders named after ALONE.
 # A folder sees another only through a link named here; the test `arrows` checks the includes against the links.
 function(rmpl_folder name)
+  cmake_parse_arguments(arg "" "" "ALONE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  add_library(${name} STATIC ${sources})
+  set(alone "")
+  foreach(folder ${arg_ALONE})
+    file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    list(APPEND alone ${files})
+  endforeach()
+  list(REMOVE_ITEM sources ${alone})
+  rmpl_units(units ${name} ${sources})
+  add_library(${name} STATIC ${units} ${alone})
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
-  target_link_libraries(${name} PUBLIC ${ARGN} PRIVATE $<BUILD_INTERFACE:rmpl_warnings>)
+  target_link_libraries(${name} PUBLIC ${arg_UNPARSED_ARGUMENTS} PRIVATE $<BUILD_INTERFACE:rmpl_warnings>)
 endfunction()
 
-# rmpl_program(<name> <links…>): one command-line program, of every .cpp right in this folder.
+# rmpl_program(<name> <links…>): one command-line program, of every .cpp right in this folder. Each command has `Options` and
+# `notes` of its own, so that no units are made of them.
 function(rmpl_program name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_executable(${name} ${sources})

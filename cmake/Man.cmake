@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 find_program(SCDOC_PROGRAM scdoc)
 if(SCDOC_PROGRAM)
-  foreach(page rmplc.1 rmpl-run.1 tcca-check.1 rmpl.5 tcca.5 rmpl.ini.5)
+  foreach(page rmplc.1 rmpl-run.1 tcca-check.1 rmpl.5 tcca.5 scn.5 props.5 mon.5 rmpl.ini.5 rmpl.toml.5)
     set(source ${CMAKE_SOURCE_DIR}/man/${page}.scd)
     set(manual ${CMAKE_BINARY_DIR}/man/${page})
     string(REGEX MATCH "[0-9]$" section ${page})

@@ -1,8 +1,13 @@
-# `cpack --config build/release/CPackConfig.cmake`: two Debian packages, rmpl and librmpl-dev.
+# `cpack --config build/release/CPackConfig.cmake`: Debian packages: rmpl, librmpl-dev, and python3-rmpl where the module is built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rmpl)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # else it would stand before that of each package
+set(CPACK_PACKAGE_HOMEPAGE_URL "${RMPL_HOMEPAGE}")
 set(CPACK_PACKAGE_CONTACT "the rmpl maintainers <maintainers@rmpl.invalid>")
 set(CPACK_COMPONENTS_ALL programs development)
+if(RMPL_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
@@ -28,4 +33,18 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "timed model-based programming: the libraries
 Static libraries, headers and a CMake package of the toolchain.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rmpl)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+if(RMPL_PYTHON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor})")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas, graphviz") # frames, and drawings
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "timed model-based programming: the Python module
+Compile, fly, estimate, plan, diagnose and check models from Python and
+notebooks, with the answers of the programs as plain dictionaries.")
 include(CPack)

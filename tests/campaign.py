@@ -29,7 +29,7 @@ class Bench:
     def __init__(self, root: pathlib.Path, programs: pathlib.Path, folder: str):
         self.folder = pathlib.Path(folder)
         self.command = [programs / "rmpl-run", "campaign", root / "examples/mars-entry/mars_entry.scn", "--only",
-                        "heating, drawn from the model", "--color", "never"]
+                        "heating, drawn from the model", "--color", "never", "--at-most", "100%"]
 
     def words(self, name: str, *options) -> list:
         return [*self.command, "--db", self.folder / f"{name}.sqlite", *options]
@@ -62,6 +62,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
         page = pathlib.Path(folder, "alone.html").read_text(encoding="utf-8")
         assert "http" not in page and len(page) < 100_000 and "By component" in page
         assert "@media (prefers-color-scheme: dark)" in page
+        assert page.count("<svg") == 3 and "Failing runs" in page and "--replay" in page
 
         several = bench.run("several", *same, "--jobs", "4")
         assert several.returncode == 0 and several.stdout == alone.stdout, several
@@ -94,11 +95,34 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
         other = bench.run("more", *same, "--seed", "2")
         assert other.returncode == 2 and "another campaign: its seed is '1', not '2'" in other.stderr, other
 
+        # A run flown again is the same run, with the verdict that the table has.
+        codes = {"met": 0, "failed": 1, "undecided": 3}
+        for row in rows[:6]:
+            replayed = subprocess.run([*bench.command, "--faults", "1", "--replay", row["run"], "--report", f"{folder}/run.html"],
+                                      capture_output=True, text=True, timeout=120, check=False)
+            assert replayed.returncode == codes[row["verdict"]], (row, replayed)
+            assert f"{row['cycles']} cycles" in replayed.stdout, (row, replayed.stdout)
+            assert f"run {row['run']}" in pathlib.Path(folder, "run.html").read_text(encoding="utf-8")
+        refused = subprocess.run([*bench.command, "--replay", "1", "--db", ":memory:"], capture_output=True, text=True, timeout=60, check=False)
+        assert refused.returncode == 2 and "--replay" in refused.stderr, refused
+
         # Enumerated: each fault of the model at each time.
         each = bench.run("each", "--enumerate", "--at", "5s", "--at", "50s")
         assert each.returncode == 0, each
         rows = list(csv.DictReader(bench.csv("each").decode().splitlines()))
         assert len(rows) == 10 and len({(row["faults"], row["at"]) for row in rows}) == 10, rows
+
+        # A gate: the last of an option counts for nothing, so that the command has but one.
+        gate = [word for word in bench.command if word not in ("--at-most", "100%")]
+        failed = sum(row["verdict"] == "failed" for row in csv.DictReader(bench.csv("alone").decode().splitlines()))
+        assert 0 < failed < RUNS
+        for most, code in ((None, 1), (str(failed), 0), (str(failed - 1), 1), ("99.9%", 0), ("0%", 1), ("-1", 2), ("1.5", 2)):
+            limit = [] if most is None else ["--at-most", most]
+            judged = subprocess.run([*gate, "--db", ":memory:", "--jobs", "2", *same, *limit], cwd=folder, capture_output=True,
+                                    text=True, timeout=120, check=False)
+            assert judged.returncode == code, (most, judged)
+            assert code == 2 or judged.stdout == alone.stdout, (most, judged)
+        assert not list(pathlib.Path(folder).glob(":memory:*"))
 
         broken = pathlib.Path(folder, "broken.sqlite")
         broken.write_text("no database, and too long for none" * 100, encoding="utf-8")

@@ -4,7 +4,7 @@
 """Usage: ci.py ROOT PROGRAMS.
 
 The commands of docs/ci/*.yml run on the example that they name, but for those that install; what they write is held
-against its schema. The hooks run under pre-commit itself, on a good model and on one with a fault. What lacks a tool is
+against its schema. The steps of action.yml run as a service runs them. The hooks run under pre-commit itself, on a good model and on one with a fault. What lacks a tool is
 named and left out; without any of them the exit code is 77.
 """
 
@@ -20,6 +20,7 @@ import tempfile
 
 SKIPPED = 77
 EXAMPLE = "examples/propulsion"
+ACTION_INPUT = re.compile(r"\$\{\{ inputs\.([\w-]+) \}\}")
 TOOLS = {"workflows": "a module yaml (python3-yaml)", "xmllint": "xmllint (libxml2-utils)",
          "jsonschema": "a module jsonschema (python3-jsonschema)", "pre-commit": "pre-commit"}
 ANNOTATION = re.compile(r"::(error|warning|notice) file=[^,]+,line=\d+(,\w+=[^,:]*)*::\S.*")
@@ -105,6 +106,38 @@ def findings(root, environment, work):
             yield f"--format sarif: {error.json_path}: {error.message}"
 
 
+def act(root, folder, environment, **inputs):
+    """Runs the steps of action.yml as a service does, and gives the result of the last. Expressions but for inputs stay."""
+    import yaml  # pylint: disable=import-outside-toplevel
+    action = yaml.safe_load((root / "action.yml").read_text(encoding="utf-8"))
+    given = {name: inputs.get(name, entry.get("default", "")) for name, entry in action["inputs"].items()}
+    for step in action["runs"]["steps"]:
+        variables = {name: ACTION_INPUT.sub(lambda match: given[match[1]], value) for name, value in step["env"].items()}
+        place = folder / ACTION_INPUT.sub(lambda match: given[match[1]], step.get("working-directory", "."))
+        done = subprocess.run(["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", step["run"]], cwd=place, text=True,
+                              env=environment | variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=300, check=False)
+        if done.returncode != 0:
+            break
+    return done
+
+
+def action(root, environment, work):
+    """The action passes on a good model, annotates a fault, and runs nothing that stands in its inputs."""
+    folder = copied(root, work / "action/models", environment)
+    for words in ({"files": "burn.scn propulsion.props"}, {"files": "*.scn", "level": "error"}):
+        done = act(root, folder.parent, environment, **words, **{"working-directory": "models"})
+        if done.returncode != 0:
+            yield f"action.yml with {words} ends with {done.returncode}:\n{done.stdout}"
+    done = act(root, with_a_fault(folder), environment, files="burn.scn")
+    annotations = [line for line in done.stdout.splitlines() if ANNOTATION.fullmatch(line)]
+    if done.returncode != 1 or not any("RMPL0500" in line for line in annotations):
+        yield f"action.yml on a fault ends with {done.returncode}:\n{done.stdout}"
+    done = act(root, folder, environment, files="$(touch broken) ; touch broken")
+    if done.returncode != 2 or (folder / "broken").exists():
+        yield f"action.yml runs what its input says:\n{done.stdout}"
+
+
 def git(folder, *words):
     subprocess.run(["git", "-c", "user.name=t", "-c", "user.email=t@example.invalid", "-c", "init.defaultBranch=main",
                     *words], cwd=folder, check=True, capture_output=True, timeout=60)
@@ -142,6 +175,7 @@ def complaints(root, programs, present, work):
         for path in (root / "docs/ci/github.yml", root / "docs/ci/gitlab.yml"):
             yield from run_workflow(path, root, environment, work)
         yield from invalid(work, root)
+        yield from action(root, environment, work)
     yield from findings(root, environment, work)
     if "pre-commit" in present:
         yield from hooks(root, environment, work)

@@ -47,7 +47,7 @@ def changes_of(trace: list[dict], key: str) -> list[tuple[int, dict]]:
 
 
 def read_vcd(text: str) -> dict[str, list[tuple[int, str]]]:
-    """Changes of strings by full name, as the clause of the standard has them."""
+    """Changes of strings by full name."""
     names, scopes, changes, now = {}, [], {}, 0
     for line in text.splitlines():
         words = line.split()
@@ -61,9 +61,8 @@ def read_vcd(text: str) -> dict[str, list[tuple[int, str]]]:
             names.setdefault(words[3], ".".join([*scopes, words[4]]))
         elif line[0] == "#":
             now = int(line[1:])
-        elif line[0] == "b":
-            bits, code = words[0][1:], words[1]
-            value = bits[0] if bits[0] in "xz" else int(bits, 2).to_bytes((len(bits) + 7) // 8, "big").lstrip(b"\0").decode()
+        elif line[0] == "s":
+            value, code = words[0][1:], words[1]
             history = changes.setdefault(names[code], [])
             if history and history[-1][0] == now:
                 history.pop()
@@ -116,14 +115,20 @@ def check_mcap(data: bytes, trace: list[dict]) -> list:
     magic = b"\x89MCAP0\r\n"
     assert data.startswith(magic) and data.endswith(magic)
     body = data[8:-8]
-    topics, messages, counted = {}, [], None
+    topics, schemas, messages, counted, metadata = {}, {}, [], None, b""
     for opcode, content, at in records(body):
         if opcode == 0x06:  # a chunk
             size, = struct.unpack_from("<Q", content, 16)
             inside = content[8 * 3 + 4 + 4 + 8:]
             assert len(inside) == size
             for inner, part, _ in records(inside):
-                if inner == 0x04:
+                if inner == 0x03:
+                    number, length = struct.unpack_from("<HI", part)
+                    name, rest = part[6:6 + length].decode(), part[6 + length:]
+                    length, = struct.unpack_from("<I", rest)
+                    assert rest[4:4 + length] == b"jsonschema"
+                    schemas[name] = json.loads(rest[4 + length + 4:])
+                elif inner == 0x04:
                     channel, _, length = struct.unpack_from("<HHI", part)
                     topics[channel] = part[8:8 + length].decode()
                 elif inner == 0x05:
@@ -131,10 +136,17 @@ def check_mcap(data: bytes, trace: list[dict]) -> list:
                     messages.append([topics[channel], time, json.loads(part[22:])])
         elif opcode == 0x0b:
             counted, = struct.unpack_from("<Q", content)
+        elif opcode == 0x0c:
+            metadata = content
         elif opcode == 0x02:
             summary, = struct.unpack_from("<Q", content)
             assert data[summary] == 0x03, "the summary begins with a schema"
     assert counted == len(messages)
+    assert b"rmpl.flight" in metadata and b"verdict" in metadata, metadata
+    for topic, _, message in messages:  # every field is declared, and every value is one of its
+        fields = schemas["rmpl." + topic[1:]]["properties"]
+        for key, value in message.items():
+            assert key in fields and value in fields[key].get("enum", [value]), (topic, key, value, fields)
     assert [(m[1], m[2]) for m in messages if m[0] == "/estimate"] == changes_of(trace, "estimate")
     return messages
 

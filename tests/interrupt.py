@@ -39,6 +39,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
     print(f"{len(lines)} whole lines")
     within_a_line(plant, programs)
     within_an_update(programs)
+    with_millions_of_states(programs)
     return 0
 
 
@@ -75,6 +76,32 @@ def within_an_update(programs: pathlib.Path) -> None:
     assert json.loads(first)["time"] == 1 and not rest, first + rest
     assert run.returncode == 3, f"exit {run.returncode}"
     assert errors.decode() == "rmpl-run: interrupted after 1 line\n", errors
+
+
+def with_millions_of_states(programs: pathlib.Path) -> None:
+    """Whatever is being done with the whole belief of fifteen breakers, its release included, an end is answered at once."""
+    many = range(15)
+    breaker = """component Breaker { input cmd : { none, open, close }; output load : { off, on }; initial closed;
+        mode closed { load = on }; mode open { load = off }; fault welded { load = on };
+        closed -> open when cmd = open; open -> closed when cmd = close; closed, open -> welded with 0.01; }
+        component Bus { output volts : { low, high }; initial up; mode up { volts = high }; fault down { volts = low };
+        up -> down with 0.001; }"""
+    linked = " & ".join(f"b{i}.load = off" for i in many) + " -> bus.volts = high"
+    controls = " ".join(f"control b{i}.cmd default none;" for i in many)
+    with tempfile.TemporaryDirectory() as folder:
+        plant = pathlib.Path(folder, "board.tcca")
+        plant.write_text(f"{breaker} plant Board {{ bus : Bus; {' '.join(f'b{i} : Breaker;' for i in many)} {controls} {linked}; }}",
+                         encoding="utf-8")
+        log = pathlib.Path(folder, "log.jsonl")
+        log.write_text("".join(f'{{"time": {i}}}\n' for i in range(1, 40)), encoding="utf-8")
+        for moment in (0.3, 0.6, 0.9, 1.2, 1.5, 2.0, 3.0):
+            with subprocess.Popen([programs / "rmpl-run", "estimate", plant, "--estimator", "exact", "-k", "1", "--log", log],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
+                time.sleep(moment)
+                run.send_signal(signal.SIGTERM)
+                _, errors = run.communicate(timeout=10)
+            assert run.returncode == 3, f"exit {run.returncode} after {moment} s"
+            assert errors.startswith(b"rmpl-run: interrupted "), errors
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-CODES = {"RMPL0500", "RMPL0511", "RMPL0512", "RMPL0514", "RMPL0518", "RMPL0534", "RMPL0546", "RMPL0548"}
+CODES = {"RMPL0500", "RMPL0511", "RMPL0512", "RMPL0514", "RMPL0518", "RMPL0521", "RMPL0534", "RMPL0546", "RMPL0548"}
 
 VALVE = """\
 component Valve {{
@@ -57,6 +57,11 @@ FIXED = [
     ("all clocks of a declaration", "main.rmpl", "RMPL0511", own("  clock a, b, c;\n  clock t;\n"), own("  clock t;\n")),
     ("braces", "main.rmpl", "RMPL0514", "P() :: {\n  engine = on; valve = open,\n  lamp = on\n}\n",
      "P() :: {\n  { engine = on; valve = open },\n  lamp = on\n}\n"),
+    ("a wait that whenever starts anew", "main.rmpl", "RMPL0521",
+     "P() :: {\n  whenever tap = shut donext Wait()\n}\n\n"
+     "Wait() :: {\n  clock t;\n  t = 0;\n  when t >= 5 s donext tap = open\n}\n",
+     "P() :: {\n  repeat when tap = shut donext Wait()\n}\n\n"
+     "Wait() :: {\n  clock t;\n  t = 0;\n  when t >= 5 s donext tap = open\n}\n"),
     ("an allowance", "main.rmpl", "RMPL0518",
      "P() :: {\n  tap = open;\n\n  // lint: allow RMPL0514 because it was so\n\n  tap = shut\n}\n",
      "P() :: {\n  tap = open;\n\n  tap = shut\n}\n"),

@@ -156,6 +156,7 @@ SEEDED = [
     ("a transition that is given twice", 500, ("hot     -> off     when cmd = off;", "hot     -> off     when cmd = off;\n  hot     -> off     when cmd = off;")),
     ("a default that a mode excludes", 539, ("  control driver", "  valve.switch = shut -> heater.cmd != none;\n  control driver")),
     ("weights of transitions that take time", 550, ("heating -> hot     when cmd != off in [30 s, 60 s];", "heating -> hot     when cmd != off in [30 s, 60 s] with 0.9;\n  heating -> off     when cmd != off in [30 s, 60 s] with 0.1;")),
+    ("a self-transition beside what takes time", 552, ("heating -> off     when cmd = off;", "heating -> off     when cmd = off;\n  heating -> heating when cmd = on;")),
     ("a weight of a transition that is alone", 550, ("closed -> open   when cmd = open;", "closed -> open   when cmd = open with 0.9;")),
     ("a transition that is to restart a clock", 548, ("heating -> off     when cmd = off;", "heating -> off     when cmd = off;\n  heating -> heating when cmd = off in [1 s, 2 s];"), ("when cmd != off in [30 s, 60 s];", "when cmd = on in [30 s, 60 s];"), ("  heating -> off     when cmd = off;\n", "")),
     ("a transition that says what stays so", 548, ("closed -> open   when cmd = open;", "closed -> open   when cmd = open;\n  closed -> closed when cmd = close;")),
@@ -182,7 +183,6 @@ CLEAN = [
     ("an input that is observed only", ("  output temp  :", "  input  feed  : Pressure;\n  output temp  :"), ("observe tank.gauge,", "observe heater.feed, tank.gauge,")),
     ("a fault that looks like one nominal mode of two", ("fault stuck  { outlet = low & switch = wide }", "fault stuck  { outlet = low & switch = shut }")),
     ("faults that look alike, but one can be left", ("  fault broken  { temp = cold & power = zero };", "  fault broken  { temp = cold & power = zero };\n  fault blown   { temp = cold & power = zero };\n  any nominal -> blown with rate 1e-5 /h;\n  blown -> off when cmd = off;")),
-    ("a transition that holds off what takes time", ("heating -> off     when cmd = off;", "heating -> off     when cmd = off;\n  heating -> heating when cmd = on;")),
     ("a delay from what is there at the start", *LAMP, ("  heater : Heater;", "  heater : Heater { initial hot; };")),
     ("a command that only a constraint reads", ("{ none, on, off, open, close };\n  output out", "{ none, on, off, open, close, test };\n  output out"), ("{ off, on, tripped }", "{ off, on, tripped, testing }"), ("& status = on }", "& (cmd = test <-> status = testing) & status in { on, testing } }")),
 ]

@@ -29,11 +29,11 @@ class Bench:
         self.trace = self.folder / "trace.jsonl"
 
     def run(self, *options, timeout=60) -> subprocess.CompletedProcess:
-        return subprocess.run([*self.start, "-q", *options, "--trace", self.trace], capture_output=True, text=True,
+        return subprocess.run([*self.start, "-q", *options, "--trace", self.trace, "--keyframe", "1"], capture_output=True, text=True,
                               timeout=timeout, check=False)
 
     def launch(self, *options) -> subprocess.Popen:
-        return subprocess.Popen([*self.start, "-q", *options, "--trace", self.trace], stdout=subprocess.PIPE,
+        return subprocess.Popen([*self.start, "-q", *options, "--trace", self.trace, "--keyframe", "1"], stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True)
 
     def events(self) -> collections.Counter:

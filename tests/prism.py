@@ -24,7 +24,8 @@ UPDATE = re.compile(r"\((\w+)'=([^()]*(?:\([^()]*\))?[^()]*)\)")
 def random_plant(draw):
     """Components that command, feed and delay each other; every bound a multiple of half the period of 1 s, or not."""
     lines, wires, count = [], [], draw.randint(1, 3)
-    for c in range(count):
+    types = draw.randint(1, count)  # some components may be of one type
+    for c in range(types):
         modes = [f"m{m}" for m in range(draw.randint(2, 3))]
         start = ", ".join(f"{mode} {1 / len(modes[:2])}" for mode in modes[:2]) if draw.random() < 0.3 else modes[0]
         lines += [f"component C{c} {{", "  input cmd : { none, go };", "  input feed : { low, high };",
@@ -39,18 +40,37 @@ def random_plant(draw):
                                   f"in [{lower} s, inf] ~ exponential(2 s)",
                                   f"in [{lower} s, {lower + 3} s] ~ normal(2 s, 1 s)", "with 0.3"])
             lines.append(f"  {draw.choice(modes)} -> {target} when {guard} {timing};")
-        lines += [f"  any -> broken {draw.choice(['with 0.01', 'with rate 0.2', 'with 0'])};", "}"]
+        lines += [f"  any -> broken {draw.choice(['with 0.01', 'with rate 0.2 /s', 'with 0'])};", "}"]
+    for c in range(count):
         # Only upwards, so that no loop of attributes contradicts itself.
         wires.append(f"  c{c}.feed = c{draw.randrange(c)}.out;" if c else "  c0.feed = low;")
-    lines += ["plant P {", *(f"  c{c} : C{c};" for c in range(count)), *wires,
+    lines += ["plant P {", *(f"  c{c} : C{c % types};" for c in range(count)), *wires,
               f"  control {', '.join(f'c{c}.cmd' for c in range(count))} default none;", "}"]
     return "\n".join(lines) + "\n"
+
+
+def expanded(text):
+    """The model with its renamed modules written out: `module c1 = c0 [ m0=m1, a2=a3 ] endmodule // name`."""
+    bodies = {}
+
+    def write_out(match):
+        name, model, pairs, component = match[1], match[2], dict(p.split("=") for p in match[3].split(", ")), match[4]
+        _, modes, rest = bodies[model].split("\n", 2)
+        return f"module {name} // {component}\n{modes}\n" + re.sub(r"\b[amx]\d+\b", lambda word: pairs.get(word[0], word[0]), rest)
+
+    parts = re.split(r"(?m)^(?=module )", text)
+    for i, part in enumerate(parts):
+        part = re.sub(r"(?m)^module (c\d+) = (c\d+) \[ (.*) \] endmodule // (.*)\n", write_out, part)
+        if name := re.match(r"module (c\d+) ", part):
+            bodies[name[1]] = part
+        parts[i] = part
+    return "".join(parts)
 
 
 class Module:
     """Its variables with their first values, and its commands: label, guard, outcomes."""
 
-    def __init__(self, text):
+    def __init__(self, text, number=float):
         self.first = {name: int(value) for name, value in re.findall(r"^  (\w+) : \[.*\] init (-?\d+);", text, re.M)}
         self.modes = re.search(r"^  // (.*)$", text, re.M)[1].split(", ")
         self.name = re.search(r"^c\d+ // (.*)$", text, re.M)[1]
@@ -63,12 +83,15 @@ class Module:
             outcomes = []
             for part in re.split(r" \+ (?=[\d.e-]+:)", match[3]):
                 probability, updates = part.split(":", 1)
-                outcomes.append((float(probability), UPDATE.findall(updates)))
+                outcomes.append((number(probability), UPDATE.findall(updates)))
             self.commands.append((match[1], guard, outcomes))
+
+    def enabled(self, label, state):
+        return [outcomes for name, guard, outcomes in self.commands if name == label and eval(guard, {}, state)]
 
     def step(self, label, state):
         """The outcomes of the one command that is enabled."""
-        enabled = [outcomes for name, guard, outcomes in self.commands if name == label and eval(guard, {}, state)]
+        enabled = self.enabled(label, state)
         assert len(enabled) == 1, f"{self.name}: {len(enabled)} commands of {label} in {state}"
         return [(p, {name: eval(value, {"min": min}, state) for name, value in updates})
                 for p, updates in enabled[0]]
@@ -99,11 +122,11 @@ def compare(bin_dir, folder, draw):
     """How many probabilities were compared; None where PRISM cannot say the plant."""
     plant = folder / "plant.tcca"
     plant.write_text(random_plant(draw), encoding="utf-8")
-    exported = subprocess.run([bin_dir / "tcca-check", "export", "--format", "prism", "--time", "1s", plant, "-q",
+    exported = subprocess.run([bin_dir / "tcca-check", "export", "--format", "prism", "--time", "1s", "--whole", plant, "-q",
                                "--target", "true"], capture_output=True, text=True)
     if exported.returncode != 0:
         return None
-    modules = [Module(text) for text in re.split(r"^module ", exported.stdout, flags=re.M)[1:]]
+    modules = [Module(text) for text in re.split(r"^module ", expanded(exported.stdout), flags=re.M)[1:]]
     labels = re.findall(r"^// (a\d+): (.*)$", exported.stdout, re.M)
     belief = {tuple(sorted((k, v) for m in modules for k, v in m.first.items())): 1.0}
     if "[start]" in exported.stdout:

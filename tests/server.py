@@ -4,7 +4,9 @@
 """Usage: server.py ROOT PROGRAMS."""
 
 import json
+import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -113,8 +115,8 @@ class Client:
     def notify(self, method: str, **params) -> None:
         self.send(method=method, params=params)
 
-    def start(self) -> dict:
-        result = self.get("initialize", processId=None, rootUri=None, capabilities={})
+    def start(self, root=None) -> dict:
+        result = self.get("initialize", processId=None, rootUri=root and root.as_uri(), capabilities={})
         self.notify("initialized")
         return result
 
@@ -260,6 +262,14 @@ def diagnostics(program, folder):
     client.get("textDocument/foldingRange", textDocument={"uri": client.uri("start.rmpl")})
     while client.findings("start.rmpl"):
         client.read()
+    # What is no regular file is not read, and not waited for.
+    os.mkfifo(folder / "pipe.rmpl")
+    for name in ("pipe.rmpl", "/dev/zero"):
+        client.change("start.rmpl", f'import "{name}"; ', (0, 0), (0, 0))
+        assert "no regular file" in client.findings("start.rmpl")[0], client.findings("start.rmpl")
+        client.change("start.rmpl", "", (0, 0), (0, len(f'import "{name}"; ')))
+        same(client.findings("start.rmpl"), [])
+    (folder / "pipe.rmpl").unlink()
     # A file of properties, with the plant beside it; a file that nothing uses.
     client.open("ship.props", 'property "p" { never engine = brokn; }')
     same([f[:13] for f in client.findings("ship.props")], ["RMPL0102 0:30"])
@@ -309,6 +319,72 @@ def lints(program, folder):
     client.change("start.rmpl", PROGRAM + "\n")
     client.change("start.rmpl", PROGRAM)
     same(client.findings("start.rmpl"), [])
+    client.end()
+
+
+def projects(program, folder):
+    """Files of a project belong together, wherever they are."""
+    subprocess.run([program, "new", "-q", "demo"], cwd=folder, check=True)
+    demo = folder / "demo"
+
+    def told(name, old, new, wanted):
+        client = Client(program, demo)
+        client.start()
+        text = (demo / name).read_text(encoding="utf-8")
+        client.open(name, text)
+        same(client.findings(name), [])
+        assert old in text
+        client.change(name, text.replace(old, new))
+        same([finding.split(" `")[0] for finding in client.findings(name)], wanted)
+        client.end()
+
+    told("program/fill.rmpl", "pump = broken", "pump = brokem", ["RMPL0102 8:21"])
+    told("properties/station.props", "reach pump", "reach pomp", ["RMPL0308 3:8 plant"])
+    told("plant/station.tcca", "open   -> closed", "open   -> closet", ["RMPL0100 11:12 component"])
+    # Without a scenario the project says what the program runs on.
+    manifest = demo / "rmpl.toml"
+    lines = manifest.read_text(encoding="utf-8").splitlines(keepends=True)
+    manifest.write_text("".join(line for line in lines if not line.startswith("scenarios")), encoding="utf-8")
+    told("program/fill.rmpl", "pump = broken", "pump = brokem", ["RMPL0102 8:21"])
+    # A manifest that is wrong leaves the files by themselves.
+    manifest.write_text("[set.fill\n", encoding="utf-8")
+    told("program/fill.rmpl", "pump = broken", "pump = brokem", [])
+
+
+def pages(program, folder):
+    """An installed server says where the page of a code is."""
+    (folder / "bin").mkdir()
+    installed = shutil.copy(program, folder / "bin")
+    page = folder / "share/doc/rmpl/docs/diagnostics/RMPL0308.md"
+    for there in (False, True):
+        if there:
+            page.parent.mkdir(parents=True)
+            page.touch()
+        client = Client(pathlib.Path(installed), folder)
+        client.start()
+        client.open("start.rmpl", PROGRAM.replace("engine = on", "engin = on", 1))
+        same([finding.split()[0] for finding in client.findings("start.rmpl")], ["RMPL0308"])
+        one = client.diagnostics[client.uri("start.rmpl")]["diagnostics"][0]
+        same(one.get("codeDescription"), {"href": page.as_uri()} if there else None)
+        client.end()
+
+
+def everywhere_named(program, folder):
+    """What is declared anywhere in the workspace, by name."""
+    (folder / "ship.props").write_text('property "it starts" {\n  reach engine = on;\n}\n', encoding="utf-8")
+    client = Client(program, folder)
+    client.start(folder)
+    client.open("start.rmpl", PROGRAM + "\nStartAgain() :: { Start() }\n")
+
+    def found(query):
+        return [(s["name"], s["location"]["uri"].rpartition("/")[2], s["location"]["range"]["start"]["line"], s["containerName"])
+                for s in client.get("workspace/symbol", query=query)]
+
+    same(found("engine"), [("Engine", "engine.tcca", 3, ""), ("engine", "ship.tcca", 3, "Ship")])
+    same(found("brkn"), [("broken", "engine.tcca", 10, "Engine")])
+    same(found("start"), [("it starts", "ship.props", 0, ""), ("Start", "start.rmpl", 1, ""), ("StartAgain", "start.rmpl", 9, ""), ("start", "start.scn", 0, "")])
+    same(found("it starts"), [("it starts", "ship.props", 0, "")])
+    same(found("nothing of that name"), [])
     client.end()
 
 
@@ -391,6 +467,36 @@ def renaming(program, folder):
     client.end()
 
 
+def renaming_everywhere(program, folder):
+    """What uses a library lies in other folders, open or not; a program that fits no plant of it is another's."""
+    texts = {
+        "lib/bus.tcca": "component Bus {\n  input cmd : { none, go };\n\n  initial unpowered;\n  mode unpowered;\n  mode powered;\n\n"
+                        "  unpowered -> powered when cmd = go;\n}\n",
+        "lib/plant.tcca": 'import "bus.tcca";\nplant P { bus : Bus; control bus.cmd default none; }\n',
+        "other/plant.tcca": 'import "../lib/bus.tcca";\nplant P { bus : Bus; control bus.cmd default none; }\n',
+        "other/p.rmpl": "Main() :: { bus = powered }\n",
+        "flights/p.scn": 'scenario "s" { program "../other/p.rmpl"; plant "../lib/plant.tcca"; expect bus = powered within 1 s; }\n',
+        "props/p.props": 'property "x" { reach bus = powered; }\n',
+        "props/q.props": 'property "x" { reach radio = powered; }\n',
+        ".hidden/p.rmpl": "Main() :: { bus = powered }\n",
+        "style/bus.tcca": 'import "../lib/bus.tcca";\n\nplant Q {\n  bus : Bus;\n\n  bus = powered | bus = unpowered;  // always\n  control bus.cmd default none;      // the switch\n}\n',
+    }
+    root = folder / "everywhere"
+    for name, text in texts.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8")
+    client = Client(program, root)
+    client.start(root)
+    client.open("lib/bus.tcca")
+    at = client.at("lib/bus.tcca", 5, 7)
+    found = client.get("textDocument/references", **at, context={"includeDeclaration": True})
+    changes = client.get("textDocument/rename", **at, newName="live")["changes"]
+    names = sorted(str(pathlib.Path(uri.removeprefix("file://")).relative_to(root)) for uri in changes)
+    same(names, ["flights/p.scn", "lib/bus.tcca", "other/p.rmpl", "props/p.props", "style/bus.tcca"])
+    same(len(found), 6)
+    client.end()
+
+
 def completing(program, folder):
     client = Client(program, folder)
     client.start()
@@ -435,7 +541,7 @@ def completing(program, folder):
     same(offered("ship.tcca", PLANT[: PLANT.index("Engine;")], ";\n}\n"), ["Engine", "model"])
     same(offered("ship.tcca", PLANT[: PLANT.index("none;")], ";\n}\n"), ["none", "off", "on", "false", "true"])
     same(offered("ship.tcca", PLANT[: PLANT.index("engine.temp")] + "engine.", ";\n}\n"), ["engine.cmd", "engine.temp"])
-    same(offered("ship.tcca", ""), ["component", "domain", "import", "module", "plant"])
+    same(offered("ship.tcca", ""), ["component", "domain", "import", "module", "plant", "progress"])
     same(offered("ship.tcca", 'import "'), ['"engine.tcca"'])
     client.change("ship.tcca", PLANT)
     client.open("start.scn")
@@ -461,6 +567,13 @@ def outline(program, folder):
     same([s["name"] for s in symbols[1]["children"]], ["cmd", "temp", "off", "on", "broken"])
     folds = client.get("textDocument/foldingRange", textDocument=uri)
     same([(f["startLine"], f["endLine"]) for f in folds], [(3, 13)])
+    text = 'import "engine.tcca"; import "none.tcca"; Wait() :: { t = 0; when t >= 16830 s donext true } // 90 s\n'
+    client.open("slow.rmpl", text)
+    links = client.get("textDocument/documentLink", textDocument={"uri": client.uri("slow.rmpl")})
+    same([(link["target"].rsplit("/", 1)[1], link["range"]["start"]["character"]) for link in links], [("engine.tcca", 8)])
+    hints = client.get("textDocument/inlayHint", textDocument={"uri": client.uri("slow.rmpl")},
+                       range={"start": {"line": 0, "character": 0}, "end": {"line": 1, "character": 0}})
+    same([(text[: hint["position"]["character"]][-7:], hint["label"]) for hint in hints], [("16830 s", "(4:40:30)")])
     data = client.get("textDocument/semanticTokens/full", textDocument={"uri": client.uri("start.rmpl")})["data"]
     line = character = 0
     seen = []
@@ -473,7 +586,169 @@ def outline(program, folder):
     client.end()
 
 
-TESTS = [lifecycle, abuse, diagnostics, lints, formats, names, renaming, completing, outline]
+def lenses(program, folder):
+    """What can be done with a scenario, a property and a program, as a call of a program that is there."""
+
+    def found(name):
+        return [(lens["range"]["start"]["line"], lens["command"]["title"], lens["command"]["command"], lens["command"]["arguments"][0])
+                for lens in client.get("textDocument/codeLens", textDocument={"uri": client.uri(name)})]
+
+    def run(argument, folder):
+        """The exit code of what a lens runs."""
+        same(argument["folder"], str(folder))
+        beside = program.parent / argument["program"]
+        return subprocess.run([beside, *argument["arguments"]], cwd=argument["folder"], capture_output=True, check=False).returncode
+
+    client = Client(program, folder)
+    client.start(folder)
+    client.open("start.scn")
+    told = found("start.scn")
+    same([one[:3] for one in told], [(0, "fly", "rmpl.run"), (0, "debug", "rmpl.debug")])
+    same(run(told[0][3], folder), 0)
+    same(told[1][3], {"type": "rmpl", "request": "launch", "name": "start", "scenario": str(folder / "start.scn"), "only": "start"})
+    client.change("start.scn", SCENARIO + SCENARIO.replace('"start"', '"once more"'))
+    same([one[:2] for one in found("start.scn")], [(0, "fly all"), (0, "fly"), (0, "debug"), (8, "fly"), (8, "debug")])
+    client.open("start.rmpl")
+    told = found("start.rmpl")
+    same([one[:3] for one in told], [(1, "check", "rmpl.run")])  # Stop takes a parameter
+    same(told[0][3]["arguments"], ["program", str(folder / "start.rmpl"), str(folder / "ship.tcca"), "--main", "Start"])
+    assert run(told[0][3], folder) in (0, 1)
+    client.open("ship.tcca")
+    same(found("ship.tcca"), [])
+    # Properties: of a plant, and of the program of that name once it is there.
+    properties = 'property "p" { reach engine = on; }\nproperty "q" { program terminates; faults 1; }\n'
+    (folder / "ship.props").write_text(properties, encoding="utf-8")
+    client.open("ship.props")
+    told = found("ship.props")
+    same([one[:2] for one in told], [(0, "check")])
+    same(run(told[0][3], folder), 0)
+    (folder / "ship.rmpl").write_text("Fly() :: { engine = on }\n", encoding="utf-8")
+    told = found("ship.props")
+    same([one[:2] for one in told], [(0, "check all"), (0, "check"), (1, "check")])
+    assert run(told[2][3], folder) in (0, 1)
+    # What is no file cannot be read by a program.
+    client.notify("textDocument/didOpen", textDocument={"uri": "untitled:a", "languageId": "scn", "version": 1, "text": SCENARIO})
+    same(client.get("textDocument/codeLens", textDocument={"uri": "untitled:a"}), [])
+    client.end()
+    subprocess.run([program, "new", "-q", "demo"], cwd=folder, check=True)
+    client = Client(program, folder / "demo")
+    client.start(folder / "demo")
+    for name in ("properties/station.props", "program/fill.rmpl"):
+        client.open(name)
+        for _, title, _, argument in found(name):
+            same((title.split()[0], run(argument, (folder / "demo" / name).parent)), ("check", 0))
+    assert len(found("properties/station.props")) == 4, found("properties/station.props")
+    client.end()
+
+
+def calls(program, folder):
+    """Who calls whom, across files, open or not."""
+    (folder / "lib.rmpl").write_text("Wait() :: { t = 0; when t >= 1 s donext true }\nTwice() :: { Wait(); Wait() }\n", encoding="utf-8")
+    (folder / "start.rmpl").write_text('import "lib.rmpl";\n' + PROGRAM.replace("Stop(spare)", "Stop(spare);\n  Twice()"), encoding="utf-8")
+    client = Client(program, folder)
+    client.start(folder)
+    client.open("start.rmpl")
+
+    def prepared(name, line, character):
+        return client.get("textDocument/prepareCallHierarchy", **client.at(name, line, character))
+
+    def called(direction, item):
+        side = {"incoming": "from", "outgoing": "to"}[direction]
+        return [(call[side]["name"], pathlib.Path(call[side]["uri"]).name,
+                 [(r["start"]["line"], r["start"]["character"]) for r in call["fromRanges"]], call[side])
+                for call in client.get(f"callHierarchy/{direction}Calls", item=item)]
+
+    (start,) = prepared("start.rmpl", 2, 3)
+    same((start["name"], start["kind"], start["selectionRange"]["start"]), ("Start", 12, place(2, 0)))
+    same([one[:3] for one in called("incoming", start)], [("start", "start.scn", [(1, 28)])])
+    told = called("outgoing", start)
+    same([one[:3] for one in told], [("Stop", "start.rmpl", [(5, 45)]), ("Twice", "lib.rmpl", [(6, 2)])])
+    twice = told[1][3]  # in a file that is not open
+    told = called("outgoing", twice)
+    same([one[:3] for one in told], [("Wait", "lib.rmpl", [(1, 13), (1, 21)])])
+    same([one[:3] for one in called("incoming", told[0][3])], [("Twice", "lib.rmpl", [(1, 13), (1, 21)])])
+    same([one[:3] for one in called("incoming", twice)], [("Start", "start.rmpl", [(6, 2)])])
+    scenario = called("incoming", start)[0][3]
+    same(called("incoming", scenario), [])
+    same([one[0] for one in called("outgoing", scenario)], ["Start"])
+    same(prepared("start.rmpl", 3, 3), None)  # an engine
+    client.refused("callHierarchy/incomingCalls", item={"uri": "file:///nowhere.rmpl", "selectionRange": {"start": place(0, 0)}})
+    client.refused("callHierarchy/outgoingCalls", item={})
+    client.end()
+
+
+MONITORS = """// The temperature, in kelvins.
+channel "T1" : engine.temp { low below 300; high 300 to 900; }
+channel "T2" : spare.temp { low below 300; high 300 to 900; }
+"""
+SAMPLED = SCENARIO.replace("  expect", "  at 3 s channel \"T1\" = 310;\n  expect")
+
+
+def monitoring(program, folder):
+    """Monitors, the plant that they speak of, and the scenarios that sample their channels."""
+    (folder / "ship.mon").write_text(MONITORS, encoding="utf-8")
+    client = Client(program, folder)
+    client.start(folder)
+    client.open("ship.mon")
+    same(client.findings("ship.mon"), [])
+    uri = {"uri": client.uri("ship.mon")}
+    # Wrong values, and channels that nothing reads.
+    client.change("ship.mon", "warm", (1, 29), (1, 32))
+    same(client.findings("ship.mon"), ["RMPL0102 1:29 `warm` is no value of `engine.temp`, expected `low` or `high`"])
+    assert "**RMPL0102**" in hovers(client, "ship.mon", 1, 30)
+    client.change("ship.mon", "low", (1, 29), (1, 33))
+    same(client.findings("ship.mon"), [])
+    client.open("start.scn", SAMPLED.replace('"T1"', '"T3"'))
+    same(client.findings("start.scn"), ['RMPL0413 6:17 no monitor reads channel "T3"'])
+    actions = client.get("textDocument/codeAction", textDocument={"uri": client.uri("start.scn")},
+                         range={"start": place(6, 18), "end": place(6, 18)}, context={"diagnostics": []})
+    same([a["title"] for a in actions], ['did you mean "T1"?'])
+    client.change("start.scn", '"T1"', (6, 17), (6, 21))
+    same(client.findings("start.scn"), [])
+    # From a sample to its monitor, from there to the plant, and back.
+    monitor = client.get("textDocument/definition", **client.at("start.scn", 6, 19))
+    same(spots(client, [monitor]), ["ship.mon 1:8-12"])
+    attribute = client.get("textDocument/definition", **client.at("ship.mon", 1, 23))
+    same(spots(client, [attribute]), ["engine.tcca 5:9-13"])
+    value = client.get("textDocument/definition", **client.at("ship.mon", 1, 30))
+    same(spots(client, [value]), ["engine.tcca 0:17-20"])
+    client.open("engine.tcca")
+    uses = spots(client, client.get("textDocument/references", **client.at("engine.tcca", 5, 10), context={"includeDeclaration": False}))
+    assert {"ship.mon 1:22-26", "ship.mon 2:21-25"} <= set(uses), uses
+    uses = spots(client, client.get("textDocument/references", **client.at("ship.mon", 1, 9), context={"includeDeclaration": True}))
+    same(uses, ["ship.mon 1:8-12", "start.scn 6:17-21"])
+    assert "below 300" in hovers(client, "start.scn", 6, 19) and "kelvins" in hovers(client, "start.scn", 6, 19)
+    assert "output temp" in hovers(client, "ship.mon", 1, 23)
+    # A new name of the plant's attribute is one of the monitors; a channel is called as the telemetry calls it.
+    edits = client.get("textDocument/rename", **client.at("engine.tcca", 5, 10), newName="heat")["changes"]
+    assert client.uri("ship.mon") in edits, edits
+    assert "telemetry" in client.refused("textDocument/rename", **client.at("ship.mon", 1, 9), newName="T9")
+    # Outline, style, colours, and what may come next.
+    symbols = client.get("textDocument/documentSymbol", textDocument=uri)
+    same([(s["name"], s["detail"]) for s in symbols], [("T1", "engine.temp"), ("T2", "spare.temp")])
+    same(len(client.get("textDocument/formatting", textDocument=uri, options={"tabSize": 2, "insertSpaces": True})), 1)
+    assert client.get("textDocument/semanticTokens/full", textDocument=uri)["data"]
+
+    def offered(name: str, text: str) -> set[str]:
+        client.open(name, text)
+        line = text.count("\n")
+        items = client.get("textDocument/completion", **client.at(name, line, len(text) - text.rfind("\n") - 1))["items"]
+        client.notify("textDocument/didClose", textDocument={"uri": client.uri(name)})
+        return {item["label"] for item in items}
+
+    client.notify("textDocument/didClose", textDocument=uri)
+    assert {"engine", "spare"} <= offered("ship.mon", 'channel "T1" : ')
+    assert "engine.temp" in offered("ship.mon", 'channel "T1" : engine.')
+    assert {"low", "high", "hysteresis", "persist", "stale"} <= offered("ship.mon", 'channel "T1" : engine.temp { ')
+    same(offered("ship.mon", ""), {"channel"})
+    client.notify("textDocument/didClose", textDocument={"uri": client.uri("start.scn")})
+    cut = SAMPLED.index('T1" = 310')
+    same(offered("start.scn", SAMPLED[:cut]), {'"T1"', '"T2"'})
+    assert "channel" in offered("start.scn", SAMPLED[: SAMPLED.index('channel')])
+    client.end()
+
+
+TESTS = [lifecycle, abuse, diagnostics, lints, projects, pages, everywhere_named, formats, names, renaming, renaming_everywhere, completing, outline, lenses, calls, monitoring]
 
 
 def main(root: str, programs: str) -> int:

@@ -24,7 +24,7 @@ WITNESSES = [
     (BURN, ["--faults", "1", "--check", "no-plan"], "FAILED     never no-plan"),
     (BURN, ["--faults", "1", "--check", "endless-wait"], "FAILED     finished"),
     (BURN, ["--faults", "1", "--never", "engine = failed"], "never engine = failed: it came true"),
-    (EDL, ["--faults", "1", "--check", "goal-conflict"], "FAILED     never goal-conflict"),
+    (EDL, ["--faults", "1", "--never", "att = unknown"], "never att = unknown: it came true"),
     (EDL, ["--faults", "1", "--check", "no-plan"], "FAILED     never no-plan"),
     (EDL, ["--faults", "1", "--check", "endless-wait"], "FAILED     finished"),
     (EDL, ["--finally", "att = landing-orient"], "FAILED     finished with att = landing-orient"),

@@ -230,7 +230,7 @@ def test_sigterm_ends_a_flight_with_what_was_found(folder):
         nothing_else(folder, "lamp.tcca", "main.rmpl", "s.scn", "t.jsonl")
 
 
-def test_a_second_signal_ends_at_once_and_leaves_nothing_half_done(folder):
+def test_a_late_third_signal_ends_by_force_and_leaves_nothing_half_done(folder):
     model(folder)
     os.mkfifo(folder / "story")
     scenario(folder)
@@ -247,13 +247,50 @@ def test_a_second_signal_ends_at_once_and_leaves_nothing_half_done(folder):
                 break
             time.sleep(0.05)
         flight.send_signal(signal.SIGTERM)
-        time.sleep(0.3)
+        time.sleep(0.2)  # two that come at once may be one
         flight.send_signal(signal.SIGTERM)
-        expect(flight.wait(timeout=60), -signal.SIGTERM)
+        time.sleep(1.1)
+        assert flight.poll() is None, flight.returncode
+        flight.send_signal(signal.SIGINT)
+        expect(flight.wait(timeout=60), -signal.SIGINT)
     os.close(reader)
     os.close(writer)
     expect((folder / "t.jsonl").read_text(encoding="utf-8"), "old\n")
     nothing_else(folder, "lamp.tcca", "main.rmpl", "s.scn", "story", "t.jsonl")
+
+
+def test_what_has_nothing_to_tell_says_so(folder):
+    """A catalogue from a pipe that never ends: import waits."""
+    reader, writer = os.pipe()
+    model(folder)
+    with subprocess.Popen([PROGRAMS / "rmplc", "compile", "-", "-o", "old.json"], cwd=folder, stdin=reader, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE) as waits:
+        time.sleep(0.3)
+        waits.send_signal(signal.SIGTERM)
+        out, errors = waits.communicate(timeout=60)
+    os.close(reader)
+    os.close(writer)
+    expect(waits.returncode, 3)
+    expect((out, errors), (b"", b"rmplc: interrupted\n"))
+
+
+def test_no_output_of_an_earlier_run_stays(folder):
+    model(folder)
+    scenario(folder)
+    for name, words in (("r.html", ("tcca-check", "stuck", "lamp.tcca", "--report", "r.html")),
+                        ("j.xml", ("rmpl-run", "scenario", "nowhere.scn", "--junit", "j.xml"))):
+        (folder / name).write_text("of yesterday", encoding="utf-8")
+        code, _, errors = run(folder, *words)
+        if name == "r.html":
+            expect(code, 0)
+            mentions(errors, "r.html: was of an earlier run, and is removed")
+            assert not (folder / name).exists()
+        else:
+            expect(code, 2)
+            mentions((folder / name).read_text(encoding="utf-8"), "nowhere.scn: No such file or directory")
+    code, out, _ = run(folder, "tcca-check", "check", "lamp.tcca", "nowhere.props", "--format", "junit")
+    expect(code, 2)
+    mentions(out, 'errors="1"')
 
 
 def long_search(folder):

@@ -7,9 +7,9 @@
 //   --------  ---------------------------  ----------------------------  ------------------------- --------------------
 //   islands   modes                        each conjunct of Q and of     is the store consistent,   store/support
 //                                          modes' constraints            what does it imply?
-//   regions   modes, controls              the same                      which attributes can make  reconfigure/regions
+//   regions   modes, controls              the same                      which attributes can make  nominal/regions
 //                                                                        a formula true or false?
-//   parts     nothing                      each formula of Q; all that   what can a command touch,  reconfigure/parts
+//   parts     nothing                      each formula of Q; all that   what can a command touch,  the tests of lint
 //                                          a component's constraints     now or later?
 //                                          and guards read, with its
 //                                          mode

@@ -11,17 +11,37 @@
 namespace rmpl::automata {
 namespace {
 
-constexpr std::array<std::pair<Density::Kind, const char*>, 3> densities{{{Density::Kind::uniform, "uniform"},
+constexpr std::array<std::pair<Density::Kind, const char*>, 5> densities{{{Density::Kind::uniform, "uniform"},
                                                                           {Density::Kind::exponential, "exponential"},
-                                                                          {Density::Kind::normal, "normal"}}};
+                                                                          {Density::Kind::normal, "normal"},
+                                                                          {Density::Kind::weibull, "weibull"},
+                                                                          {Density::Kind::erlang, "erlang"}}};
+constexpr double most_stages = 100;
 
 Json timing_to_json(const Timing& timing) {
   Json json{{"lower", to_json(timing.lower)}, {"upper", to_json(timing.upper)}};
   for (const auto& [kind, name] : densities) {
     if (kind == timing.density.kind) json["density"] = name;
   }
-  if (timing.density.kind != Density::Kind::uniform) json["mean"] = timing.density.mean;
-  if (timing.density.kind == Density::Kind::normal) json["standard_deviation"] = timing.density.standard_deviation;
+  switch (timing.density.kind) {
+    case Density::Kind::uniform:
+      break;
+    case Density::Kind::exponential:
+      json["mean"] = timing.density.mean;
+      break;
+    case Density::Kind::normal:
+      json["mean"] = timing.density.mean;
+      json["standard_deviation"] = timing.density.standard_deviation;
+      break;
+    case Density::Kind::weibull:
+      json["shape"] = timing.density.shape;
+      json["scale"] = timing.density.scale;
+      break;
+    case Density::Kind::erlang:
+      json["shape"] = timing.density.shape;
+      json["mean"] = timing.density.mean;
+      break;
+  }
   return json;
 }
 
@@ -34,27 +54,38 @@ Timing timing_from_json(const Node& node) {
     timing.density.kind = kind;
     known = true;
   }
-  if (!known) node.at("density").fail("uniform, exponential or normal");
+  if (!known) node.at("density").fail("uniform, exponential, normal, weibull or erlang");
+  const auto positive = [&](const char* key) {
+    const double value = node.at(key).number();
+    if (!(value > 0)) node.at(key).fail("a number above 0");
+    return value;
+  };
   switch (timing.density.kind) {
     case Density::Kind::uniform:
       node.only({"lower", "upper", "density"});
       break;
     case Density::Kind::exponential:
       node.only({"lower", "upper", "density", "mean"});
+      timing.density.mean = positive("mean");
       break;
     case Density::Kind::normal:
       node.only({"lower", "upper", "density", "mean", "standard_deviation"});
+      timing.density.mean = node.at("mean").number();
+      timing.density.standard_deviation = positive("standard_deviation");
       break;
-  }
-  const auto positive = [&](const char* key) {
-    const double value = node.at(key).number();
-    if (!(value > 0)) node.at(key).fail("a number above 0");
-    return value;
-  };
-  if (timing.density.kind == Density::Kind::exponential) timing.density.mean = positive("mean");
-  if (timing.density.kind == Density::Kind::normal) {
-    timing.density.mean = node.at("mean").number();
-    timing.density.standard_deviation = positive("standard_deviation");
+    case Density::Kind::weibull:
+      node.only({"lower", "upper", "density", "shape", "scale"});
+      timing.density.shape = positive("shape");
+      timing.density.scale = positive("scale");
+      break;
+    case Density::Kind::erlang:
+      node.only({"lower", "upper", "density", "shape", "mean"});
+      timing.density.shape = positive("shape");
+      timing.density.mean = positive("mean");
+      if (timing.density.shape > most_stages || timing.density.shape != std::floor(timing.density.shape)) {
+        node.at("shape").fail("a whole number from 1 to 100");
+      }
+      break;
   }
   if (timing.lower > timing.upper || timing.lower.is_infinite()) node.fail("lower <= upper, lower finite");
   if (timing.upper.is_infinite() && timing.density.kind == Density::Kind::uniform) {
@@ -89,7 +120,7 @@ Transition transition_from_json(const Node& node, const Component& component, co
   t.from = mode("from");
   t.to = mode("to");
   if (node.has("guard")) t.guard = formula_from_json(node.at("guard"), variables);
-  if (has_clock(t.guard)) node.at("guard").fail("a guard without clocks");
+  if (!is_of_states(t.guard)) node.at("guard").fail("a guard without clocks or knowledge");
   if (node.has("timing")) t.timing = timing_from_json(node.at("timing"));
   if (node.has("probability") && node.has("rate")) node.fail("a probability or a rate, not both");
   if (node.has("probability")) t.weight = {Weight::Kind::probability, node.at("probability").probability()};
@@ -118,12 +149,15 @@ Json component_to_json(const Component& component, const Variables& variables) {
   for (const Transition& t : component.transitions) {
     transitions.push_back(transition_to_json(t, component, variables));
   }
-  return {{"name", component.name},
-          {"type", component.type},
-          {"modes", std::move(modes)},
-          {"initial", component.initial},
-          {"transitions", std::move(transitions)},
-          {"origin", to_json(component.origin)}};
+  Json json = object_with_room(7);
+  json["name"] = component.name;
+  json["type"] = component.type;
+  json["modes"] = std::move(modes);
+  json["initial"] = component.initial;
+  json["transitions"] = std::move(transitions);
+  if (component.progress) json["progress"] = true;
+  json["origin"] = to_json(component.origin);
+  return json;
 }
 
 std::vector<double> initial_from_json(const Node& node, const Component& component) {
@@ -139,7 +173,7 @@ std::vector<double> initial_from_json(const Node& node, const Component& compone
 }
 
 Component component_from_json(const Node& node, const Variables& variables) {
-  node.only({"name", "type", "modes", "initial", "transitions", "origin"});
+  node.only({"name", "type", "modes", "initial", "transitions", "progress", "origin"});
   Component component;
   component.name = node.at("name").text();
   component.type = node.at("type").text();
@@ -153,7 +187,7 @@ Component component_from_json(const Node& node, const Variables& variables) {
     mode.name = item.at("name").text();
     mode.fault = item.has("fault") && item.at("fault").truth();
     if (item.has("constraint")) mode.constraint = formula_from_json(item.at("constraint"), variables);
-    if (has_clock(mode.constraint)) item.at("constraint").fail("a constraint without clocks");
+    if (!is_of_states(mode.constraint)) item.at("constraint").fail("a constraint without clocks or knowledge");
     if (item.has("reward")) mode.reward = item.at("reward").number();
     mode.origin = origin_from_json(item.at("origin"));
     if (component.modes.size() >= names.size() || names[component.modes.size()] != mode.name) {
@@ -167,6 +201,7 @@ Component component_from_json(const Node& node, const Variables& variables) {
   for (const Node& item : node.at("transitions").items()) {
     component.transitions.push_back(transition_from_json(item, component, variables));
   }
+  component.progress = node.has("progress") && node.at("progress").truth();
   component.origin = origin_from_json(node.at("origin"));
   return component;
 }

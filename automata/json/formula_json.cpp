@@ -1,5 +1,6 @@
 // Variables, formulas, assignments, times and origins as JSON.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -12,8 +13,13 @@ namespace {
 constexpr std::array<std::pair<Comparison, const char*>, 4> comparisons{
     {{Comparison::less, "<"}, {Comparison::at_most, "<="}, {Comparison::greater, ">"}, {Comparison::at_least, ">="}}};
 
+constexpr std::array<std::pair<Knowing, const char*>, 4> knowings{{{Knowing::surprise, "surprise"},
+                                                                   {Knowing::no_plan, "no-plan"},
+                                                                   {Knowing::possible, "possible"},
+                                                                   {Knowing::likely, "likely"}}};
+
 /// Deeper formulas than any source can give are refused, so that reading never runs out of stack.
-constexpr std::size_t depth_limit = 2000;
+constexpr std::size_t formula_depth_limit = 2000;
 
 VariableId variable_named(const Node& node, const Variables& variables) {
   const auto id = variables.find(node.text());
@@ -27,8 +33,26 @@ ValueId value_from_json(const Node& node, VariableId id, const Variables& variab
   return *value;
 }
 
+Formula read(const Node& node, const Variables& variables, std::span<const std::string> clocks, std::size_t depth);
+
+Formula read_knowledge(const Node& node, const Variables& variables, std::size_t depth) {
+  const std::string name = node.at("knows").text();
+  const auto* const known =
+      std::find_if(knowings.begin(), knowings.end(), [&](const auto& entry) { return name == entry.second; });
+  if (known == knowings.end()) node.at("knows").fail("surprise, no-plan, possible or likely");
+  if (known->first == Knowing::surprise || known->first == Knowing::no_plan) {
+    node.only({"knows", "component"});
+    if (!node.has("component")) return knowledge(known->first);
+    return knowledge(known->first, variable_named(node.at("component"), variables));
+  }
+  node.only({"knows", "formula", "probability"});
+  Formula operand = read(node.at("formula"), variables, {}, depth + 1);
+  if (has_knowledge(operand)) node.at("formula").fail("a formula about the plant");
+  return knowledge(known->first, std::move(operand), node.at("probability").probability());
+}
+
 Formula read(const Node& node, const Variables& variables, std::span<const std::string> clocks, std::size_t depth) {
-  if (depth > depth_limit) node.fail("a formula of at most " + std::to_string(depth_limit) + " levels");
+  if (depth > formula_depth_limit) node.fail("a formula of at most " + std::to_string(formula_depth_limit) + " levels");
   if (node.json().is_boolean()) return constant(node.truth());
   const auto operands = [&](const char* key, std::size_t count) {
     node.only({key});
@@ -64,6 +88,7 @@ Formula read(const Node& node, const Variables& variables, std::span<const std::
     }
     node.at("clock").fail("the name of a clock, not '" + clock + "'");
   }
+  if (node.has("knows")) return read_knowledge(node, variables, depth);
   if (node.has("not")) {
     node.only({"not"});
     return negation(read(node.at("not"), variables, clocks, depth + 1));
@@ -112,6 +137,17 @@ Json to_json(const Formula& formula, const Variables& variables, std::span<const
         }
       }
       break;
+    case Formula::Kind::knowledge: {
+      Json json;
+      for (const auto& [knowing, name] : knowings) {
+        if (knowing == formula.knowing) json["knows"] = name;
+      }
+      if (formula.about_one) json["component"] = variables.name(formula.variable);
+      if (formula.operands.empty()) return json;
+      json["formula"] = to_json(formula.operands[0], variables);
+      json["probability"] = formula.probability;
+      return json;
+    }
     case Formula::Kind::negation:
       return {{"not", to_json(formula.operands[0], variables, clocks)}};
     case Formula::Kind::conjunction:

@@ -15,7 +15,7 @@ namespace rmpl::automata {
 namespace {
 
 /// A compiled document has objects of a dozen keys, a log one for each component or variable.
-constexpr std::size_t key_limit = 10'000;
+constexpr std::size_t key_limit = 1'000'000;
 
 /// Most objects have no more.
 constexpr std::size_t usual_keys = 6;

@@ -21,6 +21,7 @@ void add_parts(Json& json, const Plant& plant, const PlantParts& parts, const st
   for (const PlantInstance& instance : parts.instances) {
     Json& item = instances.emplace_back(Json{{"name", instance.name}, {"type", types[instance.type].name}});
     if (instance.initial) item["initial"] = *instance.initial;
+    if (instance.progress) item["progress"] = true;
   }
   Json interconnections = Json::array();
   for (std::size_t q = parts.interconnections; q < plant.interconnections.size(); ++q) {

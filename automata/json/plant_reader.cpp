@@ -15,7 +15,7 @@ namespace {
 /// How large what a document makes of its types may become, as `weight` counts: types within types multiply.
 constexpr std::size_t weight_limit = std::size_t{1} << 28;
 /// Types within types, and so the dots in a name.
-constexpr std::size_t depth_limit = 1000;
+constexpr std::size_t instance_depth_limit = 1000;
 
 /// What a copy of what is written here costs, in bytes, roughly and at most a few times as much.
 std::size_t weight(const Json& json) {
@@ -86,7 +86,7 @@ void PlantReader::add_component(Part& part, const Node& node) {
 }
 
 void PlantReader::add_instance(Part& part, const Node& node) {
-  node.only({"name", "type", "initial"});
+  node.only({"name", "type", "initial", "progress"});
   const auto type = types_.find(node.at("type").text());
   if (type == types_.end()) node.at("type").fail("the name of a type before, not '" + node.at("type").text() + "'");
   const Part& made = type->second;
@@ -95,10 +95,14 @@ void PlantReader::add_instance(Part& part, const Node& node) {
   if (!taken_.insert(name).second) node.at("name").fail("a name that is new");
   grow(part, made.weight + made.plant.variables.size() * name.size(), node);
   part.depth = std::max(part.depth, made.depth + 1);
-  if (part.depth > depth_limit) node.fail("instances at most " + std::to_string(depth_limit) + " deep");
+  if (part.depth > instance_depth_limit)
+    node.fail("instances at most " + std::to_string(instance_depth_limit) + " deep");
   const std::size_t before = part.plant.components.size();
   instantiate(part.plant, name, made.plant);
   for (std::size_t c = before; c < part.plant.components.size(); ++c) modes_.insert(part.plant.components[c].mode);
+  if (node.has("progress") && node.at("progress").truth()) {
+    for (std::size_t c = before; c < part.plant.components.size(); ++c) part.plant.components[c].progress = true;
+  }
   if (!node.has("initial")) return;
   if (made.plant.components.size() != 1) node.at("initial").fail("a type with one component");
   Component& component = part.plant.components.back();
@@ -108,7 +112,7 @@ void PlantReader::add_instance(Part& part, const Node& node) {
 void PlantReader::add_interconnection(Part& part, const Node& node) {
   node.only({"constraint", "origin"});
   Formula constraint = formula_from_json(node.at("constraint"), part.plant.variables);
-  if (has_clock(constraint)) node.at("constraint").fail("an interconnection without clocks");
+  if (!is_of_states(constraint)) node.at("constraint").fail("an interconnection without clocks or knowledge");
   grow(part, weight(node.json()), node);
   part.plant.interconnections.emplace_back(std::move(constraint), origin_from_json(node.at("origin")));
 }

@@ -12,14 +12,20 @@ namespace rmpl::automata {
 namespace {
 
 Json location_to_json(const Location& location, std::size_t number, const Program& program) {
-  Json json = object_with_room(11);
+  Json json = object_with_room(13);
   json["number"] = number;
   json["kind"] = location.composite ? "composite" : "primitive";
   if (location.parent) json["parent"] = location.parent->value + 1;
   json["start"] = location.start;
+  if (location.apart) json["apart"] = true;
   if (!location.goal.empty()) {
     json["goal"] = Json::array();
     for (const Assignment& goal : location.goal) json["goal"].push_back(to_json(goal, program.variables));
+  }
+  if (!location.goal_constraints.empty()) {
+    json["goal_constraints"] = Json::array();
+    for (const Formula& constraint : location.goal_constraints)
+      json["goal_constraints"].push_back(to_json(constraint, program.variables));
   }
   if (location.clock_start) json["clock_start"] = program.clocks[location.clock_start->index()];
   if (!location.own_clocks.empty()) {
@@ -50,12 +56,20 @@ ClockId clock_from_json(const Node& node, const Program& program) {
 /// `owned` holds the clocks that belong to locations so far.
 Location location_from_json(const Node& node, std::size_t position, std::size_t count, const Program& program,
                             std::set<ClockId>& owned) {
-  node.only({"number", "kind", "parent", "start", "goal", "clock_start", "own_clocks", "maintain", "arcs", "label",
-             "origin"});
+  node.only({"number", "kind", "parent", "start", "apart", "goal", "goal_constraints", "clock_start", "own_clocks",
+             "maintain", "arcs", "label", "origin"});
   Location location = common_of_location(node, position, program.locations);
+  location.apart = node.has("apart") && node.at("apart").truth();
+  if (location.apart && !location.composite) node.at("apart").fail("a composite to have goals of its own");
   if (node.has("goal")) {
     for (const Node& item : node.at("goal").items()) {
       location.goal.push_back(assignment_from_json(item, program.variables));
+    }
+  }
+  if (node.has("goal_constraints")) {
+    for (const Node& item : node.at("goal_constraints").items()) {
+      location.goal_constraints.push_back(formula_from_json(item, program.variables));
+      if (!is_of_states(location.goal_constraints.back())) item.fail("a constraint without clocks or knowledge");
     }
   }
   if (node.has("clock_start")) location.clock_start = clock_from_json(node.at("clock_start"), program);

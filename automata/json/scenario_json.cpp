@@ -10,10 +10,11 @@
 namespace rmpl::automata {
 namespace {
 
-constexpr std::array<std::pair<Expectation::Kind, const char*>, 5> kinds{
+constexpr std::array<std::pair<Expectation::Kind, const char*>, 6> kinds{
     {{Expectation::Kind::eventually, "eventually"},
      {Expectation::Kind::never, "never"},
      {Expectation::Kind::finished, "finished"},
+     {Expectation::Kind::never_finished, "never-finished"},
      {Expectation::Kind::goal_conflict, "goal-conflict"},
      {Expectation::Kind::no_plan, "no-plan"}}};
 
@@ -39,6 +40,13 @@ Assignment reading_from_json(const Node& node, const Plant& plant) {
   return reading;
 }
 
+/// A command is of a control of the plant.
+Assignment command_from_json(const Node& node, const Plant& plant) {
+  const Assignment command = assignment_from_json(node, plant.variables);
+  if (!is_control(plant, command.variable)) node.fail("a control and its value");
+  return command;
+}
+
 Rule rule_from_json(const Node& node, const Plant& plant) {
   node.only({"stream", "trigger", node.has("delay") ? "delay" : "delay_cycles", "reading", "duration", "origin"});
   Rule rule;
@@ -61,6 +69,17 @@ Rule rule_from_json(const Node& node, const Plant& plant) {
   return rule;
 }
 
+/// Of a scenario or an expectation, which may have none.
+std::vector<std::string> requirements_from_json(const Node& node) {
+  std::vector<std::string> tags;
+  if (!node.has("requirements")) return tags;
+  for (const Node& item : node.at("requirements").items()) {
+    tags.push_back(item.text());
+    if (tags.back().empty()) item.fail("the name of a requirement");
+  }
+  return tags;
+}
+
 Json expectation_to_json(const Expectation& expectation, const Plant& plant) {
   Json json;
   for (const auto& [kind, name] : kinds) {
@@ -71,12 +90,13 @@ Json expectation_to_json(const Expectation& expectation, const Plant& plant) {
   if (expectation.after) json["after"] = to_json(*expectation.after, plant.variables);
   if (expectation.within) json["within"] = to_json(*expectation.within);
   json["text"] = expectation.text;
+  if (!expectation.requirements.empty()) json["requirements"] = expectation.requirements;
   json["origin"] = to_json(expectation.origin);
   return json;
 }
 
 Expectation expectation_from_json(const Node& node, const Plant& plant) {
-  node.only({"kind", "truth", "condition", "after", "within", "text", "origin"});
+  node.only({"kind", "truth", "condition", "after", "within", "text", "requirements", "origin"});
   Expectation expectation;
   const std::string name = node.at("kind").text();
   bool known = false;
@@ -85,14 +105,37 @@ Expectation expectation_from_json(const Node& node, const Plant& plant) {
     expectation.kind = kind;
     known = true;
   }
-  if (!known) node.at("kind").fail("eventually, never, finished, goal-conflict or no-plan");
+  if (!known) node.at("kind").fail("eventually, never, finished, never-finished, goal-conflict or no-plan");
   expectation.truth = node.at("truth").truth();
   expectation.condition = formula_from_json(node.at("condition"), plant.variables);
   if (node.has("after")) expectation.after = formula_from_json(node.at("after"), plant.variables);
+  if (expectation.truth &&
+      (has_knowledge(expectation.condition) || (expectation.after && has_knowledge(*expectation.after)))) {
+    node.at("truth").fail("false where something is asked of the executive's knowledge");
+  }
   if (node.has("within")) expectation.within = node.at("within").ticks();
   expectation.text = node.at("text").text();
+  expectation.requirements = requirements_from_json(node);
   expectation.origin = origin_from_json(node.at("origin"));
   return expectation;
+}
+
+/// A number is also told as it was written.
+ChannelSample sample_from_json(const Node& node) {
+  node.only({"at", "channel", "value", "text", "origin"});
+  ChannelSample sample;
+  sample.at = node.at("at").ticks();
+  sample.channel = node.at("channel").text();
+  const Node value = node.at("value");
+  if (value.json().is_string()) {
+    sample.text = value.text();
+  } else {
+    if (!value.json().is_number()) value.fail("a number or a string");
+    sample.number = value.number();
+    sample.text = node.at("text").text();
+  }
+  sample.origin = origin_from_json(node.at("origin"));
+  return sample;
 }
 
 }  // namespace
@@ -113,28 +156,47 @@ Json to_json(const Scenario& scenario, const Document& document) {
                          {"reading", to_json(o.reading, plant.variables)},
                          {"origin", to_json(o.origin)}});
   }
+  Json commands = Json::array();
+  for (const GivenCommand& c : scenario.commands) {
+    commands.push_back({{"at", to_json(c.at)},
+                        {"duration", to_json(c.duration)},
+                        {"command", to_json(c.command, plant.variables)},
+                        {"origin", to_json(c.origin)}});
+  }
+  Json samples = Json::array();
+  for (const ChannelSample& s : scenario.samples) {
+    samples.push_back({{"at", to_json(s.at)},
+                       {"channel", s.channel},
+                       {"value", s.number ? Json(*s.number) : Json(s.text)},
+                       {"origin", to_json(s.origin)}});
+    if (s.number) samples.back()["text"] = s.text;
+  }
   Json rules = Json::array();
   for (const Rule& rule : scenario.rules) rules.push_back(rule_to_json(rule, plant));
   Json expectations = Json::array();
   for (const Expectation& e : scenario.expectations) expectations.push_back(expectation_to_json(e, plant));
-  return {{"name", scenario.name},
-          {"program", scenario.program},
-          {scenario.model ? "model" : "plant", scenario.model.value_or(scenario.plant)},
-          {"rules_only", scenario.rules_only},
-          {"cycle", to_json(scenario.cycle)},
-          {"duration", to_json(scenario.duration)},
-          {"seed", scenario.seed},
-          {"truth", std::move(truth)},
-          {"forced", std::move(forced)},
-          {"overrides", std::move(overrides)},
-          {"rules", std::move(rules)},
-          {"expectations", std::move(expectations)},
-          {"origin", to_json(scenario.origin)}};
+  Json json = {{"name", scenario.name},
+               {"program", scenario.program},
+               {scenario.model ? "model" : "plant", scenario.model.value_or(scenario.plant)},
+               {"rules_only", scenario.rules_only},
+               {"cycle", to_json(scenario.cycle)},
+               {"duration", to_json(scenario.duration)},
+               {"seed", scenario.seed},
+               {"truth", std::move(truth)},
+               {"forced", std::move(forced)},
+               {"overrides", std::move(overrides)},
+               {"commands", std::move(commands)},
+               {"rules", std::move(rules)},
+               {"expectations", std::move(expectations)}};
+  if (!samples.empty()) json["samples"] = std::move(samples);
+  if (!scenario.requirements.empty()) json["requirements"] = scenario.requirements;
+  json["origin"] = to_json(scenario.origin);
+  return json;
 }
 
 Scenario scenario_from_json(const Node& node, const Document& document) {
   node.only({"name", "program", node.has("model") ? "model" : "plant", "rules_only", "cycle", "duration", "seed",
-             "truth", "forced", "overrides", "rules", "expectations", "origin"});
+             "truth", "forced", "overrides", "commands", "samples", "rules", "expectations", "requirements", "origin"});
   Scenario scenario;
   scenario.name = node.at("name").text();
   scenario.program = node.at("program").index(document.programs.size());
@@ -167,10 +229,19 @@ Scenario scenario_from_json(const Node& node, const Document& document) {
     scenario.overrides.push_back({item.at("at").ticks(), item.at("duration").ticks(),
                                   reading_from_json(item.at("reading"), plant), origin_from_json(item.at("origin"))});
   }
+  for (const Node& item : node.at("commands").items()) {
+    item.only({"at", "duration", "command", "origin"});
+    scenario.commands.push_back({item.at("at").ticks(), item.at("duration").ticks(),
+                                 command_from_json(item.at("command"), plant), origin_from_json(item.at("origin"))});
+  }
+  if (node.has("samples")) {
+    for (const Node& item : node.at("samples").items()) scenario.samples.push_back(sample_from_json(item));
+  }
   for (const Node& item : node.at("rules").items()) scenario.rules.push_back(rule_from_json(item, plant));
   for (const Node& item : node.at("expectations").items()) {
     scenario.expectations.push_back(expectation_from_json(item, plant));
   }
+  scenario.requirements = requirements_from_json(node);
   scenario.origin = origin_from_json(node.at("origin"));
   return scenario;
 }

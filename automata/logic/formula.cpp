@@ -64,6 +64,7 @@ Formula folded(Formula::Kind kind, std::vector<Formula> operands) {
     case Formula::Kind::member:
     case Formula::Kind::equality:
     case Formula::Kind::clock:
+    case Formula::Kind::knowledge:
       CHECK(false && "a connective");
   }
   return node(kind, std::move(operands));
@@ -109,6 +110,27 @@ Formula clock_bound(ClockId clock, Comparison comparison, Ticks bound) {
   formula.clock = clock;
   formula.comparison = comparison;
   formula.bound = bound;
+  return formula;
+}
+
+Formula knowledge(Knowing knowing) {
+  Formula formula;
+  formula.kind = Formula::Kind::knowledge;
+  formula.knowing = knowing;
+  return formula;
+}
+
+Formula knowledge(Knowing knowing, VariableId component) {
+  Formula formula = knowledge(knowing);
+  formula.about_one = true;
+  formula.variable = component;
+  return formula;
+}
+
+Formula knowledge(Knowing knowing, Formula operand, double probability) {
+  Formula formula = knowledge(knowing);
+  formula.operands.push_back(std::move(operand));
+  formula.probability = probability;
   return formula;
 }
 
@@ -175,7 +197,8 @@ bool evaluate(const Formula& formula, const std::function<ValueId(VariableId)>& 
     case Formula::Kind::equality:
       return value_of(formula.variable) == value_of(formula.other);
     case Formula::Kind::clock:
-      CHECK(false && "clock atoms are replaced before evaluation");
+    case Formula::Kind::knowledge:
+      CHECK(false && "atoms of clocks and knowledge are replaced before evaluation");
       return false;
     case Formula::Kind::negation:
       return !holds(operands[0]);
@@ -196,11 +219,35 @@ Formula with_clocks(const Formula& formula, const std::function<const Ticks*(Clo
     const Ticks* reading = value_of(formula.clock);
     return constant(reading != nullptr && compare(*reading, formula.comparison, formula.bound));
   }
-  if (formula.operands.empty()) return formula;
+  if (formula.operands.empty() || formula.kind == Formula::Kind::knowledge) return formula;
   std::vector<Formula> operands;
   operands.reserve(formula.operands.size());
   for (const Formula& operand : formula.operands) operands.push_back(with_clocks(operand, value_of));
   return folded(formula.kind, std::move(operands));
+}
+
+Formula with_knowledge(const Formula& formula, const std::function<bool(const Formula& atom)>& answer) {
+  if (formula.kind == Formula::Kind::knowledge) return constant(answer(formula));
+  if (formula.operands.empty()) return formula;
+  std::vector<Formula> operands;
+  operands.reserve(formula.operands.size());
+  for (const Formula& operand : formula.operands) operands.push_back(with_knowledge(operand, answer));
+  return folded(formula.kind, std::move(operands));
+}
+
+bool has_knowledge(const Formula& formula) {
+  return formula.kind == Formula::Kind::knowledge ||
+         std::any_of(formula.operands.begin(), formula.operands.end(), has_knowledge);
+}
+
+bool is_of_states(const Formula& formula) { return !has_clock(formula) && !has_knowledge(formula); }
+
+void collect_knowledge(const Formula& formula, std::vector<Formula>& atoms) {
+  if (formula.kind != Formula::Kind::knowledge) {
+    for (const Formula& operand : formula.operands) collect_knowledge(operand, atoms);
+  } else if (std::find(atoms.begin(), atoms.end(), formula) == atoms.end()) {
+    atoms.push_back(formula);
+  }
 }
 
 bool has_clock(const Formula& formula) {
@@ -230,6 +277,7 @@ Formula renamed(const Formula& formula, const std::function<VariableId(VariableI
   if (formula.kind == Formula::Kind::equality) {
     return equality(variable(formula.variable), variable(formula.other));
   }
+  if (formula.kind == Formula::Kind::knowledge && formula.about_one) result.variable = variable(formula.variable);
   for (Formula& operand : result.operands) operand = renamed(operand, variable, value);
   return result;
 }

@@ -1,5 +1,7 @@
 // Constraints in the surface syntax, with no more parentheses than needed.
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <charconv>
 #include <string>
 
 #include "automata/logic/formula.hpp"
@@ -24,6 +26,7 @@ int strength(const Formula& formula) {
     case Formula::Kind::member:
     case Formula::Kind::equality:
     case Formula::Kind::clock:
+    case Formula::Kind::knowledge:
       return 5;
   }
   return 5;
@@ -60,6 +63,26 @@ std::string membership(const Formula& formula, const Variables& variables) {
   return text + "}";
 }
 
+std::string decimal(double value) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), written.ptr};
+}
+
+const char* word_for(Knowing knowing) {
+  switch (knowing) {
+    case Knowing::surprise:
+      return "surprise";
+    case Knowing::no_plan:
+      return "noplan";
+    case Knowing::possible:
+      return "possible";
+    case Knowing::likely:
+      return "likely";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string to_text(const Formula& formula, const Variables& variables, std::span<const std::string> clocks) {
@@ -81,6 +104,14 @@ std::string to_text(const Formula& formula, const Variables& variables, std::spa
       return variables.name(formula.variable) + " = " + variables.name(formula.other);
     case Formula::Kind::clock:
       return clocks[formula.clock.index()] + spelling(formula.comparison) + format_seconds(formula.bound) + " s";
+    case Formula::Kind::knowledge: {
+      std::string text = word_for(formula.knowing);
+      if (formula.about_one) return text + "(" + variables.name(formula.variable) + ")";
+      if (formula.operands.empty()) return text;
+      text += "(" + operand(formula.operands[0], 0);
+      const bool usual = formula.knowing == Knowing::possible && formula.probability == least_possible;
+      return text + (usual ? "" : ", " + decimal(formula.probability)) + ")";
+    }
     case Formula::Kind::negation:
       return "!" + operand(formula.operands[0], 5);
     case Formula::Kind::conjunction:

@@ -3,11 +3,43 @@
 #include "automata/logic/theory.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
 
 namespace rmpl::automata {
+
+namespace {
+
+/// Of up to so many literals, a clause for each pair says that at most one holds.
+constexpr std::size_t most_in_pairs = 32;
+
+/// Clauses of "at most one of these". More than a few literals stand in a square. Each implies its row and its column,
+/// of which at most one holds: 2n clauses and few more in place of n^2 / 2, and what one literal refutes follows in as
+/// few steps (J. Chen: A New SAT Encoding of the At-Most-One Constraint, 2010).
+template <class Fresh, class Add>
+void exclude_each_other(std::vector<Literal> literals, const Fresh& fresh, const Add& add) {
+  while (literals.size() > most_in_pairs) {
+    std::size_t side = 1;
+    while (side * side < literals.size()) ++side;
+    std::vector<Literal> rows, columns;
+    for (std::size_t row = 0; row * side < literals.size(); ++row) rows.push_back(fresh());
+    for (std::size_t column = 0; column < side; ++column) columns.push_back(fresh());
+    for (std::size_t v = 0; v < literals.size(); ++v) {
+      add({-literals[v], rows[v / side]});
+      add({-literals[v], columns[v % side]});
+    }
+    exclude_each_other(std::move(rows), fresh, add);
+    literals = std::move(columns);
+  }
+  for (std::size_t v = 0; v < literals.size(); ++v) {
+    for (std::size_t w = v + 1; w < literals.size(); ++w) add({-literals[v], -literals[w]});
+  }
+}
+
+}  // namespace
 
 Theory::Theory(const Variables& variables, Upkeep upkeep) {
   if (upkeep == Upkeep::maintained) maintenance_.emplace();
@@ -25,9 +57,8 @@ Theory::Theory(const Variables& variables, Upkeep upkeep) {
     } else {
       for (std::size_t v = 0; v < variable.values.size(); ++v) values.push_back(fresh());
       add(values);
-      for (std::size_t v = 0; v < values.size(); ++v) {
-        for (std::size_t w = v + 1; w < values.size(); ++w) add({-values[v], -values[w]});
-      }
+      exclude_each_other(
+          values, [this] { return fresh(); }, [this](std::initializer_list<Literal> clause) { add(clause); });
     }
     literals_.push_back(std::move(values));
   }
@@ -80,6 +111,7 @@ void require(Literal unless, const Formula& formula, const std::vector<std::vect
     case Formula::Kind::constant:
     case Formula::Kind::member:
     case Formula::Kind::clock:
+    case Formula::Kind::knowledge:
     case Formula::Kind::negation:
       add({unless, encode(formula)});
       return;
@@ -162,7 +194,8 @@ Theory::Handle Theory::encode_anew(const Formula& formula) {
       return {gate};
     }
     case Formula::Kind::clock:
-      CHECK(false && "clock atoms are replaced before encoding");
+    case Formula::Kind::knowledge:
+      CHECK(false && "atoms of clocks and knowledge are replaced before encoding");
       return {-true_};
     case Formula::Kind::negation:
       return {-encode_anew(formula.operands[0]).literal};

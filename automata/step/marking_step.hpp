@@ -47,6 +47,7 @@ class MarkingStep {
 
   /// From here on questions are about this command and these readings.
   void command(const Command& command);
+  [[nodiscard]] const Command& current_command() const { return *command_; }
   void observe(const Observation& observation);
 
   /// What the store of a possible marking entails, by variable. Lasts until the next call.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "automata/phca.hpp"
 #include "automata/plant.hpp"
@@ -15,6 +16,12 @@ namespace rmpl::automata {
 struct ModelComponent {
   std::string name;  ///< instance path
   ModelProgram program;
+};
+
+/// A plant with the model programs that it holds, as it is before all of it becomes one model program.
+struct PlantWithModels {
+  Plant plant;  ///< its components alone, with the variables and interconnections of all
+  std::vector<ModelComponent> models;
 };
 
 /// Why a component has no place in a model program, and what is to blame.

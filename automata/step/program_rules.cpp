@@ -31,13 +31,50 @@ class ProgramRules::Marked {
   Marking listed_;
 };
 
-ProgramRules::ProgramRules(const Program& program) : program_(program), children_(program.locations.size()) {
+ProgramRules::ProgramRules(const Program& program)
+    : program_(program),
+      children_(program.locations.size()),
+      parts_(goal_parts_of(program)),
+      branches_(parts_.empty() ? 0 : *std::max_element(parts_.begin(), parts_.end())) {
   for (std::size_t l = 0; l < program_.locations.size(); ++l) {
     const auto& parent = program_.locations[l].parent;
     if (!parent) continue;
     CHECK(parent->index() < l && "a child comes after its parent");
     children_[parent->index()].emplace_back(l);
   }
+}
+
+Formula Goals::formula() const {
+  std::vector<Formula> conjuncts;
+  for (const Assignment& assigned : goal) conjuncts.push_back(is(assigned.variable, assigned.value));
+  for (const GoalConstraint& constraint : constraints) conjuncts.push_back(constraint.formula);
+  return conjunction(std::move(conjuncts));
+}
+
+namespace {
+
+/// Adds a constraint that is not yet among them.
+void add(std::vector<GoalConstraint>& constraints, const Formula& formula, LocationId by) {
+  const auto known = std::find_if(constraints.begin(), constraints.end(),
+                                  [&](const GoalConstraint& other) { return other.formula == formula; });
+  if (known == constraints.end()) constraints.push_back({formula, by});
+}
+
+}  // namespace
+
+Goals together(std::span<const Goals> several) {
+  if (several.size() == 1) return several.front();
+  std::map<Assignment, LocationId> goals;
+  Goals all;
+  for (const Goals& one : several) {
+    for (std::size_t g = 0; g < one.goal.size(); ++g) goals.emplace(one.goal[g], one.by[g]);
+    for (const GoalConstraint& constraint : one.constraints) add(all.constraints, constraint.formula, constraint.by);
+  }
+  for (const auto& [assigned, by] : goals) {
+    all.goal.push_back(assigned);
+    all.by.push_back(by);
+  }
+  return all;
 }
 
 Marking ProgramRules::initial() const {
@@ -83,8 +120,11 @@ void ProgramRules::begin(const Marking& marking, const ClockTimes& started, Tick
   // 4. Set up the configuration goal.
   asserted.goal.clear();
   asserted.by.clear();
+  asserted.constraints.clear();
   asserted.conflicts.clear();
-  std::map<VariableId, std::pair<ValueId, LocationId>> goals;
+  asserted.branches.assign(branches_, {});
+  std::map<std::pair<std::size_t, VariableId>, std::pair<ValueId, LocationId>> goals;
+  const auto of_part = [&](std::size_t part) -> Goals& { return part == 0 ? asserted : asserted.branches[part - 1]; };
   for (const LocationId id : half.marking) {
     const Location& location = locations[id.index()];
     if (location.composite) continue;
@@ -92,17 +132,21 @@ void ProgramRules::begin(const Marking& marking, const ClockTimes& started, Tick
       half.started[location.clock_start->index()] = now;
     }
     if (half.violated[id.index()]) continue;
+    const std::size_t part = parts_[id.index()];
     for (const Assignment& goal : location.goal) {
-      const auto [at, fresh] = goals.try_emplace(goal.variable, goal.value, id);
+      const auto [at, fresh] = goals.try_emplace({part, goal.variable}, goal.value, id);
       if (!fresh && at->second.first != goal.value) {
         asserted.conflicts.push_back({at->second.second, id, goal, {goal.variable, at->second.first}});
       }
     }
+    for (const Formula& constraint : location.goal_constraints) add(of_part(part).constraints, constraint, id);
   }
-  for (const auto& [variable, goal] : goals) {
-    asserted.goal.push_back({variable, goal.first});
-    asserted.by.push_back(goal.second);
+  for (const auto& [asked, goal] : goals) {
+    Goals& part = of_part(asked.first);
+    part.goal.push_back({asked.second, goal.first});
+    part.by.push_back(goal.second);
   }
+  std::erase_if(asserted.branches, [](const Goals& branch) { return branch.empty(); });
 }
 
 void ProgramRules::stop_own_clocks(LocationId entered, ClockTimes& started) const {
@@ -131,7 +175,7 @@ Marking ProgramRules::finish(const HalfCycle& half, ProgramAnswers& answers, Clo
   for (auto at = half.marking.rbegin(); at != half.marking.rend(); ++at) {
     const Location& location = locations[at->index()];
     const bool awaits =
-        !location.composite && !half.violated[at->index()] && !location.goal.empty() && !answers.achieved(*at);
+        !location.composite && !half.violated[at->index()] && location.has_goal() && !answers.achieved(*at);
     if (awaits) next.add(*at);
     const bool goes_on = awaits || busy[at->index()];
     if ((goes_on || takes(*at)) && location.parent) busy[location.parent->index()] = true;

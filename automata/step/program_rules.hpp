@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "automata/program.hpp"
@@ -22,11 +23,33 @@ struct GoalConflict {
   Assignment asserted, contradicted;
 };
 
-/// The first half of a cycle, steps 1 to 4 of Fig. 5-3: what is asserted before the plant is acted on.
-struct Asserted {
-  std::vector<Assignment> goal;         ///< the configuration goal, sorted by variable, each once
-  std::vector<LocationId> by;           ///< for each of the goal, the first location that asserts it
-  std::vector<GoalConflict> conflicts;  ///< where not empty, the goal is not to be acted on
+/// A conjunct of a goal that assigns no mode.
+struct GoalConstraint {
+  Formula formula;
+  LocationId by;  ///< the first location that asserts it
+  bool operator==(const GoalConstraint&) const = default;
+};
+
+/// Goals that are asked for together.
+struct Goals {
+  std::vector<Assignment> goal;             ///< modes, sorted by variable, each once
+  std::vector<LocationId> by;               ///< for each of the goal, the first location that asserts it
+  std::vector<GoalConstraint> constraints;  ///< the other conjuncts, each once
+  bool operator==(const Goals&) const = default;
+
+  [[nodiscard]] bool empty() const { return goal.empty() && constraints.empty(); }
+  /// The modes, then the constraints.
+  [[nodiscard]] Formula formula() const;
+};
+
+/// Goals of several that are all asked for.
+Goals together(std::span<const Goals> several);
+
+/// The first half of a cycle, steps 1 to 4 of Fig. 5-3: what is asserted before the plant is acted on. These are the
+/// goals of the program itself; each branch of an `each` that asserts something has goals of its own.
+struct Asserted : Goals {
+  std::vector<Goals> branches;          ///< in the order of the program, outer branches before inner ones; none empty
+  std::vector<GoalConflict> conflicts;  ///< where not empty, no goal is to be acted on
 };
 
 /// What the rules ask of the store, about one time. Answers may be remembered; they do not change.
@@ -76,6 +99,8 @@ class ProgramRules {
 
   const Program& program_;
   std::vector<std::vector<LocationId>> children_;
+  std::vector<std::size_t> parts_;  ///< per location, as `goal_parts_of` numbers them
+  std::size_t branches_;            ///< of all `each`
 };
 
 }  // namespace rmpl::automata

@@ -32,8 +32,9 @@ ProgramStep::ProgramStep(const Program& program, const Plant& plant) : rules_(pr
 ProgramStep::ProgramStep(const Program& program) : rules_(program), theory_(program.variables) { initialise(); }
 
 void ProgramStep::initialise() {
+  asked_ = knowledge_asked_by(rules_.program());
   for (const Location& location : rules_.program().locations) {
-    goals_.push_back(question(conjunction_of(location.goal)));
+    goals_.push_back(question(goal_of(location)));
     maintenance_.push_back(compile(location.maintenance));
     auto& guards = guards_.emplace_back();
     for (const Arc& arc : location.arcs) guards.push_back(compile(arc.guard));
@@ -47,11 +48,12 @@ std::size_t ProgramStep::question(const Formula& formula) {
 }
 
 ProgramStep::Compiled ProgramStep::compile(const Condition& condition) {
-  if (has_clock(condition.constraint)) return {&condition, std::nullopt, {}};
+  if (!is_of_states(condition.constraint)) return {&condition, std::nullopt, {}};
   return {&condition, question(condition.constraint), {}};
 }
 
 void ProgramStep::know(const Knowledge& knowledge) {
+  answers_ = knowledge.answers;
   if (known_ == knowledge.assignments && base::caches_on()) return;
   known_ = knowledge.assignments;
   for (Question& q : questions_) q.entailed.reset();
@@ -71,6 +73,12 @@ bool ProgramStep::holds(Compiled& compiled) {
     const auto& reading = readings_[clock.index()];
     return reading ? &*reading : nullptr;
   });
+  if (!asked_.empty()) {
+    now = with_knowledge(now, [&](const Formula& atom) {
+      const auto position = static_cast<std::size_t>(std::find(asked_.begin(), asked_.end(), atom) - asked_.begin());
+      return position < answers_.size() && answers_[position];
+    });
+  }
   auto known = std::find_if(compiled.variants.begin(), compiled.variants.end(),
                             [&](const auto& variant) { return variant.first == now; });
   if (known == compiled.variants.end()) {

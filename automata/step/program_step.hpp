@@ -14,10 +14,12 @@
 
 namespace rmpl::automata {
 
-/// What the sequencer knows of the plant at one time: the estimated modes and the observations of that cycle, both as
-/// assignments over the program's variables.
+/// What the sequencer knows at one time: of the plant the estimated modes and the observations of that cycle, both as
+/// assignments over the program's variables; of the executive what its conditions ask.
 struct Knowledge {
   std::vector<Assignment> assignments;
+  /// Per atom that the program asks (`knowledge_asked_by`): whether it is so. One that is missing is not.
+  std::vector<bool> answers = {};
 };
 
 /// A THCA that is being executed: the rules (program_rules.hpp), with a theory of its own that answers them. Another
@@ -38,6 +40,8 @@ class ProgramStep {
   /// When the active clocks started, by `ClockId`, those of the last cycle included.
   [[nodiscard]] const ClockTimes& started() const { return started_; }
   [[nodiscard]] bool ended() const { return marking_.empty(); }
+  /// What the conditions ask of the executive's knowledge, in the order in which `Knowledge` answers.
+  [[nodiscard]] const std::vector<Formula>& asked() const { return asked_; }
 
   /// Steps 1 to 4 at absolute time `now`, with the knowledge at the start of the cycle.
   const Asserted& begin(const Knowledge& knowledge, Ticks now);
@@ -54,8 +58,9 @@ class ProgramStep {
     Theory::Handle handle;
     std::optional<bool> entailed;
   };
-  /// A condition, compiled: one question, or, where clocks occur, one for each formula that their readings leave: no
-  /// more than there are ways to cut the clocks at the bounds that they are compared with.
+  /// A condition, compiled: one question, or, where clocks or knowledge occur, one for each formula that their readings
+  /// and answers leave: no more than there are ways to cut the clocks at the bounds that they are compared with, and
+  /// to answer.
   struct Compiled {
     const Condition* condition;
     std::optional<std::size_t> question;
@@ -76,7 +81,9 @@ class ProgramStep {
   std::vector<Compiled> maintenance_;          ///< per location
   std::vector<std::vector<Compiled>> guards_;  ///< per location, per arc
   std::vector<std::size_t> goals_;             ///< per location: the question of its goal
+  std::vector<Formula> asked_;                 ///< of the executive's knowledge
   std::vector<Assignment> known_;              ///< the knowledge that the remembered answers are about
+  std::vector<bool> answers_;                  ///< of `asked_`
 
   Marking marking_;
   ClockTimes started_;

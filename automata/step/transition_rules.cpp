@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "automata/clock_use.hpp"
 #include "automata/time/firing.hpp"
 
 namespace rmpl::automata {
@@ -118,9 +119,9 @@ double nominal_share(const Component& component, const Enabled& enabled, Ticks c
 }
 
 bool clock_matters(const Component& component, const Enabled& enabled) {
-  if (!enabled.timed.empty()) return true;
-  return std::any_of(enabled.faults.begin(), enabled.faults.end(),
-                     [&](TransitionId fault) { return component.transitions[fault.index()].timing.has_value(); });
+  const auto needs = [&](TransitionId id) { return needs_clock(component.transitions[id.index()]); };
+  return std::any_of(enabled.timed.begin(), enabled.timed.end(), needs) ||
+         std::any_of(enabled.faults.begin(), enabled.faults.end(), needs);
 }
 
 std::vector<Move> moves_of(const Component& component, ModeId mode, const Enabled& enabled, Ticks clock, Ticks step) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "automata/logic/theory.hpp"
+#include "automata/store/value_set.hpp"
 
 namespace rmpl::automata {
 namespace {
@@ -42,7 +43,7 @@ Elimination::Elimination(const Variables& variables, const std::vector<Constrain
     const Formula whole = constraint.under
                               ? implication(is(constraint.under->variable, constraint.under->value), constraint.formula)
                               : constraint.formula;
-    told_.push_back({whole, variables_of(whole)});
+    told_.push_back({whole, variables_of(whole), constraint.under});
     left_.insert(t);
     for (const VariableId v : told_[t].variables) {
       if (const auto at = readers_.find(v); at != readers_.end()) at->second.insert(t);
@@ -72,50 +73,123 @@ void Elimination::take_away(std::size_t constraint) {
   }
 }
 
+/// Where constraints are told under the values of one variable, as those of modes are, these are cases: in each but a
+/// few of the constraints say something.
 bool Elimination::always_has_a_value(VariableId attribute) const {
-  return always_left(readers_.at(attribute), attribute, std::nullopt, std::nullopt);
+  const std::set<std::size_t>& constraints = readers_.at(attribute);
+  const auto under = mostly_under(constraints);
+  const Division division = divide(constraints, under);
+  if (!under) return always_left(case_of(division, attribute, std::nullopt), attribute);
+  for (std::size_t v = 0; v < values_of(*under); ++v) {
+    if (!always_left(case_of(division, attribute, Assignment{*under, ValueId(v)}), attribute)) return false;
+  }
+  return true;
 }
 
-bool Elimination::leaves_another(Assignment value, Assignment given) const {
-  return always_left(gone_.at(value.variable), value.variable, value.value, given);
-}
-
-bool Elimination::always_left(const std::set<std::size_t>& constraints, VariableId attribute,
-                              std::optional<ValueId> but, std::optional<Assignment> given) const {
-  std::vector<VariableId> others;
-  std::vector<Formula> all;
+Elimination::Division Elimination::divide(const std::set<std::size_t>& constraints,
+                                          std::optional<VariableId> under) const {
+  Division result;
   for (const std::size_t t : constraints) {
-    others.insert(others.end(), told_[t].variables.begin(), told_[t].variables.end());
-    all.push_back(given ? fixed(told_[t].formula, given->variable, given->value) : told_[t].formula);
+    const auto& own = told_[t].under;
+    (own && own->variable == under ? result.under[own->value] : result.always).push_back(t);
   }
-  std::sort(others.begin(), others.end());
-  others.erase(std::unique(others.begin(), others.end()), others.end());
-  std::erase_if(others, [&](VariableId v) { return v == attribute || (given && v == given->variable); });
-  std::vector<Formula> contradicted;
-  for (std::size_t v = 0; v < values_of(attribute); ++v) {
-    if (ValueId(v) != but) contradicted.push_back(negation(fixed(conjunction(all), attribute, ValueId(v))));
-  }
-  return !satisfiable(conjunction(std::move(contradicted)), others);
+  return result;
 }
 
-/// Whether some values of the variables make the formula true; it reads no others.
-bool Elimination::satisfiable(const Formula& formula, const std::vector<VariableId>& variables) const {
-  const auto position = [&](VariableId variable) {
-    return static_cast<std::size_t>(std::lower_bound(variables.begin(), variables.end(), variable) - variables.begin());
+std::optional<VariableId> Elimination::mostly_under(const std::set<std::size_t>& constraints) const {
+  std::map<VariableId, std::size_t> count;
+  for (const std::size_t t : constraints) {
+    if (told_[t].under) ++count[told_[t].under->variable];
+  }
+  const auto most =
+      std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == count.end() || most->second < 2 ? std::nullopt : std::optional(most->first);
+}
+
+Elimination::Case Elimination::case_of(const Division& constraints, VariableId attribute,
+                                       std::optional<Assignment> given) const {
+  Case result;
+  const auto add = [&](const std::vector<std::size_t>& positions) {
+    for (const std::size_t t : positions) {
+      const Told& told = told_[t];
+      result.others.insert(result.others.end(), told.variables.begin(), told.variables.end());
+      result.formulas.push_back(given ? fixed(told.formula, given->variable, given->value) : told.formula);
+    }
   };
+  add(constraints.always);
+  if (given) {
+    if (const auto own = constraints.under.find(given->value); own != constraints.under.end()) add(own->second);
+  }
+  std::sort(result.others.begin(), result.others.end());
+  result.others.erase(std::unique(result.others.begin(), result.others.end()), result.others.end());
+  std::erase_if(result.others, [&](VariableId v) { return v == attribute || (given && v == given->variable); });
+  return result;
+}
+
+Elimination::Contradicted Elimination::contradicted(const Case& given, VariableId attribute) const {
+  const Formula all = conjunction(given.formulas);
+  Contradicted result;
+  for (std::size_t v = 0; v < values_of(attribute); ++v) {
+    result.push_back(negation(fixed(all, attribute, ValueId(v))));
+  }
+  return result;
+}
+
+bool Elimination::always_left(const Case& given, VariableId attribute) const {
+  if (combinations_of(given.others) > most_combinations) return !solvable(contradicted(given, attribute), given.others);
+  return !any_combination(given.others, [&](const auto& value_of) {
+    return values_left(given.formulas, attribute, value_of).size(values_of(attribute)) == 0;
+  });
+}
+
+std::vector<std::vector<bool>> Elimination::leaves_another(VariableId attribute, VariableId given) const {
+  const Division division = divide(gone_.at(attribute), given);
+  std::vector<std::vector<bool>> result;
+  for (std::size_t v = 0; v < values_of(given); ++v) {
+    result.push_back(leaves_another(case_of(division, attribute, Assignment{given, ValueId(v)}), attribute));
+  }
+  return result;
+}
+
+std::vector<bool> Elimination::leaves_another(const Case& given, VariableId attribute) const {
+  std::vector<bool> result(values_of(attribute), true);
+  if (combinations_of(given.others) > most_combinations) {
+    const Contradicted excludes = contradicted(given, attribute);
+    for (std::size_t v = 0; v < excludes.size(); ++v) {
+      Contradicted others = excludes;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(v));
+      result[v] = !solvable(std::move(others), given.others);
+    }
+    return result;
+  }
+  // Another one than this is missed where this is the only one that is left, or none is.
+  any_combination(given.others, [&](const auto& value_of) {
+    const ValueSet left = values_left(given.formulas, attribute, value_of);
+    const std::size_t count = left.size(result.size());
+    if (count == 0) result.assign(result.size(), false);
+    if (count == 1) result[left.first()->index()] = false;
+    return count == 0;
+  });
+  return result;
+}
+
+std::size_t Elimination::combinations_of(const std::vector<VariableId>& variables) const {
   std::size_t combinations = 1;
   for (const VariableId v : variables) combinations = std::min(combinations * values_of(v), most_combinations + 1);
-  if (combinations > most_combinations) {
-    Variables own;
-    for (const VariableId v : variables) own.add(variables_[v]);
-    Theory theory(own);
-    const auto handle = theory.encode(renamed(
-        formula, [&](VariableId v) { return VariableId(position(v)); }, [](VariableId, ValueId v) { return v; }));
-    return theory.allows({}, handle);
-  }
+  return combinations;
+}
+
+/// Visits assignments of values to the variables, ascending, as functions; up to the first for which `visit` is true.
+template <class Visit>
+bool Elimination::any_combination(const std::vector<VariableId>& variables, const Visit& visit) const {
   std::vector<ValueId> values(variables.size(), ValueId(0));
+  const auto value_of = [&](VariableId variable) {
+    return values[static_cast<std::size_t>(std::lower_bound(variables.begin(), variables.end(), variable) -
+                                           variables.begin())];
+  };
+  const std::size_t combinations = combinations_of(variables);
   for (std::size_t i = 0; i < combinations; ++i) {
-    if (evaluate(formula, [&](VariableId v) { return values[position(v)]; })) return true;
+    if (visit(value_of)) return true;
     for (std::size_t k = 0; k < values.size(); ++k) {
       values[k] = ValueId(values[k].index() + 1);
       if (values[k].index() < values_of(variables[k])) break;
@@ -123,6 +197,20 @@ bool Elimination::satisfiable(const Formula& formula, const std::vector<Variable
     }
   }
   return false;
+}
+
+/// Whether some values of the variables make all of these true; they read no others. Asks a solver.
+bool Elimination::solvable(Contradicted parts, const std::vector<VariableId>& variables) const {
+  const auto position = [&](VariableId variable) {
+    return static_cast<std::size_t>(std::lower_bound(variables.begin(), variables.end(), variable) - variables.begin());
+  };
+  Variables own;
+  for (const VariableId v : variables) own.add(variables_[v]);
+  Theory theory(own);
+  const auto handle = theory.encode(renamed(
+      conjunction(std::move(parts)), [&](VariableId v) { return VariableId(position(v)); },
+      [](VariableId, ValueId v) { return v; }));
+  return theory.allows({}, handle);
 }
 
 }  // namespace rmpl::automata

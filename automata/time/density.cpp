@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "automata/time/cumulative_hazard.hpp"
 #include "automata/time/firing.hpp"
 #include "automata/time/normal.hpp"
 
@@ -18,8 +19,20 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A length of time in units of a parameter of the density, which is in seconds.
-double in_units_of(double parameter, Ticks from, Ticks to) { return (to - from).seconds() / parameter; }
+/// Of less than this parts are too little for a double.
+constexpr double least_mass = 1e-200;
+
+/// 1 - F(at) / F(upper), where what is below the upper bound is so little.
+double rest_of_small(const Timing& timing, Ticks at) {
+  return at > Ticks{} ? -std::expm1(log_ratio_of_small(timing.density, at, timing.upper)) : 1;
+}
+
+/// The probability of firing where all that is within the bounds is so little.
+double fires_where_mass_is_small(const Timing& timing, Ticks from, Ticks to) {
+  const double part = std::exp(log_ratio_of_small(timing.density, to, timing.upper));
+  const double before = from > Ticks{} ? std::exp(log_ratio_of_small(timing.density, from, timing.upper)) : 0;
+  return std::min((part - before) / rest_of_small(timing, from), 1.0);
+}
 
 /// The probability of firing while the clock goes from `from`, within the bounds, to `to`, before the upper one.
 double fires(const Timing& timing, Ticks from, Ticks to) {
@@ -27,9 +40,13 @@ double fires(const Timing& timing, Ticks from, Ticks to) {
   switch (density.kind) {
     case Density::Kind::uniform:
       return (to - from).seconds() / (timing.upper - from).seconds();
-    case Density::Kind::exponential: {
-      const double part = -std::expm1(-in_units_of(density.mean, from, to));
-      return timing.upper.is_infinite() ? part : part / -std::expm1(-in_units_of(density.mean, from, timing.upper));
+    case Density::Kind::exponential:
+    case Density::Kind::weibull:
+    case Density::Kind::erlang: {
+      const double part = -std::expm1(-cumulative_hazard(density, from, to));
+      if (timing.upper.is_infinite()) return part;
+      const double all = -std::expm1(-cumulative_hazard(density, from, timing.upper));
+      return all < least_mass ? fires_where_mass_is_small(timing, from, to) : part / all;
     }
     case Density::Kind::normal: {
       const StandardNormal normal(density.mean, density.standard_deviation);
@@ -47,11 +64,14 @@ double hazard(const Timing& timing, Ticks from, Ticks to) {
   switch (density.kind) {
     case Density::Kind::uniform:
       return std::log((timing.upper - from).seconds() / (timing.upper - to).seconds());
-    case Density::Kind::exponential: {
-      const double step = in_units_of(density.mean, from, to);
+    case Density::Kind::exponential:
+    case Density::Kind::weibull:
+    case Density::Kind::erlang: {
+      const double step = cumulative_hazard(density, from, to);
       if (timing.upper.is_infinite()) return step;
-      return step + std::log(std::expm1(-in_units_of(density.mean, from, timing.upper)) /
-                             std::expm1(-in_units_of(density.mean, to, timing.upper)));
+      const double all = -std::expm1(-cumulative_hazard(density, from, timing.upper));
+      if (all < least_mass) return std::log(rest_of_small(timing, from) / rest_of_small(timing, to));
+      return step + std::log(all / -std::expm1(-cumulative_hazard(density, to, timing.upper)));
     }
     case Density::Kind::normal: {
       const StandardNormal normal(density.mean, density.standard_deviation);

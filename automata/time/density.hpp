@@ -8,10 +8,12 @@ namespace rmpl::automata {
 
 /// A density over the clock of the source mode, truncated to the bounds of the transition. Parameters are in seconds.
 struct Density {
-  enum class Kind { uniform, exponential, normal };
+  enum class Kind { uniform, exponential, normal, weibull, erlang };
   Kind kind = Kind::uniform;
-  double mean = 0;                ///< exponential, normal
+  double mean = 0;                ///< exponential, normal, erlang
   double standard_deviation = 0;  ///< normal
+  double shape = 0;               ///< weibull; of erlang the number of stages, from 1 to 100
+  double scale = 0;               ///< weibull
   bool operator==(const Density&) const = default;
 };
 
@@ -23,6 +25,11 @@ struct Timing {
   Density density;
   bool operator==(const Timing&) const = default;
 
+  /// Whether the time that is left never depends on the time that has passed: an exponential density from 0 on without
+  /// end. Nobody needs to know its clock.
+  [[nodiscard]] bool memoryless() const {
+    return density.kind == Density::Kind::exponential && lower == Ticks{} && upper.is_infinite();
+  }
   /// 1 - G(at): the probability that the transition takes longer than `at`. In [0, 1], falling, 0 from `upper` on.
   [[nodiscard]] double survival(Ticks at) const;
   /// The probability of not firing in the step that takes the clock from `from` to `to`, given that it has not fired

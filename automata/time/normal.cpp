@@ -20,10 +20,10 @@ constexpr double sqrt_half = 0.70710678118654752440;
 constexpr double density_at_mean = 0.39894228040143267794;  ///< 1 / sqrt(2 pi)
 
 /// Abscissas and weights on [-1, 1]; the other four are their mirror images.
-constexpr std::array<std::pair<double, double>, 4> gauss_legendre{{{0.1834346424956498049, 0.3626837833783619830},
-                                                                   {0.5255324099163289858, 0.3137066458778872873},
-                                                                   {0.7966664774136267396, 0.2223810344533744705},
-                                                                   {0.9602898564975362317, 0.1012285362903762592}}};
+constexpr std::array<std::pair<double, double>, 4> gauss_legendre_8{{{0.1834346424956498049, 0.3626837833783619830},
+                                                                     {0.5255324099163289858, 0.3137066458778872873},
+                                                                     {0.7966664774136267396, 0.2223810344533744705},
+                                                                     {0.9602898564975362317, 0.1012285362903762592}}};
 
 /// The mantissa of the mass from a >= 0 standard deviations on, over a length of w > 0 of them.
 double mantissa(double a, double w) {
@@ -33,7 +33,7 @@ double mantissa(double a, double w) {
     return (scaled_erfc(a * sqrt_half) - (rest > 0 ? rest * scaled_erfc((a + w) * sqrt_half) : 0)) / 2;
   }
   double sum = 0;
-  for (const auto& [abscissa, weight] : gauss_legendre) {
+  for (const auto& [abscissa, weight] : gauss_legendre_8) {
     for (const double x : {w / 2 * (1 - abscissa), w / 2 * (1 + abscissa)}) sum += weight * std::exp(-x * (a + x / 2));
   }
   return density_at_mean * w / 2 * sum;

@@ -15,14 +15,17 @@ namespace {
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ wants a typedef
 
-constexpr std::array<std::pair<std::string_view, std::int64_t>, 8> units{{{"us", 1'000},
-                                                                          {"ms", 1'000'000},
-                                                                          {"s", 1'000'000'000},
-                                                                          {"min", 60'000'000'000},
-                                                                          {"mins", 60'000'000'000},
-                                                                          {"h", 3'600'000'000'000},
-                                                                          {"d", 86'400'000'000'000},
-                                                                          {"", 1'000'000'000}}};
+constexpr std::array<std::pair<std::string_view, std::int64_t>, 11> units{{{"ns", 1},
+                                                                           {"us", 1'000},
+                                                                           {"ms", 1'000'000},
+                                                                           {"s", 1'000'000'000},
+                                                                           {"min", 60'000'000'000},
+                                                                           {"mins", 60'000'000'000},
+                                                                           {"h", 3'600'000'000'000},
+                                                                           {"d", 86'400'000'000'000},
+                                                                           {"w", 604'800'000'000'000},
+                                                                           {"weeks", 604'800'000'000'000},
+                                                                           {"", 1'000'000'000}}};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 

@@ -36,9 +36,9 @@ constexpr Ticks operator-(Ticks a, Ticks b) { return {a.count - b.count}; }
 /// The nearest tick to `seconds`; nothing when it is negative, not a number or beyond the range.
 std::optional<Ticks> ticks_from_seconds(double seconds);
 
-/// `30`, `30 s`, `270 min`, `0.5h`, `inf`: a number, then optionally one of us ms s min mins h d; a bare number is
-/// seconds. Exact: the decimal is scaled, not rounded through a double. Nothing when the text is no duration, is
-/// negative, has a part finer than a nanosecond, or is beyond the range.
+/// `30`, `30 s`, `270 min`, `0.5h`, `inf`: a number, then optionally one of ns us ms s min mins h d w weeks; a bare
+/// number is seconds. Exact: the decimal is scaled, not rounded through a double. Nothing when the text is no duration,
+/// is negative, has a part finer than a nanosecond, or is beyond the range.
 std::optional<Ticks> parse_duration(std::string_view text);
 
 /// In seconds, the shortest decimal that reads back the same: `43.2`, `16200`, `inf`.

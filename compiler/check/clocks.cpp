@@ -158,29 +158,31 @@ class Summaries {
 
   Summary step(const grammar::Step& s) {
     return std::visit(
-        base::Overloaded{[](const grammar::Goal&) { return Summary{}; },
-                         [&](const grammar::ClockStart& c) {
-                           return Summary{{}, {own(c.clock.text)}, {}};
-                         },
-                         [&](const grammar::Call& c) { return call(c); },
-                         [&](const grammar::Block& b) { return body(b.body); },
-                         [&](const grammar::Watching& w) { return around(*w.step, w.condition); },
-                         [&](const grammar::Maintaining& m) { return around(*m.step, m.condition); },
-                         [&](const grammar::If& i) {
-                           Summary result = guarded(i.condition, *i.step);
-                           if (i.otherwise) merge(result, step(**i.otherwise));
-                           return result;
-                         },
-                         [&](const grammar::Unless& u) { return guarded(u.condition, *u.step); },
-                         [&](const grammar::When& w) { return guarded(w.condition, *w.step); },
-                         [&](const grammar::Whenever& w) { return looped(guarded(w.condition, *w.step)); },
-                         [&](const grammar::Always& a) { return looped(step(*a.step)); },
-                         [&](const grammar::Next& n) { return step(*n.step); },
-                         [&](const grammar::Choose& c) {
-                           Summary result;
-                           for (const grammar::Choice& choice : c.choices) merge(result, step(choice.step));
-                           return result;
-                         }},
+        base::Overloaded{
+            [](const grammar::Goal&) { return Summary{}; },
+            [&](const grammar::ClockStart& c) {
+              return Summary{{}, {own(c.clock.text)}, {}};
+            },
+            [&](const grammar::Call& c) { return call(c); }, [&](const grammar::Block& b) { return body(b.body); },
+            [&](const grammar::Watching& w) { return around(*w.step, w.condition); },
+            [&](const grammar::Maintaining& m) { return around(*m.step, m.condition); },
+            [&](const grammar::If& i) {
+              Summary result = guarded(i.condition, *i.step);
+              if (i.otherwise) merge(result, step(**i.otherwise));
+              return result;
+            },
+            [&](const grammar::Unless& u) { return guarded(u.condition, *u.step); },
+            [&](const grammar::When& w) { return guarded(w.condition, *w.step); },
+            [&](const grammar::Whenever& w) { return looped(guarded(w.condition, *w.step)); },
+            [](const grammar::Nothing&) { return Summary{}; }, [&](const grammar::Each& e) { return body(e.body); },
+            [&](const grammar::Repeat& r) { return looped(step(*r.step)); },
+            [&](const grammar::Always& a) { return looped(step(*a.step)); },
+            [&](const grammar::Next& n) { return step(*n.step); },
+            [&](const grammar::Choose& c) {
+              Summary result;
+              for (const grammar::Choice& choice : c.choices) merge(result, step(choice.step));
+              return result;
+            }},
         s.node);
   }
 
@@ -239,17 +241,17 @@ class Summaries {
     const auto all = [&](const auto& connective) {
       for (const grammar::Constraint& operand : connective.operands) collect(operand, into);
     };
-    std::visit(
-        base::Overloaded{[](const grammar::Truth&) {},
-                         [&](const grammar::Reference& r) {
-                           if (is_parameter(r.name.text)) into.asks.try_emplace(r.name.text);
-                         },
-                         [](const grammar::Comparison&) {}, [](const grammar::Membership&) {},
-                         [&](const grammar::ClockBound& b) { into.needs[own(b.clock.text)].push_back(b.clock.span); },
-                         [&](const grammar::Negation& n) { all(n); }, [&](const grammar::Conjunction& c) { all(c); },
-                         [&](const grammar::Disjunction& d) { all(d); }, [&](const grammar::Implication& i) { all(i); },
-                         [&](const grammar::Equivalence& e) { all(e); }},
-        constraint.node);
+    std::visit(base::Overloaded{
+                   [](const grammar::Truth&) {},
+                   [&](const grammar::Reference& r) {
+                     if (is_parameter(r.name.text)) into.asks.try_emplace(r.name.text);
+                   },
+                   [](const grammar::Comparison&) {}, [](const grammar::Membership&) {},
+                   [&](const grammar::ClockBound& b) { into.needs[own(b.clock.text)].push_back(b.clock.span); },
+                   [&](const grammar::KnowledgeAtom& k) { all(k); }, [&](const grammar::Negation& n) { all(n); },
+                   [&](const grammar::Conjunction& c) { all(c); }, [&](const grammar::Disjunction& d) { all(d); },
+                   [&](const grammar::Implication& i) { all(i); }, [&](const grammar::Equivalence& e) { all(e); }},
+               constraint.node);
   }
 
   [[nodiscard]] bool is_parameter(const std::string& name) const {
@@ -290,6 +292,7 @@ class Starts {
   void step(const grammar::Step& s) {
     std::visit(base::Overloaded{[](const grammar::Goal&) {}, [](const grammar::Call&) {},
                                 [&](const grammar::ClockStart& c) { first.emplace(c.clock.text, c.clock.span); },
+                                [](const grammar::Nothing&) {}, [&](const grammar::Each& e) { body(e.body); },
                                 [&](const grammar::Block& b) { body(b.body); },
                                 [&](const grammar::If& i) {
                                   step(*i.step);

@@ -63,7 +63,9 @@ class CallCollector {
     std::visit(base::Overloaded{
                    [](const grammar::Goal&) {}, [](const grammar::ClockStart&) {},
                    [&](const grammar::Call& c) { call(c, position); },
-                   [&](const grammar::Block& b) { body(b.body, position); },
+                   [&](const grammar::Block& b) { body(b.body, position); }, [](const grammar::Nothing&) {},
+                   [&](const grammar::Each& e) { each(e, step.span, position); },
+                   [&](const grammar::Repeat& r) { inside(*r.step, position, "a `repeat` starts it again"); },
                    [&](const grammar::Watching& w) { inside(*w.step, position, "a `do … watching` encloses it"); },
                    [&](const grammar::Maintaining& m) { inside(*m.step, position, "a `maintaining` encloses it"); },
                    [&](const grammar::If& i) {
@@ -77,6 +79,17 @@ class CallCollector {
                    [&](const grammar::Next& n) { inside(*n.step, position, last); },
                    [&](const grammar::Choose& c) { choose(c, step.span, position); }},
                step.node);
+  }
+
+  /// Its branches start in the same instant.
+  void each(const grammar::Each& each, grammar::Span span, Position position) {
+    if (model_) {
+      auto& error = diagnostics_.error(Code::control_only, span,
+                                       "`each` stands in control programs only, and this is a model program");
+      error.suggestion = "what is told side by side is told together: leave `each` out";
+    }
+    position.not_last = "an `each` encloses it";
+    body(each.body, position);
   }
 
   /// The branch that is drawn starts in the same instant. Beside model definitions the mixture is reported.
@@ -186,7 +199,11 @@ void check_kinds(Definitions& definitions, grammar::Diagnostics& diagnostics) {
                                       backquoted(first.name.text) + kind(first) +
                                       ": a program either tells what holds or asserts what should");
   error.notes.push_back({first.name.span, backquoted(first.name.text) + " is defined here"});
-  error.suggestion = "write `model` before every definition, or keep the two kinds in files of their own";
+  error.suggestion =
+      other->definition->name.span.file == first.name.span.file
+          ? "write `model` before every definition, or keep the two kinds in files of their own"
+          : "files that are named together are one program; a control program flies a model program in a "
+            "scenario: `plant \"….rmpl\";`";
 }
 
 void declare(const grammar::Definition& definition, bool root, Uniqueness& names, Definitions& definitions,

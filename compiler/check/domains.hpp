@@ -24,6 +24,8 @@ class Domains {
   explicit Domains(grammar::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   void declare(const grammar::Domain& domain);
+  /// A domain of a model program that the model imports: it serves where the model declares none of that name.
+  void lend(const grammar::Domain& domain);
   /// The values of a declaration, named or in place. An unknown name is reported, and gives nothing.
   std::optional<DomainValues> values(const grammar::DomainRef& domain);
 
@@ -34,7 +36,10 @@ class Domains {
     grammar::Span name;
     DomainValues values;
   };
+  std::optional<DomainValues> lent(const grammar::Name& name);
+
   std::map<std::string, Named, std::less<>> named_;
+  std::map<std::string, std::vector<Named>, std::less<>> lent_;  ///< those of one name differ
   grammar::Diagnostics& diagnostics_;
 };
 

@@ -25,6 +25,12 @@ std::optional<Span> found(std::string_view variable, const Constraint& constrain
                                        return left ? left : named(comparison.right);
                                      },
                                      [&](const grammar::Membership& membership) { return named(membership.variable); },
+                                     [&](const grammar::KnowledgeAtom& knowledge) -> std::optional<Span> {
+                                       if (knowledge.component && knowledge.component->text == variable)
+                                         return knowledge.component->span;
+                                       if (knowledge.operands.empty()) return std::nullopt;
+                                       return found(variable, knowledge.operands.front());
+                                     },
                                      [&](const auto& connective) -> std::optional<Span> {
                                        for (const Constraint& operand : connective.operands) {
                                          if (const auto place = found(variable, operand)) return place;

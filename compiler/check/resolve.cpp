@@ -7,8 +7,6 @@
 
 #include "base/overloaded.hpp"
 
-#include "base/overloaded.hpp"
-
 namespace rmpl::compiler {
 
 using automata::Formula;
@@ -31,6 +29,7 @@ Formula Resolver::resolve(const grammar::Constraint& constraint) {
                        [&](const grammar::Comparison& c) { return comparison(c); },
                        [&](const grammar::Membership& m) { return membership(m); },
                        [&](const grammar::ClockBound& b) { return clock(b); },
+                       [&](const grammar::KnowledgeAtom& k) { return knowledge(k, constraint.span); },
                        [&](const grammar::Negation& n) { return automata::negation(resolve(n.operands[0])); },
                        [&](const grammar::Conjunction& c) { return automata::conjunction(resolve_all(c.operands)); },
                        [&](const grammar::Disjunction& d) { return automata::disjunction(resolve_all(d.operands)); },
@@ -52,6 +51,54 @@ std::vector<Formula> Resolver::resolve_all(const std::vector<grammar::Constraint
   return formulas;
 }
 
+Formula Resolver::knowledge(const grammar::KnowledgeAtom& atom, grammar::Span span) {
+  using Kind = grammar::KnowledgeAtom::Kind;
+  if (no_knowledge_) {
+    auto& error = diagnostics_.error(Code::knowledge_not_allowed, span,
+                                     "what the executive knows is asked for " + *no_knowledge_);
+    annotate(error);
+    return automata::constant(true);
+  }
+  if (atom.kind == Kind::surprise || atom.kind == Kind::no_plan) {
+    const auto knowing = atom.kind == Kind::surprise ? automata::Knowing::surprise : automata::Knowing::no_plan;
+    if (!atom.component) return automata::knowledge(knowing);
+    const auto id = variable(*atom.component);
+    if (!id) return automata::constant(true);
+    if (is_component(*id)) return automata::knowledge(knowing, *id);
+    auto& error = diagnostics_.error(Code::wrong_kind_of_name, atom.component->span,
+                                     backquoted(atom.component->text) + " is an attribute, expected a component");
+    note_domain(error, *id);
+    annotate(error);
+    return automata::constant(true);
+  }
+  const auto before = std::exchange(no_knowledge_, "inside of what is known of the plant");
+  Formula operand = resolve(atom.operands.front());
+  no_knowledge_ = before;
+  if (has_clock(operand)) {
+    auto& error =
+        diagnostics_.error(Code::clock_not_allowed, atom.operands.front().span,
+                           "a clock bound inside of what is known of the plant: clocks are known for certain");
+    error.suggestion = "join it from outside: `likely(…, 0.9) & t >= 5 s`";
+    annotate(error);
+    return automata::constant(true);
+  }
+  double probability = automata::least_possible;
+  if (atom.probability) {
+    probability = atom.probability->value;
+    // What has probability 0 is asked of nothing.
+    if (!(probability > 0 && probability <= 1)) {
+      auto& error = diagnostics_.error(Code::probability_out_of_range, atom.probability->span,
+                                       "`" + atom.probability->text +
+                                           "` is no probability to ask for, expected more "
+                                           "than 0 and at most 1");
+      annotate(error);
+      return automata::constant(true);
+    }
+  }
+  const auto knowing = atom.kind == Kind::possible ? automata::Knowing::possible : automata::Knowing::likely;
+  return automata::knowledge(knowing, std::move(operand), probability);
+}
+
 void Resolver::taken_for_value(const Name&) {}
 
 void Resolver::annotate(grammar::Diagnostic&) {}
@@ -62,7 +109,7 @@ std::optional<VariableId> Resolver::variable(const Name& name) {
   const auto meant = meaning(name);
   if (!meant) return std::nullopt;
   const auto id = vocabulary_.variables.find(meant->text);
-  if (!id) report_unknown(*meant);
+  if (!id && !lost_its_meaning(*meant)) report_unknown(*meant);
   return id;
 }
 
@@ -182,12 +229,18 @@ void Resolver::report_unknown(const Name& name) {
 }
 
 void Resolver::report_value(VariableId id, const Name& value) {
+  if (lost_its_meaning(value)) return;
   const std::size_t before = diagnostics_.error_count();
   const automata::Variable& known = vocabulary_.variables[id];
   auto& error = diagnostics_.error(
       Code::value_outside_domain, value.span,
       backquoted(value.text) + " is no value of " + backquoted(known.name) + ", expected " + one_of(known.values));
   suggest(error, before, value.text, known.values);
+  const std::size_t minus = value.text.rfind('-');
+  if (!error.suggestion && minus != std::string::npos &&
+      value.text.find_first_not_of("0123456789", minus + 1) == std::string::npos) {
+    error.suggestion = backquoted(value.text) + " is one name: values are not counted with";
+  }
   note_domain(error, id);
   annotate(error);
 }

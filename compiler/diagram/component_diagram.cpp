@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "automata/place.hpp"
 #include "compiler/diagram/dot.hpp"
 #include "compiler/diagram/numbers.hpp"
 #include "compiler/diagram/own_names.hpp"
@@ -102,7 +101,7 @@ void ComponentDiagram::draw_mode(std::size_t position) {
              {"fillcolor", dot_value(mode.fault ? style::fault_shade : style::paper)},
              {"margin", dot_value("0.06,0.03")},
              {"label", dot_label(label(mode))},
-             {"tooltip", dot_tooltip(mode.name + automata::in_parentheses(mode.origin))}});
+             {"tooltip", dot_tooltip(mode.name + style::place_in_parentheses(mode.origin))}});
 }
 
 /// Whether the sources are all modes but the target, or all nominal ones but the target, each once.

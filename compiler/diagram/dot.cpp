@@ -42,7 +42,11 @@ std::string dot_value(std::string_view text) {
   std::string result = "\"";
   for (const char c : base::printable(text)) {
     if (c == '"' || c == '\\') result += '\\';
-    result += c;
+    if (c == '\n') {
+      result += "\\n";
+    } else {
+      result += c;
+    }
   }
   return result + "\"";
 }

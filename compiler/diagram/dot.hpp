@@ -8,7 +8,8 @@
 
 namespace rmpl::compiler {
 
-/// A value in DOT: a word or a number as it is, anything else in quotes.
+/// A value in DOT: a word or a number as it is, anything else in quotes, with the ends of lines as Graphviz writes
+/// them.
 std::string dot_value(std::string_view text);
 
 /// An HTML-like label: `markup` is written with `escaped` and tags.

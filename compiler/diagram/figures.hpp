@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "automata/scenario.hpp"
+#include "automata/step/plant_as_model.hpp"
 
 namespace rmpl::compiler {
 
@@ -18,15 +20,20 @@ struct Figure {
   enum class Kind { program, plant, type, module, instance };
   Kind kind = Kind::program;
   std::string name;  ///< of the program, plant or component type; the path of a module or of a component
-  const automata::Program* program = nullptr;      ///< of control programs
-  const automata::Plant* plant = nullptr;          ///< of all others
-  const automata::Component* component = nullptr;  ///< of instances; of a type, the first instance
-  const automata::ModelProgram* model = nullptr;   ///< of model programs, whose kind is program
+  const automata::Program* program = nullptr;        ///< of control programs
+  const automata::Plant* plant = nullptr;            ///< of all others
+  const automata::Component* component = nullptr;    ///< of instances; of a type, the first instance
+  const automata::ModelProgram* model = nullptr;     ///< of model programs, whose kind is program
+  const automata::PlantWithModels* whole = nullptr;  ///< of all of a plant that holds model programs
+  const automata::ModelComponent* held = nullptr;    ///< of one that it holds, or of a type, the first such
 };
 
+using PlantsWithModels = std::map<std::size_t, automata::PlantWithModels>;
+
 /// All of a document: programs; then each plant, its component types in the order in which they are first used, its
-/// modules and its components. A plant without a name has none of its own.
-std::vector<Figure> figures_of(const automata::Document& document);
+/// modules and its components. A plant without a name has none of its own. Model programs that became of plants, by
+/// position, are drawn as these plants, where a model program is a component of the type that its definition is.
+std::vector<Figure> figures_of(const automata::Document& document, const PlantsWithModels& plants = {});
 
 /// Those that a document is about, where nobody says which one: programs and plants, or where there is neither (a model
 /// of types alone) its types.

@@ -33,6 +33,7 @@ void mark_read(const Formula& constraint, std::vector<bool>& read) {
     case Formula::Kind::constant:
     case Formula::Kind::member:
     case Formula::Kind::clock:
+    case Formula::Kind::knowledge:
     case Formula::Kind::negation:
       return;
   }

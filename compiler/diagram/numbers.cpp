@@ -67,6 +67,12 @@ std::string to_text(const automata::Timing& timing) {
       text +=
           " ~ normal(" + shortest(timing.density.mean) + " s, " + shortest(timing.density.standard_deviation) + " s)";
       break;
+    case Density::Kind::weibull:
+      text += " ~ weibull(" + shortest(timing.density.shape) + ", " + shortest(timing.density.scale) + " s)";
+      break;
+    case Density::Kind::erlang:
+      text += " ~ erlang(" + shortest(timing.density.shape) + ", " + shortest(timing.density.mean) + " s)";
+      break;
   }
   return text;
 }

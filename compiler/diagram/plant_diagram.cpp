@@ -191,10 +191,11 @@ void PlantDiagram::draw_block(std::size_t position) {
   const Block& block = blocks_.all()[position];
   const bool folded = block.component == nullptr;
   const std::string type = folded ? std::to_string(block.components) + " components" : block.component->type;
+  const std::string below = type.empty() ? "" : "<BR/>" + style::in_font(escaped(type), style::faint, port_size);
   std::string rows =
       R"(<TR><TD COLSPAN="2">&#160;)" +
       style::in_font("<B>" + escaped(within(block.path, parent_of(block.path))) + "</B>", style::ink, name_size) +
-      "&#160;<BR/>" + style::in_font(escaped(type), style::faint, port_size) + "</TD></TR>" + port_rows(block);
+      "&#160;" + below + "</TD></TR>" + port_rows(block);
   if (const std::string rest = rest_of(block); !rest.empty()) {
     rows += R"(<TR><TD COLSPAN="2">)" + style::in_font(rest, style::faint, rest_size) + "</TD></TR>";
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "automata/place.hpp"
 #include "compiler/diagram/dot.hpp"
 #include "compiler/diagram/style.hpp"
 
@@ -150,7 +149,7 @@ std::string ProgramDiagram::condition(const Condition& condition, std::size_t wi
 }
 
 std::string ProgramDiagram::place(const Location& location) const {
-  return location.label + automata::in_parentheses(location.origin);
+  return location.label + style::place_in_parentheses(location.origin);
 }
 
 void ProgramDiagram::draw(LocationId id) {
@@ -168,15 +167,19 @@ void ProgramDiagram::draw_primitive(LocationId id) {
     const auto value = style::broken_name(program_.variables.value(goal), goal_width);
     label += "<BR/>" + style::lines(name, Align::center) + "<BR/>" + style::lines(value, Align::center);
   }
+  for (const automata::Formula& constraint : location.goal_constraints) {
+    const std::string text = automata::to_text(constraint, program_.variables);
+    label += "<BR/>" + style::lines(style::wrapped(text, guard_width), Align::center);
+  }
   const bool tells = !look_.told.empty() && !look_.told[id.index()].empty();
   if (tells) label += "<BR/>" + style::lines(style::wrapped(look_.told[id.index()], guard_width), Align::center);
   if (location.clock_start) label += "<BR/>" + escaped(program_.clocks[location.clock_start->index()]) + " = 0";
   if (!location.maintenance.is_trivial()) {
     label += "<BR/>MAINTAIN<BR/>" + condition(location.maintenance, guard_width, Align::center);
   }
-  const std::string_view fill = !location.goal.empty() || tells ? style::goal
-                                : location.clock_start          ? style::clock
-                                                                : style::paper;
+  const std::string_view fill = location.has_goal() || tells ? style::goal
+                                : location.clock_start       ? style::clock
+                                                             : style::paper;
   dot_.node("l" + number(id), {{"shape", dot_value(tells ? "ellipse" : "circle")},
                                {"style", dot_value("filled")},
                                {"fillcolor", dot_value(fill)},

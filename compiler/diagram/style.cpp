@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/diagram/style.hpp"
 
+#include <filesystem>
+
+#include "automata/place.hpp"
+
 namespace rmpl::compiler::style {
 namespace {
 
@@ -51,14 +55,20 @@ std::vector<std::string> broken_name(std::string_view name, std::size_t width) {
   return result;
 }
 
+std::string place_in_parentheses(const automata::Origin& origin) {
+  return automata::in_parentheses({std::filesystem::path(origin.file).filename().string(), origin.line, origin.column});
+}
+
 std::string lines(const std::vector<std::string>& texts, Align align, std::string_view tag) {
   const std::string open = tag.empty() ? "" : "<" + std::string(tag) + ">";
   const std::string close = tag.empty() ? "" : "</" + std::string(tag) + ">";
+  // An overbar reaches above its line: without room between them it would strike through the line before.
+  const std::string room = tag == "O" ? R"(<FONT POINT-SIZE="4">&#160;</FONT>)" : "";
+  const std::string end = align == Align::left ? R"(<BR ALIGN="LEFT"/>)" : "<BR/>";
   std::string result;
   for (const std::string& text : texts) {
-    if (align == Align::center && !result.empty()) result += "<BR/>";
-    result += open + escaped(text) + close;
-    if (align == Align::left) result += "<BR ALIGN=\"LEFT\"/>";
+    if (!result.empty()) result += (align == Align::left ? "" : end) + (room.empty() ? "" : room + end);
+    result += open + escaped(text) + close + (align == Align::left ? end : "");
   }
   return result;
 }
@@ -69,6 +79,7 @@ std::string beside_arrow(std::string_view markup) {
 }
 
 std::string in_font(std::string_view markup, std::string_view color, std::size_t size) {
+  if (markup.empty()) return {};
   return "<FONT COLOR=\"" + std::string(color) + "\" POINT-SIZE=\"" + std::to_string(size) + "\">" +
          std::string(markup) + "</FONT>";
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "automata/origin.hpp"
 #include "compiler/diagram/dot.hpp"
 
 namespace rmpl::compiler::style {
@@ -31,6 +32,10 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 /// A name in lines of at most `width` characters where that can be: broken behind dots, underscores and hyphens.
 std::vector<std::string> broken_name(std::string_view name, std::size_t width);
+
+/// ` (mars_entry.rmpl:7)`, without the folders of the file, so that a picture that is kept beside its source is the
+/// same wherever both stand; empty where there is no source.
+std::string place_in_parentheses(const automata::Origin& origin);
 
 /// Lines as markup; `tag`, as in `B` or `O`, is put around each.
 std::string lines(const std::vector<std::string>& texts, Align align, std::string_view tag = {});

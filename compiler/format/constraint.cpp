@@ -52,6 +52,24 @@ void write_arrow(Document& document, const std::vector<Constraint>& operands, bo
   document.close();
 }
 
+/// `likely(a = b, 0.95)`: the parenthesis stands close to the word.
+void write_knowledge(Document& document, const grammar::KnowledgeAtom& node, const Constraint& constraint) {
+  document.take();
+  if (document.next() != "(" || document.next_begin() >= constraint.span.end) return;
+  document.glue();
+  document.take();
+  document.open(Breaks::needed, Margin::aligned);
+  if (!node.operands.empty()) write(document, node.operands.front());
+  if (node.component) document.take_to(node.component->span.end);
+  if (node.probability) {
+    document.take();
+    document.line();
+    document.take_to(node.probability->span.end);
+  }
+  document.close();
+  document.take();
+}
+
 void write_node(Document& document, const Constraint& constraint, bool column) {
   std::visit(base::Overloaded{[&](const grammar::Conjunction& node) { write_chain(document, node.operands); },
                               [&](const grammar::Disjunction& node) { write_chain(document, node.operands); },
@@ -66,6 +84,7 @@ void write_node(Document& document, const Constraint& constraint, bool column) {
                                 write_list(document, node.values);
                                 document.take();
                               },
+                              [&](const grammar::KnowledgeAtom& node) { write_knowledge(document, node, constraint); },
                               [&](const grammar::Truth&) { document.take(); },
                               [&](const grammar::Reference& node) { document.take_to(node.name.span.end); },
                               [&](const grammar::Comparison& node) { document.take_to(node.right.span.end); },

@@ -97,6 +97,7 @@ bool Document::space_before_next() const {
   const std::string_view before = tokens_[next_ - 1].text;
   const std::string_view after = tokens_[next_].text;
   const auto is_one_of = [](std::string_view text, auto... others) { return ((text == others) || ...); };
+  if (before == "-" && after.starts_with('"')) return true;  // between channels, and no sign
   return !is_one_of(after, ",", ";", ")", "]") && !is_one_of(before, "(", "[", "!", "¬", "+", "-", "/");
 }
 

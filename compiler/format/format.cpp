@@ -5,9 +5,11 @@
 #include "base/check.hpp"
 #include "compiler/format/document.hpp"
 #include "compiler/format/layout.hpp"
+#include "compiler/format/monitor.hpp"
 #include "compiler/format/syntax.hpp"
 #include "grammar/ast/same.hpp"
 #include "grammar/parse/parse.hpp"
+#include "grammar/parse/parse_monitors.hpp"
 
 namespace rmpl::compiler {
 namespace {
@@ -54,10 +56,12 @@ std::optional<std::string> format(const grammar::Sources& sources, std::uint32_t
       return format_as<grammar::ScenarioFile>(sources, file, diagnostics, grammar::parse_scenarios);
     case Kind::properties:
       return format_as<grammar::PropertyFile>(sources, file, diagnostics, grammar::parse_properties);
+    case Kind::monitors:
+      return format_as<grammar::MonitorFile>(sources, file, diagnostics, grammar::parse_monitors);
     case Kind::document:
       break;
   }
-  CHECK(false && "a compiled document is in none of the four languages");
+  CHECK(false && "a compiled document is in none of the five languages");
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// The one style of the four languages: a text laid out anew, with all its tokens and comments.
+// The one style of the five languages: a text laid out anew, with all its tokens and comments.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -18,7 +18,7 @@ namespace rmpl::compiler {
 inline constexpr std::size_t line_width = 120;
 
 /// The text of `sources[file]` in the one style; nothing where it has syntax errors, and then they are reported. The
-/// kind is one of the four languages.
+/// kind is one of the five languages.
 ///
 /// The tokens and the comments stay, each as it is spelled and in their order; at most one blank line stays between
 /// statements. Where lines break and what is aligned follows from the tokens alone. Formatting what is formatted gives

@@ -114,6 +114,7 @@ void write(Document& document, const grammar::TransitionText& text) { Transition
 
 void write(Document& document, const grammar::InstanceDeclaration& instance) {
   document.open_statement(Table::instances);
+  if (instance.progress) document.take();
   write_names(document, instance.names);
   document.take_to(instance.type.span.end);
   if (instance.initial) {

@@ -17,6 +17,8 @@ bool ends_in_block(const Step& step) {
           [](const grammar::Unless& node) { return ends_in_block(*node.step); },
           [](const grammar::When& node) { return ends_in_block(*node.step); },
           [](const grammar::Whenever& node) { return ends_in_block(*node.step); },
+          [](const grammar::Nothing&) { return true; }, [](const grammar::Each&) { return true; },
+          [](const grammar::Repeat& node) { return ends_in_block(*node.step); },
           [](const grammar::Always& node) { return ends_in_block(*node.step); },
           [](const grammar::Next& node) { return ends_in_block(*node.step); }, [](const auto&) { return false; }},
       step.node);
@@ -48,6 +50,12 @@ class StepWriter {
 
   void write(const grammar::Block& block) { compiler::write(document_, block.body); }
 
+  void write(const grammar::Nothing&) { take_empty_braces(document_); }
+  void write(const grammar::Each& node) {
+    document_.take();
+    compiler::write(document_, node.body);
+  }
+
   void write(const grammar::Watching& node) { ended(*node.step, node.condition, true); }
   void write(const grammar::Maintaining& node) { ended(*node.step, node.condition, node.with_do); }
 
@@ -68,6 +76,10 @@ class StepWriter {
   void write(const grammar::Whenever& node) { conditional(node); }
 
   void write(const grammar::Always& node) {
+    document_.take();
+    write(*node.step);
+  }
+  void write(const grammar::Repeat& node) {
     document_.take();
     write(*node.step);
   }

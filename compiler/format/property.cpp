@@ -26,6 +26,14 @@ void write_eventually(Document& document, const grammar::EventuallyClaim& claim)
   document.line();
 }
 
+void write_probability(Document& document, const grammar::ProbabilityClaim& claim) {
+  if (claim.of_program) document.take();
+  document.take();
+  document.take();
+  write(document, claim.constraint);
+  document.line();
+}
+
 void write_from(Document& document, const grammar::FromSetting& from) {
   document.take();
   write_list(document, from.modes);
@@ -39,7 +47,12 @@ void write(Document& document, const grammar::PropertyItem& item) {
       [&](const grammar::FinallyClaim& claim) { write_claim(document, true, claim.constraint); },
       [&](const grammar::ResponseClaim& claim) { write_response(document, claim); },
       [&](const grammar::EventuallyClaim& claim) { write_eventually(document, claim); },
+      [&](const grammar::ProbabilityClaim& claim) { write_probability(document, claim); },
       [&](const grammar::FromSetting& from) { write_from(document, from); },
+      [&](const grammar::RequirementPart& part) {
+        document.take();
+        write_list(document, part.tags);
+      },
       [](const auto&) {}};
   std::visit(write_node, item);
   document.take_to(std::visit([](const auto& node) { return node.span.end; }, item));
@@ -64,8 +77,12 @@ void write(Document& document, const grammar::PropertyFile& file) {
     write_settings(property.span.begin);
     document.hard_line();
     document.open_statement();
-    document.take_to(property.name.span.end);
-    write_block(document, property.items, [&](const grammar::PropertyItem& item) { write(document, item); });
+    if (property.braces) {
+      document.take_to(property.name.span.end);
+      write_block(document, property.items, [&](const grammar::PropertyItem& item) { write(document, item); });
+    } else {
+      document.take_to(property.span.end);
+    }
     document.close_statement();
   }
   write_settings(0xFFFFFFFF);

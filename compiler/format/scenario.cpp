@@ -27,6 +27,13 @@ class ItemWriter {
     end(item);
   }
 
+  void operator()(const grammar::RequirementPart& item) const {
+    document_.open_statement();
+    document_.take();
+    write_list(document_, item.tags);
+    end(item);
+  }
+
   void operator()(const grammar::FaultEvent& item) const {
     document_.open_statement();
     document_.take_to(item.at.span.end);
@@ -38,7 +45,21 @@ class ItemWriter {
     document_.open_statement();
     document_.take_to(item.at.span.end);
     document_.line();
-    reading(item);
+    lasting(item, item.reading);
+  }
+
+  void operator()(const grammar::CommandEvent& item) const {
+    document_.open_statement();
+    document_.take_to(item.at.span.end);
+    document_.line();
+    lasting(item, item.command);
+  }
+
+  void operator()(const grammar::ChannelEvent& item) const {
+    document_.open_statement();
+    document_.take_to(item.at.span.end);
+    document_.line();
+    end(item);
   }
 
   void operator()(const grammar::RuleText& item) const {
@@ -50,7 +71,7 @@ class ItemWriter {
       document_.take_to(std::visit([](const auto& delay) { return delay.span.end; }, *item.delay));
     }
     document_.line();
-    reading(item);
+    lasting(item, item.reading);
   }
 
   void operator()(const grammar::ExpectText& item) const {
@@ -60,7 +81,9 @@ class ItemWriter {
       write(document_, *item.condition);
     } else {
       document_.take();
-      while (document_.next() != ";" && document_.next() != "within") document_.take();
+      while (document_.next() != ";" && document_.next() != "within" && document_.next() != "requirement") {
+        document_.take();
+      }
     }
     while (document_.next() != ";") bound(item);
     end(item);
@@ -82,21 +105,23 @@ class ItemWriter {
 
   /// `observe x = v for 3 s;`
   template <class Item>
-  void reading(const Item& item) const {
-    document_.take_to(item.reading.span.end);
+  void lasting(const Item& item, const grammar::AssignmentText& what) const {
+    document_.take_to(what.span.end);
     if (item.duration) document_.line();
     end(item);
   }
 
-  /// `within 3 s` or `after c`, which comes next.
+  /// `within 3 s`, `after c` or `requirement "R"`, which comes next.
   void bound(const grammar::ExpectText& item) const {
     document_.line();
-    const bool within = document_.next() == "within";
+    const bool within = document_.next() == "within", after = document_.next() == "after";
     document_.take();
     if (within) {
       document_.take_to(item.within->span.end);
-    } else {
+    } else if (after) {
       write(document_, *item.after);
+    } else {
+      write_list(document_, item.requirement->tags);
     }
   }
 

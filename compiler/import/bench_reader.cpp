@@ -17,7 +17,7 @@ namespace {
 using grammar::Code;
 using grammar::Span;
 
-constexpr std::array<std::pair<std::string_view, GateFunction>, 9> functions{
+constexpr std::array<std::pair<std::string_view, GateFunction>, 9> bench_functions{
     {{"AND", GateFunction::conjunction},
      {"NAND", GateFunction::negated_conjunction},
      {"OR", GateFunction::disjunction},
@@ -68,8 +68,9 @@ class BenchReader {
     if (!errors_.any() && netlist_.gates.empty()) {
       errors_.report(Code::netlist_syntax, {index_, 0, 0}, "a circuit without gates");
     }
-    if (errors_.any()) return std::nullopt;
     netlist_.nets = names_.size();
+    if (!errors_.any()) report_loops(netlist_, gate_places_, errors_);
+    if (errors_.any()) return std::nullopt;
     return std::move(netlist_);
   }
 
@@ -81,12 +82,11 @@ class BenchReader {
 
   std::optional<Net> net(std::string_view name) {
     name = trimmed(name);
-    const bool plain =
-        std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
-    if (name.empty() || !plain) {
+    if (!identifier_of(name)) {
       errors_.report(Code::netlist_syntax, span(name),
-                     name.empty() ? "expected the name of a net"
-                                  : backquoted(name) + " is no name of a net: letters, digits and `_` are");
+                     name.empty()
+                         ? "expected the name of a net"
+                         : backquoted(name) + " cannot be the name of a net: " + std::string(names_that_can_be_said));
       return std::nullopt;
     }
     const auto [at, fresh] = by_name_.try_emplace(std::string(name), names_.size());
@@ -162,6 +162,10 @@ class BenchReader {
       errors_.report(Code::netlist_syntax, span(call), "expected a gate after `=`");
       return;
     }
+    if (call.find('(') == std::string_view::npos && why_unsupported(trimmed(call))) {
+      refuse(trimmed(call));
+      return;
+    }
     const auto parts = form(trimmed(call));
     if (!parts) return;
     bool complete = output.has_value();
@@ -173,12 +177,10 @@ class BenchReader {
       if (comma == std::string_view::npos) break;
       inside.remove_prefix(comma + 1);
     }
-    const auto* known = std::find_if(functions.begin(), functions.end(),
+    const auto* known = std::find_if(bench_functions.begin(), bench_functions.end(),
                                      [name = upper_case(parts->name)](const auto& f) { return f.first == name; });
-    if (known == functions.end()) {
-      errors_.report(
-          Code::netlist_gate, span(parts->name),
-          "unknown gate " + backquoted(parts->name) + ", expected AND, NAND, OR, NOR, XOR, XNOR, NOT or BUFF");
+    if (known == bench_functions.end()) {
+      refuse(parts->name);
       return;
     }
     gate.function = known->second;
@@ -190,12 +192,29 @@ class BenchReader {
                          (unary ? " inputs, expected one" : " input, expected two or more"));
     }
     netlist_.gates.push_back(std::move(gate));
+    gate_places_.push_back(span(trimmed(target)));
+  }
+
+  /// A gate that there is not: what it lacks, or what was meant.
+  void refuse(std::string_view name) {
+    if (const auto reason = why_unsupported(name)) {
+      errors_.report(Code::netlist_gate, span(name), *reason);
+      return;
+    }
+    auto* error =
+        errors_.report(Code::netlist_gate, span(name),
+                       "unknown gate " + backquoted(name) + ", expected AND, NAND, OR, NOR, XOR, XNOR, NOT or BUFF");
+    if (error == nullptr) return;
+    std::vector<std::string> known;
+    for (const auto& [word, function] : bench_functions) known.emplace_back(word);
+    suggest(*error, 0, upper_case(name), known);
   }
 
   std::string_view text_;
   std::uint32_t index_;
   NetlistErrors errors_;
   Netlist netlist_;
+  std::vector<Span> gate_places_;
   std::vector<std::string> names_;  ///< of the nets
   std::unordered_map<std::string, Net> by_name_;
   std::unordered_set<Net> outputs_;

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
@@ -22,7 +22,7 @@ namespace {
 using grammar::Code;
 using grammar::Span;
 
-constexpr std::array<std::pair<std::string_view, GateFunction>, 8> functions{
+constexpr std::array<std::pair<std::string_view, GateFunction>, 8> catalogue_functions{
     {{"and", GateFunction::conjunction},
      {"nand", GateFunction::negated_conjunction},
      {"or", GateFunction::disjunction},
@@ -32,15 +32,27 @@ constexpr std::array<std::pair<std::string_view, GateFunction>, 8> functions{
      {"inverter", GateFunction::negation},
      {"buffer", GateFunction::buffer}}};
 
-/// The function of `nand2` and the like; nothing for what is no gate.
-std::optional<GateFunction> function_of(std::string_view type) {
-  for (const auto& [name, function] : functions) {
+/// What a component type says.
+struct GateType {
+  GateFunction function;
+  std::size_t inputs;  ///< 0: two or more
+};
+
+/// What `nand2` and the like say; nothing for what is no gate.
+std::optional<GateType> gate_type(std::string_view type) {
+  for (const auto& [name, function] : catalogue_functions) {
     if (!type.starts_with(name)) continue;
+    const bool unary = function == GateFunction::negation || function == GateFunction::buffer;
+    GateType found{function, unary ? std::size_t{1} : 0};
     const std::string_view arity = type.substr(name.size());
-    if (std::all_of(arity.begin(), arity.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) return function;
+    const auto [end, failure] = std::from_chars(arity.data(), arity.data() + arity.size(), found.inputs);
+    if (arity.empty() || (failure == std::errc() && end == arity.data() + arity.size())) return found;
   }
   return std::nullopt;
 }
+
+/// Whether components of this type only join what is connected to them.
+bool joins(std::string_view type) { return type.empty() || type == "wire" || type == "probe" || type == "port"; }
 
 /// What drives a net, and where it is declared.
 struct Driver {
@@ -72,6 +84,7 @@ class CatalogueReader {
       return std::nullopt;
     }
     read(system);
+    if (!errors_.any()) report_loops(netlist_, gate_places_, errors_);
     if (errors_.any()) return std::nullopt;
     return std::move(netlist_);
   }
@@ -98,16 +111,18 @@ class CatalogueReader {
     for (const auto& component : system.child("components").children("component")) {
       const std::string name = component.child_value("name");
       const std::string_view type = component.child_value("componentType");
-      const auto function = function_of(type);
-      if (type != "port" && !function) continue;
-      if (name.empty()) {
+      const auto gate_kind = gate_type(type);
+      if (type != "port" && joins(type)) continue;
+      if (type != "port" && !gate_kind) {
+        refuse(type, span(component));
+      } else if (name.empty()) {
         errors_.report(Code::netlist_syntax, span(component), "a " + std::string(type) + " without a name");
       } else if (!names_.insert(name).second) {
         errors_.report(Code::netlist_driver, span(component), backquoted(name) + " is declared twice");
       } else if (type == "port") {
         ports_.push_back({name, span(component)});
       } else {
-        gate(name, *function, span(component));
+        gate(name, *gate_kind, span(component));
       }
     }
     if (netlist_.gates.empty()) errors_.report(Code::netlist_syntax, span(system), "a system without gates");
@@ -125,13 +140,31 @@ class CatalogueReader {
   }
   void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
 
-  void gate(const std::string& name, GateFunction function, Span place) {
-    Gate result{name, function, {}, pin(name + ".o")};
+  /// A component of a kind that there is not.
+  void refuse(std::string_view type, Span place) {
+    refused_ = true;
+    if (const auto reason = why_unsupported(type)) {
+      errors_.report(Code::netlist_gate, place, *reason);
+      return;
+    }
+    errors_.report(
+        Code::netlist_gate, place,
+        "unknown component type " + backquoted(type) +
+            ", expected a gate (and2, nand3, or2, nor2, xor2, xnor2, inverter, buffer), wire, probe or port");
+  }
+
+  void gate(const std::string& name, const GateType& type, Span place) {
+    Gate result{name, type.function, {}, pin(name + ".o")};
     for (std::size_t i = 1; pins_.contains(name + ".i" + std::to_string(i)); ++i) {
       result.inputs.push_back(pins_.at(name + ".i" + std::to_string(i)));
     }
     if (result.inputs.empty()) {
       errors_.report(Code::netlist_gate, place, "the gate " + backquoted(name) + " has no connected input");
+    } else if (type.inputs == 0 ? result.inputs.size() < 2 : result.inputs.size() != type.inputs) {
+      errors_.report(Code::netlist_gate, place,
+                     "the gate " + backquoted(name) + " has " + std::to_string(result.inputs.size()) +
+                         (result.inputs.size() == 1 ? " connected input" : " connected inputs") + ", expected " +
+                         (type.inputs == 0 ? "two or more" : std::to_string(type.inputs)));
     }
     netlist_.gates.push_back(std::move(result));
     gate_places_.push_back(place);
@@ -159,6 +192,7 @@ class CatalogueReader {
       driver.try_emplace(on, Driver{port.name, port.place});
     }
     netlist_.nets = nets.size();
+    if (refused_) return;  // it may be the driver that is missed
     for (std::size_t g = 0; g < netlist_.gates.size(); ++g) {
       const auto& inputs = netlist_.gates[g].inputs;
       if (std::all_of(inputs.begin(), inputs.end(), [&](Net input) { return driver.contains(input); })) continue;
@@ -172,6 +206,7 @@ class CatalogueReader {
   NetlistErrors errors_;
   Netlist netlist_;
   std::unordered_set<std::string> names_;  ///< of gates and ports
+  bool refused_ = false;                   ///< some component
   std::vector<Span> gate_places_;
   std::vector<PlacedPort> ports_;
   std::unordered_map<std::string, std::size_t> pins_;

@@ -5,9 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "base/error.hpp"
 #include "compiler/import/netlist.hpp"
-#include "grammar/parse/scan.hpp"
 
 namespace rmpl::compiler {
 namespace {
@@ -86,39 +84,12 @@ std::string component(GateFunction function, std::size_t inputs, FaultModel faul
   return text;
 }
 
-/// A name of the file as an identifier: one that begins with a digit gets an N before it, a word that the language
-/// reserves an underscore behind it.
-std::string identifier(const std::string& name) {
-  std::string made = grammar::is_reserved(name) ? name + "_" : name;
-  if (!name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) != 0) made = "N" + name;
-  if (made.empty() || grammar::identifier_at(made.data(), made.data() + made.size()) != made) {
-    throw base::InputError("'" + name + "' cannot be made a name: letters, digits, '_', '-' and '.' can");
-  }
-  return made;
-}
-
 /// A text that stands in a comment: of one line.
 std::string in_one_line(std::string text) {
   for (char& c : text) {
     if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
   }
   return text;
-}
-
-/// The netlist with identifiers for names. Throws base::InputError where one cannot, or where two become one.
-Netlist with_identifiers(Netlist netlist) {
-  std::map<std::string, std::string> origin;
-  const auto rename = [&](std::string& name) {
-    const std::string made = identifier(name);
-    if (const auto [at, fresh] = origin.emplace(made, name); !fresh && at->second != name) {
-      throw base::InputError("the names '" + at->second + "' and '" + name + "' both become '" + made + "'");
-    }
-    name = made;
-  };
-  for (Gate& gate : netlist.gates) rename(gate.name);
-  for (Port& port : netlist.inputs) rename(port.name);
-  for (Port& port : netlist.outputs) rename(port.name);
-  return netlist;
 }
 
 std::string ports(const char* direction, const std::vector<Port>& all) {

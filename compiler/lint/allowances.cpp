@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -39,6 +40,16 @@ class Reader {
     const std::size_t begin = at_;
     while (at_ < text_.size() && blank.find(text_[at_]) == std::string_view::npos && text_[at_] != ',') ++at_;
     return {begin, text_.substr(begin, at_ - begin)};
+  }
+  /// What is left, with single spaces between its words.
+  std::string rest() {
+    std::string result;
+    for (skip(); at_ < text_.size(); skip()) {
+      const std::size_t end = std::min(text_.find_first_of(blank, at_), text_.size());
+      result += (result.empty() ? "" : " ") + std::string(text_.substr(at_, end - at_));
+      at_ = end;
+    }
+    return result;
   }
   bool at_end() {
     skip();
@@ -126,9 +137,10 @@ std::vector<Allowance> allowances_in(const grammar::Sources& sources, std::uint3
       finding.suggestion = "write `// lint: allow RMPL0514 because …`";
       return;
     }
+    const std::string reason = words.rest();
     for (const auto& [at, code] : codes) {
       allowances.push_back(
-          {*grammar::find_code(code), span_of(at, at + code.size()), span_of(comment.begin, end), line()});
+          {*grammar::find_code(code), span_of(at, at + code.size()), span_of(comment.begin, end), line(), reason});
     }
   };
   const Tokens tokens(source.text());
@@ -142,30 +154,43 @@ std::vector<Allowance> allowances_in(const grammar::Sources& sources, std::uint3
 }
 
 grammar::Diagnostics without_allowed(const grammar::Diagnostics& found, const grammar::Sources& sources,
-                                     std::span<const File> files) {
+                                     std::span<const File> files, std::vector<grammar::AllowedFinding>& allowed) {
   grammar::Diagnostics left;
   std::vector<Allowance> allowances;
-  std::map<std::tuple<std::uint32_t, std::uint32_t, Code>, bool> allowed;  // file, line, code: whether it was met
+  std::set<std::uint32_t> named;
+  std::map<std::tuple<std::uint32_t, std::uint32_t, Code>, bool> met;  // by file, line, code: whether there was one
   for (const File& file : files) {
     if (file.kind == Kind::document) continue;
+    if (file.named) named.insert(file.index);
     for (const Allowance& one : allowances_in(sources, file.index, left)) {
       allowances.push_back(one);
-      allowed.emplace(std::tuple(file.index, one.line, one.code), false);
+      met.emplace(std::tuple(file.index, one.line, one.code), false);
     }
   }
   for (const Diagnostic& finding : found.all()) {
     const std::uint32_t line = sources[finding.span.file].place(finding.span.begin).line;
-    const auto one = allowed.find({finding.span.file, line, finding.code});
-    if (one == allowed.end() || finding.severity == grammar::Severity::error) {
+    const auto one = met.find({finding.span.file, line, finding.code});
+    if (one == met.end() || finding.severity == grammar::Severity::error) {
       left.add(finding);
-    } else {
-      one->second = true;
+      continue;
     }
+    one->second = true;
+    const auto by = std::find_if(allowances.begin(), allowances.end(), [&](const Allowance& a) {
+      return a.span.file == finding.span.file && a.line == line && a.code == finding.code;
+    });
+    allowed.push_back({finding, by->reason, by->comment});
   }
   for (const Allowance& one : allowances) {
-    if (allowed.at({one.span.file, one.line, one.code})) continue;
+    if (met.at({one.span.file, one.line, one.code})) continue;
     auto& finding = add_finding(left, Code::unused_allowance, one.span,
                                 to_string(one.code) + " is not found on the line that this speaks of");
+    // What others have in common may need it there: lint of one input set cannot know.
+    if (!named.contains(one.span.file)) {
+      finding.severity = grammar::Severity::note;
+      finding.message = "in this input set " + finding.message;
+      finding.suggestion = "name the file on the command line, with all input sets that have it in common";
+      continue;
+    }
     finding.suggestion = "take it out";
     finding.fix.push_back(removal_of(sources[one.comment.file], allowances, one));
   }

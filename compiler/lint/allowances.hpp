@@ -19,14 +19,16 @@ struct Allowance {
   grammar::Span span;     ///< of the code
   grammar::Span comment;  ///< all of it
   std::uint32_t line;     ///< of the finding: that of the comment, or where nothing else stands on it, the next
+  std::string reason;     ///< what stands behind `because`, on one line
 };
 
-/// The allowances in a text. What begins as one and is none is reported as a finding.
+/// The allowances in a text. A malformed allowance is reported as a finding.
 std::vector<Allowance> allowances_in(const grammar::Sources& sources, std::uint32_t file, grammar::Diagnostics& found);
 
-/// What is left of findings once those that comments in the files allow are taken out; with what is wrong with the
-/// comments themselves. Errors cannot be allowed.
+/// The findings that no comment allows, and the faults of the comments themselves. Errors cannot be allowed. An unused
+/// allowance is a finding with a fix if the user named its file. Otherwise it is a note without a fix, since another
+/// input set may need it. Those that are allowed are added to `allowed`.
 grammar::Diagnostics without_allowed(const grammar::Diagnostics& found, const grammar::Sources& sources,
-                                     std::span<const File> files);
+                                     std::span<const File> files, std::vector<grammar::AllowedFinding>& allowed);
 
 }  // namespace rmpl::compiler

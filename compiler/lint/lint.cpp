@@ -3,7 +3,9 @@
 #include "compiler/lint/lint.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/check.hpp"
@@ -77,18 +79,23 @@ Diagnostics without_poorer(const Diagnostics& found) {
   return result;
 }
 
+/// Puts a finding at the level that was asked for; whether it is to be told.
+bool put_at_level(grammar::Diagnostic& finding, const LintSettings& settings) {
+  const auto level = settings.levels.find(finding.code);
+  if (level == settings.levels.end()) return true;
+  if (!level->second) return false;
+  // One that is less certain than others of its code stays milder.
+  const LintCode* known = find_lint_code(finding.code);
+  const bool mild = known != nullptr && finding.severity < known->level;
+  finding.severity = mild ? std::min(finding.severity, *level->second) : *level->second;
+  return true;
+}
+
 /// The findings at the levels that were asked for.
 Diagnostics at_levels(const Diagnostics& found, const LintSettings& settings) {
   Diagnostics result;
   for (grammar::Diagnostic finding : found.all()) {
-    if (const auto level = settings.levels.find(finding.code); level != settings.levels.end()) {
-      if (!level->second) continue;
-      // One that is less certain than others of its code stays milder.
-      const LintCode* known = find_lint_code(finding.code);
-      const bool mild = known != nullptr && finding.severity < known->level;
-      finding.severity = mild ? std::min(finding.severity, *level->second) : *level->second;
-    }
-    result.add(std::move(finding));
+    if (put_at_level(finding, settings)) result.add(std::move(finding));
   }
   return result;
 }
@@ -96,6 +103,12 @@ Diagnostics at_levels(const Diagnostics& found, const LintSettings& settings) {
 }  // namespace
 
 Diagnostics lint(const Compilation& compilation, const LintSettings& settings) {
+  std::vector<grammar::AllowedFinding> untold;
+  return lint(compilation, settings, untold);
+}
+
+Diagnostics lint(const Compilation& compilation, const LintSettings& settings,
+                 std::vector<grammar::AllowedFinding>& allowed) {
   const grammar::Sources& sources = compilation.findings().sources;
   Diagnostics found = compilation.findings().diagnostics;
   const NameIndex names = compilation.names();
@@ -112,7 +125,16 @@ Diagnostics lint(const Compilation& compilation, const LintSettings& settings) {
   for (const auto passes : {plant_passes(), model_program_passes(), program_passes()}) {
     for (const LintPass pass : passes) pass(input, found);
   }
-  return at_levels(without_allowed(without_poorer(found), sources, compilation.files()), settings);
+  std::vector<grammar::AllowedFinding> own;
+  const Diagnostics left = without_allowed(without_poorer(found), sources, compilation.files(), own);
+  std::erase_if(own, [&](grammar::AllowedFinding& one) { return !put_at_level(one.finding, settings); });
+  std::stable_sort(own.begin(), own.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.finding.span, a.finding.code) < std::tie(b.finding.span, b.finding.code);
+  });
+  const auto same = [](const auto& a, const auto& b) { return a.finding == b.finding; };
+  own.erase(std::unique(own.begin(), own.end(), same), own.end());
+  std::move(own.begin(), own.end(), std::back_inserter(allowed));
+  return at_levels(left, settings);
 }
 
 }  // namespace rmpl::compiler

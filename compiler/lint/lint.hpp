@@ -27,7 +27,7 @@ struct LintInput {
   const grammar::Sources& sources;
   std::span<const File> files;  ///< the trees, whole; imports too
   const automata::Document& document;
-  const std::vector<automata::PlantProperty>& properties;  ///< of the first plant
+  const std::vector<automata::PlantProperty>& properties;  ///< once for each plant that they speak of
   const NameIndex& names;
   const Places& places;
   std::span<const ProgramPlaces> programs;  ///< per program of the document; empty for one that came compiled
@@ -84,5 +84,8 @@ struct LintSettings {
 /// All that there is to say of an input set that compiled: the warnings of the compiler and what the passes find, but
 /// for what comments allow (allowances.hpp).
 grammar::Diagnostics lint(const Compilation& compilation, const LintSettings& settings = {});
+/// The same; what comments allow is added to `allowed`, in order of place, each at its level.
+grammar::Diagnostics lint(const Compilation& compilation, const LintSettings& settings,
+                          std::vector<grammar::AllowedFinding>& allowed);
 
 }  // namespace rmpl::compiler

@@ -78,6 +78,8 @@ class Collector {
   void inside(const grammar::Goal&) {}
   void inside(const grammar::ClockStart&) {}
   void inside(const grammar::Call&) {}
+  void inside(const grammar::Nothing&) {}
+  void inside(const grammar::Each& each) { body(each.body); }
   void inside(const grammar::Block& block) { body(block.body); }
   void inside(const grammar::If& node) {
     step(*node.step);

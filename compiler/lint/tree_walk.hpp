@@ -39,6 +39,8 @@ struct StepsInside {
   void operator()(const grammar::Goal&) const {}
   void operator()(const grammar::ClockStart&) const {}
   void operator()(const grammar::Call&) const {}
+  void operator()(const grammar::Nothing&) const {}
+  void operator()(const grammar::Each& each) const { for_each_step(each.body, visit); }
   void operator()(const grammar::Block& block) const { for_each_step(block.body, visit); }
   void operator()(const grammar::If& node) const {
     for_each_step(*node.step, visit);

@@ -26,8 +26,8 @@ class ComponentResolver final : public Resolver {
       : Resolver(vocabulary, diagnostics), part_(part) {}
 
  protected:
+  [[nodiscard]] bool lost_its_meaning(const grammar::Name& name) const override { return is_broken(part_, name.text); }
   void report_unknown(const grammar::Name& name) override {
-    if (is_broken(part_, name.text)) return;
     if (name.text.find('.') == std::string::npos) return Resolver::report_unknown(name);
     auto& error = diagnostics().error(Code::foreign_guard, name.span,
                                       backquoted(name.text) + " is no attribute of " + vocabulary().owner +
@@ -55,6 +55,7 @@ Part ComponentLowering::run(const grammar::ComponentDefinition& definition) {
   part_.plant.name = definition.name.text;
   automata::Component& automaton = part_.plant.components.emplace_back();
   automaton.type = definition.name.text;
+  automaton.progress = definition.progress;
   automaton.origin = origin_of(sources_, definition.name.span);
   declare_modes(definition);
   declare_attributes(definition);
@@ -182,14 +183,11 @@ void ComponentLowering::add_transition(const grammar::TransitionText& text, cons
     error.notes.push_back({mode_names_[target->index()], backquoted(branch.target.text) + " is declared a fault here"});
     error.suggestion = "add `with 0.001` or `with rate 1e-6 /h`";
   }
-  if (!fault && branch.weight && std::holds_alternative<grammar::RateWeight>(*branch.weight)) {
-    auto& error = diagnostics_.error(Code::weight_not_allowed, std::get<grammar::RateWeight>(*branch.weight).rate.span,
-                                     "a rate on a transition into " + backquoted(branch.target.text) +
-                                         ", which is no fault mode: rates are of faults only");
-    error.notes.push_back({mode_names_[target->index()], backquoted(branch.target.text) + " is declared here"});
-  }
+  const bool repair = !fault && branch.weight && std::holds_alternative<grammar::RateWeight>(*branch.weight);
+  const std::vector<ModeId> sources = sources_of(text, *target);
+  if (repair) repair_with_rate(text, branch, *target, sources, common);
   common.to = *target;
-  for (const ModeId source : sources_of(text, *target)) {
+  for (const ModeId source : sources) {
     if (!make_room(part_, 1, branch.span, diagnostics_)) return;
     Transition transition = common;
     transition.from = source;
@@ -197,6 +195,34 @@ void ComponentLowering::add_transition(const grammar::TransitionText& text, cons
     component().transitions.push_back(std::move(transition));
     transition_spans_.push_back(branch.span);
   }
+}
+
+/// A repair at a rate takes an exponential time: what it leaves over is no chance of a step.
+void ComponentLowering::repair_with_rate(const grammar::TransitionText& text, const grammar::Branch& branch,
+                                         ModeId target, const std::vector<ModeId>& sources, Transition& common) {
+  const grammar::Span at = std::get<grammar::RateWeight>(*branch.weight).rate.span;
+  const auto nominal = std::find_if(sources.begin(), sources.end(),
+                                    [&](ModeId source) { return !component().modes[source.index()].fault; });
+  if (nominal != sources.end()) {
+    auto& error =
+        diagnostics_.error(Code::weight_not_allowed, at,
+                           "a rate on a transition from " + backquoted(component().modes[nominal->index()].name) +
+                               " to " + backquoted(branch.target.text) +
+                               ", neither of which is a fault mode: rates are of faults and their repair");
+    error.notes.push_back({mode_names_[target.index()], backquoted(branch.target.text) + " is declared here"});
+    error.suggestion = "write the time that it takes on average: `in [0 s, inf] ~ exponential(mean)`";
+    return;
+  }
+  if (text.timing) {
+    auto& error = diagnostics_.error(Code::weight_not_allowed, at, "a rate beside the time bounds of a repair");
+    error.suggestion = "a repair at a rate is `in [0 s, inf] ~ exponential(mean)`: leave out one of the two";
+    return;
+  }
+  const double rate = common.weight.value;
+  common.weight = rate > 0 ? Weight{} : Weight{Weight::Kind::probability, 0};
+  if (rate == 0) return;
+  common.timing =
+      automata::Timing{{}, automata::Ticks::infinite(), {automata::Density::Kind::exponential, 1 / rate, 0}};
 }
 
 void ComponentLowering::report_twin(const Transition& transition, grammar::Span span) {

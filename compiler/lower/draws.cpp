@@ -15,7 +15,7 @@ using automata::TransitionFunction;
 namespace {
 
 /// Start locations in all the functions of a program; nested choices multiply, and this is where it ends.
-constexpr std::size_t size_limit = 1'000'000;
+constexpr std::size_t draws_limit = 1'000'000;
 
 /// What is started together, with a probability.
 struct Outcome {
@@ -151,8 +151,8 @@ class Drawing {
 
   bool grow(std::size_t more, LocationId blame) {
     size_ += more;
-    if (size_ > size_limit && !draws_.too_large) draws_.too_large = blame;
-    return size_ <= size_limit;
+    if (size_ > draws_limit && !draws_.too_large) draws_.too_large = blame;
+    return size_ <= draws_limit;
   }
 
   const automata::Program& program_;

@@ -25,9 +25,7 @@ class DeclaredResolver final : public Resolver {
         part_(part) {}
 
  protected:
-  void report_unknown(const Name& name) override {
-    if (!is_broken(part_, name.text)) Resolver::report_unknown(name);
-  }
+  [[nodiscard]] bool lost_its_meaning(const Name& name) const override { return is_broken(part_, name.text); }
   automata::Formula clock(const grammar::ClockBound& bound) override {
     diagnostics().error(Code::clock_in_model, bound.clock.span,
                         "clock " + backquoted(bound.clock.text) + " in a model program, which counts steps");

@@ -22,8 +22,14 @@ constexpr std::size_t module_depth_limit = 200;
 
 }  // namespace
 
-std::optional<Part> ModelLowering::run(const std::vector<const grammar::PlantFile*>& files, grammar::Span blame,
+std::optional<Part> ModelLowering::run(const std::vector<const grammar::PlantFile*>& files,
+                                       const std::vector<const grammar::ProgramFile*>& programs, grammar::Span blame,
                                        bool types_suffice) {
+  for (const grammar::ProgramFile* program : programs) {
+    for (const grammar::ProgramItem& item : program->items) {
+      if (const auto* domain = std::get_if<grammar::Domain>(&item)) domains_.lend(*domain);
+    }
+  }
   declare_types(files);
   for (Type* type : order_) lower(*type);
   if (plants_.empty() && types_suffice && !order_.empty()) return instances_of_types();
@@ -125,6 +131,11 @@ void ModelLowering::add_instances(const grammar::InstanceDeclaration& declaratio
   for (const Name& name : declaration.names) {
     if (names.add(name)) fresh.push_back(&name);
   }
+  if (declaration.progress && declaration.model) {
+    diagnostics_.error(Code::wrong_kind_of_name, declaration.type.span,
+                       "`progress` before model program " + backquoted(declaration.type.text) +
+                           ", whose steps no goal has to license");
+  }
   if (declaration.model) return add_models(declaration, fresh, part);
   Type* type = find_type(declaration.type);
   if (type == nullptr || type->open) {
@@ -151,7 +162,7 @@ void ModelLowering::add_instances(const grammar::InstanceDeclaration& declaratio
   }
   for (const Name* name : fresh) {
     if (type->too_large) part.broken.insert(name->text);
-    add_instance(*name, *made, initial, part);
+    add_instance(*name, *made, initial, declaration.progress, part);
   }
 }
 
@@ -169,13 +180,13 @@ void ModelLowering::add_models(const grammar::InstanceDeclaration& declaration, 
       continue;
     }
     const std::size_t before = part.models.size();
-    add_instance(*name, *made, std::nullopt, part);
+    add_instance(*name, *made, std::nullopt, false, part);
     if (part.models.size() > before) part.models.back().span = name->span;
   }
 }
 
 void ModelLowering::add_instance(const Name& name, const Part& type, const std::optional<std::vector<double>>& initial,
-                                 Part& part) {
+                                 bool progress, Part& part) {
   if (const std::string clash = first_clash(part, name.text, type); !clash.empty()) {
     diagnostics_.error(Code::duplicate_name, name.span,
                        "instance " + backquoted(name.text) + " brings the name " + backquoted(clash) +
@@ -186,14 +197,17 @@ void ModelLowering::add_instance(const Name& name, const Part& type, const std::
     part.broken.insert(name.text);
     return;
   }
+  const std::size_t before = part.plant.components.size();
   instantiate(part, name.text, type);
+  for (std::size_t c = before; progress && c < part.plant.components.size(); ++c)
+    part.plant.components[c].progress = true;
   if (initial) part.plant.components.back().initial = *initial;
 }
 
 Part ModelLowering::instances_of_types() {
   Part part;
   for (const Type* type : order_) {
-    if (!type->part->plant.components.empty()) add_instance(type->name, *type->part, std::nullopt, part);
+    if (!type->part->plant.components.empty()) add_instance(type->name, *type->part, std::nullopt, false, part);
   }
   return part;
 }

@@ -16,6 +16,7 @@
 #include "compiler/check/resolve.hpp"
 #include "compiler/lower/part.hpp"
 #include "grammar/ast/plant.hpp"
+#include "grammar/ast/program.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"
 
@@ -34,8 +35,10 @@ class ModelLowering {
 
   /// The plant of the model. `blame` is where a model without a plant is reported; where types suffice, it is one
   /// without a name, with an instance of each type, called as the type. Only where no error was reported is the result
-  /// a plant that means what the text says.
-  std::optional<Part> run(const std::vector<const grammar::PlantFile*>& files, grammar::Span blame,
+  /// a plant that means what the text says. Domains of the `programs` serve where the model declares none of that
+  /// name.
+  std::optional<Part> run(const std::vector<const grammar::PlantFile*>& files,
+                          const std::vector<const grammar::ProgramFile*>& programs, grammar::Span blame,
                           bool types_suffice = false);
 
  private:
@@ -58,8 +61,9 @@ class ModelLowering {
   void add_instances(const grammar::InstanceDeclaration& declaration, Uniqueness& names, Part& part);
   void add_models(const grammar::InstanceDeclaration& declaration, const std::vector<const grammar::Name*>& fresh,
                   Part& part);
+  /// `progress`: all its components are of progress, whatever their types say.
   void add_instance(const grammar::Name& name, const Part& type, const std::optional<std::vector<double>>& initial,
-                    Part& part);
+                    bool progress, Part& part);
   Type* find_type(const grammar::Name& name);
   void report_cycle(const Type& type, const grammar::Name& instance);
 

@@ -22,9 +22,7 @@ class PartResolver final : public Resolver {
       : Resolver(vocabulary, diagnostics), part_(part) {}
 
  protected:
-  void report_unknown(const Name& name) override {
-    if (!is_broken(part_, name.text)) Resolver::report_unknown(name);
-  }
+  [[nodiscard]] bool lost_its_meaning(const Name& name) const override { return is_broken(part_, name.text); }
 
  private:
   const Part& part_;

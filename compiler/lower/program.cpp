@@ -1,4 +1,4 @@
-// RMPL becomes THCA: one function a construct, as in thesis Fig. 5-2 and the table of semantics 1. Each makes a
+// RMPL becomes THCA: one function a construct, as in thesis Fig. 5-2 and the table of semantics 2. Each makes a
 // fragment of the draft; sequence joins the ends of one to the starts of the next.
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/program.hpp"
@@ -156,10 +156,12 @@ class ProgramLowering {
     constexpr std::size_t bytes_a_unit = 32;
     draft_.grow((span.end - span.begin) / bytes_a_unit, span);
     if (model_) return told(resolver_.resolve(goal.constraint), span);
-    const auto assignments = resolver_.goal(goal.constraint);
-    const Formula formula = automata::conjunction_of(assignments);
-    const LocationId id = draft_.location(automata::to_text(formula, program_.variables), span);
-    draft_[id].goal = assignments;
+    auto [modes, constraints] = resolver_.goal(goal.constraint);
+    for (const Formula& constraint : constraints) draft_.grow(size_of(constraint) / atoms_a_unit, span);
+    const LocationId id = draft_.location("", span);
+    draft_[id].goal = std::move(modes);
+    draft_[id].goal_constraints = std::move(constraints);
+    draft_[id].label = automata::to_text(automata::goal_of(draft_[id]), program_.variables);
     return primitive(id);
   }
 
@@ -184,6 +186,28 @@ class ProgramLowering {
   static Fragment primitive(LocationId id) { return {{target(id)}, {{id, {}}}}; }
 
   Fragment lower(const grammar::Block& block, grammar::Span, bool whole) { return body(block.body, whole); }
+
+  /// An empty location: it asserts nothing, and takes a cycle.
+  Fragment lower(const grammar::Nothing&, grammar::Span span, bool) {
+    if (model_) return told(automata::constant(true), span);
+    return primitive(draft_.location("{ }", span));
+  }
+
+  /// A composite of composites, of which each holds a thread and has goals of its own.
+  Fragment lower(const grammar::Each& each, grammar::Span span, bool) {
+    const LocationId all = draft_.composite("each { … }", span, {});
+    return draft_.inside(all, [&] {
+      Fragment branches;
+      for (const grammar::Sequence& thread : each.body.threads) {
+        const LocationId branch = draft_.composite("branch of each", thread.span, {});
+        draft_[branch].apart = true;
+        Fragment one = draft_.inside(branch, [&] { return sequence(thread, true); });
+        std::move(one.starts.begin(), one.starts.end(), std::back_inserter(branches.starts));
+        std::move(one.ends.begin(), one.ends.end(), std::back_inserter(branches.ends));
+      }
+      return branches;
+    });
+  }
 
   Fragment lower(const grammar::Watching& watching, grammar::Span span, bool) {
     Condition maintained = condition(watching.condition, false, "watching");
@@ -247,6 +271,13 @@ class ProgramLowering {
     Fragment inner = step(*always.step, false);
     draft_.arcs(id, {}, inner.starts);
     inner.starts.insert(inner.starts.begin(), target(id));
+    return {std::move(inner.starts), {}};
+  }
+
+  /// Where A ends it starts again.
+  Fragment lower(const grammar::Repeat& repeat, grammar::Span, bool) {
+    Fragment inner = step(*repeat.step, false);
+    for (const End& end : inner.ends) draft_.arcs(end.location, end.guard, inner.starts);
     return {std::move(inner.starts), {}};
   }
 

@@ -1,4 +1,4 @@
-// From a program as written to a timed hierarchical constraint automaton (thesis 5.2.2, semantics 1).
+// From a program as written to a timed hierarchical constraint automaton (thesis 5.2.2, semantics 2).
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/check/mention.hpp"
 #include "compiler/lower/timing.hpp"
 
 namespace rmpl::compiler {
@@ -47,6 +48,7 @@ automata::Comparison comparison_of(grammar::ClockRelation relation) {
 ProgramResolver::ProgramResolver(automata::Program& program, bool model, const Part* plant,
                                  grammar::Diagnostics& diagnostics)
     : Resolver(vocabulary_of(program, model, plant), diagnostics), program_(program), model_(model), plant_(plant) {
+  if (!model) ask_of_knowledge(std::nullopt);
   if (plant == nullptr) return;
   program.variables = plant->plant.variables;
   for (const automata::Component& component : plant->plant.components) modes_.insert(component.mode);
@@ -115,9 +117,7 @@ void ProgramResolver::report_clock(const Name& clock) {
   annotate(error);
 }
 
-void ProgramResolver::report_unknown(const Name& name) {
-  if (!model_ || !is_broken(*plant_, name.text)) Resolver::report_unknown(name);
-}
+bool ProgramResolver::lost_its_meaning(const Name& name) const { return model_ && is_broken(*plant_, name.text); }
 
 Formula ProgramResolver::clock(const grammar::ClockBound& bound) {
   if (model_) {
@@ -202,18 +202,20 @@ std::optional<ValueId> ProgramResolver::find_value(VariableId id, const std::str
   return values.emplace(value, program_.variables.add_value(id, value)).first->second;
 }
 
-std::vector<Assignment> ProgramResolver::goal(const grammar::Constraint& constraint) {
+ProgramResolver::Goal ProgramResolver::goal(const grammar::Constraint& constraint) {
   Goals goals;
+  ask_of_knowledge("in a goal: no command can achieve it");
   add_goals(constraint, goals);
-  return std::move(goals.list);
+  ask_of_knowledge(std::nullopt);
+  return std::move(goals.goal);
 }
 
 void ProgramResolver::add_goals(const grammar::Constraint& constraint, Goals& goals) {
   if (const auto* truth = std::get_if<grammar::Truth>(&constraint.node)) {
-    if (!truth->value) report_goal(constraint.span, "`false`");
+    if (truth->value) return;
+    annotate(diagnostics().error(Code::goal_out_of_reach, constraint.span, "`false` as a goal: nothing achieves it"));
   } else if (const auto* comparison = std::get_if<grammar::Comparison>(&constraint.node)) {
-    if (!comparison->equal) return report_goal(constraint.span, "`!=`");
-    add_assignment(*comparison, constraint.span, goals);
+    add_comparison(*comparison, constraint, goals);
   } else if (const auto* conjunction = std::get_if<grammar::Conjunction>(&constraint.node)) {
     for (const grammar::Constraint& operand : conjunction->operands) add_goals(operand, goals);
   } else if (const auto* reference = std::get_if<grammar::Reference>(&constraint.node)) {
@@ -233,51 +235,65 @@ void ProgramResolver::add_goals(const grammar::Constraint& constraint, Goals& go
     const Environment* inner = std::exchange(environment_, passed_on->environment);
     add_goals(*passed_on->constraint, goals);
     environment_ = inner;
-  } else if (std::holds_alternative<grammar::ClockBound>(constraint.node)) {
+  } else {
+    add_constraint(constraint, goals);
+  }
+}
+
+/// A conjunct that assigns no mode.
+void ProgramResolver::add_constraint(const grammar::Constraint& constraint, Goals& goals) {
+  Formula formula = resolve(constraint);
+  if (has_clock(formula)) {
     auto& error = diagnostics().error(Code::clock_not_allowed, constraint.span,
                                       "a clock bound in a goal: no command can achieve it");
     error.suggestion = "wait for it: `when … donext …`";
-  } else if (std::holds_alternative<grammar::Membership>(constraint.node)) {
-    report_goal(constraint.span, "`in`");
-  } else if (std::holds_alternative<grammar::Negation>(constraint.node)) {
-    report_goal(constraint.span, "a negation");
-  } else if (std::holds_alternative<grammar::Disjunction>(constraint.node)) {
-    report_goal(constraint.span, "a disjunction");
-  } else {
-    report_goal(constraint.span, "an implication");
-  }
-}
-
-void ProgramResolver::report_goal(grammar::Span span, const std::string& found) {
-  auto& error = diagnostics().error(
-      Code::not_a_mode_goal, span,
-      found + " in a goal, expected a conjunction of mode assignments, such as `engine = standby & nav = inertial`");
-  annotate(error);
-}
-
-void ProgramResolver::add_assignment(const grammar::Comparison& comparison, grammar::Span span, Goals& goals) {
-  const auto id = variable(comparison.left);
-  if (!id) return;
-  if (closed() && modes_.count(*id) == 0) {
-    const std::string& name = program_.variables.name(*id);
-    auto& error = diagnostics().error(
-        Code::not_a_mode_goal, comparison.left.span,
-        plant_->facade ? "no location tells " + backquoted(name) + ", and a goal names what is told"
-                       : backquoted(name) + " is an attribute, and a goal names the mode of a component");
-    if (const auto place = vocabulary().declaration(*id)) error.notes.push_back({*place, "its domain is here"});
-    const std::string owner = name.substr(0, name.rfind('.'));
-    if (program_.variables.find(owner) && owner != name)
-      error.suggestion = "name the mode of " + backquoted(owner) + " that achieves it";
-    annotate(error);
     return;
   }
+  if (report_commanded(formula, constraint) || formula.is_true()) return;
+  goals.goal.constraints.push_back(std::move(formula));
+}
+
+/// Reports a goal that speaks of what is commanded: states do not tell it.
+bool ProgramResolver::report_commanded(const Formula& formula, const grammar::Constraint& constraint) {
+  if (!closed()) return false;
+  const auto variables = variables_of(formula);
+  for (const automata::Control& control : plant_->plant.controls) {
+    if (!std::binary_search(variables.begin(), variables.end(), control.variable)) continue;
+    const std::string& name = program_.variables.name(control.variable);
+    auto& error =
+        diagnostics().error(Code::goal_out_of_reach, mention_of(name, constraint),
+                            backquoted(name) + " is commanded, and a goal says what commands are to bring about");
+    error.suggestion = "name the mode that the command leads to";
+    annotate(error);
+    return true;
+  }
+  return false;
+}
+
+void ProgramResolver::add_comparison(const grammar::Comparison& comparison, const grammar::Constraint& whole,
+                                     Goals& goals) {
+  const auto id = variable(comparison.left);
+  if (!id) return;
+  if (closed() && modes_.count(*id) == 0 && plant_->facade) {
+    auto& error = diagnostics().error(
+        Code::goal_out_of_reach, comparison.left.span,
+        "no location tells " + backquoted(program_.variables.name(*id)) + ", and a goal names what is told");
+    if (const auto place = vocabulary().declaration(*id)) error.notes.push_back({*place, "its domain is here"});
+    return annotate(error);
+  }
+  const auto right = meaning(comparison.right);
+  if (!right) return;
+  // Attributes have values and no modes; `x = y` compares two components; and `x != v` assigns nothing.
+  const bool mode = !closed() || modes_.count(*id) != 0;
+  const bool other = closed() && !find_value(*id, right->text) && program_.variables.find(right->text);
+  if (!comparison.equal || !mode || other) return add_constraint(whole, goals);
   const auto assignment = this->assignment(comparison.left, comparison.right);
   if (!assignment) return;
   const auto [first, fresh] = goals.asked.emplace(assignment->variable, assignment->value);
   if (fresh) {
-    goals.list.push_back(*assignment);
+    goals.goal.modes.push_back(*assignment);
   } else if (first->second != assignment->value) {
-    auto& error = diagnostics().error(Code::contradictory_goal, span,
+    auto& error = diagnostics().error(Code::contradictory_goal, whole.span,
                                       "the goal asks for " + backquoted(program_.variables.name(*id)) + " to be both " +
                                           backquoted(program_.variables.value({*id, first->second})) + " and " +
                                           backquoted(program_.variables.value(*assignment)));

@@ -29,8 +29,13 @@ class ProgramResolver final : public Resolver {
   void enter(const Environment* environment) { environment_ = environment; }
   [[nodiscard]] const Environment* environment() const { return environment_; }
 
-  /// A conjunction of mode assignments (thesis 5.1.1); `true` is the empty one. What is none is reported.
-  std::vector<automata::Assignment> goal(const grammar::Constraint& constraint);
+  /// A goal: the conjuncts that assign a mode, and the others.
+  struct Goal {
+    std::vector<automata::Assignment> modes;
+    std::vector<automata::Formula> constraints;
+  };
+  /// Any constraint over modes and attributes; `true` is the empty goal. What no command can achieve is reported.
+  Goal goal(const grammar::Constraint& constraint);
   /// A clock of one expansion's own; nothing where the name is a variable of the plant, and then it has been reported.
   std::optional<automata::ClockId> own(const grammar::Name& declared, const std::string& unique);
   /// The clock that a step starts; nothing where the name is a variable of the plant, and then it has been reported.
@@ -52,16 +57,20 @@ class ProgramResolver final : public Resolver {
   [[nodiscard]] bool closed() const override { return plant_ != nullptr; }
   void taken_for_value(const grammar::Name& name) override;
   void annotate(grammar::Diagnostic& diagnostic) override;
-  void report_unknown(const grammar::Name& name) override;
+  [[nodiscard]] bool lost_its_meaning(const grammar::Name& name) const override;
+  [[nodiscard]] bool is_component(automata::VariableId variable) const override {
+    return !closed() || modes_.contains(variable);
+  }
 
  private:
   struct Goals {
-    std::vector<automata::Assignment> list;
+    Goal goal;
     std::unordered_map<automata::VariableId, automata::ValueId> asked;
   };
   void add_goals(const grammar::Constraint& constraint, Goals& goals);
-  void add_assignment(const grammar::Comparison& comparison, grammar::Span span, Goals& goals);
-  void report_goal(grammar::Span span, const std::string& found);
+  void add_comparison(const grammar::Comparison& comparison, const grammar::Constraint& whole, Goals& goals);
+  void add_constraint(const grammar::Constraint& constraint, Goals& goals);
+  bool report_commanded(const automata::Formula& formula, const grammar::Constraint& constraint);
   [[nodiscard]] const Passed* passed(const std::string& name) const;
   /// What a clock of the expansion's own is called in the automaton; null where it has none of that name.
   [[nodiscard]] const grammar::Name* own_clock(const std::string& name) const;

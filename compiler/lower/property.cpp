@@ -10,8 +10,9 @@
 #include <string>
 
 #include "base/overloaded.hpp"
-#include "compiler/check/resolve.hpp"
+#include "compiler/check/plant_resolver.hpp"
 #include "compiler/lower/part.hpp"
+#include "compiler/lower/requirements.hpp"
 #include "compiler/lower/timing.hpp"
 
 namespace rmpl::compiler {
@@ -24,7 +25,7 @@ namespace {
 
 /// What stands once: the index of an item's kind, all claims counting as one.
 std::size_t subject_of(const grammar::PropertyItem& item) {
-  constexpr std::size_t last_claim = 5;
+  constexpr std::size_t last_claim = 6;
   return item.index() <= last_claim ? 0 : item.index();
 }
 
@@ -59,7 +60,7 @@ class PropertyLowering {
         plant_(plant),
         under_program_(under_program),
         diagnostics_(diagnostics),
-        resolver_({plant.variables, nullptr, "plant " + backquoted(plant.name), Code::not_in_plant}, diagnostics) {}
+        resolver_(plant, nullptr, diagnostics) {}
 
   /// `start`: of the file, to blame where it states nothing.
   std::vector<PlantProperty> run(const grammar::PropertyFile& file, grammar::Span start) {
@@ -77,13 +78,16 @@ class PropertyLowering {
         report_twice(definition.name.span, "a second property " + quoted(definition.name.text), first->second);
       }
       PlantProperty property = settings;
+      property.hazard = definition.hazard;
       property.name = definition.name.text;
       property.origin = origin_of(sources_, definition.span);
       if (!add_all(definition.items, property)) {
-        diagnostics_.error(Code::property_without_claim, definition.name.span,
-                           "the property claims nothing, expected `never`, `reach`, `after` or `program`");
+        diagnostics_.error(
+            Code::property_without_claim, definition.name.span,
+            "the property claims nothing, expected `never`, `reach`, `after`, `probability` or `program`");
       }
       if (property.of_program) demand_program(definition);
+      if (property.hazard) demand_exclusion(definition);
       result.push_back(std::move(property));
     }
     return result;
@@ -111,13 +115,33 @@ class PropertyLowering {
     }
   }
 
+  /// A hazard is what is never to be, or to be improbable.
+  void demand_exclusion(const grammar::PropertyDefinition& definition) {
+    for (const grammar::PropertyItem& item : definition.items) {
+      const auto* probability = std::get_if<grammar::ProbabilityClaim>(&item);
+      const bool excludes =
+          std::holds_alternative<grammar::NeverClaim>(item) || (probability != nullptr && !probability->at_least);
+      if (subject_of(item) != 0 || excludes) continue;
+      diagnostics_.error(Code::property_without_claim, span_of(item),
+                         "a hazard is what is never to be, expected `never` or `probability of … at most`");
+    }
+  }
+
   /// Whether a claim is among them.
   bool add_all(const std::vector<grammar::PropertyItem>& items, PlantProperty& property) {
-    constexpr std::array names = {"claim",    "claim",  "claim",      "claim",  "claim",      "claim",
-                                  "`faults`", "`time`", "`commands`", "`from`", "`entailed`", "`expect`"};
+    constexpr std::array names = {"claim",         "claim",      "claim",    "claim",        "claim",  "claim",
+                                  "claim",         "`faults`",   "`time`",   "`commands`",   "`from`", "`entailed`",
+                                  "`allow-stuck`", "`severity`", "`expect`", "`requirement`"};
     static_assert(names.size() == std::variant_size_v<grammar::PropertyItem>);
     std::map<std::size_t, grammar::Span> seen;
+    TagPlaces tagged;
     for (const grammar::PropertyItem& item : items) {
+      if (const auto* part = std::get_if<grammar::RequirementPart>(&item)) {
+        for (std::string& tag : fresh_tags(part->tags, tagged, diagnostics_)) {
+          property.requirements.push_back(std::move(tag));
+        }
+        continue;
+      }
       const auto [first, fresh] = seen.emplace(subject_of(item), span_of(item));
       if (!fresh) report_twice(span_of(item), std::string("a second ") + names.at(item.index()), first->second);
       std::visit([&](const auto& part) { add(part, property); }, item);
@@ -125,47 +149,87 @@ class PropertyLowering {
     return seen.count(0) > 0;
   }
 
+  /// What is claimed of a program may ask of its executive's knowledge.
+  automata::Formula formula(const grammar::Constraint& constraint, bool of_program) {
+    resolver_.ask_of_knowledge(of_program ? std::nullopt
+                                          : std::optional<std::string>("of a plant alone, that no executive flies"));
+    return resolver_.resolve(constraint);
+  }
+
   void add(const grammar::NeverClaim& part, PlantProperty& property) {
     property.claim = Claim::never;
     property.of_program = part.of_program;
-    property.formula = resolver_.resolve(part.constraint);
+    property.formula = formula(part.constraint, part.of_program);
   }
   void add(const grammar::ReachClaim& part, PlantProperty& property) {
     property.claim = Claim::reach;
-    property.formula = resolver_.resolve(part.constraint);
+    property.formula = formula(part.constraint, false);
   }
   void add(const grammar::ResponseClaim& part, PlantProperty& property) {
     property.claim = Claim::response;
     property.of_program = part.of_program;
-    property.formula = resolver_.resolve(part.after);
-    property.then = resolver_.resolve(part.then);
+    property.formula = formula(part.after, part.of_program);
+    property.then = formula(part.then, part.of_program);
     if (const auto within = ticks_of(part.within, diagnostics_)) property.within = *within;
   }
   void add(const grammar::EventuallyClaim& part, PlantProperty& property) {
     property.claim = Claim::eventually;
     property.of_program = true;
-    property.formula = resolver_.resolve(part.constraint);
+    property.formula = formula(part.constraint, true);
     if (const auto within = ticks_of(part.within, diagnostics_)) property.within = *within;
   }
   void add(const grammar::FinallyClaim& part, PlantProperty& property) {
     property.claim = Claim::finally;
     property.of_program = true;
-    property.formula = resolver_.resolve(part.constraint);
+    property.formula = formula(part.constraint, true);
+  }
+  void add(const grammar::ProbabilityClaim& part, PlantProperty& property) {
+    property.claim = Claim::probability;
+    property.of_program = part.of_program;
+    property.formula = formula(part.constraint, false);
+    property.within = automata::Ticks::infinite();
+    if (part.within) property.within = ticks_of(*part.within, diagnostics_).value_or(property.within);
+    property.at_least = part.at_least;
+    property.bound = part.bound.value;
+    if (!(property.bound >= 0 && property.bound <= 1)) {
+      diagnostics_.error(Code::probability_out_of_range, part.bound.span, "a probability is a number from 0 to 1");
+    }
+  }
+  static void add(const grammar::SeveritySetting& part, PlantProperty& property) {
+    using Written = grammar::SeveritySetting::Severity;
+    using Severity = PlantProperty::Severity;
+    switch (part.severity) {
+      case Written::catastrophic:
+        property.severity = Severity::catastrophic;
+        return;
+      case Written::critical:
+        property.severity = Severity::critical;
+        return;
+      case Written::major:
+        property.severity = Severity::major;
+        return;
+      case Written::minor:
+        property.severity = Severity::minor;
+        return;
+    }
   }
   void add(const grammar::GeneralClaim& part, PlantProperty& property) {
     property.claim = claim_of(part.kind);
     property.of_program = part.of_program;
   }
+  static void add(const grammar::RequirementPart&, PlantProperty&) {}
+  static void add(const grammar::AllowStuckSetting&, PlantProperty& property) { property.allow_stuck = true; }
   void add(const grammar::FaultsSetting& part, PlantProperty& property) {
     // More than any plant has components is as many as one likes.
+    property.faults_stated = true;
     property.faults = static_cast<unsigned>(std::min<std::uint64_t>(part.count, std::numeric_limits<unsigned>::max()));
   }
   void add(const grammar::TimeSetting& part, PlantProperty& property) {
     property.period.reset();
     if (!part.period) return;
     property.period = ticks_of(*part.period, diagnostics_);
-    if (property.period == automata::Ticks{0}) {
-      diagnostics_.error(Code::property_period, part.period->span, "a period is longer than 0");
+    if (property.period && (property.period == automata::Ticks{0} || property.period->is_infinite())) {
+      diagnostics_.error(Code::property_period, part.period->span, "a period is longer than 0, and finite");
     }
   }
   void add(const grammar::CommandsSetting& part, PlantProperty& property) {
@@ -204,7 +268,7 @@ class PropertyLowering {
   const automata::Plant& plant_;
   bool under_program_;
   grammar::Diagnostics& diagnostics_;
-  Resolver resolver_;
+  PlantResolver resolver_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/scenario.hpp"
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -11,7 +12,8 @@
 
 #include "base/overloaded.hpp"
 #include "compiler/check/mention.hpp"
-#include "compiler/check/resolve.hpp"
+#include "compiler/check/plant_resolver.hpp"
+#include "compiler/lower/requirements.hpp"
 #include "compiler/lower/timing.hpp"
 
 namespace rmpl::compiler {
@@ -30,8 +32,7 @@ class ScenarioLowering {
       : sources_(sources), plant_(plant), diagnostics_(diagnostics) {
     if (plant == nullptr) return;
     const automata::Plant& p = plant->plant;
-    resolver_.emplace(Vocabulary{p.variables, &plant->declared, "plant " + backquoted(p.name), Code::not_in_plant},
-                      diagnostics);
+    resolver_.emplace(p, &plant->declared, diagnostics);
     for (std::size_t c = 0; c < p.components.size(); ++c) {
       components_.emplace(p.components[c].mode, automata::ComponentId(c));
     }
@@ -70,6 +71,11 @@ class ScenarioLowering {
                                   [&](const grammar::SeedPart& part) {
                                     if (once(part.span, seed, "seed")) scenario_.seed = part.seed;
                                   },
+                                  [&](const grammar::RequirementPart& part) {
+                                    for (std::string& tag : fresh_tags(part.tags, tagged_, diagnostics_)) {
+                                      scenario_.requirements.push_back(std::move(tag));
+                                    }
+                                  },
                                   [](const auto&) {}},
                  item);
     }
@@ -101,6 +107,7 @@ class ScenarioLowering {
   void add(const grammar::DurationPart&) {}
   void add(const grammar::SeedPart&) {}
   void add(const grammar::PlantPart&) {}
+  void add(const grammar::RequirementPart&) {}
 
   void add(const grammar::TruthPart& part) {
     report_no_truth(part.span, "`truth` gives modes that are real",
@@ -136,6 +143,36 @@ class ScenarioLowering {
     scenario_.overrides.push_back({*at, *length, *reading, origin_of(sources_, event.span)});
   }
 
+  void add(const grammar::CommandEvent& event) {
+    const auto at = time_of(event.at, event.span);
+    const auto length = event.duration ? ticks_of(*event.duration, diagnostics_) : scenario_.cycle;
+    const auto command = command_of(event.command);
+    if (!at || !length || !command) return;
+    scenario_.commands.push_back({*at, *length, *command, origin_of(sources_, event.span)});
+  }
+
+  /// What the channel means is not known here: monitors are an input of their own.
+  void add(const grammar::ChannelEvent& event) {
+    const auto at = time_of(event.at, event.span);
+    if (!at) return;
+    const auto [first, fresh] = sampled_.emplace(std::pair(event.channel.text, *at), event.span);
+    if (!fresh) {
+      auto& error = diagnostics_.error(
+          Code::scenario_repeated_part, event.span,
+          "a second sample of channel \"" + event.channel.text + "\" at " + automata::format_seconds(*at) + " s");
+      error.notes.push_back({first->second, "the first is here"});
+      return;
+    }
+    automata::ChannelSample sample{*at, event.channel.text, std::nullopt, {}, origin_of(sources_, event.span)};
+    std::visit(base::Overloaded{[&](const grammar::String& text) { sample.text = text.text; },
+                                [&](const grammar::Number& number) {
+                                  sample.number = number.value;
+                                  sample.text = number.text;
+                                }},
+               event.sample);
+    scenario_.samples.push_back(std::move(sample));
+  }
+
   void add(const grammar::RuleText& text) {
     const bool command = text.stream == grammar::RuleText::Stream::command;
     automata::Rule rule;
@@ -146,6 +183,7 @@ class ScenarioLowering {
       if (const auto* delay = std::get_if<grammar::Duration>(&*text.delay)) rule.delay = ticks_of(*delay, diagnostics_);
     }
     const auto length = text.duration ? ticks_of(*text.duration, diagnostics_) : Ticks::infinite();
+    if (resolver_) resolver_->ask_of_knowledge("by a rule, which stands for the plant");
     const auto trigger = condition(text.trigger);
     const auto reading = reading_of(text.reading);
     if (trigger) check_trigger(*trigger, command, text.trigger);
@@ -170,6 +208,9 @@ class ScenarioLowering {
       case grammar::ExpectText::Kind::finished:
         expectation.kind = automata::Expectation::Kind::finished;
         break;
+      case grammar::ExpectText::Kind::never_finished:
+        expectation.kind = automata::Expectation::Kind::never_finished;
+        break;
       case grammar::ExpectText::Kind::goal_conflict:
         expectation.kind = automata::Expectation::Kind::goal_conflict;
         break;
@@ -179,8 +220,16 @@ class ScenarioLowering {
     }
     expectation.truth = text.truth;
     expectation.origin = origin_of(sources_, text.span);
-    expectation.text = written(text.span);
+    expectation.text = written(text);
+    if (text.requirement) {
+      TagPlaces tagged = tagged_;
+      expectation.requirements = fresh_tags(text.requirement->tags, tagged, diagnostics_);
+    }
     if (text.within) expectation.within = deadline_of(*text.within, text.span);
+    if (resolver_) {
+      resolver_->ask_of_knowledge(
+          text.truth ? std::optional<std::string>("by `expect truth`, which speaks of the plant") : std::nullopt);
+    }
     if (text.condition) {
       if (auto formula = condition(*text.condition)) expectation.condition = std::move(*formula);
     }
@@ -188,10 +237,12 @@ class ScenarioLowering {
     scenario_.expectations.push_back(std::move(expectation));
   }
 
-  /// What stands between `expect` and `;`.
-  std::string written(grammar::Span span) {
+  /// What stands between `expect` and `;`, or the requirements.
+  std::string written(const grammar::ExpectText& expectation) {
     constexpr std::string_view keyword = "expect";
     constexpr std::string_view space = " \t\r\n";
+    grammar::Span span = expectation.span;
+    if (expectation.requirement) span.end = expectation.requirement->span.begin;
     std::string_view text = sources_.text(span);
     if (text.substr(0, keyword.size()) == keyword) text.remove_prefix(keyword.size());
     if (!text.empty() && text.back() == ';') text.remove_suffix(1);
@@ -254,15 +305,33 @@ class ScenarioLowering {
     return std::nullopt;
   }
 
+  std::optional<Assignment> command_of(const grammar::AssignmentText& text) {
+    if (!resolver_) return std::nullopt;
+    const auto command = resolver_->assignment(text.variable, text.value);
+    if (!command || controls_.count(command->variable) != 0) return command;
+    report_no_control(command->variable, text.variable.span);
+    return std::nullopt;
+  }
+
+  void report_no_control(VariableId id, grammar::Span span) {
+    auto& error = diagnostics_.error(Code::scenario_not_a_command, span,
+                                     backquoted(plant_->plant.variables.name(id)) +
+                                         " is no control variable of plant " + backquoted(plant_->plant.name));
+    note_domain(error, id);
+  }
+
   /// A command is judged by control variables, an estimate by modes.
   void check_trigger(const Formula& trigger, bool command, const grammar::Constraint& text) {
     for (const VariableId id : automata::variables_of(trigger)) {
       if (command ? controls_.count(id) != 0 : components_.count(id) != 0) continue;
       const std::string& name = plant_->plant.variables.name(id);
+      if (command) {
+        report_no_control(id, mention_of(name, text));
+        continue;
+      }
       auto& error =
-          diagnostics_.error(command ? Code::scenario_not_a_command : Code::scenario_not_a_mode, mention_of(name, text),
-                             backquoted(name) + " is no " + (command ? "control variable" : "component") +
-                                 " of plant " + backquoted(plant_->plant.name));
+          diagnostics_.error(Code::scenario_not_a_mode, mention_of(name, text),
+                             backquoted(name) + " is no component of plant " + backquoted(plant_->plant.name));
       note_domain(error, id);
     }
   }
@@ -275,12 +344,14 @@ class ScenarioLowering {
   const grammar::Sources& sources_;
   const Part* plant_;
   grammar::Diagnostics& diagnostics_;
-  std::optional<Resolver> resolver_;
+  std::optional<PlantResolver> resolver_;
   automata::Scenario scenario_;
   std::unordered_map<VariableId, automata::ComponentId> components_;  ///< by mode variable
   std::unordered_set<VariableId> observables_;
   std::unordered_set<VariableId> controls_;
   std::unordered_map<VariableId, grammar::Span> truths_;  ///< initial modes that are given, and where
+  TagPlaces tagged_;                                      ///< requirements of the scenario as a whole
+  std::map<std::pair<std::string, Ticks>, grammar::Span> sampled_;
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "compiler/lower/timing.hpp"
 
+#include <cmath>
+
 #include "compiler/check/probabilities.hpp"
 #include "compiler/check/vocabulary.hpp"
 
@@ -14,6 +16,33 @@ using automata::Weight;
 using grammar::Code;
 
 namespace {
+
+/// A density of one stage, or of shape 1, is the exponential one.
+std::optional<Density> weibull_of(const grammar::Number& shape, double scale, bool right,
+                                  grammar::Diagnostics& diagnostics) {
+  constexpr double least = 0.01, most = 100;
+  if (!(shape.value >= least && shape.value <= most)) {
+    diagnostics.error(Code::density_out_of_range, shape.span,
+                      "the shape of a Weibull density is from 0.01 to 100, not " + shape.text);
+    return std::nullopt;
+  }
+  if (!right) return std::nullopt;
+  if (shape.value == 1) return Density{Density::Kind::exponential, scale};
+  return Density{Density::Kind::weibull, 0, 0, shape.value, scale};
+}
+
+std::optional<Density> erlang_of(const grammar::Number& stages, double mean, bool right,
+                                 grammar::Diagnostics& diagnostics) {
+  constexpr double most = 100;
+  if (!(stages.value >= 1 && stages.value <= most) || stages.value != std::floor(stages.value)) {
+    diagnostics.error(Code::density_out_of_range, stages.span,
+                      "an Erlang density has a whole number of stages, from 1 to 100, not " + stages.text);
+    return std::nullopt;
+  }
+  if (!right) return std::nullopt;
+  if (stages.value == 1) return Density{Density::Kind::exponential, mean};
+  return Density{Density::Kind::erlang, mean, 0, stages.value};
+}
 
 std::optional<Density> density_of(const grammar::DensityText& text, grammar::Diagnostics& diagnostics) {
   std::vector<Ticks> parameters;
@@ -37,6 +66,10 @@ std::optional<Density> density_of(const grammar::DensityText& text, grammar::Dia
     case grammar::DensityKind::normal:
       if (!positive(1, "standard deviation")) return std::nullopt;
       return Density{Density::Kind::normal, parameters[0].seconds(), parameters[1].seconds()};
+    case grammar::DensityKind::weibull:
+      return weibull_of(text.shape, parameters[0].seconds(), positive(0, "scale"), diagnostics);
+    case grammar::DensityKind::erlang:
+      return erlang_of(text.shape, parameters[0].seconds(), positive(0, "mean"), diagnostics);
   }
   return std::nullopt;
 }
@@ -72,7 +105,7 @@ std::optional<Timing> timing_of(const grammar::TimingText& text, grammar::Diagno
   if (upper->is_infinite() && density->kind == Density::Kind::uniform) {
     auto& error = diagnostics.error(Code::density_required, text.span,
                                     "an infinite upper bound needs a density: a uniform one has no end");
-    error.suggestion = "add `~ exponential(mean)` or `~ normal(mean, deviation)`";
+    error.suggestion = "add `~ exponential(mean)`, or another density but the uniform one";
     return std::nullopt;
   }
   return Timing{*lower, *upper, *density};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "compiler/check/plant_resolver.hpp"
 #include "compiler/check/resolve.hpp"
 #include "compiler/lower/property.hpp"
 #include "compiler/session/files.hpp"
@@ -21,6 +22,7 @@ struct Compilation::Result {
   automata::Document document;
   std::vector<automata::PlantProperty> properties;
   std::vector<ProgramPlaces> places, model_places;
+  std::map<std::size_t, automata::PlantWithModels> plants_with_models;
   std::vector<File> files;
 };
 
@@ -51,6 +53,10 @@ std::span<const ProgramPlaces> Compilation::model_places() const {
   return result_->model_places;
 }
 
+const std::map<std::size_t, automata::PlantWithModels>& Compilation::plants_with_models() const {
+  return result_->plants_with_models;
+}
+
 const grammar::Findings& Compilation::findings() const { return result_->findings; }
 
 std::span<const File> Compilation::files() const { return result_->files; }
@@ -75,6 +81,7 @@ Compilation compile(std::span<const std::string> paths, const Options& options, 
   result->properties = inputs.take_properties();
   result->places = inputs.take_places();
   result->model_places = inputs.take_model_places();
+  result->plants_with_models = inputs.take_plants_with_models();
   result->files = inputs.take_files();
   return Compilation(std::move(result));
 }
@@ -89,23 +96,36 @@ Resolver resolver_of(const automata::Variables& variables, const std::string& ow
 std::string owner(const automata::Plant& plant) { return "plant " + backquoted(plant.name); }
 std::string owner(const automata::ModelProgram& program) { return "model program " + backquoted(program.name); }
 
-template <class Model>
-CompiledFormula formula_over(std::string_view text, const Model& model, std::string_view where) {
+/// `make` makes the resolver, given where findings go.
+template <class Make>
+CompiledFormula formula_by(std::string_view text, std::string_view where, const Make& make) {
   CompiledFormula result;
   auto& [sources, diagnostics] = result.findings;
   const std::uint32_t file = sources.add(std::string(where), std::string(text));
   const auto constraint = grammar::parse_constraint(sources, file, diagnostics);
-  if (constraint.whole) {
-    result.formula = resolver_of(model.variables, owner(model), result.findings).resolve(constraint.tree);
-  }
+  if (constraint.whole) result.formula = make(result.findings).resolve(constraint.tree);
   if (diagnostics.has_errors()) result.formula.reset();
   return result;
+}
+
+template <class Model>
+CompiledFormula formula_over(std::string_view text, const Model& model, std::string_view where) {
+  return formula_by(text, where,
+                    [&](grammar::Findings& findings) { return resolver_of(model.variables, owner(model), findings); });
 }
 
 }  // namespace
 
 CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where) {
   return formula_over(text, plant, where);
+}
+
+CompiledFormula compile_program_formula(std::string_view text, const automata::Plant& plant, std::string_view where) {
+  return formula_by(text, where, [&](grammar::Findings& findings) {
+    PlantResolver resolver(plant, nullptr, findings.diagnostics);
+    resolver.ask_of_knowledge(std::nullopt);
+    return resolver;
+  });
 }
 
 CompiledFormula compile_formula(std::string_view text, const automata::ModelProgram& program, std::string_view where) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,6 +15,7 @@
 #include "automata/plant.hpp"
 #include "automata/property.hpp"
 #include "automata/scenario.hpp"
+#include "automata/step/plant_as_model.hpp"
 #include "grammar/source/findings.hpp"
 
 namespace rmpl::compiler {
@@ -23,8 +26,14 @@ struct ProgramPlaces;
 class Provider;
 
 struct Options {
-  std::string main;         ///< the entry definition of the control program; empty: the one that no other calls
-  bool properties = false;  ///< whether `.props` files may be among the inputs; they speak of the plant of the inputs
+  std::string main;  ///< the entry definition of the control program; empty: the one that no other calls
+  /// Whether `.props` files may be among the inputs. They speak of the plant of the inputs; of several, of each that
+  /// they fit: in which all their names are known.
+  bool properties = false;
+  /// Whether `.mon` files may be among the inputs. They speak of each plant of the inputs that they fit, and a channel
+  /// that a scenario gives samples of has to be one of theirs.
+  bool monitors = false;
+  bool flown = false;           ///< a scenario with channels needs monitors: it is to be flown
   bool types_suffice = false;   ///< a model without a plant becomes one without a name, of an instance of each type
   bool entry_optional = false;  ///< that nothing says where execution starts is no error: a program is checked without
 };
@@ -39,12 +48,15 @@ class Compilation {
   [[nodiscard]] bool ok() const;
   /// The document. Only where `ok()`.
   [[nodiscard]] const automata::Document& document() const;
-  /// What the `.props` files among the inputs state, in order of the files. Only where `ok()`.
+  /// What the `.props` files among the inputs state, in order of the files, once for each plant that they speak of.
+  /// Only where `ok()`.
   [[nodiscard]] const std::vector<automata::PlantProperty>& properties() const;
   /// Where the programs of the document stand, one by one (`compiler/lower/program_places.hpp`). Only where `ok()`.
   [[nodiscard]] std::span<const ProgramPlaces> places() const;
   /// The same of its model programs.
   [[nodiscard]] std::span<const ProgramPlaces> model_places() const;
+  /// Plants that hold model programs, by position among the model programs of the document, which they became.
+  [[nodiscard]] const std::map<std::size_t, automata::PlantWithModels>& plants_with_models() const;
   /// All that was read, with or without errors, by index; nothing once that was forgotten.
   [[nodiscard]] std::span<const File> files() const;
   /// Lets go of the files with their trees, a good part of what a large model takes: the document rests on none.
@@ -77,7 +89,9 @@ struct CompiledFormula {
   grammar::Findings findings;
 };
 CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where);
-/// The same over the variables of a model program.
+/// The same, asked of a program with its plant: it may ask of the executive's knowledge.
+CompiledFormula compile_program_formula(std::string_view text, const automata::Plant& plant, std::string_view where);
+/// The same as the first over the variables of a model program.
 CompiledFormula compile_formula(std::string_view text, const automata::ModelProgram& program, std::string_view where);
 
 /// A list of assignments from the command line, `x = v, y = w` or `x = v & y = w` (`--from`, `--observe`).

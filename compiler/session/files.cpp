@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "compiler/check/vocabulary.hpp"
 #include "grammar/parse/parse.hpp"
+#include "grammar/parse/parse_monitors.hpp"
 
 namespace rmpl::compiler {
 
@@ -15,20 +16,59 @@ using grammar::Code;
 
 namespace {
 
-const char* name_of(Kind kind) {
-  switch (kind) {
+bool holds_models(const File& file) {
+  const auto is_model = [](const grammar::ProgramItem& item) {
+    const auto* definition = std::get_if<grammar::Definition>(&item);
+    return definition != nullptr && definition->model;
+  };
+  return file.program && std::any_of(file.program->items.begin(), file.program->items.end(), is_model);
+}
+
+const char* name_of(const File& file) {
+  switch (file.kind) {
     case Kind::program:
-      return "a control program";
+      return holds_models(file) ? "a model program" : "a control program";
     case Kind::plant:
       return "a plant model";
     case Kind::scenario:
       return "a set of scenarios";
     case Kind::properties:
       return "a set of properties";
+    case Kind::monitors:
+      return "a set of monitors";
     case Kind::document:
       return "a compiled document";
   }
   return "";
+}
+
+/// Whether the path leads to what is read once, as a pipe of a shell: its name says nothing of what is in it.
+bool is_stream(const std::string& path) {
+  std::error_code error;
+  const auto type = std::filesystem::status(path, error).type();
+  return type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::character ||
+         type == std::filesystem::file_type::socket;
+}
+
+/// The other scenarios of a file that name the same program or plant, the first of them each by itself.
+std::vector<grammar::Note> named_again(const File& from, const grammar::String& path) {
+  constexpr std::size_t most = 3;
+  std::vector<grammar::Note> notes;
+  std::size_t more = 0;
+  const auto look = [&](const grammar::String& other) {
+    if (other.text != path.text || other.span == path.span) return;
+    if (notes.size() == most) ++more;
+    if (notes.size() < most) notes.push_back({other.span, "it is named here, too"});
+  };
+  if (!from.scenarios) return notes;
+  for (const grammar::ScenarioDefinition& scenario : from.scenarios->scenarios) {
+    for (const grammar::ScenarioItem& item : scenario.items) {
+      if (const auto* program = std::get_if<grammar::ProgramPart>(&item)) look(program->path);
+      if (const auto* plant = std::get_if<grammar::PlantPart>(&item)) look(plant->path);
+    }
+  }
+  if (more > 0) notes.back().message += ", and " + std::to_string(more) + (more == 1 ? " time more" : " times more");
+  return notes;
 }
 
 /// The imports of a file in order.
@@ -53,9 +93,15 @@ struct Files::Importing {
 };
 
 const File& Files::open(const std::string& path) {
+  File& file = find(path, &Provider::read);
+  file.named = true;
+  return file;
+}
+
+File& Files::find(const std::string& path, Reading reading) {
   const std::string id = provider_.identity(path);
   if (const auto known = files_.find(id); known != files_.end()) return known->second;
-  return read(path, id, provider_.read(path));
+  return read(path, id, (provider_.*reading)(path));
 }
 
 const File* Files::open(const File& from, const grammar::String& path) {
@@ -64,20 +110,24 @@ const File* Files::open(const File& from, const grammar::String& path) {
     name = (std::filesystem::path(from.directory) / name).lexically_normal().string();
   }
   try {
-    return &open(name);
+    return &find(name, &Provider::read_named);
   } catch (const base::InputError& error) {
-    diagnostics_.error(Code::import_not_found, path.span, std::string("cannot read ") + error.what());
+    if (!missing_.emplace(from.index, path.text).second) return nullptr;
+    diagnostics_.error(Code::import_not_found, path.span, std::string("cannot read ") + error.what()).notes =
+        named_again(from, path);
     return nullptr;
   }
 }
 
-const File& Files::read(const std::string& path, const std::string& id, std::string text) {
+File& Files::read(const std::string& path, const std::string& id, std::string text) {
   const bool standard_input = path == "-";
-  const auto kind = standard_input ? kind_by_content(text) : kind_by_name(path);
+  auto kind = kind_by_name(path);
+  const bool nameless = standard_input || (!kind && is_stream(path));
+  if (nameless) kind = kind_by_content(text);
   if (!kind) throw base::InputError(not_a_model(path));
   File file;
   file.kind = *kind;
-  file.directory = standard_input ? "" : std::filesystem::path(path).parent_path().string();
+  file.directory = nameless ? "" : std::filesystem::path(path).parent_path().string();
   const std::string name = standard_input ? "<stdin>" : path;
   const auto keep = [&](auto parse, auto& tree) {
     file.whole = parse.whole;
@@ -96,6 +146,9 @@ const File& Files::read(const std::string& path, const std::string& id, std::str
       break;
     case Kind::properties:
       keep(grammar::parse_properties(sources_, file.index, diagnostics_), file.properties);
+      break;
+    case Kind::monitors:
+      keep(grammar::parse_monitors(sources_, file.index, diagnostics_), file.monitors);
       break;
     case Kind::document:
       file.document = read_document(file.index);
@@ -152,7 +205,9 @@ std::vector<File> Files::take() {
 
 void Files::follow(const File& file, std::vector<Importing>& path, FileSet& set) {
   constexpr std::size_t depth_limit = 200;
-  if (file.kind == Kind::scenario || file.kind == Kind::properties || !file.whole) set.complete = false;
+  const bool imported_never =
+      file.kind == Kind::scenario || file.kind == Kind::properties || file.kind == Kind::monitors;
+  if (imported_never || !file.whole) set.complete = false;
   if (!file.whole) return;
   for (const grammar::Import* import : imports_of(file)) {
     const File* imported = open(file, import->path);
@@ -173,9 +228,12 @@ void Files::follow(const File& file, std::vector<Importing>& path, FileSet& set)
       continue;
     }
     if (imported->kind != file.kind) {
-      diagnostics_.error(Code::import_not_found, import->path.span,
-                         backquoted(import->path.text) + " is " + name_of(imported->kind) + ", and " +
-                             name_of(file.kind) + " imports others of its kind only");
+      auto& error = diagnostics_.error(Code::import_not_found, import->path.span,
+                                       backquoted(import->path.text) + " is " + name_of(*imported) + ", and " +
+                                           name_of(file) + " imports others of its kind only");
+      if (imported->kind == Kind::plant && holds_models(file)) {
+        error.suggestion = "let the plant import the model program: it knows the domains that are declared there";
+      }
       continue;
     }
     if (std::find(set.files.begin(), set.files.end(), imported) != set.files.end()) continue;

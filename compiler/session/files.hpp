@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "compiler/check/definitions.hpp"
 #include "compiler/session/kind.hpp"
 #include "compiler/session/provider.hpp"
+#include "grammar/ast/monitor.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
 #include "grammar/ast/property.hpp"
@@ -30,10 +32,12 @@ struct File {
   std::string directory;    ///< what its imports are relative to
   Kind kind = Kind::program;
   bool whole = false;  ///< no syntax errors
+  bool named = false;  ///< by the user; else another file brought it, which others may have in common
   std::optional<grammar::ProgramFile> program;
   std::optional<grammar::PlantFile> plant;
   std::optional<grammar::ScenarioFile> scenarios;
   std::optional<grammar::PropertyFile> properties;
+  std::optional<grammar::MonitorFile> monitors;
   std::unique_ptr<automata::Document> document;  ///< its plants move into the input set that takes them over
 };
 
@@ -54,7 +58,8 @@ class Files {
   /// A file that the user named. `-` is standard input. Throws base::InputError where it cannot be read, or has
   /// no known extension.
   const File& open(const std::string& path);
-  /// A file that another names, relative to it. Null where it cannot be read; then it has been reported at the name.
+  /// A file that another names, relative to it. Null where it cannot be read; then it has been reported, once
+  /// for the file, at the first place that names it.
   const File* open(const File& from, const grammar::String& path);
   /// The named files with all that they import. Reports what is missing, what imports itself, and imports of a file of
   /// another kind; but a plant may import programs, whose own imports are not followed.
@@ -64,7 +69,9 @@ class Files {
 
  private:
   struct Importing;
-  const File& read(const std::string& path, const std::string& canonical, std::string text);
+  using Reading = std::string (Provider::*)(const std::string& path);
+  File& find(const std::string& path, Reading reading);
+  File& read(const std::string& path, const std::string& canonical, std::string text);
   /// Nothing where the text is no compiled document; then it has been reported.
   std::unique_ptr<automata::Document> read_document(std::uint32_t index);
   void follow(const File& file, std::vector<Importing>& path, FileSet& set);
@@ -74,6 +81,8 @@ class Files {
   grammar::Sources& sources_;
   grammar::Diagnostics& diagnostics_;
   std::map<std::string, File> files_;  ///< by identity; a map, for files are referred to
+  /// What cannot be read and has been reported: the file that names it, and the name.
+  std::set<std::pair<std::uint32_t, std::string>> missing_;
 };
 
 }  // namespace rmpl::compiler

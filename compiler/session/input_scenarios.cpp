@@ -1,7 +1,10 @@
 // Scenarios of an input set, and the files that they name.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lower/scenario.hpp"
@@ -29,6 +32,13 @@ void InputSet::scenarios(const File& file) {
     const ScenarioFiles parts = files_of(definition, diagnostics_);
     const Plant plant = parts.plant == nullptr ? Plant{} : flown(file, *parts.plant);
     automata::Scenario scenario = lower_scenario(sources_, definition, plant.part, diagnostics_);
+    const bool sampled = std::any_of(definition.items.begin(), definition.items.end(), [](const auto& item) {
+      return std::holds_alternative<grammar::ChannelEvent>(item);
+    });
+    if (sampled) {
+      const automata::Plant* flown = plant.part == nullptr ? nullptr : &plant.part->plant;
+      sampled_.push_back({&definition, definition.name.span, flown, std::nullopt});
+    }
     Program program;
     if (const File* from = parts.program == nullptr ? nullptr : controlling(file, parts.program->path)) {
       Entry entry;
@@ -44,6 +54,7 @@ void InputSet::scenarios(const File& file) {
     scenario.model = plant.model;
     scenario.plant = plant.position;
     scenario.program = *program.position;
+    if (sampled) sampled_.back().scenario = document_.scenarios.size();
     document_.scenarios.push_back(std::move(scenario));
   }
 }

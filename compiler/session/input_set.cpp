@@ -49,6 +49,7 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
   }
   for (const File* file : roots[Kind::scenario]) scenarios(*file);
   for (const File* file : roots[Kind::properties]) properties(*file, plant);
+  monitors(roots[Kind::monitors], options.flown);
   for (const auto& [position, part] : lent_) document_.plants[position] = std::move(part->plant);
   return std::move(document_);
 }
@@ -60,6 +61,7 @@ InputSet::Roots InputSet::opened(std::span<const std::string> paths, const Optio
     try {
       roots.push_back(&files_.open(path));
       if (roots.back()->kind == Kind::properties && !options.properties) throw base::InputError(not_a_model(path));
+      if (roots.back()->kind == Kind::monitors && !options.monitors) throw base::InputError(not_a_model(path));
     } catch (const base::InputError& error) {
       failures.emplace_back(error.what());
     }
@@ -97,6 +99,8 @@ void InputSet::adopt(const File& file) {
     copy.plant += plants;
     if (copy.model) *copy.model += models;
     copy.program += programs;
+    if (copy.samples.empty()) continue;
+    sampled_.push_back({nullptr, {file.index, 0, 0}, nullptr, document_.scenarios.size() - 1});
   }
 }
 
@@ -135,8 +139,12 @@ InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
       const std::size_t position = automata::add_model(document_, std::move(*program));
       result = {0, facade(position, part->declared), position};
       auto& conditions = model_places_.emplace_back().conditions;
-      for (const ModelPart& model : part->models)
+      automata::PlantWithModels& whole = with_models_[position];
+      for (ModelPart& model : part->models) {
         conditions.insert(conditions.end(), model.conditions.begin(), model.conditions.end());
+        whole.models.push_back(std::move(model.component));
+      }
+      whole.plant = std::move(part->plant);
     }
   } else if (part) {
     document_.plants.emplace_back();
@@ -233,7 +241,9 @@ std::optional<Part> InputSet::lower_plant(const Roots& roots, Span blame) {
   std::vector<const grammar::PlantFile*> files;
   for (const File* file : set.files) files.push_back(&*file->plant);
   const auto model_type = [&](const grammar::Name& definition) { return this->model_type(set.programs, definition); };
-  auto part = ModelLowering(sources_, model_type, diagnostics_).run(files, blame, types_suffice_);
+  std::vector<const grammar::ProgramFile*> programs;
+  for (const File* file : files_.with_imports(set.programs).files) programs.push_back(&*file->program);
+  auto part = ModelLowering(sources_, model_type, diagnostics_).run(files, programs, blame, types_suffice_);
   return diagnostics_.error_count() == errors ? std::move(part) : std::nullopt;
 }
 
@@ -330,6 +340,7 @@ void InputSet::properties(const File& file, const Plant& plant) {
   if (!file.whole) return;
   const Part* part = plant.model ? nullptr : plant.part;
   if (part == nullptr && parts_.size() == 1 && document_.plants.size() == 1) part = &parts_.front();
+  if (part == nullptr && lent_.size() > 1) return properties_of_several(file);
   if (part == nullptr) {
     // A plant with errors has been told of.
     if (!diagnostics_.has_errors()) {
@@ -341,6 +352,30 @@ void InputSet::properties(const File& file, const Plant& plant) {
   // The program that some speak of is needed where they are decided.
   auto stated = lower_properties(sources_, *file.properties, {file.index, 0, 0}, part->plant, true, diagnostics_);
   std::move(stated.begin(), stated.end(), std::back_inserter(properties_));
+}
+
+/// A file of properties does not name its plant. It speaks of those whose names it uses.
+void InputSet::properties_of_several(const File& file) {
+  grammar::Diagnostics nearest;  // what keeps it from the plant that it fits best
+  bool fits = false;
+  for (const auto& [position, part] : lent_) {
+    grammar::Diagnostics wrong;
+    auto stated = lower_properties(sources_, *file.properties, {file.index, 0, 0}, part->plant, true, wrong);
+    if (wrong.has_errors()) {
+      if (nearest.empty() || wrong.error_count() < nearest.error_count()) nearest = std::move(wrong);
+      continue;
+    }
+    fits = true;
+    for (automata::PlantProperty& property : stated) {
+      property.plant = position;
+      properties_.push_back(std::move(property));
+    }
+  }
+  if (fits || diagnostics_.has_errors()) return;
+  diagnostics_.error(Code::no_plant, {file.index, 0, 0},
+                     "these properties fit none of the " + std::to_string(lent_.size()) +
+                         " plants among the inputs; below, what is wrong for the one that they fit best");
+  for (const grammar::Diagnostic& diagnostic : nearest.all()) diagnostics_.add(diagnostic);
 }
 
 }  // namespace rmpl::compiler

@@ -37,6 +37,8 @@ class InputSet {
   std::vector<ProgramPlaces> take_places() { return std::move(places_); }
   /// The same of its model programs.
   std::vector<ProgramPlaces> take_model_places() { return std::move(model_places_); }
+  /// Plants that hold model programs, by position of the model that they became, once all is compiled.
+  std::map<std::size_t, automata::PlantWithModels> take_plants_with_models() { return std::move(with_models_); }
   /// What was read, once all is compiled.
   std::vector<File> take_files() { return files_.take(); }
 
@@ -96,7 +98,22 @@ class InputSet {
   /// Where execution starts; nothing where that is not known, which has been reported where it has to be.
   std::optional<std::size_t> start(const Definitions& definitions, const Entry& entry, grammar::Span blame);
   void scenarios(const File& file);
+  /// A scenario that gives samples of channels, and the plant that it flies; null where that has errors.
+  struct Sampled {
+    const grammar::ScenarioDefinition* definition;  ///< null where a compiled document brought it
+    grammar::Span blame;                            ///< then: that document
+    const automata::Plant* plant;                   ///< of a compiled document known once all is read
+    std::optional<std::size_t> scenario;            ///< its position in the document; nothing where it has errors
+  };
+  class Monitoring;
+  /// Files of monitors over the plants that they fit; scenarios get those of their plants. With `flown` a channel
+  /// without a monitor is an error where there is no such file, too.
+  void monitors(const Roots& files, bool flown);
+  [[nodiscard]] std::vector<const automata::Plant*> all_plants() const;
+  [[nodiscard]] const automata::Plant* plant_of(const automata::Scenario& scenario) const;
   void properties(const File& file, const Plant& plant);
+  /// With each of several plants that it fits.
+  void properties_of_several(const File& file);
   /// The file of a scenario's control program; null where it is missing or of another kind, and then that has been
   /// reported.
   const File* controlling(const File& scenarios, const grammar::String& path);
@@ -107,9 +124,11 @@ class InputSet {
   bool types_suffice_ = false;   ///< a plant that is asked for may be made of types alone
   bool entry_optional_ = false;  ///< as in the options
   automata::Document document_;
-  std::vector<ProgramPlaces> places_;        ///< per program of the document
-  std::vector<ProgramPlaces> model_places_;  ///< per model program of the document
+  std::vector<ProgramPlaces> places_;                             ///< per program of the document
+  std::vector<ProgramPlaces> model_places_;                       ///< per model program of the document
+  std::map<std::size_t, automata::PlantWithModels> with_models_;  ///< by position of the model
   std::vector<automata::PlantProperty> properties_;
+  std::vector<Sampled> sampled_;
   std::vector<grammar::Span> adopted_;               ///< per program that a compiled document brought, that document
   std::deque<Part> parts_;                           ///< of plants without errors; a deque, for they are referred to
   std::vector<std::pair<std::size_t, Part*>> lent_;  ///< by position of the plant, which stays in its part till the end

@@ -46,6 +46,7 @@ std::optional<Kind> kind_by_name(const std::string& path) {
   if (extension == ".tcca") return Kind::plant;
   if (extension == ".scn") return Kind::scenario;
   if (extension == ".props") return Kind::properties;
+  if (extension == ".mon") return Kind::monitors;
   if (extension == ".json") return Kind::document;
   return std::nullopt;
 }
@@ -75,10 +76,11 @@ Kind kind_by_content(std::string_view text) {
   }
   // `plant() :: { … }` is a definition: the words are reserved only where the grammar expects them.
   if (!text.empty() && text.front() == '(') return Kind::program;
-  if (word == "property" && !text.empty() && text.front() == '"') return Kind::properties;
-  for (const std::string_view setting : {"faults", "time", "commands", "from", "entailed"}) {
+  if ((word == "property" || word == "hazard") && !text.empty() && text.front() == '"') return Kind::properties;
+  for (const std::string_view setting : {"faults", "time", "commands", "from", "entailed", "allow-stuck"}) {
     if (word == setting) return Kind::properties;
   }
+  if (word == "channel" && !text.empty() && text.front() == '"') return Kind::monitors;
   if (word == "scenario") return Kind::scenario;
   if (word == "component" || word == "module" || word == "domain" || word == "plant") return Kind::plant;
   return Kind::program;

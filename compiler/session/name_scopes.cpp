@@ -22,6 +22,7 @@ Members values_of(const grammar::Values& values) {
 NameScopes::NameScopes(std::span<const File* const> files) {
   for (const File* file : files) {
     if (file->program) add(*file->program);
+    if (file->monitors) add(*file->monitors);
     if (!file->plant) continue;
     for (const grammar::PlantItem& item : file->plant->items) {
       if (const auto* domain = std::get_if<grammar::Domain>(&item)) add(*domain);
@@ -99,9 +100,20 @@ void NameScopes::add(const grammar::ProgramFile& program) {
   }
 }
 
+void NameScopes::add(const grammar::MonitorFile& monitors) {
+  const auto declare = [this](const grammar::String& name) {
+    if (!name.text.empty()) channels_.emplace(name.text, Declared{name.span, NameKind::channel, nullptr, {}});
+  };
+  for (const grammar::MonitorDefinition& monitor : monitors.monitors) {
+    declare(monitor.channel);
+    if (monitor.minus) declare(*monitor.minus);
+  }
+}
+
 const Declared* NameScopes::domain(std::string_view name) const { return find(domains_, name); }
 const Declared* NameScopes::type(std::string_view name) const { return find(types_, name); }
 const Declared* NameScopes::definition(std::string_view name) const { return find(definitions_, name); }
+const Declared* NameScopes::channel(std::string_view name) const { return find(channels_, name); }
 
 const Members* NameScopes::members(std::string_view type) const {
   const auto found = members_.find(type);

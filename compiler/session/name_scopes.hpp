@@ -36,6 +36,7 @@ class NameScopes {
   [[nodiscard]] const Declared* domain(std::string_view name) const;
   [[nodiscard]] const Declared* type(std::string_view name) const;
   [[nodiscard]] const Declared* definition(std::string_view name) const;
+  [[nodiscard]] const Declared* channel(std::string_view name) const;
   /// A name within a type, part by part through its instances, up to the first part that is not there.
   [[nodiscard]] std::vector<NamePart> parts(std::string_view type, std::string_view name) const;
   /// The same for a name that programs and scenarios may have: of a model program's variables, or of the plant.
@@ -56,17 +57,20 @@ class NameScopes {
   [[nodiscard]] const Members& types() const { return types_; }
   [[nodiscard]] const Members& definitions() const { return definitions_; }
   [[nodiscard]] const Members& variables() const { return variables_; }
+  [[nodiscard]] const Members& channels() const { return channels_; }
 
  private:
   void add(const grammar::ComponentDefinition& component);
   void add(const grammar::ModuleDefinition& module);
   void add(const grammar::Domain& domain);
   void add(const grammar::ProgramFile& program);
+  void add(const grammar::MonitorFile& monitors);
   static void add_attribute(const grammar::AttributeDeclaration& attribute, Members& members);
 
   Members domains_;
   Members types_;
   Members definitions_;
+  Members channels_;                                     ///< of telemetry
   Members variables_;                                    ///< of model programs
   std::map<std::string, Members, std::less<>> members_;  ///< by type
   std::map<std::string, Members, std::less<>> values_;   ///< of named domains, and modes of component types

@@ -27,6 +27,9 @@ class Walk {
       items(file.properties->defaults);
       for (const grammar::PropertyDefinition& property : file.properties->properties) items(property.items);
     }
+    if (file.monitors) {
+      for (const grammar::MonitorDefinition& monitor : file.monitors->monitors) add(monitor);
+    }
     if (!file.scenarios) return;
     for (const grammar::ScenarioDefinition& scenario : file.scenarios->scenarios) {
       declare(scenario.name.span, NameKind::scenario);
@@ -166,6 +169,9 @@ class Walk {
     if (step.otherwise) add(**step.otherwise);
   }
   void add(const grammar::Always& step) { add(*step.step); }
+  void add(const grammar::Nothing&) {}
+  void add(const grammar::Each& each) { add(each.body); }
+  void add(const grammar::Repeat& step) { add(*step.step); }
   void add(const grammar::Next& step) { add(*step.step); }
   void add(const grammar::Choose& choose) {
     for (const grammar::Choice& choice : choose.choices) add(choice.step);
@@ -194,6 +200,7 @@ class Walk {
   }
   void add(const grammar::FaultEvent& event) { add(event.mode); }
   void add(const grammar::ObserveEvent& event) { add(event.reading); }
+  void add(const grammar::CommandEvent& event) { add(event.command); }
   void add(const grammar::RuleText& rule) {
     add(rule.trigger);
     add(rule.reading);
@@ -207,6 +214,27 @@ class Walk {
   void add(const grammar::CyclePart&) {}
   void add(const grammar::DurationPart&) {}
   void add(const grammar::SeedPart&) {}
+  void add(const grammar::RequirementPart&) {}
+
+  void add(const grammar::ChannelEvent& event) { channel(event.channel); }
+  void channel(const grammar::String& name) {
+    const Declared* to = scopes_.channel(name.text);
+    if (to != nullptr && name.span.begin != name.span.end) mentions_.push_back({name.span, to->kind, to->span});
+  }
+
+  // Monitors.
+  void add(const grammar::MonitorDefinition& monitor) {
+    channel(monitor.channel);
+    if (monitor.minus) channel(*monitor.minus);
+    const Declared* attribute = find(monitor.attribute.text);
+    refer(monitor.attribute);
+    if (attribute == nullptr) return;
+    const auto mean = [&](const Name& value) { refer(value, scopes_.value(*attribute, value.text)); };
+    for (const grammar::MonitorItem& item : monitor.items) {
+      if (const auto* band = std::get_if<grammar::BandText>(&item)) mean(band->value);
+      if (const auto* literals = std::get_if<grammar::LiteralsText>(&item)) mean(literals->value);
+    }
+  }
 
   // Properties.
   void add(const grammar::NeverClaim& claim) { add(claim.constraint); }
@@ -217,6 +245,7 @@ class Walk {
   }
   void add(const grammar::EventuallyClaim& claim) { add(claim.constraint); }
   void add(const grammar::FinallyClaim& claim) { add(claim.constraint); }
+  void add(const grammar::ProbabilityClaim& claim) { add(claim.constraint); }
   void add(const grammar::GeneralClaim&) {}
   void add(const grammar::FromSetting& setting) {
     for (const grammar::AssignmentText& assignment : setting.modes) add(assignment);
@@ -225,6 +254,8 @@ class Walk {
   void add(const grammar::TimeSetting&) {}
   void add(const grammar::CommandsSetting&) {}
   void add(const grammar::EntailedSetting&) {}
+  void add(const grammar::AllowStuckSetting&) {}
+  void add(const grammar::SeveritySetting&) {}
   void add(const grammar::ExpectedVerdict&) {}
 
   // Constraints.
@@ -237,6 +268,10 @@ class Walk {
                                   for (const Name& name : m.values) value(variable, name);
                                 },
                                 [this](const grammar::ClockBound& b) { clock(b.clock); },
+                                [this](const grammar::KnowledgeAtom& k) {
+                                  if (k.component) refer(*k.component);
+                                  for (const grammar::Constraint& operand : k.operands) add(operand);
+                                },
                                 [this](const auto& connective) {
                                   for (const grammar::Constraint& operand : connective.operands) add(operand);
                                 }},

@@ -25,7 +25,8 @@ enum class NameKind {
   attribute,
   mode,
   instance,
-  scenario
+  scenario,
+  channel  ///< of telemetry; declared by the first monitor that names it
 };
 
 /// A name where it stands.
@@ -53,7 +54,8 @@ class NameIndex {
 
 /// Indexes trees, also those of which errors left a part. What a name stands for is found by its text and its scope
 /// alone: a name that cannot be found has no mention. `engine.temp` mentions an instance and an attribute. Names of
-/// programs and scenarios are looked for in the first plant among the files. Linear, times the depth of instances.
+/// programs, scenarios and monitors are looked for in the first plant among the files. Linear, times the depth of
+/// instances.
 NameIndex index_names(std::span<const File* const> files);
 
 }  // namespace rmpl::compiler

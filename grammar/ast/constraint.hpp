@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -43,6 +44,15 @@ struct ClockBound {
   Duration bound;
 };
 
+/// What an executive knows of itself and of the plant: `surprise`, `noplan(c)`, `possible(φ)`, `likely(φ, 0.95)`.
+struct KnowledgeAtom {
+  enum class Kind { surprise, no_plan, possible, likely };
+  Kind kind = Kind::surprise;
+  std::optional<Name> component;      ///< of the first two, perhaps
+  std::vector<Constraint> operands;   ///< of the last two: one
+  std::optional<Number> probability;  ///< of `likely`, and of `possible` perhaps
+};
+
 /// `!c`. Exactly one operand.
 struct Negation {
   std::vector<Constraint> operands;
@@ -71,8 +81,8 @@ struct Equivalence {
 /// A constraint with its place. Parentheses leave no node: the span of what they enclose grows by them.
 struct Constraint {
   Span span;
-  std::variant<Truth, Reference, Comparison, Membership, ClockBound, Negation, Conjunction, Disjunction, Implication,
-               Equivalence>
+  std::variant<Truth, Reference, Comparison, Membership, ClockBound, KnowledgeAtom, Negation, Conjunction, Disjunction,
+               Implication, Equivalence>
       node;
 };
 

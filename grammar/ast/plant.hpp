@@ -61,12 +61,14 @@ struct TransitionSources {
   std::variant<NamedSources, AnySource> node;
 };
 
-enum class DensityKind { uniform, exponential, normal };
+enum class DensityKind { uniform, exponential, normal, weibull, erlang };
 
-/// `~ uniform`, `~ exponential(mean)`, `~ normal(mean, sd)`: no, one, two parameters.
+/// `~ uniform`, `~ exponential(mean)`, `~ normal(mean, sd)`: no, one, two parameters. `~ weibull(shape, scale)`,
+/// `~ erlang(stages, mean)`: a number and one parameter.
 struct DensityText {
   Span span;
   DensityKind kind = DensityKind::uniform;
+  Number shape = {};
   std::vector<Duration> parameters;
 };
 
@@ -87,7 +89,7 @@ struct ProbabilityWeight {
 /// `with rate 1e-6 /h`: per unit of time.
 struct RateWeight {
   Number rate;
-  Name unit;  ///< us ms s min mins h d
+  Name unit;  ///< ns us ms s min mins h d w weeks
 };
 
 using WeightText = std::variant<ProbabilityWeight, RateWeight>;
@@ -111,16 +113,18 @@ struct TransitionText {
 
 using ComponentItem = std::variant<AttributeDeclaration, Initial, ModeDeclaration, TransitionText>;
 
-/// `component Engine { … }`
+/// `component Engine { … }`, `progress component Trajectory { … }`
 struct ComponentDefinition {
   Span span;
+  bool progress = false;  ///< its steps need no licence
   Name name;
   std::vector<ComponentItem> items;
 };
 
-/// `engine, spare : Engine { initial standby; };`, or `camera : model CameraTask;`
+/// `engine, spare : Engine { initial standby; };`, `progress phase : Phase;`, or `camera : model CameraTask;`
 struct InstanceDeclaration {
   Span span;
+  bool progress = false;  ///< the steps of the components need no licence
   std::vector<Name> names;
   bool model = false;  ///< `type` is a definition of a model program
   Name type;

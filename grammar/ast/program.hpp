@@ -54,6 +54,14 @@ struct Block {
   Body body;
 };
 
+/// `{ }`: the empty step.
+struct Nothing {};
+
+/// `each { A, B }`: threads of which each asserts goals of its own.
+struct Each {
+  Body body;
+};
+
 /// `do A watching c`.
 struct Watching {
   Box<Step> step;
@@ -97,6 +105,11 @@ struct Always {
   Box<Step> step;
 };
 
+/// `repeat A`.
+struct Repeat {
+  Box<Step> step;
+};
+
 /// `next A`.
 struct Next {
   Box<Step> step;
@@ -113,7 +126,8 @@ struct Choose {
 /// A step with its place.
 struct Step {
   Span span;
-  std::variant<Goal, ClockStart, Call, Block, Watching, Maintaining, If, Unless, When, Whenever, Always, Next, Choose>
+  std::variant<Goal, ClockStart, Call, Block, Nothing, Each, Watching, Maintaining, If, Unless, When, Whenever, Always,
+               Repeat, Next, Choose>
       node;
 };
 

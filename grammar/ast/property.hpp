@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grammar/ast/constraint.hpp"
+#include "grammar/ast/requirement.hpp"
 #include "grammar/ast/token.hpp"
 
 namespace rmpl::grammar {
@@ -45,6 +46,16 @@ struct EventuallyClaim {
 struct FinallyClaim {
   Span span;
   Constraint constraint;
+};
+
+/// `probability of φ within T at most 1e-5;`, `program probability of φ at least 0.9;`
+struct ProbabilityClaim {
+  Span span;
+  bool of_program = false;
+  Constraint constraint;
+  std::optional<Duration> within;  ///< none: ever
+  bool at_least = false;
+  Number bound;
 };
 
 /// `never stuck;`, `program terminates;`, `program never no-plan;`: what is the same for every plant or program.
@@ -85,6 +96,18 @@ struct EntailedSetting {
   Span span;
 };
 
+/// `allow-stuck;`
+struct AllowStuckSetting {
+  Span span;
+};
+
+/// `severity catastrophic;`: of the failure that the property excludes (ECSS-Q-ST-30-02C).
+struct SeveritySetting {
+  enum class Severity { catastrophic, critical, major, minor };
+  Span span;
+  Severity severity = Severity::catastrophic;
+};
+
 /// `expect violated;`
 struct ExpectedVerdict {
   Span span;
@@ -92,12 +115,16 @@ struct ExpectedVerdict {
 };
 
 using PropertyItem =
-    std::variant<NeverClaim, ReachClaim, ResponseClaim, EventuallyClaim, FinallyClaim, GeneralClaim, FaultsSetting,
-                 TimeSetting, CommandsSetting, FromSetting, EntailedSetting, ExpectedVerdict>;
+    std::variant<NeverClaim, ReachClaim, ResponseClaim, EventuallyClaim, FinallyClaim, ProbabilityClaim, GeneralClaim,
+                 FaultsSetting, TimeSetting, CommandsSetting, FromSetting, EntailedSetting, AllowStuckSetting,
+                 SeveritySetting, ExpectedVerdict, RequirementPart>;
 
-/// `property "name" { … }`
+/// `property "name" { … }`, `hazard "name" { … }` or, shorter, `hazard "name" never φ; severity catastrophic;`, where
+/// `requirement "R";` may follow.
 struct PropertyDefinition {
   Span span;
+  bool hazard = false;  ///< what it claims never to be is harm
+  bool braces = true;
   String name;
   std::vector<PropertyItem> items;
 };

@@ -30,8 +30,10 @@ constexpr std::size_t arity() {
 template <class T>
 auto members(const T& value) {
   constexpr std::size_t count = arity<T>();
-  static_assert(count >= 1 && count <= 6, "a tree node of more members wants a line here");
-  if constexpr (count == 1) {
+  static_assert(count <= 7, "a tree node of more members wants a line here");
+  if constexpr (count == 0) {
+    return std::tuple();
+  } else if constexpr (count == 1) {
     const auto& [a] = value;
     return std::tie(a);
   } else if constexpr (count == 2) {
@@ -46,9 +48,12 @@ auto members(const T& value) {
   } else if constexpr (count == 5) {
     const auto& [a, b, c, d, e] = value;
     return std::tie(a, b, c, d, e);
-  } else {
+  } else if constexpr (count == 6) {
     const auto& [a, b, c, d, e, f] = value;
     return std::tie(a, b, c, d, e, f);
+  } else {
+    const auto& [a, b, c, d, e, f, g] = value;
+    return std::tie(a, b, c, d, e, f, g);
   }
 }
 
@@ -103,5 +108,6 @@ bool same(const ProgramFile& one, const ProgramFile& other) { return Same{}(one,
 bool same(const PlantFile& one, const PlantFile& other) { return Same{}(one, other); }
 bool same(const ScenarioFile& one, const ScenarioFile& other) { return Same{}(one, other); }
 bool same(const PropertyFile& one, const PropertyFile& other) { return Same{}(one, other); }
+bool same(const MonitorFile& one, const MonitorFile& other) { return Same{}(one, other); }
 
 }  // namespace rmpl::grammar

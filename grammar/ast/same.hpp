@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "grammar/ast/monitor.hpp"
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
 #include "grammar/ast/property.hpp"
@@ -15,5 +16,6 @@ bool same(const ProgramFile& one, const ProgramFile& other);
 bool same(const PlantFile& one, const PlantFile& other);
 bool same(const ScenarioFile& one, const ScenarioFile& other);
 bool same(const PropertyFile& one, const PropertyFile& other);
+bool same(const MonitorFile& one, const MonitorFile& other);
 
 }  // namespace rmpl::grammar

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grammar/ast/constraint.hpp"
+#include "grammar/ast/requirement.hpp"
 #include "grammar/ast/token.hpp"
 
 namespace rmpl::grammar {
@@ -66,6 +67,22 @@ struct ObserveEvent {
   std::optional<Duration> duration;
 };
 
+/// `at 100 s command engine.cmd = off for 2 s;`
+struct CommandEvent {
+  Span span;
+  Duration at;
+  AssignmentText command;
+  std::optional<Duration> duration;
+};
+
+/// `at 3 s channel "P1" = 2.7;`, `at 3 s channel "VALVE" = "OPEN";`
+struct ChannelEvent {
+  Span span;
+  Duration at;
+  String channel;
+  std::variant<String, Number> sample;
+};
+
 /// `86 cycles`.
 struct Cycles {
   Span span;
@@ -83,19 +100,20 @@ struct RuleText {
   std::optional<Duration> duration;
 };
 
-/// `expect [truth] [never] φ [within T] [after ψ];`, `expect finished [within T];`
+/// `expect [truth] [never] φ [within T] [after ψ] [requirement "R"];`, `expect [never] finished [within T];`
 struct ExpectText {
-  enum class Kind { eventually, never, finished, goal_conflict, no_plan };
+  enum class Kind { eventually, never, finished, never_finished, goal_conflict, no_plan };
   Span span;
   Kind kind = Kind::eventually;
   bool truth = false;
-  std::optional<Constraint> condition;  ///< of `finished` perhaps none; of the last two none
+  std::optional<Constraint> condition;  ///< of `finished` and `never finished` perhaps none; of the last two none
   std::optional<Constraint> after;
   std::optional<Duration> within;
+  std::optional<RequirementPart> requirement;
 };
 
 using ScenarioItem = std::variant<ProgramPart, PlantPart, CyclePart, DurationPart, SeedPart, TruthPart, FaultEvent,
-                                  ObserveEvent, RuleText, ExpectText>;
+                                  ObserveEvent, CommandEvent, ChannelEvent, RuleText, ExpectText, RequirementPart>;
 
 /// `scenario "name" { … }`
 struct ScenarioDefinition {

@@ -26,7 +26,7 @@ struct Number {
 struct Duration {
   Span span;
   std::string number;     ///< the decimal; empty where `infinite`
-  std::string unit;       ///< us ms s min mins h d, or empty: seconds
+  std::string unit;       ///< ns us ms s min mins h d w weeks, or empty: seconds
   bool infinite = false;  ///< `inf` or `∞`, only as an upper time bound
   [[nodiscard]] std::string text() const { return infinite ? "inf" : number + unit; }
 };

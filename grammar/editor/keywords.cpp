@@ -11,7 +11,8 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array<Language, 4> languages = {Language::rmpl, Language::tcca, Language::scn, Language::props};
+constexpr std::array<Language, 5> languages = {Language::rmpl, Language::tcca, Language::scn, Language::props,
+                                               Language::mon};
 
 /// Takes a column from a line.
 std::string_view take(std::string_view& line) {
@@ -73,7 +74,7 @@ const List& list() {
 }  // namespace
 
 std::string_view to_string(Language language) {
-  constexpr std::array<std::string_view, languages.size()> names = {"rmpl", "tcca", "scn", "props"};
+  constexpr std::array<std::string_view, languages.size()> names = {"rmpl", "tcca", "scn", "props", "mon"};
   return names[static_cast<std::size_t>(language)];
 }
 

@@ -9,9 +9,9 @@
 
 namespace rmpl::grammar {
 
-enum class Language { rmpl, tcca, scn, props };
+enum class Language { rmpl, tcca, scn, props, mon };
 
-/// `rmpl`, `tcca`, `scn`, `props`: what files of it end with.
+/// `rmpl`, `tcca`, `scn`, `props`, `mon`: what files of it end with.
 std::string_view to_string(Language language);
 
 struct KeywordInfo {

@@ -169,9 +169,9 @@ void Notation::find_empty() {
 }
 
 const Notation& notation(Language language) {
-  static const std::array<Notation, 4> all = {Notation({rmpl_notation}), Notation({tcca_notation, rmpl_notation}),
-                                              Notation({scn_notation, rmpl_notation}),
-                                              Notation({props_notation, rmpl_notation})};
+  static const std::array<Notation, 5> all = {
+      Notation({rmpl_notation}), Notation({tcca_notation, rmpl_notation}), Notation({scn_notation, rmpl_notation}),
+      Notation({props_notation, rmpl_notation}), Notation({mon_notation, rmpl_notation})};
   return all[static_cast<std::size_t>(language)];
 }
 

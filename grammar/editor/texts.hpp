@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 
 extern const std::string_view keyword_list;  ///< grammar/editor/keywords.txt
-extern const std::string_view rmpl_notation, tcca_notation, scn_notation,
-    props_notation;  ///< the EBNF of each language
+extern const std::string_view rmpl_notation, tcca_notation, scn_notation, props_notation,
+    mon_notation;  ///< the EBNF of each language
 
 }  // namespace rmpl::grammar

@@ -30,7 +30,8 @@ const auto mode_def = record
 
 constexpr auto items = &ComponentDefinition::items;
 const auto component_def =
-    record[Keyword("component") > field<&ComponentDefinition::name>[name] >
+    record[-set<&ComponentDefinition::progress, true>[Keyword("progress") >> &Keyword("component")] >>
+           Keyword("component") > field<&ComponentDefinition::name>[name] >
            statements_in_braces(
                "a declaration (`input`, `output`, `internal`), `initial`, a `mode`, a `fault` or a transition",
                append<items>[attribute] | append<items>[initial] | append<items>[mode] | append<items>[transition])];

@@ -80,6 +80,7 @@ const Rule<struct TruthId, Truth> truth{"`true` or `false`"};
 const Rule<struct ComparisonId, Comparison> comparison{"a comparison"};
 const Rule<struct MembershipId, Membership> membership{"a comparison"};
 const Rule<struct ClockBoundId, ClockBound> clock_bound{"a comparison"};
+const Rule<struct KnowledgeId, KnowledgeAtom> knowledge{"what is known"};
 const Rule<struct ReferenceId, Reference> reference{"a name"};
 const Rule<struct NegationId, Negation> negation{"a negation"};
 const Rule<struct NegatedId, Constraint> negated{"a negation"};
@@ -105,6 +106,20 @@ const auto clock_bound_def =
                                                set<&ClockBound::relation, ClockRelation::greater>[greater]) >
            field<&ClockBound::bound>[duration]];
 
+// `surprise` and `noplan` stand alone or have a component; before a relation they are names, as any keyword is.
+constexpr auto knows = &KnowledgeAtom::kind;
+using Knows = KnowledgeAtom::Kind;
+const auto about_component = open_paren > field<&KnowledgeAtom::component>[name] > close_paren;
+const auto about_formula = append<&KnowledgeAtom::operands>[nested[constraint]];
+const auto with_probability = comma > field<&KnowledgeAtom::probability>[signed_number];
+const auto knowledge_def = record[(set<knows, Knows::possible>[Keyword("possible") >> open_paren] > about_formula >>
+                                   -with_probability > named("`,` and a probability, or `)`", close_paren)) |
+                                  (set<knows, Knows::likely>[Keyword("likely") >> open_paren] > about_formula >
+                                   named("`,` and a probability", with_probability) > close_paren) |
+                                  ((set<knows, Knows::surprise>[Keyword("surprise") >> !relation] |
+                                    set<knows, Knows::no_plan>[Keyword("noplan") >> !relation]) >>
+                                   -about_component)];
+
 /// Never there: what a name in the place of a constraint lacks, clocks where the language has them.
 struct RelationMissing : x3::parser<RelationMissing> {
   using attribute_type = x3::unused_type;
@@ -121,9 +136,10 @@ constexpr RelationMissing relation_missing;
 // A bare name is a parameter. Where another name or number follows it, an operator is missing.
 const auto reference_def = record[field<&Reference::name>[name] >> !(value | number)];
 
-const auto atom_def = record[field<&Constraint::node>[truth] | field<&Constraint::node>[comparison] |
-                             field<&Constraint::node>[membership] | field<&Constraint::node>[clock_bound] |
-                             field<&Constraint::node>[reference] | (name > relation_missing)];
+const auto atom_def =
+    record[field<&Constraint::node>[truth] | field<&Constraint::node>[knowledge] |
+           field<&Constraint::node>[comparison] | field<&Constraint::node>[membership] |
+           field<&Constraint::node>[clock_bound] | field<&Constraint::node>[reference] | (name > relation_missing)];
 
 const auto negation_def = record[not_sign > append<&Negation::operands>[nested[unary]]];
 
@@ -164,7 +180,8 @@ const auto more_assignments = *((comma | and_sign) > append<&AssignmentListText:
 const auto assignment_list_def =
     record[end_of_text | (x3::expect[append<&AssignmentListText::assignments>[assignment]] > more_assignments)];
 
-BOOST_SPIRIT_DEFINE(truth, comparison, membership, clock_bound, reference, negation, negated, atom, unary, implication)
+BOOST_SPIRIT_DEFINE(truth, comparison, membership, clock_bound, knowledge, reference, negation, negated, atom, unary)
+BOOST_SPIRIT_DEFINE(implication)
 
 }  // namespace
 

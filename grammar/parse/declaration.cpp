@@ -20,13 +20,16 @@ const auto control_def =
     record[statement("control") > comma_list(append<&Control::names>[name]) >>
            -(Keyword("default") > field<&Control::idle>[value]) > named("`,`, `default` or `;`", semicolon)];
 
+const auto requirement_def = record[requirement_tags<&RequirementPart::tags>() > named("`,` or `;`", semicolon)];
+
 }  // namespace
 
-BOOST_SPIRIT_DEFINE(import, domain, values, observe, control)
+BOOST_SPIRIT_DEFINE(import, domain, values, observe, control, requirement)
 BOOST_SPIRIT_INSTANTIATE(decltype(import), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(domain), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(values), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(observe), Iterator, Context)
 BOOST_SPIRIT_INSTANTIATE(decltype(control), Iterator, Context)
+BOOST_SPIRIT_INSTANTIATE(decltype(requirement), Iterator, Context)
 
 }  // namespace rmpl::grammar

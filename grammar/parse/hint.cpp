@@ -5,24 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
-#include <cstdint>
-#include <system_error>
-#include <utility>
 #include <vector>
 
 #include "base/nearest.hpp"
+#include "grammar/parse/hint_words.hpp"
 #include "grammar/parse/scan.hpp"
 
 namespace rmpl::grammar {
 namespace {
-
-/// A habit that no replacement of one stretch of text puts right.
-Hint say(std::string suggestion) { return {std::move(suggestion), {}, {}}; }
-
-Hint did_you_mean(std::string_view word, std::string_view replaced) {
-  return {"did you mean `" + std::string(word) + "`?", replaced, std::string(word)};
-}
 
 /// The words between backquotes: the keywords that would have been right.
 std::vector<std::string> keywords_in(std::string_view expected) {
@@ -39,37 +29,15 @@ std::vector<std::string> keywords_in(std::string_view expected) {
 
 bool is_word(std::string_view text) { return !identifier_at(text.data(), text.data() + text.size()).empty(); }
 
-bool joins_words(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '-';
-}
-
-std::string_view without_blank_behind(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.remove_suffix(1);
-  return text;
-}
-
 std::string_view without_blank_before(std::string_view text) {
   const char* end = text.data() + text.size();
   const char* begin = skip_blank(text.data(), end);
   return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-/// The word or number that ends a text, but for blank behind it. (A comment between them hides it: then no hint.)
-std::string_view last_word(std::string_view text) {
-  text = without_blank_behind(text);
-  std::size_t begin = text.size();
-  while (begin > 0 && joins_words(text[begin - 1])) --begin;
-  return text.substr(begin);
-}
-
 constexpr std::string_view no_clock =
     "a component's clock counts from when its mode was entered, and bounds transitions: `a -> b after 5 s`, `in [2 s, "
     "5 s]`";
-
-struct Spelling {
-  std::string_view found;
-  std::string_view meant;
-};
 
 /// Words of other languages; `meant` counts where it is expected.
 constexpr std::array<Spelling, 14> words{{{"then", "thennext"},
@@ -86,92 +54,6 @@ constexpr std::array<Spelling, 14> words{{{"then", "thennext"},
                                           {"while", "maintaining"},
                                           {"during", "for"},
                                           {"default", "initial"}}};
-
-constexpr std::array<Spelling, 17> units{{{"usec", "us"},
-                                          {"microseconds", "us"},
-                                          {"msec", "ms"},
-                                          {"millis", "ms"},
-                                          {"milliseconds", "ms"},
-                                          {"sec", "s"},
-                                          {"secs", "s"},
-                                          {"second", "s"},
-                                          {"seconds", "s"},
-                                          {"m", "min"},
-                                          {"minute", "min"},
-                                          {"minutes", "min"},
-                                          {"hr", "h"},
-                                          {"hour", "h"},
-                                          {"hours", "h"},
-                                          {"day", "d"},
-                                          {"days", "d"}}};
-
-/// Numbers with units one behind the other, as in `5min30s`, in seconds; nothing where they are none, or not whole.
-std::optional<std::uint64_t> seconds_in(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::uint64_t>, 5> sizes{
-      {{"s", 1}, {"min", 60}, {"mins", 60}, {"h", 3600}, {"d", 86400}}};
-  std::uint64_t sum = 0;
-  while (!text.empty()) {
-    std::uint64_t number = 0;
-    const auto [behind, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (failure != std::errc() || number > 1'000'000) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(behind - text.data()));
-    const std::string_view unit = text.substr(0, std::min(text.find_first_of("0123456789"), text.size()));
-    const auto* size = std::find_if(sizes.begin(), sizes.end(), [&](const auto& known) { return known.first == unit; });
-    if (size == sizes.end()) return std::nullopt;
-    sum += number * size->second;
-    text.remove_prefix(unit.size());
-  }
-  return sum;
-}
-
-std::string_view joined(std::string_view first, std::string_view last) {
-  return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
-}
-
-/// Times as clocks show them, `5min30s` and `00:05:00`; and rates that do not say per what.
-std::optional<Hint> time_hint(const Unexpected& place) {
-  const std::string_view number = last_word(place.before);
-  if (place.expected == "`/`" && !number.empty()) {
-    const std::string rate(number);
-    return say("a rate is per unit of time, `with rate " + rate + " /h`; a probability is `with " + rate + "`");
-  }
-  if (number.empty() || std::isdigit(static_cast<unsigned char>(number.front())) == 0) return std::nullopt;
-  if (place.before.ends_with(number) && place.found.find_first_of("0123456789") != std::string_view::npos) {
-    const std::string_view whole = joined(number, place.found);
-    if (const auto seconds = seconds_in(whole)) {
-      const std::string text = std::to_string(*seconds) + " s";
-      return Hint{"a duration has one unit: `" + text + "`", whole, text};
-    }
-  }
-  if (place.found != ":" || place.behind.empty() || std::isdigit(static_cast<unsigned char>(place.behind[0])) == 0) {
-    return std::nullopt;
-  }
-  const std::string_view rest = place.behind.substr(0, place.behind.find_first_not_of("0123456789:"));
-  const std::size_t colon = rest.find(':');
-  if (colon != std::string_view::npos) {
-    const auto seconds = seconds_in(std::string(number) + "h" + std::string(rest.substr(0, colon)) + "min" +
-                                    std::string(rest.substr(colon + 1)) + "s");
-    if (seconds) {
-      const std::string text = std::to_string(*seconds) + " s";
-      return Hint{"a time is a number and a unit: `" + text + "`", joined(number, rest), text};
-    }
-  }
-  return say("a time is a number and a unit, as in `5 min`");
-}
-
-/// A misspelled unit behind a number, or where a unit is needed.
-std::optional<Hint> unit_hint(const Unexpected& place) {
-  const std::string_view number = last_word(place.before);
-  const bool measured = !number.empty() && std::isdigit(static_cast<unsigned char>(number.front())) != 0;
-  if (!measured && !place.expected.starts_with("a unit")) return std::nullopt;
-  for (const auto& [found, meant] : units) {
-    if (found != place.found) continue;
-    Hint unit = did_you_mean(meant, place.found);
-    unit.suggestion += " Units of time are us, ms, s, min, h and d";
-    return unit;
-  }
-  return std::nullopt;
-}
 
 /// Signs that other languages write otherwise.
 std::optional<Hint> sign_hint(const Unexpected& place) {
@@ -199,17 +81,29 @@ std::optional<Hint> sign_hint(const Unexpected& place) {
   return std::nullopt;
 }
 
+/// Whether the text is most likely a model program, which has values and no clocks.
+bool of_model(const Unexpected& place) {
+  const auto has = [&](std::string_view word) {
+    return place.before.find(word) != std::string_view::npos || place.behind.find(word) != std::string_view::npos;
+  };
+  return has("model ") || has("variable ");
+}
+
 /// What stands in the place of a value, a string or a bound.
 std::optional<Hint> value_hint(const Unexpected& place) {
   const bool number = std::isdigit(static_cast<unsigned char>(place.found.front())) != 0;
-  if (place.expected == "a value" && number && !place.clocks) {
+  const std::string_view before = without_blank_behind(place.before);
+  const bool clock = place.clocks && before.ends_with('=') && !before.ends_with("!=") && !of_model(place);
+  if (place.expected == "a value" && number && !clock) {
     return say("a value is a name, which begins with a letter: `zero`, `v" + std::string(place.found) + "`");
   }
   if (place.expected == "a value" && place.found == "0") return say("a clock is started by a step of its own: `t = 0`");
+  if (place.expected == "an argument" && number) {
+    return say("an argument is a name or a constraint: there are no numbers to count with");
+  }
   if (place.expected == "a value" && number) return say("a clock is compared with <, <=, > or >=");
   if (place.expected == "a value" && place.found.front() == '"') return say("a value is written without quotes");
   if (place.expected == "a duration" && is_word(place.found)) {
-    const std::string_view before = without_blank_behind(place.before);
     const bool compared = before.ends_with('<') || before.ends_with('>') || before.ends_with('=');
     if (compared && !place.clocks) return say("values are compared with `=`, `!=` and `in` only");
     if (compared) return say("only clocks are compared with <, <=, > and >=");
@@ -255,6 +149,12 @@ std::optional<Hint> statement_hint(const Unexpected& place) {
     return say("a definition is written `Name() :: { … }`");
   }
   if (first == "clock" && is_word(place.found) && place.expected.starts_with("`->`")) return say(std::string(no_clock));
+  if (top && first == "clock") {
+    if (of_model(place)) {
+      return say("a model program counts steps, and has no clocks: wait step by step, `next next …`");
+    }
+    return say("a clock is declared in the definition that it belongs to: `Name() :: { clock t; … }`");
+  }
   if (!steps) return std::nullopt;
   if (first == "while") {
     return say("`do … maintaining c` runs while c is entailed, `whenever c donext …` again and again");
@@ -314,6 +214,20 @@ std::optional<Hint> source_hint(const Unexpected& place) {
   const std::string modes(without_blank_behind(without_blank_before(place.behind.substr(0, close))));
   return Hint{"the modes that a transition leaves are listed without braces: `" + modes + " -> …`",
               joined(place.found, place.behind.substr(0, close + 1)), modes};
+}
+
+/// A unit behind a sample of a scenario: `at 3 s channel "P1" = 2.7 bar`.
+std::optional<Hint> sample_hint(const Unexpected& place) {
+  const std::size_t end = place.before.find_last_of(";{}");
+  const std::string_view statement = place.before.substr(end == std::string_view::npos ? 0 : end + 1);
+  const bool sample = first_word(place.before) == "at" && statement.find(" channel ") != std::string_view::npos;
+  if (!sample || !is_word(place.found)) return std::nullopt;
+  if (place.expected == "`;`") return say("a sample has no unit: it is the number that the channel says");
+  if (place.expected.starts_with("a number or a text")) {
+    return Hint{"a text is written between quotes: \"" + std::string(place.found) + "\"", place.found,
+                '"' + std::string(place.found) + '"'};
+  }
+  return std::nullopt;
 }
 
 /// Words of temporal logic, where a property is claimed.
@@ -386,8 +300,9 @@ std::optional<Hint> keyword_hint(const Unexpected& place) {
 }  // namespace
 
 std::optional<Hint> hint(const Unexpected& place) {
-  for (const auto& find : {time_hint, unit_hint, sign_hint, value_hint, reserved_hint, superfluous_hint, mode_hint,
-                           source_hint, claim_hint, statement_hint, word_before_hint, keyword_hint}) {
+  for (const auto& find :
+       {sample_hint, time_hint, unit_hint, foreign_hint, sign_hint, value_hint, reserved_hint, superfluous_hint,
+        mode_hint, source_hint, claim_hint, statement_hint, word_before_hint, keyword_hint}) {
     if (auto found = find(place)) return found;
   }
   return std::nullopt;

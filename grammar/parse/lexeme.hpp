@@ -30,7 +30,7 @@ struct Token : x3::parser<Token<Value, Scan>> {
 
 inline constexpr Token<Name, scan_name> name{"a name"};
 inline constexpr Token<Name, scan_value> value{"a value"};
-inline constexpr Token<Name, scan_unit> unit{"a unit of time: us, ms, s, min, h or d"};
+inline constexpr Token<Name, scan_unit> unit{"a unit of time: ns, us, ms, s, min, h, d or w"};
 inline constexpr Token<Number, scan_number> number{"a number"};
 inline constexpr Token<Number, scan_signed_number> signed_number{"a number"};
 inline constexpr Token<std::uint64_t, scan_whole_number> whole_number{"a whole number"};

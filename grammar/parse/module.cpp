@@ -8,8 +8,10 @@ namespace {
 const Rule<struct InstanceId, InstanceDeclaration> instance{"an instance"};
 const Rule<struct InterconnectionId, Interconnection> interconnection{"a constraint"};
 
+// An instance may be called `progress`: then no name follows.
 const auto instance_def =
-    record[comma_list(append<&InstanceDeclaration::names>[name]) >> colon >
+    record[-set<&InstanceDeclaration::progress, true>[Keyword("progress") >> &name] >>
+           comma_list(append<&InstanceDeclaration::names>[name]) >> colon >
            -set<&InstanceDeclaration::model, true>[Keyword("model") >> &name] >
            field<&InstanceDeclaration::type>[name] > -(open_brace > field<&InstanceDeclaration::initial>[initial] >
                                                        close_brace) > named("`{` or `;`", semicolon)];

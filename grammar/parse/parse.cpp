@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/parse/parse.hpp"
 
+#include "grammar/parse/monitor_rule.hpp"
+#include "grammar/parse/parse_monitors.hpp"
 #include "grammar/parse/rules.hpp"
 
 namespace rmpl::grammar {
@@ -47,6 +49,10 @@ Parse<ScenarioFile> parse_scenarios(const Sources& sources, std::uint32_t file, 
 
 Parse<PropertyFile> parse_properties(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
   return parse_whole(property_file, PropertyFile{}, sources, file, diagnostics);
+}
+
+Parse<MonitorFile> parse_monitors(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {
+  return parse_whole(monitor_file, MonitorFile{}, sources, file, diagnostics);
 }
 
 Parse<Constraint> parse_constraint(const Sources& sources, std::uint32_t file, Diagnostics& diagnostics) {

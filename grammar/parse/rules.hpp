@@ -9,6 +9,7 @@
 #include "grammar/ast/plant.hpp"
 #include "grammar/ast/program.hpp"
 #include "grammar/ast/property.hpp"
+#include "grammar/ast/requirement.hpp"
 #include "grammar/ast/scenario.hpp"
 #include "grammar/parse/lexeme.hpp"
 
@@ -34,7 +35,9 @@ inline constexpr Rule<struct DomainId, Domain> domain{"a domain"};
 inline constexpr Rule<struct ValuesId, Values> values{"values in braces"};
 inline constexpr Rule<struct ObserveId, Observe> observe{"an observation"};
 inline constexpr Rule<struct ControlId, Control> control{"a control variable"};
+inline constexpr Rule<struct RequirementId, RequirementPart> requirement{"`requirement`"};
 BOOST_SPIRIT_DECLARE(decltype(import), decltype(domain), decltype(values), decltype(observe), decltype(control))
+BOOST_SPIRIT_DECLARE(decltype(requirement))
 
 // step.cpp
 inline constexpr Rule<struct StepId, Step> step{"a step"};
@@ -61,6 +64,12 @@ inline constexpr Rule<struct PlantFileId, PlantFile> plant_file{"a plant model"}
 inline constexpr Rule<struct ScenarioFileId, ScenarioFile> scenario_file{"a scenario"};
 inline constexpr Rule<struct PropertyFileId, PropertyFile> property_file{"a property"};
 BOOST_SPIRIT_DECLARE(decltype(program_file), decltype(plant_file), decltype(scenario_file), decltype(property_file))
+
+/// `requirement` with its tags, into a member that is a vector.
+template <auto Member>
+constexpr auto requirement_tags() {
+  return Keyword("requirement") > comma_list(append<Member>[string]);
+}
 
 /// A domain by name, or its values in place.
 template <auto Member>

@@ -17,12 +17,12 @@ namespace {
 constexpr std::array<std::string_view, 22> reserved_words = {
     "do",   "watching", "maintaining", "if", "thennext", "elsenext", "unless", "when",  "donext", "whenever", "always",
     "next", "choose",   "with",        "in", "import",   "any",      "true",   "false", "and",    "or",       "not"};
-constexpr std::array<std::string_view, 7> units = {"us", "ms", "s", "min", "mins", "h", "d"};
+constexpr std::array<std::string_view, 10> units = {"ns", "us", "ms", "s", "min", "mins", "h", "d", "w", "weeks"};
 
 // Longest first where one is the start of another.
-constexpr std::array<std::string_view, 32> operators = {"<->", "->", "<=", ">=", "!=", "::", "<", ">", "!", "=", "&",
+constexpr std::array<std::string_view, 33> operators = {"<->", "->", "<=", ">=", "!=", "::", "<", ">", "!", "=", "&",
                                                         "|",   ",",  ";",  ":",  "{",  "}",  "(", ")", "[", "]", "~",
-                                                        "/",   "¬",  "∧",  "∨",  "⇒",  "⇔",  "≠", "≤", "≥", "∞"};
+                                                        "/",   "¬",  "∧",  "∨",  "⇒",  "⇔",  "≠", "≤", "≥", "∞", "-"};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -70,9 +70,11 @@ bool take_number(const char*& first, ParseState& state, bool sign, Number& numbe
 
 }  // namespace
 
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
 const char* skip_blank(const char* first, const char* last) {
   while (first != last) {
-    if (*first == ' ' || (*first >= '\t' && *first <= '\r')) {
+    if (is_space(*first)) {
       ++first;
     } else if (*first == '/' && last - first > 1 && first[1] == '/') {
       first = std::find(first, last, '\n');

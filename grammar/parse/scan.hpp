@@ -10,6 +10,7 @@
 
 namespace rmpl::grammar {
 
+bool is_space(char c);
 /// Behind white space and comments. An unclosed comment is not skipped: it is then found where something else was
 /// expected.
 const char* skip_blank(const char* first, const char* last);
@@ -30,7 +31,7 @@ std::string_view token_at(const char* first, const char* last);
 bool scan_name(const char*& first, ParseState& state, Name& name);
 /// A name, or `true` or `false`.
 bool scan_value(const char*& first, ParseState& state, Name& value);
-/// us ms s min mins h d.
+/// ns us ms s min mins h d w weeks.
 bool scan_unit(const char*& first, ParseState& state, Name& unit);
 /// Reports a number beyond the range of a double, and goes on.
 bool scan_number(const char*& first, ParseState& state, Number& number);

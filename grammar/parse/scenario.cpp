@@ -13,8 +13,11 @@ const Rule<struct SeedPartId, SeedPart> seed_part{"`seed`"};
 const Rule<struct TruthPartId, TruthPart> truth_part{"`truth`"};
 const Rule<struct FaultEventId, FaultEvent> fault_event{"`fault`"};
 const Rule<struct ObserveEventId, ObserveEvent> observe_event{"`observe`"};
+const Rule<struct CommandEventId, CommandEvent> command_event{"`command`"};
+const Rule<struct ChannelEventId, ChannelEvent> channel_event{"`channel`"};
 const Rule<struct CyclesId, Cycles> cycles{"a number of cycles"};
 const Rule<struct RuleId, RuleText> rule{"a rule"};
+const Rule<struct RequirementClauseId, RequirementPart> requirement_clause{"`requirement`"};
 const Rule<struct ExpectId, ExpectText> expectation{"an expectation"};
 const Rule<struct ScenarioId, ScenarioDefinition> scenario{"a scenario"};
 
@@ -36,8 +39,20 @@ const auto truth_part_def =
 const auto fault_event_def = record[Keyword("at") >> field<&FaultEvent::at>[duration] >> Keyword("fault") >
                                     field<&FaultEvent::mode>[assignment] > semicolon];
 
+const auto command_event_def =
+    record[Keyword("at") >> field<&CommandEvent::at>[duration] >> Keyword("command") >
+           field<&CommandEvent::command>[assignment] > -(Keyword("for") > field<&CommandEvent::duration>[duration]) >
+           named("`for` or `;`", semicolon)];
+
+const auto channel_event_def =
+    record[Keyword("at") >> field<&ChannelEvent::at>[duration] >> Keyword("channel") >
+           field<&ChannelEvent::channel>[string] > equals >
+           named("a number or a text in double quotes",
+                 field<&ChannelEvent::sample>[string] | field<&ChannelEvent::sample>[signed_number]) > semicolon];
+
 const auto observe_event_def =
-    record[Keyword("at") > field<&ObserveEvent::at>[duration] > named("`fault` or `observe`", Keyword("observe")) >
+    record[Keyword("at") > field<&ObserveEvent::at>[duration] >
+           named("`fault`, `observe`, `command` or `channel`", Keyword("observe")) >
            field<&ObserveEvent::reading>[assignment] > -(Keyword("for") > field<&ObserveEvent::duration>[duration]) >
            named("`for` or `;`", semicolon)];
 
@@ -56,33 +71,40 @@ const auto rule_def =
 
 // `truth`, `never`, `finished` and what is never to come may also be variables: then a relation follows.
 constexpr auto kind = &ExpectText::kind;
+const auto requirement_clause_def = record[requirement_tags<&RequirementPart::tags>()];
 const auto within = Keyword("within") > field<&ExpectText::within>[duration];
 const auto after = Keyword("after") > field<&ExpectText::after>[constraint];
 const auto condition = x3::expect[field<&ExpectText::condition>[constraint]] >>
                        -((within >> -after) | (after >> -within));
+const auto tags = field<&ExpectText::requirement>[requirement_clause];
 const auto expectation_def =
     record[Keyword("expect") >> -set<&ExpectText::truth, true>[Keyword("truth") >> !relation] >>
-           ((set<kind, ExpectText::Kind::finished>[Keyword("finished") >> !relation] >>
-             -(Keyword("with") > field<&ExpectText::condition>[constraint]) >> -within >
-             named("`with`, `within` or `;`", semicolon)) |
+           (((set<kind, ExpectText::Kind::finished>[Keyword("finished") >> !relation] |
+              set<kind, ExpectText::Kind::never_finished>[Keyword("never") >> Keyword("finished") >> !relation]) >>
+             -(Keyword("with") > field<&ExpectText::condition>[constraint]) >> -within >> -tags >
+             named("`with`, `within`, `requirement` or `;`", semicolon)) |
             ((set<kind, ExpectText::Kind::goal_conflict>[Keyword("never") >> Keyword("goal-conflict") >> !relation] |
-              set<kind, ExpectText::Kind::no_plan>[Keyword("never") >> Keyword("no-plan") >> !relation]) > semicolon) |
-            (((set<kind, ExpectText::Kind::never>[Keyword("never") >> !relation] >> condition) | condition) >
-             named("`within`, `after` or `;`", semicolon)))];
+              set<kind, ExpectText::Kind::no_plan>[Keyword("never") >> Keyword("no-plan") >> !relation]) >>
+             -tags > named("`requirement` or `;`", semicolon)) |
+            (((set<kind, ExpectText::Kind::never>[Keyword("never") >> !relation] >> condition) | condition) >> -tags >
+             named("`within`, `after`, `requirement` or `;`", semicolon)))];
 
 constexpr auto items = &ScenarioDefinition::items;
 const auto scenario_def =
     record[Keyword("scenario") > field<&ScenarioDefinition::name>[string] >
-           statements_in_braces("`program`, `plant`, `cycle`, `duration`, `seed`, `truth`, `at`, `when` or `expect`",
-                                append<items>[program_part] | append<items>[plant_part] | append<items>[cycle_part] |
-                                    append<items>[duration_part] | append<items>[seed_part] |
-                                    append<items>[truth_part] | append<items>[fault_event] |
-                                    append<items>[observe_event] | append<items>[rule] | append<items>[expectation])];
+           statements_in_braces(
+               "`program`, `plant`, `cycle`, `duration`, `seed`, `truth`, `requirement`, `at`, `when` or `expect`",
+               append<items>[program_part] | append<items>[plant_part] | append<items>[cycle_part] |
+                   append<items>[duration_part] | append<items>[seed_part] | append<items>[truth_part] |
+                   append<items>[fault_event] | append<items>[command_event] | append<items>[channel_event] |
+                   append<items>[observe_event] | append<items>[rule] | append<items>[expectation] |
+                   append<items>[requirement])];
 
 const auto scenario_file_def = record[statements_of_file("`scenario`", append<&ScenarioFile::scenarios>[scenario])];
 
 BOOST_SPIRIT_DEFINE(program_part, plant_part, cycle_part, duration_part, seed_part, truth_part)
-BOOST_SPIRIT_DEFINE(fault_event, observe_event, cycles, rule, expectation, scenario)
+BOOST_SPIRIT_DEFINE(fault_event, command_event, channel_event, observe_event, cycles, rule, requirement_clause,
+                    expectation, scenario)
 
 }  // namespace
 

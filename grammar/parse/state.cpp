@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "grammar/parse/foreign.hpp"
 #include "grammar/parse/hint.hpp"
 #include "grammar/parse/parse.hpp"
 #include "grammar/parse/scan.hpp"
@@ -43,7 +44,7 @@ void ParseState::report_unexpected(const char* where, const std::string& expecte
   last_error_ = at;
   if (at == end()) {
     // Blamed behind the last character that shows, not in an empty line below it.
-    while (at != begin() && skip_blank(at - 1, end()) == end()) --at;
+    while (at != begin() && is_space(at[-1])) --at;
     Diagnostic& error =
         diagnostics_.error(Code::syntax, span(at, at), "expected " + expected + ", found the end of the text");
     note_unclosed(error, '{', end());
@@ -65,10 +66,9 @@ void ParseState::report_unexpected(const char* where, const std::string& expecte
 void ParseState::report_token(const char* where, std::string_view found, const std::string& expected) {
   const char* at = found.data();
   const bool word = !identifier_at(at, end()).empty();
-  Diagnostic& error =
-      diagnostics_.error(Code::syntax, span(at, at + found.size()),
-                         "expected " + expected + ", found " +
-                             (word && is_reserved(found) ? "the reserved word `" : "`") + std::string(found) + "`");
+  Diagnostic& error = diagnostics_.error(
+      Code::syntax, span(at, at + found.size()),
+      "expected " + expected + ", found " + (word && is_reserved(found) ? "the reserved word " : "") + shown(found));
   const char* behind = at + found.size();
   const std::string_view before(begin(), static_cast<std::size_t>(at - begin()));
   if (const auto found_hint =

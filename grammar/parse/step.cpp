@@ -49,12 +49,15 @@ struct Detach {
   bool operator()(When& node) const { return detach_from(from, node.step, ending); }
   bool operator()(Whenever& node) const { return detach_from(from, node.step, ending); }
   bool operator()(Always& node) const { return detach_from(from, node.step, ending); }
+  bool operator()(Repeat& node) const { return detach_from(from, node.step, ending); }
   bool operator()(Next& node) const { return detach_from(from, node.step, ending); }
   // These end with something of their own.
   bool operator()(Goal&) const { return false; }
   bool operator()(ClockStart&) const { return false; }
   bool operator()(Call&) const { return false; }
   bool operator()(Block&) const { return false; }
+  bool operator()(Nothing&) const { return false; }
+  bool operator()(Each&) const { return false; }
   bool operator()(Choose&) const { return false; }
 
  private:
@@ -126,11 +129,14 @@ const Rule<struct ArgumentId, Argument> argument{"an argument"};
 const Rule<struct CallId, Call> call{"a call"};
 const Rule<struct SequenceId, Sequence> sequence{"a step"};
 const Rule<struct BlockId, Block> block{"a block"};
+const Rule<struct NothingId, Nothing> nothing{"`{ }`"};
+const Rule<struct EachId, Each> each{"`each`"};
 const Rule<struct IfId, If> if_{"`if`"};
 const Rule<struct UnlessId, Unless> unless{"`unless`"};
 const Rule<struct WhenId, When> when{"`when`"};
 const Rule<struct WheneverId, Whenever> whenever{"`whenever`"};
 const Rule<struct AlwaysId, Always> always{"`always`"};
+const Rule<struct RepeatId, Repeat> repeat{"`repeat`"};
 const Rule<struct NextId, Next> next{"`next`"};
 const Rule<struct ChoiceId, Choice> choice{"an alternative"};
 const Rule<struct ChooseId, Choose> choose{"`choose`"};
@@ -140,15 +146,22 @@ const auto goal_def = record[field<&Goal::constraint>[constraint]];
 
 const auto clock_start_def = record[field<&ClockStart::clock>[name] >> equals >> &number > zero];
 
+// What is known is a constraint, as it is everywhere, and no name or call.
+const auto known = Keyword("surprise") | Keyword("noplan") | Keyword("possible") | Keyword("likely");
 const auto argument_def =
-    record[(field<&Argument::node>[name] >> &(comma | close_paren)) | field<&Argument::node>[constraint]];
+    record[(!known >> field<&Argument::node>[name] >> &(comma | close_paren)) | field<&Argument::node>[constraint]];
 
 const auto call_def =
-    record[field<&Call::definition>[name] >> open_paren >>
+    record[!(known >> open_paren) >> field<&Call::definition>[name] >> open_paren >>
            (close_paren | (x3::expect[append<&Call::arguments>[argument]] >>
                            *(comma > append<&Call::arguments>[argument]) > named("`,` or `)`", close_paren)))];
 
 const auto block_def = record[open_brace > field<&Block::body>[body] > close_brace];
+
+const auto nothing_def = record[open_brace >> close_brace];
+
+// A component may be called `each` or `repeat`: then a relation follows.
+const auto each_def = record[(Keyword("each") >> open_brace) > field<&Each::body>[body] > close_brace];
 
 const auto if__def = record[Keyword("if") > field<&If::condition>[constraint] > Keyword("thennext") >
                             field<&If::step>[step] > -(Keyword("elsenext") > field<&If::otherwise>[step])];
@@ -164,6 +177,8 @@ const auto whenever_def = record[Keyword("whenever") > field<&Whenever::conditio
 
 const auto always_def = record[Keyword("always") > field<&Always::step>[step]];
 
+const auto repeat_def = record[(Keyword("repeat") >> !relation) > field<&Repeat::step>[step]];
+
 const auto next_def = record[Keyword("next") > field<&Next::step>[step]];
 
 const auto choice_def =
@@ -174,8 +189,9 @@ const auto choose_def = record[Keyword("choose") > open_brace > comma_list(appen
 
 const auto simple_step_def =
     record[DoStep{} | field<&Step::node>[if_] | field<&Step::node>[unless] | field<&Step::node>[when] |
-           field<&Step::node>[whenever] | field<&Step::node>[always] | field<&Step::node>[next] |
-           field<&Step::node>[choose] | field<&Step::node>[block] | field<&Step::node>[call] |
+           field<&Step::node>[whenever] | field<&Step::node>[always] | field<&Step::node>[repeat] |
+           field<&Step::node>[next] | field<&Step::node>[choose] | field<&Step::node>[nothing] |
+           field<&Step::node>[each] | field<&Step::node>[block] | field<&Step::node>[call] |
            field<&Step::node>[clock_start] | field<&Step::node>[goal]];
 
 const auto step_def = nested[Maintained<decltype(simple_step)>(simple_step)];
@@ -190,7 +206,8 @@ const auto sequence_def = record[slot >> *(semicolon >> !(close_brace | end_of_t
 const auto body_def =
     record[append<&Body::threads>[sequence] >> *(comma >> append<&Body::threads>[sequence]) >> -semicolon];
 
-BOOST_SPIRIT_DEFINE(goal, clock_start, argument, call, sequence, block, if_, unless, when, whenever, always, next)
+BOOST_SPIRIT_DEFINE(goal, clock_start, argument, call, sequence, block, nothing, each, repeat, if_, unless, when,
+                    whenever, always, next)
 BOOST_SPIRIT_DEFINE(choice, choose, simple_step)
 
 }  // namespace

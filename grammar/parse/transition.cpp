@@ -41,13 +41,17 @@ const auto rate_def =
     record[Keyword("rate") > field<&RateWeight::rate>[signed_number] > slash > field<&RateWeight::unit>[unit]];
 
 const auto parameter = append<&DensityText::parameters>[duration];
+const auto shape_and_parameter =
+    open_paren > field<&DensityText::shape>[signed_number] > comma > parameter > close_paren;
 const auto density_def =
-    record[tilde > named("`uniform`, `exponential` or `normal`",
+    record[tilde > named("`uniform`, `exponential`, `normal`, `weibull` or `erlang`",
                          set<&DensityText::kind, DensityKind::uniform>[Keyword("uniform")] |
                              (set<&DensityText::kind, DensityKind::exponential>[Keyword("exponential")] > open_paren >
                               parameter > close_paren) |
                              (set<&DensityText::kind, DensityKind::normal>[Keyword("normal")] > open_paren > parameter >
-                              comma > parameter > close_paren))];
+                              comma > parameter > close_paren) |
+                             (set<&DensityText::kind, DensityKind::weibull>[Keyword("weibull")] > shape_and_parameter) |
+                             (set<&DensityText::kind, DensityKind::erlang>[Keyword("erlang")] > shape_and_parameter))];
 
 // `after d` is `in [d, d]`: the one duration is read into both bounds.
 const auto both_bounds =

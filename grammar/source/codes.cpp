@@ -9,6 +9,7 @@
 
 #include "base/check.hpp"
 #include "grammar/source/code_tables.hpp"
+#include "grammar/source/monitor_codes.hpp"
 
 namespace rmpl::grammar {
 namespace {
@@ -16,8 +17,8 @@ namespace {
 const CodeInfo* look_up(Code code) {
   for (const auto table :
        {text_codes(), name_codes(), plant_codes(), chance_codes(), program_codes(), model_codes(), scenario_codes(),
-        lint_codes(), lint_flight_codes(), lint_plant_codes(), lint_transition_codes(), lint_sensing_codes(),
-        document_codes(), property_codes(), netlist_codes()}) {
+        monitor_codes(), lint_codes(), lint_flight_codes(), lint_plant_codes(), lint_transition_codes(),
+        lint_sensing_codes(), document_codes(), property_codes(), netlist_codes()}) {
     const auto found =
         std::find_if(table.begin(), table.end(), [&](const CodeInfo& info) { return info.code == code; });
     if (found != table.end()) return &*found;
@@ -58,8 +59,8 @@ std::vector<CodeInfo> all_codes() {
   std::vector<CodeInfo> all;
   for (const auto table :
        {text_codes(), name_codes(), plant_codes(), chance_codes(), program_codes(), model_codes(), scenario_codes(),
-        lint_codes(), lint_flight_codes(), lint_plant_codes(), lint_transition_codes(), lint_sensing_codes(),
-        document_codes(), property_codes(), netlist_codes()})
+        monitor_codes(), lint_codes(), lint_flight_codes(), lint_plant_codes(), lint_transition_codes(),
+        lint_sensing_codes(), document_codes(), property_codes(), netlist_codes()})
     all.insert(all.end(), table.begin(), table.end());
   std::sort(all.begin(), all.end(), [](const CodeInfo& a, const CodeInfo& b) { return a.code < b.code; });
   return all;

@@ -11,7 +11,7 @@
 
 namespace rmpl::grammar {
 
-/// The number of a code: `RMPL0001` is 1. A number is never given to another meaning (105 and 216 are used up).
+/// The number of a code: `RMPL0001` is 1. A number is never given to another meaning (105, 216 and 304 are used up).
 /// Hundreds group by subject: 0 text, 1 names and values, 2 plants, 3 programs, 4 scenarios, 5 lint, 6 compiled
 /// documents, 7 properties, 8 netlists.
 enum class Code : std::uint16_t {
@@ -33,6 +33,8 @@ enum class Code : std::uint16_t {
   different_domains = 103,
   ambiguous_name = 104,
   wrong_kind_of_name = 106,
+  requirement_without_name = 107,
+  requirement_twice = 108,
   // Plants.
   probability_out_of_range = 200,
   probabilities_exceed_one = 201,
@@ -57,7 +59,6 @@ enum class Code : std::uint16_t {
   clock_not_allowed = 301,
   unguarded_recursion = 302,
   non_tail_recursion = 303,
-  not_a_mode_goal = 304,
   wrong_argument_count = 305,
   ambiguous_entry = 306,
   no_entry = 307,
@@ -67,6 +68,9 @@ enum class Code : std::uint16_t {
   contradictory_goal = 311,
   no_program = 312,
   several_programs = 313,
+  knowledge_not_allowed = 322,
+  goal_out_of_reach = 323,
+  control_only = 324,
   // Model programs.
   mixed_program = 314,
   told_at_once = 315,
@@ -104,6 +108,9 @@ enum class Code : std::uint16_t {
   unused_allowance = 518,
   allowance_without_reason = 519,
   vacuous_expectation = 520,
+  restarted_wait = 521,
+  knowledge_out_of_reach = 560,
+  unanswered_surprise = 561,
   // Lint of plants.
   unreachable_mode = 530,
   impossible_guard = 531,
@@ -127,6 +134,9 @@ enum class Code : std::uint16_t {
   unobserved_plant = 549,
   unused_weight = 550,
   late_guard = 551,
+  timer_goes_on = 552,
+  unexplained_reading = 553,
+  fault_blocks_goal = 554,
   // Compiled documents.
   document_schema = 600,
   // Properties.
@@ -141,6 +151,7 @@ enum class Code : std::uint16_t {
   netlist_syntax = 800,
   netlist_gate = 801,
   netlist_driver = 802,
+  netlist_loop = 803,
 };
 
 /// What a code means. Examples are inputs that can be tried, in the notation that docs/development.md gives.

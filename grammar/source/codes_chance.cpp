@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array chance_table = {
     CodeInfo{Code::probability_out_of_range, "probability outside [0, 1]", "A probability is a number from 0 to 1.",
              R"(component Engine {
   input cmd : { none, fire };
@@ -81,7 +81,7 @@ plant Cabin { heater : Heater; })",
 plant Cabin { heater : Heater; })"},
     CodeInfo{Code::density_required, "unbounded transition without a density",
              "Where the upper bound is infinite, nothing says how the time is spread: a uniform density needs an end. "
-             "Give an exponential or a normal one.",
+             "Give another one, as an exponential.",
              R"(component Heater {
   initial heating;
   mode heating;
@@ -124,9 +124,11 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })"},
-    CodeInfo{Code::weight_not_allowed, "weight not allowed",
-             "A rate belongs to fault transitions: nominal ones share what the faults leave, by `with` weights.",
-             R"(component Engine {
+    CodeInfo{
+        Code::weight_not_allowed, "weight not allowed",
+        "A rate belongs to fault transitions and to the repair of faults. Other nominal transitions share what the "
+        "faults leave, by `with` weights; what takes an exponential time is `in [0 s, inf] ~ exponential(mean)`.",
+        R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -138,7 +140,7 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })",
-             R"(component Engine {
+        R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -152,8 +154,10 @@ plant Lander {
 })"},
     CodeInfo{
         Code::density_out_of_range, "density out of range",
-        "The mean of an exponential density and the standard deviation of a normal one are above 0, and the density "
-        "has some of its mass between the time bounds.",
+        "The mean of an exponential or Erlang density, the standard deviation of a normal one and the scale of a "
+        "Weibull "
+        "one are above 0. The shape of a Weibull density is from 0.01 to 100. An Erlang density has 1 to 100 stages, a "
+        "whole number.",
         R"(component Heater {
   initial heating;
   mode heating;
@@ -240,6 +244,6 @@ plant Lander {
 
 }  // namespace
 
-std::span<const CodeInfo> chance_codes() { return table; }
+std::span<const CodeInfo> chance_codes() { return chance_table; }
 
 }  // namespace rmpl::grammar

@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array document_table = {
     CodeInfo{
         Code::document_schema, "not a compiled document",
         "The JSON is not what `rmplc compile` writes: a key is missing, unknown or there twice, or its value has the "
@@ -18,6 +18,6 @@ constexpr std::array table = {
 
 }  // namespace
 
-std::span<const CodeInfo> document_codes() { return table; }
+std::span<const CodeInfo> document_codes() { return document_table; }
 
 }  // namespace rmpl::grammar

@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array lint_table = {
     CodeInfo{Code::duplicate_transition, "transition given twice",
              "Two transitions have the same source, target, guard and time bounds. Both count: their weights, risks or "
              "probabilities add up. One of them was most likely meant otherwise.",
@@ -49,7 +49,7 @@ plant Tap {
         "P() :: {\n  when engine = on donext valve = open\n}"},
     CodeInfo{Code::condition_always_holds, "condition always holds",
              "Every state of the plant satisfies the condition, or the constraints of a model program entail it, so it "
-             "decides nothing. One who means that writes `true`.",
+             "decides nothing. If that is meant, write `true`.",
              "P() :: {\n  if engine = on | engine != on thennext valve = open\n}",
              "P() :: {\n  if engine = on thennext valve = open\n}"},
     CodeInfo{Code::condition_out_of_reach, "condition speaks of what the plant cannot reach",
@@ -102,12 +102,12 @@ plant Sink {
              "constraints begin to be told together and contradict each other, so that it never comes to that.",
              "P() :: {\n  engine = on,\n  engine = off\n}", "P() :: {\n  engine = on;\n  engine = off\n}"},
     CodeInfo{Code::step_never_reached, "step is never reached",
-             "What comes before the step never ends: `always`, `whenever`, or a wait for what cannot be.",
+             "The step before this one never ends: `always`, `whenever`, or a wait for a condition that never holds.",
              "P() :: {\n  always engine = on;\n  valve = open\n}",
              "P() :: {\n  always engine = on,\n  valve = open\n}"},
     CodeInfo{Code::goal_on_fault_mode, "goal on a fault mode",
-             "A goal is reached by commands, and no command leads into a fault mode: the goal is held only where the "
-             "fault happens by itself.",
+             "A goal is reached by commands, and no command leads into a fault mode. The goal only holds if the fault "
+             "happens.",
              R"(// main.rmpl
 P() :: {
   tap = stuck
@@ -144,11 +144,10 @@ plant Sink {
   tap : Tap;
   control tap.cmd default none;
 })"},
-    CodeInfo{
-        Code::irreversible_goal, "goal that cannot be undone",
-        "The goal is only reached by a step that nothing takes back. The executive takes such a step for a goal that "
-        "asks for it, and for no other; this note says where a program does ask.",
-        R"(// main.rmpl
+    CodeInfo{Code::irreversible_goal, "goal that takes an irreversible step",
+             "The goal is only reached by an irreversible step: no transitions lead back. The executive takes such a "
+             "step only for a goal that names where it leads. This note shows where a program asks for one.",
+             R"(// main.rmpl
 P() :: {
   latch = open
 }
@@ -164,7 +163,7 @@ plant Probe {
   latch : Latch;
   control latch.cmd default none;
 })",
-        R"(// main.rmpl
+             R"(// main.rmpl
 P() :: {
   latch = open
 }
@@ -249,8 +248,8 @@ plant Sink {
              "P() :: {\n  engine = on; valve = open,\n  lamp = on\n}",
              "P() :: {\n  { engine = on; valve = open },\n  lamp = on\n}"},
     CodeInfo{Code::finer_than_cycle, "time finer than the cycle",
-             "The executive looks at the plant once a cycle: times that differ by less than a cycle come to the same, "
-             "and a bound that is no multiple of it is rounded up to the next.",
+             "The executive reads the plant once a cycle. Times that differ by less than a cycle mean the same, and a "
+             "bound that is no multiple of the cycle is rounded up to the next.",
              R"(// test.scn
 scenario "s" {
   program "main.rmpl";
@@ -297,7 +296,8 @@ plant Sink {
 })"},
     CodeInfo{Code::unused_allowance, "allowance that allows nothing",
              "A comment `lint: allow …` stands where nothing of that code is found: on the line of a finding or on the "
-             "one before. What was allowed has been mended, or has moved.",
+             "one before. What was allowed has been mended, or has moved. In a file that another one brings, "
+             "as an import, it is a note: another input set that has the file in common may need it.",
              "// lint: allow RMPL0514 because the threads are on lines of their own\nP() :: { valve = open }",
              "P() :: { valve = open }"},
     CodeInfo{
@@ -311,6 +311,6 @@ plant Sink {
 
 }  // namespace
 
-std::span<const CodeInfo> lint_codes() { return table; }
+std::span<const CodeInfo> lint_codes() { return lint_table; }
 
 }  // namespace rmpl::grammar

@@ -7,11 +7,13 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array lint_flight_table = {
     CodeInfo{
         Code::vacuous_property, "property that says nothing",
         "The property holds or fails whatever the plant does: no state satisfies its formula, every state does, or "
-        "what it waits for never comes. Of `never`, what only the constraints exclude is a note: it checks these.",
+        "what it waits for never comes. So it does where `never` or `reach` asks for what takes a fault, and its "
+        "`faults` "
+        "permits none. Of `never`, what only the constraints exclude is a note: it checks these.",
         R"($ rmplc lint plant.tcca plant.props
 // plant.props
 property "p" {
@@ -32,6 +34,7 @@ plant Sink {
 // plant.props
 property "p" {
   reach tap.flow = high;
+  faults 1;
 }
 // plant.tcca
 component Tap {
@@ -45,7 +48,7 @@ plant Sink {
   tap : Tap;
 })"},
     CodeInfo{Code::rule_never_fires, "rule that never fires",
-             "What the rule waits for cannot be, or what it dictates would only come after the end of the scenario.",
+             "The condition of the rule can never hold, or its effect would come after the end of the scenario.",
              R"(// test.scn
 scenario "s" {
   program "main.rmpl";
@@ -156,10 +159,88 @@ plant Sink {
   control tap.cmd default none;
   observe tap.flow;
 })"},
+    CodeInfo{
+        Code::restarted_wait, "wait that starts anew while it lasts",
+        "`whenever c donext A` starts A in every cycle in which c holds, whether A has come to its end or not; `always "
+        "A` "
+        "does in every cycle. A clock of a definition's own starts anew with each call: while c holds it reads no more "
+        "than a cycle, and a wait for it ends only once c has not held for so long. For one who means that, such as a "
+        "light that goes off five minutes after the last movement, the finding is to be allowed. `repeat when c donext "
+        "A` does A to its end each time, and looks at c again only then. Where a wait without such a clock is started "
+        "again, the steps before it are taken again beside it, and the finding is a note.",
+        R"(Main() :: {
+  whenever wheel = hung donext Recover()
+}
+Recover() :: {
+  clock t;
+  t = 0;
+  when t >= 5 s donext wheel = on
+})",
+        R"(Main() :: {
+  repeat when wheel = hung donext Recover()
+}
+Recover() :: {
+  clock t;
+  t = 0;
+  when t >= 5 s donext wheel = on
+})"},
+    CodeInfo{Code::knowledge_out_of_reach, "knowledge condition that never holds",
+             "`likely` and `possible` ask how probable a formula is. No state that the plant can reach satisfies this "
+             "one, so its probability is 0 whatever is observed. The condition never holds.",
+             R"($ rmplc lint main.rmpl tap.tcca
+// main.rmpl
+Main() :: { when likely(valve = opened & valve.flow = no, 0.9) donext valve = closed }
+// tap.tcca
+component Valve {
+  input cmd : { none, open, close };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  opened -> closed when cmd = close;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})",
+             R"($ rmplc lint main.rmpl tap.tcca
+// main.rmpl
+Main() :: { when likely(valve = opened & valve.flow = yes, 0.9) donext valve = closed }
+// tap.tcca
+component Valve {
+  input cmd : { none, open, close };
+  output flow : { no, yes };
+  initial closed;
+  mode closed { flow = no };
+  mode opened { flow = yes };
+  fault stuck { flow = no };
+  closed -> opened when cmd = open;
+  opened -> closed when cmd = close;
+  any -> stuck with rate 1e-6 / h;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+})"},
+    CodeInfo{Code::unanswered_surprise, "surprise without a reaction",
+             "The program reacts to surprises, but not to this one. The step behind the condition is empty, or the "
+             "program asks about some components alone, while readings of other components may be set aside too. A "
+             "reading that is set aside does not count for the estimate.",
+             R"(Main() :: {
+  whenever surprise donext { }
+})",
+             R"(Main() :: {
+  whenever surprise donext valve = closed
+})"},
 };
 
 }  // namespace
 
-std::span<const CodeInfo> lint_flight_codes() { return table; }
+std::span<const CodeInfo> lint_flight_codes() { return lint_flight_table; }
 
 }  // namespace rmpl::grammar

@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array lint_plant_table = {
     CodeInfo{Code::unreachable_mode, "mode that is never entered",
              "No initial state has the mode, and no transition that could ever be taken leads to it: there is "
              "none, or the guards of all that there are can never hold, or they set out from modes that are "
@@ -145,10 +145,9 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{Code::shadowed_transition, "transition that another one always forestalls",
-             "Whenever the guard of this nominal transition holds, so does that of one that goes before it: "
-             "an untimed nominal transition, where this one has time bounds, or faults that are certain. It "
-             "is never taken.",
+    CodeInfo{Code::shadowed_transition, "transition that another one always preempts",
+             "Whenever the guard of this nominal transition holds, another one preempts it: an untimed nominal "
+             "transition, if this one has time bounds, or faults that are certain. The transition is never taken.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -344,6 +343,6 @@ plant Feed {
 
 }  // namespace
 
-std::span<const CodeInfo> lint_plant_codes() { return table; }
+std::span<const CodeInfo> lint_plant_codes() { return lint_plant_table; }
 
 }  // namespace rmpl::grammar

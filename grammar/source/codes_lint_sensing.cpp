@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array lint_sensing_table = {
     CodeInfo{Code::uncommanded_component, "component that no command reaches",
              "Transitions of the component wait for their guards, but no control variable has any influence "
              "on them, neither through the interconnections nor through components that commands do move. For "
@@ -69,11 +69,10 @@ plant House {
   control generator.cmd default none;
   observe lamp.light, generator.power;
 })"},
-    CodeInfo{
-        Code::unobserved_plant, "plant that nothing is observed of",
-        "The plant has faults and no `observe`: none of them ever shows, and the estimate is what the model predicts. "
-        "For what is only proven about the model that is right.",
-        R"(component Tap {
+    CodeInfo{Code::unobserved_plant, "plant without observations",
+             "The plant has faults and no `observe`: no fault ever shows, and the estimate is what the model predicts. "
+             "For a plant that is only verified that is right.",
+             R"(component Tap {
   output flow : { low, high };
   initial open;
   mode  open  { flow = high };
@@ -83,7 +82,7 @@ plant House {
 plant Sink {
   tap : Tap;
 })",
-        R"(component Tap {
+             R"(component Tap {
   output flow : { low, high };
   initial open;
   mode  open  { flow = high };
@@ -101,8 +100,8 @@ plant Sink {
              R"(component Tank {
   output level, flow : { low, high };
   initial full;
-  mode  full    { level = high & flow = high };
-  fault empty   { level = low & flow = high };
+  mode  full    { level = high };
+  fault empty   { level = low };
   full -> empty   with rate 1e-6 /h;
 }
 plant Supply {
@@ -112,8 +111,8 @@ plant Supply {
              R"(component Tank {
   output level, flow : { low, high };
   initial full;
-  mode  full    { level = high & flow = high };
-  fault empty   { level = low & flow = high };
+  mode  full    { level = high };
+  fault empty   { level = low };
   full -> empty   with rate 1e-6 /h;
 }
 plant Supply {
@@ -304,10 +303,114 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
+    CodeInfo{
+        Code::unexplained_reading, "reading that no mode explains",
+        "The sensor can read a value that no state of the plant has, in the modes that it comes to, faults among them. "
+        "Sensors fail: such a reading contradicts every estimate, and what is not explained is set aside. A fault "
+        "without "
+        "a constraint explains every reading. Where the value is none that the sensor has, the domain is too wide.",
+        R"(component Thermometer {
+  output reading : { low, high };
+  initial working;
+  mode working { reading = low };
+}
+plant Tank {
+  thermometer : Thermometer;
+  observe thermometer.reading;
+})",
+        R"(component Thermometer {
+  output reading : { low, high };
+  initial working;
+  mode  working { reading = low };
+  fault unknown;
+  working -> unknown with rate 1e-6 /h;
+}
+plant Tank {
+  thermometer : Thermometer;
+  observe thermometer.reading;
+})"},
+    CodeInfo{
+        Code::fault_blocks_goal, "fault that blocks goals of others",
+        "Once the fault has happened, nothing leads to goals of other components any more, whatever is commanded and "
+        "whatever modes the others are in; where such a goal holds it may go on. The modes that can follow the fault "
+        "by nominal transitions count. Proven by what implies the guards of the transitions that lead to the goal: a "
+        "fault mode without a constraint implies nothing. Plants of more than 32 components are not asked. A program "
+        "that is to survive the fault watches for it.",
+        R"(// main.rmpl
+P() :: {
+  switch = closed;
+  lamp = lit
+}
+// house.tcca
+component Switch {
+  input  cmd : { none, close, open };
+  output out : { off, on };
+  initial opened;
+  mode  opened { out = off };
+  mode  closed { out = on };
+  fault broken { out = off };
+  opened -> closed when cmd = close;
+  closed -> opened when cmd = open;
+  opened -> broken with rate 1e-6 /h;
+}
+component Lamp {
+  input  power : { off, on };
+  input  cmd   : { none, light, dim };
+  output shine : { no, yes };
+  initial dark;
+  mode dark { shine = no };
+  mode lit  { shine = yes };
+  dark -> lit when cmd = light & power = on;
+  lit -> dark when cmd = dim;
+}
+plant House {
+  switch : Switch;
+  lamp   : Lamp;
+  lamp.power = switch.out;
+  control switch.cmd default none;
+  control lamp.cmd default none;
+  observe switch.out, lamp.shine;
+})",
+        R"(// main.rmpl
+P() :: {
+  switch = closed;
+  lamp = lit
+}
+// house.tcca
+component Switch {
+  input  cmd : { none, close, open };
+  output out : { off, on };
+  initial opened;
+  mode  opened { out = off };
+  mode  closed { out = on };
+  fault broken { out = off };
+  opened -> closed when cmd = close;
+  closed -> opened when cmd = open;
+  broken -> opened when cmd = open;
+  opened -> broken with rate 1e-6 /h;
+}
+component Lamp {
+  input  power : { off, on };
+  input  cmd   : { none, light, dim };
+  output shine : { no, yes };
+  initial dark;
+  mode dark { shine = no };
+  mode lit  { shine = yes };
+  dark -> lit when cmd = light & power = on;
+  lit -> dark when cmd = dim;
+}
+plant House {
+  switch : Switch;
+  lamp   : Lamp;
+  lamp.power = switch.out;
+  control switch.cmd default none;
+  control lamp.cmd default none;
+  observe switch.out, lamp.shine;
+})"},
 };
 
 }  // namespace
 
-std::span<const CodeInfo> lint_sensing_codes() { return table; }
+std::span<const CodeInfo> lint_sensing_codes() { return lint_sensing_table; }
 
 }  // namespace rmpl::grammar

@@ -7,15 +7,14 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
-    CodeInfo{
-        Code::timed_fault, "fault with time bounds",
-        "A fault is drawn anew in each step; with time bounds, in each step at whose end the clock is within them. "
-        "In how many steps that is depends on the cycle, a step over all of the bounds draws it never, and once "
-        "they have passed it cannot happen any more. What is meant by a fault among the outcomes of a transition "
-        "that takes time is a mode of its own, from which without bounds the outcome is drawn. A fault with bounds "
-        "by itself is a note.",
-        R"(component Latch {
+constexpr std::array lint_transitions_table = {
+    CodeInfo{Code::timed_fault, "fault with time bounds",
+             "A fault is drawn anew in each step; with time bounds, in each step at whose end the clock is within the "
+             "bounds. How many steps these are depends on the cycle. A step over all of the bounds never draws the "
+             "fault, and after the bounds it cannot happen. To draw a fault as a timed transition ends, lead the "
+             "transition to a mode of its own, and draw the outcome there, without bounds. A fault with bounds by "
+             "itself is a note.",
+             R"(component Latch {
   output seen : { moving, locked, jammed };
   initial moving;
   mode  moving { seen = moving };
@@ -27,7 +26,7 @@ plant Door {
   latch : Latch;
   observe latch.seen;
 })",
-        R"(component Latch {
+             R"(component Latch {
   output seen : { moving, there, locked, jammed };
   initial moving;
   mode  moving { seen = moving };
@@ -41,13 +40,12 @@ plant Door {
   latch : Latch;
   observe latch.seen;
 })"},
-    CodeInfo{
-        Code::idle_transition, "transition that changes nothing",
-        "A nominal transition leads to the mode that it sets out from, and is never enabled together with one that "
-        "leads elsewhere. To stay is to stay: the clock of the mode goes on, so the transition has no effect. Beside "
-        "others it has one, as it takes its share of the probability or goes before what takes time. What is to begin "
-        "anew is a mode of its own. In a mode without time bounds it is a note.",
-        R"(component Valve {
+    CodeInfo{Code::idle_transition, "transition that changes nothing",
+             "A nominal transition leads to the mode that it leaves, and is never enabled together with one that leads "
+             "elsewhere. Such a step is staying: the clock of the mode goes on, so the transition has no effect. "
+             "Beside others it would take its share of the probability, or preempt timed transitions. To restart a "
+             "clock, enter a mode of its own. In a mode without time bounds the finding is a note.",
+             R"(component Valve {
   input  cmd      : { none, open, keep };
   output position : { shut, between, wide };
   initial closed;
@@ -63,7 +61,7 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })",
-        R"(component Valve {
+             R"(component Valve {
   input  cmd      : { none, open };
   output position : { shut, between, wide };
   initial closed;
@@ -78,12 +76,11 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{
-        Code::unused_weight, "weight that is of no account",
-        "Weights say how transitions without time bounds that are enabled together share what is likely, and how the "
-        "outcomes of one transition do. A transition beside which no other is ever enabled is taken for certain, "
-        "whatever its weight; one that takes time competes with others by its times alone.",
-        R"(component Valve {
+    CodeInfo{Code::unused_weight, "weight without an effect",
+             "Weights divide the probability among untimed transitions that are enabled together, and among the "
+             "outcomes of one transition. A transition beside which no other is ever enabled is certain, whatever its "
+             "weight. A timed transition competes with others by its times alone.",
+             R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide, moving, between };
   initial closed;
@@ -102,7 +99,7 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })",
-        R"(component Valve {
+             R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide, moving, between };
   initial closed;
@@ -120,14 +117,13 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{
-        Code::late_guard, "guard that begins after the clock",
-        "Time bounds are counted from when the mode was entered, not from when the guard began to hold. A guard that "
-        "waits for a command, or that holds wherever the mode is left and never where it is entered, begins to hold at "
-        "any time after: where that is past the upper bound, the transition is overdue and is taken in the next step, "
-        "without any delay. A delay from a cause is a mode of its own. A lower bound alone, `after 5 s`, may be meant: "
-        "before that nothing is obeyed.",
-        R"(component Valve {
+    CodeInfo{Code::late_guard, "guard that may begin after its time bounds",
+             "Time bounds count from when the mode was entered, not from when the guard began to hold. A guard that "
+             "waits for a command, or that never holds as the mode is entered, may begin to hold at any later time. If "
+             "that is past the upper bound, the transition is overdue and is taken in the next step, without any "
+             "delay. Give a delay from a cause a mode of its own. A lower bound alone, `after 5 s`, may be meant: "
+             "before it no command is obeyed.",
+             R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
   initial closed;
@@ -141,7 +137,7 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })",
-        R"(component Valve {
+             R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, between, wide };
   initial closed;
@@ -157,10 +153,45 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
+    CodeInfo{Code::timer_goes_on, "self-transition that restarts no clock",
+             "The clock of a component counts from when its mode was entered. A transition from a mode to itself is no "
+             "entry: the time bounds of the other exits count on. To restart a watchdog, let each command lead to a "
+             "twin mode with the same constraint and the same exits, and back. Then each step with the command "
+             "restarts the clock. A mode between that is left at once would lose commands.",
+             R"(component Watchdog {
+  input  ping  : { no, yes };
+  output alive : { no, yes };
+  initial running;
+  mode running   { alive = yes };
+  mode timed-out { alive = no };
+  running -> running   when ping = yes;
+  running -> timed-out after 10 s;
+}
+plant Monitor {
+  dog : Watchdog;
+  control dog.ping default no;
+  observe dog.alive;
+})",
+             R"(component Watchdog {
+  input  ping  : { no, yes };
+  output alive : { no, yes };
+  initial running;
+  mode running       { alive = yes }; // lint: allow RMPL0543 because its twin is the same, with a clock of its own
+  mode running-again { alive = yes };
+  mode timed-out     { alive = no };
+  running       -> running-again when ping = yes;
+  running-again -> running       when ping = yes;
+  running, running-again -> timed-out after 10 s;
+}
+plant Monitor {
+  dog : Watchdog;
+  control dog.ping default no;
+  observe dog.alive;
+})"},
 };
 
 }  // namespace
 
-std::span<const CodeInfo> lint_transition_codes() { return table; }
+std::span<const CodeInfo> lint_transition_codes() { return lint_transitions_table; }
 
 }  // namespace rmpl::grammar

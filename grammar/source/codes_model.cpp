@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array model_table = {
     CodeInfo{
         Code::mixed_program, "model and control definitions mixed",
         "A program either tells what a system does, and all its definitions begin with `model`, or asserts what it "
@@ -98,6 +98,6 @@ plant House {
 
 }  // namespace
 
-std::span<const CodeInfo> model_codes() { return table; }
+std::span<const CodeInfo> model_codes() { return model_table; }
 
 }  // namespace rmpl::grammar

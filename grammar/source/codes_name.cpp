@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array name_table = {
     CodeInfo{Code::unknown_name, "unknown name",
              "Nothing of this name is declared here: no variable, mode, value, domain, type, definition or instance, "
              "whichever the place needs. Where a declared name is near, it is suggested.",
@@ -105,10 +105,101 @@ plant Tank {
   gauge : Gauge;
   observe gauge.level;
 })"},
+    CodeInfo{
+        Code::requirement_without_name, "requirement without a name",
+        "A scenario, an expectation or a property names the requirements that it verifies, as the list of requirements "
+        "has them: `requirement \"FDIR-12\"`. A name of blanks, or with blanks around it, is in no list.",
+        R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { zero, full };
+  initial closed;
+  mode closed { flow = zero };
+  mode opened { flow = full };
+  fault stuck { flow = zero };
+  closed -> opened when cmd = open;
+  any nominal -> stuck with 0.001;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "the valve can open" {
+  reach valve = opened;
+  requirement " ";
+})",
+        R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { zero, full };
+  initial closed;
+  mode closed { flow = zero };
+  mode opened { flow = full };
+  fault stuck { flow = zero };
+  closed -> opened when cmd = open;
+  any nominal -> stuck with 0.001;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "the valve can open" {
+  reach valve = opened;
+  requirement "VALVE-1";
+})"},
+    CodeInfo{Code::requirement_twice, "requirement named twice",
+             "A requirement is named once by a scenario or a property. What a scenario names is verified by all of its "
+             "expectations: they need not name it again.",
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { zero, full };
+  initial closed;
+  mode closed { flow = zero };
+  mode opened { flow = full };
+  fault stuck { flow = zero };
+  closed -> opened when cmd = open;
+  any nominal -> stuck with 0.001;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "the valve can open" {
+  reach valve = opened;
+  requirement "VALVE-1", "VALVE-1";
+})",
+             R"(// tap.tcca
+component Valve {
+  input cmd : { none, open };
+  output flow : { zero, full };
+  initial closed;
+  mode closed { flow = zero };
+  mode opened { flow = full };
+  fault stuck { flow = zero };
+  closed -> opened when cmd = open;
+  any nominal -> stuck with 0.001;
+}
+plant Tap {
+  valve : Valve;
+  control valve.cmd default none;
+  observe valve.flow;
+}
+// tap.props
+property "the valve can open" {
+  reach valve = opened;
+  requirement "VALVE-1", "VALVE-2";
+})"},
 };
 
 }  // namespace
 
-std::span<const CodeInfo> name_codes() { return table; }
+std::span<const CodeInfo> name_codes() { return name_table; }
 
 }  // namespace rmpl::grammar

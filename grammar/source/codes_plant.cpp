@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array plant_table = {
     CodeInfo{Code::foreign_guard, "guard or mode constraint of another component",
              "Guards and mode constraints of a component speak of its own attributes only. Components influence each "
              "other through the interconnections of the module that holds them.",
@@ -175,6 +175,6 @@ plant Tap {
 
 }  // namespace
 
-std::span<const CodeInfo> plant_codes() { return table; }
+std::span<const CodeInfo> plant_codes() { return plant_table; }
 
 }  // namespace rmpl::grammar

@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array program_table = {
     CodeInfo{Code::clock_never_started, "clock never started",
              "The condition reads a clock that no step starts: every atom over it would be false for ever.",
              R"(Main() :: {
@@ -49,16 +49,6 @@ Main() :: { Poll() })",
   when valve = open donext Poll()
 }
 Main() :: { Poll() })"},
-    CodeInfo{Code::not_a_mode_goal, "goal that is no conjunction of modes",
-             "A goal is an assignment of a mode, or a conjunction of such (thesis 5.1.1). Disjunctions, negations and "
-             "attributes cannot be achieved, only asked for.",
-             R"(Main() :: {
-  engine = on | spare = on
-})",
-             R"(Main() :: {
-  engine = on,
-  when engine = failed donext spare = on
-})"},
     CodeInfo{Code::wrong_argument_count, "wrong number of arguments",
              "The call gives more or fewer arguments than the definition has parameters.", R"(Open(v) :: { v = open }
 Main() :: { Open() })",
@@ -247,10 +237,46 @@ plant Tap {
   control valve.cmd default none;
   observe valve.flow;
 })"},
+    CodeInfo{Code::knowledge_not_allowed, "knowledge condition not allowed here",
+             "`surprise`, `noplan`, `possible` and `likely` ask what the executive knows. They stand in conditions of "
+             "control programs, in expectations, and in what is claimed of a program. A model tells what is so, and a "
+             "goal what should be: neither speaks of knowledge. `expect truth` does not either, nor does what stands "
+             "between the parentheses of `possible` and `likely`.",
+             R"(Main() :: {
+  surprise;
+  engine = off
+})",
+             R"(Main() :: {
+  when surprise donext engine = off
+})"},
+    CodeInfo{
+        Code::goal_out_of_reach, "goal that nothing achieves",
+        "A goal is a constraint over modes and attributes. No command makes `false` true. Of a model program a goal "
+        "names what some location tells: nothing else can come about.",
+        R"(Main() :: {
+  false;
+  engine = off
+})",
+        R"(Main() :: {
+  engine = on;
+  engine = off
+})"},
+    CodeInfo{Code::control_only, "only in control programs",
+             "`each` says which goals are pursued where not all of them have a plan together. A model program has no "
+             "goals: it tells what holds.",
+             R"(variable valve, lamp : { off, on };
+model Main() :: {
+  each { always valve = on, always lamp = on }
+})",
+             R"(variable valve, lamp : { off, on };
+model Main() :: {
+  always valve = on,
+  always lamp = on
+})"},
 };
 
 }  // namespace
 
-std::span<const CodeInfo> program_codes() { return table; }
+std::span<const CodeInfo> program_codes() { return program_table; }
 
 }  // namespace rmpl::grammar

@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array property_table = {
     CodeInfo{Code::no_property, "no property", "A file of properties states at least one.", R"(// tap.tcca
 component Valve {
   input cmd : { none, open };
@@ -90,7 +90,7 @@ property "opens" {
   faults 1;
 })"},
     CodeInfo{
-        Code::property_repeated_part, "property says a thing twice",
+        Code::property_repeated_part, "property part given twice",
         "A property has a name of its own and makes one claim; a setting is made once, and so is one for the file.",
         R"(// tap.tcca
 component Valve {
@@ -323,6 +323,6 @@ property "the pouring ends" {
 
 }  // namespace
 
-std::span<const CodeInfo> property_codes() { return table; }
+std::span<const CodeInfo> property_codes() { return property_table; }
 
 }  // namespace rmpl::grammar

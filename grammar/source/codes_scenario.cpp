@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array scenario_table = {
     CodeInfo{Code::scenario_missing_part, "scenario lacks a part", "A scenario names a program and a plant.",
              R"(// test.scn
 scenario "opens" {
@@ -57,7 +57,7 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{
-        Code::scenario_repeated_part, "scenario says a thing twice",
+        Code::scenario_repeated_part, "scenario part given twice",
         "Program, plant, cycle, duration and seed stand once in a scenario; a mode or an initial truth is given once.",
         R"(// test.scn
 scenario "opens" {
@@ -209,7 +209,10 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::scenario_not_a_command, "not a control variable",
-             "`when command` waits for a command: a constraint over the plant's control variables.", R"(// test.scn
+             "`when command` waits for a command, which is a constraint over control variables of the plant. `at … "
+             "command` gives "
+             "one of them a value.",
+             R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
   plant "tap.tcca";
@@ -360,7 +363,7 @@ plant Tap {
   control valve.cmd default none;
   observe valve.flow;
 })"},
-    CodeInfo{Code::scenario_without_truth, "no truth to speak of",
+    CodeInfo{Code::scenario_without_truth, "no truth in a plant of rules",
              "A plant that follows the rules only has readings, and no modes behind them: nothing can fail in it, and "
              "`truth` and `expect truth` have nothing to speak of.",
              R"(// test.scn
@@ -415,6 +418,6 @@ plant Tap {
 
 }  // namespace
 
-std::span<const CodeInfo> scenario_codes() { return table; }
+std::span<const CodeInfo> scenario_codes() { return scenario_table; }
 
 }  // namespace rmpl::grammar

@@ -7,7 +7,7 @@
 namespace rmpl::grammar {
 namespace {
 
-constexpr std::array table = {
+constexpr std::array text_table = {
     CodeInfo{
         Code::syntax, "syntax error",
         "The text does not follow the grammar at this place. The message says what could have stood there and what "
@@ -60,18 +60,18 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })"},
-    CodeInfo{
-        Code::duration_out_of_range, "duration out of range",
-        "A duration is between 0 and about 292 years, and no finer than a nanosecond. Units are us, ms, s, min (or "
-        "mins), h and d; a bare number is seconds.",
-        R"(component Heater {
+    CodeInfo{Code::duration_out_of_range, "duration out of range",
+             "A duration is between 0 and about 292 years, and no finer than a nanosecond. Units are ns, us, ms, s, "
+             "min (or mins), h, d and w (or weeks); a bare number is seconds. Months and years have no fixed length: "
+             "write days.",
+             R"(component Heater {
   initial heating;
   mode heating;
   mode warm;
   heating -> warm after 1000000 d;
 }
 plant Cabin { heater : Heater; })",
-        R"(component Heater {
+             R"(component Heater {
   initial heating;
   mode heating;
   mode warm;
@@ -154,6 +154,6 @@ plant Tanks { a, b, c, d, e, f, g, h, i, j : A; })"},
 
 }  // namespace
 
-std::span<const CodeInfo> text_codes() { return table; }
+std::span<const CodeInfo> text_codes() { return text_table; }
 
 }  // namespace rmpl::grammar

@@ -66,4 +66,11 @@ class Diagnostics {
   std::size_t errors_ = 0;
 };
 
+/// A finding that a comment in the source allows, and the reason that it gives.
+struct AllowedFinding {
+  Diagnostic finding;
+  std::string reason;
+  Span comment;
+};
+
 }  // namespace rmpl::grammar

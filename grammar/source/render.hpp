@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -26,15 +27,22 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const Sources& 
 struct Tool {
   std::string name;
   std::string version;
+  std::string homepage = {};  ///< its address; docs/diagnostics below it has a page for each rule; empty: none is known
 };
 
 /// SARIF 2.1.0: one run; the rules that occur, with help; regions by line and column in code points; notes as related
-/// locations; fixes. A file name becomes a URI, relative where it was.
-std::string render_sarif(std::span<const Diagnostic> diagnostics, const Sources& sources, const Tool& tool);
+/// locations; fixes. A file name becomes a URI, relative where it was. Findings that are allowed stand among the
+/// others, each with its suppression: the comment, and the reason as its justification.
+std::string render_sarif(std::span<const Diagnostic> diagnostics, const Sources& sources, const Tool& tool,
+                         std::span<const AllowedFinding> allowed = {});
 
 /// Workflow commands of GitHub Actions, a line each: `::warning file=…,line=…::…`. Notes and the suggestion stand in
 /// the message.
 std::string render_github(std::span<const Diagnostic> diagnostics, const Sources& sources);
+
+/// One such command, for what is no diagnostic; line 0: of the file as a whole.
+std::string github_command(Severity severity, const std::string& file, std::uint32_t line, const std::string& title,
+                           const std::string& message);
 
 /// All findings as text, sorted; empty where there are none.
 std::string render_text(const Findings& findings, bool color);

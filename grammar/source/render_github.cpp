@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include <string_view>
 
+#include "base/printable.hpp"
 #include "grammar/source/render.hpp"
 
 namespace rmpl::grammar {
 namespace {
 
-/// The escapes of GitHub's own toolkit (`@actions/core`, command.ts); of a property, `:` and `,` too.
+/// The escapes of GitHub's own toolkit (`@actions/core`, command.ts); of a property, `:` and `,` too. A log is read on
+/// a terminal, too: what would steer it is escaped before.
 std::string escaped(std::string_view text, bool property) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : base::printable(text)) {
     if (c == '%') {
       result += "%25";
-    } else if (c == '\r') {
-      result += "%0D";
     } else if (c == '\n') {
       result += "%0A";
     } else if (property && c == ':') {
@@ -52,14 +52,24 @@ std::string message_of(const Diagnostic& diagnostic, const Sources& sources) {
   return text;
 }
 
+std::string command(Severity severity, const std::string& place, const std::string& title, const std::string& message) {
+  return "::" + command_of(severity) + " " + place + ",title=" + escaped(title, true) + "::" + escaped(message, false) +
+         "\n";
+}
+
 }  // namespace
+
+std::string github_command(Severity severity, const std::string& file, std::uint32_t line, const std::string& title,
+                           const std::string& message) {
+  const std::string place = "file=" + escaped(file, true) + (line > 0 ? ",line=" + std::to_string(line) : "");
+  return command(severity, place, title, message);
+}
 
 std::string render_github(std::span<const Diagnostic> diagnostics, const Sources& sources) {
   std::string text;
   for (const Diagnostic& diagnostic : diagnostics) {
     const std::string title = to_string(diagnostic.code) + ": " + std::string(info(diagnostic.code).title);
-    text += "::" + command_of(diagnostic.severity) + " " + place_of(diagnostic.span, sources) +
-            ",title=" + escaped(title, true) + "::" + escaped(message_of(diagnostic, sources), false) + "\n";
+    text += command(diagnostic.severity, place_of(diagnostic.span, sources), title, message_of(diagnostic, sources));
   }
   return text;
 }

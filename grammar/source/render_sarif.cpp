@@ -31,7 +31,7 @@ Json physical_location(Span span, const Sources& sources) {
   return {{"artifactLocation", artifact_of(span, sources)}, {"region", region_of(span, sources)}};
 }
 
-Json rule_of(const CodeInfo& info) {
+Json rule_of(const CodeInfo& info, const Tool& tool) {
   const std::string text(info.explanation);
   const std::string wrong(info.wrong);
   const std::string right(info.right);
@@ -39,6 +39,7 @@ Json rule_of(const CodeInfo& info) {
   rule["id"] = to_string(info.code);
   rule["shortDescription"] = {{"text", info.title}};
   rule["fullDescription"] = {{"text", text}};
+  if (!tool.homepage.empty()) rule["helpUri"] = tool.homepage + "/docs/diagnostics/" + to_string(info.code) + ".md";
   rule["help"] = {{"text", text + "\n\nwrong:\n" + wrong + "\n\nright:\n" + right},
                   {"markdown", text + "\n\nWrong:\n```\n" + wrong + "\n```\nRight:\n```\n" + right + "\n```"}};
   return rule;
@@ -86,17 +87,29 @@ Json result_of(const Diagnostic& diagnostic, std::size_t rule, const Sources& so
 
 }  // namespace
 
-std::string render_sarif(std::span<const Diagnostic> diagnostics, const Sources& sources, const Tool& tool) {
+std::string render_sarif(std::span<const Diagnostic> diagnostics, const Sources& sources, const Tool& tool,
+                         std::span<const AllowedFinding> allowed) {
   std::map<Code, std::size_t> rules;
   for (const Diagnostic& diagnostic : diagnostics) rules.emplace(diagnostic.code, 0);
-  Json driver{{"name", tool.name}, {"version", tool.version}, {"rules", Json::array()}};
+  for (const AllowedFinding& one : allowed) rules.emplace(one.finding.code, 0);
+  Json driver{{"name", tool.name}, {"version", tool.version}};
+  if (!tool.homepage.empty()) driver["informationUri"] = tool.homepage;
+  driver["rules"] = Json::array();
   for (auto& [code, position] : rules) {
     position = driver["rules"].size();
-    driver["rules"].push_back(rule_of(info(code)));
+    driver["rules"].push_back(rule_of(info(code), tool));
   }
   Json results = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) {
     results.push_back(result_of(diagnostic, rules.at(diagnostic.code), sources));
+  }
+  for (const AllowedFinding& one : allowed) {
+    Json result = result_of(one.finding, rules.at(one.finding.code), sources);
+    Json suppression{{"kind", "inSource"}, {"justification", one.reason}};
+    suppression["location"] = {{"physicalLocation", physical_location(one.comment, sources)}};
+    result["suppressions"] = Json::array();
+    result["suppressions"].push_back(std::move(suppression));
+    results.push_back(std::move(result));
   }
   Json run;
   run["tool"] = {{"driver", std::move(driver)}};

@@ -78,7 +78,7 @@ Excerpt excerpt(std::string_view whole, std::size_t begin, std::size_t end) {
   const std::string_view line = whole.substr(window.first, window.last - window.first);
   begin -= window.first;
   end = std::min(end - window.first, line.size());
-  // One cell per column: a code point, or a part of a tab. Control characters and stray bytes show as `?`.
+  // One cell per column: a code point, or a part of a tab or of the escape of what is not shown as it is.
   std::vector<std::string> cells;
   std::size_t from = 0;
   std::size_t to = 0;
@@ -87,10 +87,13 @@ Excerpt excerpt(std::string_view whole, std::size_t begin, std::size_t end) {
     const std::size_t length = base::code_point_length(line.substr(at));
     if (line[at] == '\t') {
       cells.resize(cells.size() + tab_columns, " ");
-    } else if (length == 0 || base::is_control(line[at])) {
-      cells.emplace_back("?");
     } else {
-      cells.emplace_back(line.substr(at, length));
+      const std::string_view one = line.substr(at, std::max<std::size_t>(1, length));
+      if (const std::string escaped = base::printable(one); escaped == one) {
+        cells.emplace_back(one);
+      } else {
+        for (const char c : escaped) cells.emplace_back(1, c);
+      }
     }
     at += std::max<std::size_t>(1, length);
     if (at <= end) to = cells.size();

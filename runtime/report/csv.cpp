@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "automata/place.hpp"
+#include "runtime/executive/trace/json_line.hpp"
 #include "runtime/report/exports.hpp"
 
 namespace rmpl::runtime {
@@ -24,6 +25,8 @@ std::string field(std::string_view text) {
   return quoted + "\"";
 }
 
+std::string number(double value) { return JsonLine().number(value).text(); }
+
 class Table {
  public:
   explicit Table(const Flight& flight) : flight_(flight), plant_(*flight.plant) {}
@@ -32,6 +35,7 @@ class Table {
     add_modes("truth", flight_.truth);
     add_modes("estimate", flight_.estimate);
     add_belief();
+    add_samples();
     add_readings();
     add_events();
     add_program();
@@ -52,6 +56,11 @@ class Table {
            std::string_view note = {}) {
     lines_.push_back(
         {time, "," + std::string(kind) + "," + field(name) + "," + field(value) + "," + field(note) + "\r\n"});
+  }
+
+  /// A value that stands as it is: a number below 0 is no formula.
+  void add_line(Ticks time, std::string_view kind, std::string_view name, const std::string& value) {
+    lines_.push_back({time, "," + std::string(kind) + "," + field(name) + "," + value + ",\r\n"});
   }
 
   void add_modes(std::string_view kind, const std::vector<Track<automata::ModeId>>& tracks) {
@@ -75,6 +84,15 @@ class Table {
         for (const auto& [mode, percent] : shares) {
           add(change.time, "belief", component.name, std::to_string(percent), component.modes[mode.index()].name);
         }
+      }
+    }
+  }
+
+  void add_samples() {
+    for (const FlownChannel& channel : flight_.channels) {
+      for (const auto& change : channel.signal.changes()) {
+        add_line(change.time, "sample", channel.name,
+                 change.value.number ? number(*change.value.number) : field(change.value.text));
       }
     }
   }
@@ -122,6 +140,21 @@ class Table {
       }
       before = change.value;
     }
+    std::vector<AssertedConstraint> constraints;
+    for (const auto& change : flight_.constraints.changes()) {
+      const auto in = [](const std::vector<AssertedConstraint>& all, const AssertedConstraint& one) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const AssertedConstraint& other) { return other.text == one.text; });
+      };
+      for (const AssertedConstraint& one : constraints) {
+        if (!in(change.value, one)) add(change.time, "goal", one.text, "");
+      }
+      for (const AssertedConstraint& one : change.value) {
+        add(change.time, "goal", one.text, "true", one.by ? place_of(*one.by) : "");
+      }
+      constraints = change.value;
+    }
+    for (const auto& change : flight_.set_aside.changes()) add(change.time, "set aside", "", change.value);
   }
 
   [[nodiscard]] std::string place_of(automata::LocationId location) const {

@@ -1,26 +1,35 @@
 # Writes files as constants of a C++ source: OUT from FRAME, STYLE and SCRIPTS.
 # SPDX-License-Identifier: MIT
-function(literal name text out)
-  # A compiler may take no more than 64 KiB in one literal: pieces, which it joins.
+#
+# A compiler must take no more than 64 KiB in one literal, so each script is one of its own.
+function(literal file out)
+  file(READ "${file}" text)
   string(LENGTH "${text}" length)
-  set(pieces "")
-  set(at 0)
-  while(at LESS length)
-    string(SUBSTRING "${text}" ${at} 8000 piece)
-    string(APPEND pieces "\n    R\"part(${piece})part\"")
-    math(EXPR at "${at} + 8000")
-  endwhile()
-  set(${out} "const std::string_view ${name} =${pieces};\n" PARENT_SCOPE)
+  if(length GREATER 65000)
+    message(FATAL_ERROR "${file}: too long for one literal; split the file")
+  endif()
+  set(${out} "R\"part(${text})part\"" PARENT_SCOPE)
 endfunction()
 
-file(READ "${FRAME}" frame)
-file(READ "${STYLE}" style)
-set(script "")
+literal("${FRAME}" frame)
+literal("${STYLE}" style)
+set(scripts "")
 foreach(file IN LISTS SCRIPTS)
-  file(READ "${file}" text)
-  string(APPEND script "${text}")
+  literal("${file}" script)
+  string(APPEND scripts "\n    ${script},")
 endforeach()
-literal(page_frame "${frame}" frame)
-literal(page_style "${style}" style)
-literal(page_script "${script}" script)
-file(WRITE "${OUT}" "#include \"runtime/report/page_parts.hpp\"\n\nnamespace rmpl::runtime {\n\n${frame}\n${style}\n${script}\n}  // namespace rmpl::runtime\n")
+file(WRITE "${OUT}" "#include \"runtime/report/page_parts.hpp\"
+
+namespace rmpl::runtime {
+
+const std::string_view page_frame = ${frame};
+const std::string_view page_style = ${style};
+
+namespace {
+constexpr std::string_view scripts[] = {${scripts}};
+}  // namespace
+
+const std::span<const std::string_view> page_scripts = scripts;
+
+}  // namespace rmpl::runtime
+")

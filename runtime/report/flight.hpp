@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "automata/monitor.hpp"
 #include "automata/plant.hpp"
 #include "automata/program.hpp"
 #include "automata/state.hpp"
@@ -21,6 +22,13 @@ struct AssertedGoal {
   automata::Assignment goal;
   std::optional<automata::LocationId> by;
   bool operator==(const AssertedGoal&) const = default;
+};
+
+/// What a goal asks besides modes, in words.
+struct AssertedConstraint {
+  std::string text;
+  std::optional<automata::LocationId> by;
+  bool operator==(const AssertedConstraint&) const = default;
 };
 
 /// Why the plant is commanded, waited for or without a plan; empty words where there is nothing to do.
@@ -49,6 +57,22 @@ struct Asked {
   std::string evidence;
 };
 
+/// What a channel of telemetry says: a finite number, or what else was written.
+struct Signal {
+  std::optional<double> number;
+  std::string text;  ///< empty for a finite number
+  bool operator==(const Signal&) const = default;
+};
+
+/// A channel that had samples, and the limits by which it is read.
+struct FlownChannel {
+  std::string name;
+  Track<Signal> signal;                            ///< each sample up to the next one
+  std::vector<automata::VariableId> attributes{};  ///< that monitors of it are about
+  /// Of monitors of this channel alone: numbers that mean a value of an attribute.
+  std::vector<std::pair<automata::VariableId, automata::Band>> limits{};
+};
+
 /// The share of the belief that each mode has that has any, in percent, in order of modes; empty where all but less
 /// than a half percent is in the estimated mode.
 using Shares = std::vector<std::pair<automata::ModeId, unsigned>>;
@@ -69,8 +93,11 @@ struct Flight {
   std::vector<Track<Shares>> belief;
   std::vector<Track<automata::ValueId>> commands;                 ///< per control
   std::vector<Track<std::optional<automata::ValueId>>> readings;  ///< per observable; nothing: silent
+  std::vector<FlownChannel> channels;                             ///< by name
   Track<automata::Marking> marking;
   Track<std::vector<AssertedGoal>> goals;
+  Track<std::vector<AssertedConstraint>> constraints;
+  Track<std::string> set_aside;  ///< readings that did not count, in words; empty where all did
   Track<Explanation> explanations;
   std::vector<Happening> happenings;  ///< in order of `from`
   std::vector<Asked> asked;

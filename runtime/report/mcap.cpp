@@ -1,13 +1,12 @@
 // MCAP (https://mcap.dev/spec, version 0): records, a chunk with an index for each megabyte, a summary.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
-#include "runtime/executive/trace/json_line.hpp"
 #include "runtime/report/exports.hpp"
+#include "runtime/report/messages.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -24,6 +23,8 @@ enum class Opcode : std::uint8_t {
   message_index = 0x07,
   chunk_index = 0x08,
   statistics = 0x0b,
+  metadata = 0x0c,
+  metadata_index = 0x0d,
   data_end = 0x0f
 };
 
@@ -54,169 +55,16 @@ class Fields {
   std::string bytes_;
 };
 
-struct Message {
-  Ticks time;
-  std::size_t channel;
-  std::string data;
-};
-
-struct Channel {
-  std::string_view topic;
-  std::string_view about;
-};
-
-/// Of the last, each message is one event; of the others, all that holds.
-constexpr std::array<Channel, 8> channels{
-    {{"/estimate", "the mode of each component, as estimated"},
-     {"/truth", "the mode of each component, in the simulated plant"},
-     {"/belief", "per component, the share of each mode that has any, in percent"},
-     {"/goal", "the goals that the program asserts"},
-     {"/command", "the controls that are not idle, and why"},
-     {"/reading", "what the sensors read; those that are silent are not named"},
-     {"/marking", "the locations of the program that are marked, from 1"},
-     {"/event", "what happened beside the regular flow"}}};
-
-class Messages {
- public:
-  explicit Messages(const Flight& flight) : flight_(flight), plant_(*flight.plant) {}
-
-  std::vector<Message> all() {
-    add_modes(0, flight_.estimate);
-    add_modes(1, flight_.truth);
-    add_belief();
-    add_goals();
-    add_commands();
-    add_readings();
-    add_marking();
-    add_events();
-    std::stable_sort(messages_.begin(), messages_.end(),
-                     [](const Message& a, const Message& b) { return a.time < b.time; });
-    return std::move(messages_);
-  }
-
- private:
-  template <class Write>
-  void add(std::size_t channel, Ticks time, const Write& write) {
-    json_.clear();
-    json_.open('{');
-    write();
-    json_.close('}');
-    messages_.push_back({time, channel, json_.text()});
-  }
-
-  void add_modes(std::size_t channel, const std::vector<Track<automata::ModeId>>& tracks) {
-    for (const Ticks time : times_of(tracks)) {
-      add(channel, time, [&] {
-        for (std::size_t c = 0; c < tracks.size(); ++c) {
-          const automata::ModeId* mode = tracks[c].at(time);
-          if (mode == nullptr) continue;
-          json_.key(plant_.components[c].name).string(plant_.components[c].modes[mode->index()].name);
-        }
-      });
-    }
-  }
-
-  void add_belief() {
-    for (const Ticks time : times_of(flight_.belief)) {
-      add(2, time, [&] {
-        for (std::size_t c = 0; c < flight_.belief.size(); ++c) {
-          const automata::Component& component = plant_.components[c];
-          const Shares* shares = flight_.belief[c].at(time);
-          const automata::ModeId* mode = flight_.estimate[c].at(time);
-          json_.key(component.name).open('{');
-          if (shares != nullptr && !shares->empty()) {
-            for (const auto& [m, percent] : *shares) json_.key(component.modes[m.index()].name).number(percent);
-          } else if (mode != nullptr) {
-            json_.key(component.modes[mode->index()].name).number(100);
-          }
-          json_.close('}');
-        }
-      });
-    }
-  }
-
-  void add_goals() {
-    for (const auto& change : flight_.goals.changes()) {
-      add(3, change.time, [&] {
-        for (const AssertedGoal& goal : change.value) {
-          json_.key(plant_.variables.name(goal.goal.variable)).string(plant_.variables.value(goal.goal));
-        }
-      });
-    }
-  }
-
-  void add_commands() {
-    for (const Ticks time : times_of(flight_.commands)) {
-      add(4, time, [&] {
-        json_.key("command").open('{');
-        bool some = false;
-        for (std::size_t i = 0; i < flight_.commands.size(); ++i) {
-          const automata::Control& control = plant_.controls[i];
-          const automata::ValueId* value = flight_.commands[i].at(time);
-          if (value == nullptr || *value == control.idle) continue;
-          some = true;
-          json_.key(plant_.variables.name(control.variable));
-          json_.string(plant_.variables.value({control.variable, *value}));
-        }
-        json_.close('}');
-        const Explanation* why = flight_.explanations.at(time);
-        if (some && why != nullptr) json_.key("why").string(why->why);
-      });
-    }
-  }
-
-  void add_readings() {
-    for (const Ticks time : times_of(flight_.readings)) {
-      add(5, time, [&] {
-        for (std::size_t i = 0; i < flight_.readings.size(); ++i) {
-          const auto* value = flight_.readings[i].at(time);
-          if (value == nullptr || !*value) continue;
-          const automata::Variable& variable = plant_.variables[plant_.observables[i]];
-          json_.key(variable.name).string(variable.values[(*value)->index()]);
-        }
-      });
-    }
-  }
-
-  void add_marking() {
-    for (const auto& change : flight_.marking.changes()) {
-      add(6, change.time, [&] {
-        json_.key("locations").open('[');
-        for (const automata::LocationId location : change.value) json_.number(location.index() + 1);
-        json_.close(']');
-      });
-    }
-  }
-
-  void add_events() {
-    for (const Happening& happening : flight_.happenings) {
-      add(7, happening.from, [&] {
-        json_.key("kind").string(happening.kind);
-        if (happening.component) json_.key("component").string(plant_[*happening.component].name);
-        if (happening.to) json_.key("until").seconds(*happening.to);
-        json_.key("text").string(happening.text);
-      });
-    }
-  }
-
-  const Flight& flight_;
-  const automata::Plant& plant_;
-  JsonLine json_;
-  std::vector<Message> messages_;
-};
-
-std::string schema_record(std::size_t channel) {
-  JsonLine json;
-  json.open('{').key("type").string("object").key("description").string(channels[channel].about).close('}');
-  const std::string name = "rmpl." + std::string(channels[channel].topic.substr(1));
-  return Fields().u16(channel + 1).text(name).text("jsonschema").text(json.text()).record(Opcode::schema);
+std::string schema_record(std::size_t channel, const std::string& schema) {
+  const std::string name = "rmpl." + std::string(message_channels()[channel].topic.substr(1));
+  return Fields().u16(channel + 1).text(name).text("jsonschema").text(schema).record(Opcode::schema);
 }
 
 std::string channel_record(std::size_t channel) {
   return Fields()
       .u16(channel)
       .u16(channel + 1)
-      .text(channels[channel].topic)
+      .text(message_channels()[channel].topic)
       .text("json")
       .u32(0)
       .record(Opcode::channel);
@@ -226,7 +74,11 @@ std::uint64_t nanoseconds(Ticks time) { return static_cast<std::uint64_t>(time.c
 
 class Writer {
  public:
-  explicit Writer(std::vector<Message> messages) : messages_(std::move(messages)) {}
+  explicit Writer(const Flight& flight) : flight_(flight), messages_(messages_of(flight)) {
+    for (std::size_t c = 0; c < channels_; ++c)
+      declarations_ += schema_record(c, message_schema(c, *flight.plant, flight.channels));
+    for (std::size_t c = 0; c < channels_; ++c) declarations_ += channel_record(c);
+  }
 
   std::string text() {
     constexpr std::string_view magic{"\x89MCAP0\r\n", 8};
@@ -238,10 +90,12 @@ class Writer {
       write_chunk(from, to);
       from = to;
     }
-    out_ += Fields().u32(0).record(Opcode::data_end);
+    const std::uint64_t about = out_.size();
+    const std::string metadata = metadata_record();
+    out_ += metadata + Fields().u32(0).record(Opcode::data_end);
     const std::uint64_t summary = out_.size();
-    for (std::size_t c = 0; c < channels.size(); ++c) out_ += schema_record(c) + channel_record(c);
-    out_ += statistics() + chunk_indices_;
+    out_ += declarations_ + statistics() + chunk_indices_ +
+            Fields().u64(about).u64(metadata.size()).text(metadata_name).record(Opcode::metadata_index);
     out_ += Fields().u64(summary).u64(0).u32(0).record(Opcode::footer);
     return out_.append(magic);
   }
@@ -249,13 +103,11 @@ class Writer {
  private:
   void write_chunk(std::size_t from, std::size_t to) {
     std::string records;
-    if (from == 0) {
-      for (std::size_t c = 0; c < channels.size(); ++c) records += schema_record(c) + channel_record(c);
-    }
-    std::array<Fields, channels.size()> indices;
-    std::array<std::uint32_t, channels.size()> counts{};
+    if (from == 0) records += declarations_;
+    std::vector<Fields> indices(channels_);
+    std::vector<std::uint32_t> counts(channels_);
     for (std::size_t m = from; m < to; ++m) {
-      const Message& message = messages_[m];
+      const FlightMessage& message = messages_[m];
       indices[message.channel].u64(nanoseconds(message.time)).u64(records.size());
       ++counts[message.channel];
       records += Fields()
@@ -281,7 +133,7 @@ class Writer {
     const std::uint64_t length = out_.size() - start;
     Fields offsets;
     const std::uint64_t indices_start = out_.size();
-    for (std::size_t c = 0; c < channels.size(); ++c) {
+    for (std::size_t c = 0; c < channels_; ++c) {
       if (counts[c] == 0) continue;
       offsets.u16(c).u64(out_.size());
       out_ += Fields().u16(c).text(indices[c].bytes()).record(Opcode::message_index);
@@ -302,15 +154,15 @@ class Writer {
 
   [[nodiscard]] std::string statistics() const {
     Fields counts;
-    for (std::size_t c = 0; c < channels.size(); ++c) counts.u16(c).u64(sequences_[c]);
+    for (std::size_t c = 0; c < channels_; ++c) counts.u16(c).u64(sequences_[c]);
     const std::uint64_t first = messages_.empty() ? 0 : nanoseconds(messages_.front().time);
     const std::uint64_t last = messages_.empty() ? 0 : nanoseconds(messages_.back().time);
     return Fields()
         .u64(messages_.size())
-        .u16(channels.size())
-        .u32(channels.size())
+        .u16(channels_)
+        .u32(channels_)
         .u32(0)
-        .u32(0)
+        .u32(1)  // of metadata
         .u32(chunks_)
         .u64(first)
         .u64(last)
@@ -318,15 +170,34 @@ class Writer {
         .record(Opcode::statistics);
   }
 
-  std::vector<Message> messages_;
+  /// What flew, and what came of it.
+  [[nodiscard]] std::string metadata_record() const {
+    Fields pairs;
+    const auto add = [&](std::string_view key, const std::string& value) { pairs.text(key).text(value); };
+    add("name", flight_.name);
+    add("plant", flight_.plant->name);
+    if (flight_.program != nullptr) add("program", flight_.program->name);
+    if (flight_.seed) add("seed", std::to_string(*flight_.seed));
+    add("verdict", flight_.verdict);
+    add("summary", flight_.summary);
+    return Fields().text(metadata_name).text(pairs.bytes()).record(Opcode::metadata);
+  }
+
+  static constexpr std::string_view metadata_name = "rmpl.flight";
+
+  const Flight& flight_;
+  /// The last one is there where there was telemetry.
+  const std::size_t channels_ = message_channels().size() - (flight_.channels.empty() ? 1 : 0);
+  std::vector<FlightMessage> messages_;
+  std::string declarations_;  ///< of schemas and channels
   std::string out_;
   std::string chunk_indices_;
-  std::array<std::uint32_t, channels.size()> sequences_{};
+  std::vector<std::uint32_t> sequences_ = std::vector<std::uint32_t>(message_channels().size());
   std::uint32_t chunks_ = 0;
 };
 
 }  // namespace
 
-std::string to_mcap(const Flight& flight) { return Writer(Messages(flight).all()).text(); }
+std::string to_mcap(const Flight& flight) { return Writer(flight).text(); }
 
 }  // namespace rmpl::runtime

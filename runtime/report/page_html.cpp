@@ -34,8 +34,12 @@ std::string escaped(std::string_view text) {
 std::string to_html(const Report& report) {
   const std::string data = to_json(report);
   const std::string title = escaped(report.title);
+  std::string scripts;
+  for (const std::string_view script : page_scripts) {
+    scripts += script;
+  }
   const std::pair<std::string_view, std::string_view> parts[] = {
-      {"<!--title-->", title}, {"/*style*/", page_style}, {"<!--data-->", data}, {"/*script*/", page_script}};
+      {"<!--title-->", title}, {"/*style*/", page_style}, {"<!--data-->", data}, {"/*script*/", scripts}};
   std::string html;
   std::string_view rest = page_frame;
   for (const auto& [mark, part] : parts) {

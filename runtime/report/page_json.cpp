@@ -1,6 +1,7 @@
 // The data of a page: names once, then numbers. A track is a flat list of times and values.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "automata/place.hpp"
 #include "base/check.hpp"
@@ -98,6 +99,21 @@ void write_goals(JsonLine& json, const Flight& flight) {
   });
 }
 
+void write_constraints(JsonLine& json, const Flight& flight) {
+  json.key("constraints");
+  write_track(json, flight.constraints, [&](const std::vector<AssertedConstraint>& constraints) {
+    json.open('[');
+    for (const AssertedConstraint& constraint : constraints) {
+      json.open('[').string(constraint.text);
+      if (constraint.by) json.number(constraint.by->index());
+      json.close(']');
+    }
+    json.close(']');
+  });
+  json.key("setAside");
+  write_track(json, flight.set_aside, [&](const std::string& readings) { json.string(readings); });
+}
+
 void write_notes(JsonLine& json, const Flight& flight) {
   json.key("why");
   write_track(json, flight.explanations, [&](const Explanation& explanation) {
@@ -119,6 +135,36 @@ void write_notes(JsonLine& json, const Flight& flight) {
     json.open('{').key("text").string(asked.text).key("verdict").string(asked.verdict);
     if (asked.time) json.key("time").seconds(*asked.time);
     json.key("reason").string(asked.reason).key("evidence").string(asked.evidence).close('}');
+  }
+  json.close(']');
+}
+
+/// Limits by positions of observables and values; one that is open to a side has no number there.
+void write_flown_channels(JsonLine& json, const Flight& flight) {
+  const auto& observables = flight.plant->observables;
+  const auto position = [&](automata::VariableId attribute) {
+    return std::find(observables.begin(), observables.end(), attribute) - observables.begin();
+  };
+  json.key("channels").open('[');
+  for (const FlownChannel& channel : flight.channels) {
+    json.open('{').key("name").string(channel.name).key("attributes").open('[');
+    for (const automata::VariableId attribute : channel.attributes) json.number(position(attribute));
+    json.close(']').key("limits").open('[');
+    for (const auto& [attribute, band] : channel.limits) {
+      json.open('{').key("attribute").number(position(attribute)).key("value").number(band.value.index());
+      if (std::isfinite(band.from)) json.key("from").number(band.from);
+      if (std::isfinite(band.to)) json.key("to").number(band.to);
+      json.close('}');
+    }
+    json.close(']').key("samples");
+    write_track(json, channel.signal, [&](const Signal& signal) {
+      if (signal.number) {
+        json.number(*signal.number);
+      } else {
+        json.string(signal.text);
+      }
+    });
+    json.close('}');
   }
   json.close(']');
 }
@@ -148,6 +194,7 @@ void write_flight(JsonLine& json, const Flight& flight, const std::vector<Model>
       json.number(-1);
     }
   });
+  if (!flight.channels.empty()) write_flown_channels(json, flight);
   json.key("marking");
   write_track(json, flight.marking, [&](const automata::Marking& marking) {
     json.open('[');
@@ -155,6 +202,7 @@ void write_flight(JsonLine& json, const Flight& flight, const std::vector<Model>
     json.close(']');
   });
   write_goals(json, flight);
+  write_constraints(json, flight);
   write_notes(json, flight);
   json.close('}');
 }

@@ -18,6 +18,18 @@ namespace {
 /// From this share on every mode of the estimate has a share that is shown as all.
 constexpr double as_good_as_all = 0.995;
 
+FlownChannel flown_channel(const std::string& name, const std::vector<automata::Monitor>* monitors) {
+  FlownChannel channel{name, {}};
+  if (monitors == nullptr) return channel;
+  for (const automata::Monitor& monitor : *monitors) {
+    if (monitor.channel != name && monitor.minus != name) continue;
+    channel.attributes.push_back(monitor.attribute);
+    if (monitor.minus || monitor.over) continue;
+    for (const automata::Band& band : monitor.bands) channel.limits.emplace_back(monitor.attribute, band);
+  }
+  return channel;
+}
+
 }  // namespace
 
 Recorder::Recorder(const automata::Document& document, const automata::Scenario& scenario)
@@ -37,6 +49,7 @@ Recorder::Recorder(const automata::Document& document, const automata::Scenario&
 
 void Recorder::observe(const CycleRecord& record) {
   note_action(record);
+  note_samples(record);
   note_state(record);
   note_belief(record);
   note_events(record);
@@ -48,14 +61,17 @@ void Recorder::note_action(const CycleRecord& record) {
     flight_.marking.set({}, marking_);
     return;
   }
-  const bool same_goal = record.goal == goal_ && record.asserted_by == asserted_by_;
+  const bool same_goal = record.goals == goals_;
   if (record.marking != marking_) flight_.marking.set(record.start, marking_ = record.marking);
   if (!same_goal) {
-    goal_ = record.goal;
-    asserted_by_ = record.asserted_by;
+    goals_ = record.goals;
     std::vector<AssertedGoal> goals;
-    for (std::size_t i = 0; i < goal_.size(); ++i) goals.push_back({goal_[i], asserted_by_[i]});
+    for (std::size_t i = 0; i < goals_.goal.size(); ++i) goals.push_back({goals_.goal[i], goals_.by[i]});
     flight_.goals.set(record.start, std::move(goals));
+    std::vector<AssertedConstraint> constraints;
+    for (const automata::GoalConstraint& constraint : goals_.constraints)
+      constraints.push_back({to_text(constraint.formula, plant_.variables), constraint.by});
+    flight_.constraints.set(record.start, std::move(constraints));
   }
   if (record.command != command_) {
     command_ = record.command;
@@ -66,8 +82,20 @@ void Recorder::note_action(const CycleRecord& record) {
     why_ = record.why;
     const bool acts = outcome_ != Reconfiguration::Outcome::nothing_to_do;
     const std::string outcome(acts ? runtime::name_of(outcome_) : "");
-    flight_.explanations.set(
-        record.start, {outcome, outcome.empty() ? "" : to_text(why_, plant_, automata::conjunction_of(record.goal))});
+    flight_.explanations.set(record.start,
+                             {outcome, outcome.empty() ? "" : to_text(why_, plant_, record.goals.formula())});
+  }
+}
+
+void Recorder::note_samples(const CycleRecord& record) {
+  for (const Sample& sample : record.samples) {
+    const std::string& name = (*record.channels)[sample.channel];
+    auto& all = flight_.channels;
+    auto at = std::lower_bound(all.begin(), all.end(), name,
+                               [](const FlownChannel& channel, const std::string& one) { return channel.name < one; });
+    if (at == all.end() || at->name != name) at = all.insert(at, flown_channel(name, record.monitors));
+    const bool finite = sample.number && std::isfinite(*sample.number);
+    at->signal.set(record.time, finite ? Signal{sample.number, {}} : Signal{std::nullopt, sample.text});
   }
 }
 
@@ -81,6 +109,8 @@ void Recorder::note_state(const CycleRecord& record) {
       flight_.readings[i].set(record.time, seen == observations_.end() ? std::nullopt : std::optional(seen->value));
     }
   }
+  std::string set_aside = to_text(plant_.variables, record.set_aside);
+  if (set_aside != set_aside_) flight_.set_aside.set(record.time, set_aside_ = std::move(set_aside));
   if (record.estimate != estimate_) {
     estimate_ = record.estimate;
     for (std::size_t c = 0; c < flight_.estimate.size(); ++c) flight_.estimate[c].set(record.time, estimate_[c]);
@@ -135,7 +165,7 @@ void Recorder::note_events(const CycleRecord& record) {
     const auto known = std::find_if(open_.begin(), open_.end(), [&](const auto& open) { return open.first == event; });
     if (known != open_.end()) continue;
     const bool at_start = event.kind == Event::Kind::no_plan || event.kind == Event::Kind::goal_conflict ||
-                          event.kind == Event::Kind::irreversible;
+                          event.kind == Event::Kind::irreversible || event.kind == Event::Kind::commanded;
     std::string text = event.message;
     if (event.kind == Event::Kind::no_plan) {
       if (const std::string way_out = remedy(record.why, plant_); !way_out.empty()) text += "; " + way_out;
@@ -145,6 +175,29 @@ void Recorder::note_events(const CycleRecord& record) {
                                   std::nullopt, event.component, std::move(text),
                                   is_forced_as_nominal(event, record, plant_)});
   }
+}
+
+void Recorder::forget() {
+  const auto forget_all = [](auto& tracks) {
+    for (auto& track : tracks) track.forget();
+  };
+  forget_all(flight_.truth);
+  forget_all(flight_.estimate);
+  forget_all(flight_.belief);
+  forget_all(flight_.commands);
+  forget_all(flight_.readings);
+  for (FlownChannel& channel : flight_.channels) channel.signal.forget();
+  flight_.marking.forget();
+  flight_.goals.forget();
+  flight_.constraints.forget();
+  flight_.set_aside.forget();
+  flight_.explanations.forget();
+  std::vector<Happening> left;
+  for (auto& [event, happening] : open_) {
+    left.push_back(std::move(flight_.happenings[happening]));
+    happening = left.size() - 1;
+  }
+  flight_.happenings = std::move(left);
 }
 
 Flight Recorder::finish(const ScenarioResult& result) {

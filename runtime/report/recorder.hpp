@@ -19,9 +19,16 @@ class Recorder final : public CycleObserver {
   void observe(const CycleRecord& record) override;
   /// The flight is over.
   Flight finish(const ScenarioResult& result);
+  /// The flight up to now, as if it were over; costs a copy.
+  [[nodiscard]] Flight so_far(const ScenarioResult& result) const { return Recorder(*this).finish(result); }
+  /// What was observed and not forgotten, as it is.
+  [[nodiscard]] const Flight& flight() const { return flight_; }
+  /// Keeps what holds now, and of what happened what goes on: a flight without end can be followed.
+  void forget();
 
  private:
   void note_action(const CycleRecord& record);
+  void note_samples(const CycleRecord& record);
   void note_state(const CycleRecord& record);
   void note_belief(const CycleRecord& record);
   void note_events(const CycleRecord& record);
@@ -30,8 +37,8 @@ class Recorder final : public CycleObserver {
   const automata::Plant& plant_;
   Flight flight_;
   // As of the cycle before; a cycle in which nothing changes costs comparisons only.
-  std::vector<automata::Assignment> goal_;
-  std::vector<automata::LocationId> asserted_by_;
+  automata::Goals goals_;
+  std::string set_aside_;
   automata::ControlAction command_;
   automata::Marking marking_;
   automata::Observation observations_;

@@ -38,6 +38,10 @@ class Track {
     return after == changes_.begin() ? nullptr : &std::prev(after)->value;
   }
   [[nodiscard]] bool empty() const { return changes_.empty(); }
+  /// Keeps the last change only.
+  void forget() {
+    if (changes_.size() > 1) changes_.erase(changes_.begin(), std::prev(changes_.end()));
+  }
 
  private:
   std::vector<Change<Value>> changes_;

@@ -5,7 +5,9 @@
 #include <functional>
 #include <string_view>
 
+#include "automata/owner.hpp"
 #include "base/check.hpp"
+#include "runtime/executive/trace/json_line.hpp"
 #include "runtime/report/exports.hpp"
 
 namespace rmpl::runtime {
@@ -29,6 +31,7 @@ class Dump {
     open(flight_.program != nullptr ? flight_.program->name : plant_.name);
     for (std::size_t c = 0; c < plant_.components.size(); ++c) declare_component(c);
     declare_variables(npos);
+    declare_channels();
     declare_marking();
     close();
     text_ += "$enddefinitions $end\n";
@@ -53,34 +56,22 @@ class Dump {
       id += static_cast<char>('!' + number % 94);
       if (number < 94) break;
     }
-    text_ += "$var " + std::string(type) + " " + std::to_string(width) + " " + id + " " + identifier(name) +
-             (width > 1 && type == "reg" ? " [" + std::to_string(width - 1) + ":0]" : "") + " $end\n";
+    text_ += "$var " + std::string(type) + " " + std::to_string(width) + " " + id + " " + identifier(name) + " $end\n";
     return id;
   }
 
   void note(Ticks time, std::string change) { written_.push_back({time, std::move(change)}); }
 
-  /// A track of names, as a string of Verilog. `name_of` gives null for what is not driven.
+  /// A track of names, as strings: those have no place in the standard (IEEE 1364), and are what GTKWave, Surfer and
+  /// others read. `name_of` gives null for what is not driven, which is a minus sign.
   template <class Value, class NameOf>
-  void write_strings(std::string_view name, const Track<Value>& track, const std::vector<std::string>& names,
-                     const NameOf& name_of) {
-    std::size_t longest = 1;
-    for (const std::string& one : names) longest = std::max(longest, one.size());
-    const std::string id = declare("reg", 8 * longest, name);
+  void write_strings(std::string_view name, const Track<Value>& track, const NameOf& name_of) {
+    const std::string id = declare("string", 1, name);
     for (const Change<Value>& change : track.changes()) {
       const std::string* value = name_of(change.value);
-      std::string bits = value == nullptr ? undriven_ : "";
-      if (value != nullptr) {
-        for (const char c : *value) {
-          for (int bit = 7; bit >= 0; --bit) bits += (static_cast<unsigned char>(c) >> bit & 1) != 0 ? '1' : '0';
-        }
-        // Leading zeros are implied; one digit there has to be.
-        bits.erase(0, std::min(bits.find('1'), bits.size() - (bits.empty() ? 0 : 1)));
-        if (bits.empty()) bits = "0";
-      }
-      note(change.time, "b" + bits + " " + id);
+      note(change.time, "s" + (value == nullptr ? "-" : identifier(*value)) + " " + id);
     }
-    if (track.empty() || track.changes().front().time > Ticks{}) note(Ticks{}, "bx " + id);
+    if (track.empty() || track.changes().front().time > Ticks{}) note(Ticks{}, "s- " + id);
   }
 
   /// Opens the scopes of a path; how many there are.
@@ -96,18 +87,15 @@ class Dump {
 
   void declare_component(std::size_t c) {
     const automata::Component& component = plant_.components[c];
-    std::vector<std::string> names;
-    for (const automata::Mode& mode : component.modes) names.push_back(mode.name);
-    const auto name = [&](automata::ModeId mode) { return &names[mode.index()]; };
+    const auto name = [&](automata::ModeId mode) { return &component.modes[mode.index()].name; };
     const std::size_t scopes = open_path(component.name);
-    undriven_ = "x";
     if (!flight_.estimate.empty()) {
-      write_strings("estimate", flight_.estimate[c], names, name);
+      write_strings("estimate", flight_.estimate[c], name);
       write_belief(c);
     }
-    if (!flight_.truth.empty()) write_strings("truth", flight_.truth[c], names, name);
+    if (!flight_.truth.empty()) write_strings("truth", flight_.truth[c], name);
     write_fault(component, flight_.estimate.empty() ? flight_.truth[c] : flight_.estimate[c]);
-    write_goal(c, names);
+    write_goal(c);
     declare_variables(c);
     for (std::size_t s = 0; s < scopes; ++s) close();
   }
@@ -136,7 +124,7 @@ class Dump {
     }
   }
 
-  void write_goal(std::size_t c, const std::vector<std::string>& names) {
+  void write_goal(std::size_t c) {
     Track<std::optional<automata::ValueId>> goal;
     goal.set(Ticks{}, std::nullopt);
     bool some = false;
@@ -149,15 +137,9 @@ class Dump {
       goal.set(change.time, value);
     }
     if (!some) return;
-    undriven_ = "z";
-    write_strings("goal", goal, names, [&](const auto& value) { return value ? &names[value->index()] : nullptr; });
-    undriven_ = "x";
-  }
-
-  /// The component whose path a name begins with, if that is its owner.
-  [[nodiscard]] std::size_t owner_of(const std::string& name) const {
-    const auto owner = plant_.find_component(name.substr(0, name.rfind('.')));
-    return owner ? owner->index() : npos;
+    write_strings("goal", goal, [&](const auto& value) -> const std::string* {
+      return value ? &plant_.components[c].modes[value->index()].name : nullptr;
+    });
   }
 
   /// Commands and readings of a component, or those of none.
@@ -168,7 +150,8 @@ class Dump {
       bool opened = false;
       for (std::size_t i = 0; i < count; ++i) {
         const automata::Variable& variable = plant_.variables[variable_of(i)];
-        if (owner_of(variable.name) != owner) continue;
+        const auto whose = automata::owner_of(plant_, variable_of(i));
+        if ((whose ? whose->index() : npos) != owner) continue;
         if (!opened) open(scope);
         opened = true;
         write(i, own(variable.name), variable.values);
@@ -178,15 +161,33 @@ class Dump {
     declare_all(
         "command", flight_.commands.size(), [&](std::size_t i) { return plant_.controls[i].variable; },
         [&](std::size_t i, const std::string& name, const std::vector<std::string>& values) {
-          write_strings(name, flight_.commands[i], values,
-                        [&](automata::ValueId value) { return &values[value.index()]; });
+          write_strings(name, flight_.commands[i], [&](automata::ValueId value) { return &values[value.index()]; });
         });
     declare_all(
         "reading", flight_.readings.size(), [&](std::size_t i) { return plant_.observables[i]; },
         [&](std::size_t i, const std::string& name, const std::vector<std::string>& values) {
-          write_strings(name, flight_.readings[i], values,
+          write_strings(name, flight_.readings[i],
                         [&](const auto& value) { return value ? &values[value->index()] : nullptr; });
         });
+  }
+
+  /// A channel with a text among its samples is one of strings.
+  void declare_channels() {
+    if (flight_.channels.empty()) return;
+    open("channel");
+    for (const FlownChannel& channel : flight_.channels) {
+      const auto& changes = channel.signal.changes();
+      const bool numbers = std::all_of(changes.begin(), changes.end(),
+                                       [](const Change<Signal>& change) { return change.value.number.has_value(); });
+      const std::string id = numbers ? declare("real", 64, channel.name) : declare("string", 1, channel.name);
+      if (!numbers && (changes.empty() || changes.front().time > Ticks{})) note(Ticks{}, "s- " + id);
+      for (const auto& change : changes) {
+        const Signal& signal = change.value;
+        const std::string text = signal.number ? JsonLine().number(*signal.number).text() : identifier(signal.text);
+        note(change.time, (numbers ? "r" : "s") + text + " " + id);
+      }
+    }
+    close();
   }
 
   void declare_marking() {
@@ -226,7 +227,6 @@ class Dump {
   const Flight& flight_;
   const automata::Plant& plant_;
   std::string text_;
-  std::string undriven_ = "x";
   std::size_t variables_ = 0;
   std::vector<Written> written_;
 };

@@ -3,13 +3,16 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "base/check.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 #include "tests/bench/example.hpp"
+#include "tests/bench/processor_time.hpp"
 
 using namespace rmpl;
 
@@ -61,12 +64,12 @@ void reconfiguration_again(benchmark::State& state) {
 }
 BENCHMARK(reconfiguration_again)->Unit(benchmark::kMicrosecond);
 
-/// Takes the time between one cycle and the next.
+/// Takes the processor time between one cycle and the next.
 class Stopwatch : public runtime::CycleObserver {
  public:
   void observe(const runtime::CycleRecord&) override {
-    const auto now = std::chrono::steady_clock::now();
-    if (last_) seconds_.push_back(std::chrono::duration<double>(now - *last_).count());
+    const double now = bench::processor_seconds();
+    if (last_) seconds_.push_back(now - *last_);
     last_ = now;
   }
   void start_again() { last_.reset(); }
@@ -80,7 +83,7 @@ class Stopwatch : public runtime::CycleObserver {
   [[nodiscard]] std::size_t cycles() const { return seconds_.size(); }
 
  private:
-  std::optional<std::chrono::steady_clock::time_point> last_;
+  std::optional<double> last_;
   std::vector<double> seconds_;
 };
 

@@ -3,13 +3,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "tests/bench/processor_time.hpp"
 
 using namespace rmpl;
 
@@ -80,11 +80,11 @@ void run(benchmark::State& state, const runtime::MarkingOptions& options, bool l
   for (auto _ : state) {
     const auto estimator = runtime::make_marking_estimator(program, options);
     for (const automata::Observation& observation : seen) {
-      const auto begin = std::chrono::steady_clock::now();
+      const double begin = bench::processor_seconds();
       estimator->update({}, observation);
       if (listed) CHECK(!estimator->belief().empty());
       if (options.window > 0) CHECK(!estimator->history().empty());
-      seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+      seconds.push_back(bench::processor_seconds() - begin);
     }
     CHECK(!estimator->belief().empty());
   }

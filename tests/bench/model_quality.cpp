@@ -33,9 +33,7 @@ bool failed(MarkingStep& step, MarkingStep::Number marking) {
   const automata::Variables& variables = step.program().variables;
   for (const automata::Assignment& a : step.values(marking)) {
     const std::string& value = variables.value(a);
-    if (value == "stuck" || value == "dead" || value == "jammed" || value == "corrupted" || value == "unreadable") {
-      return true;
-    }
+    if (value == "stuck" || value == "dead" || value == "corrupted") return true;
   }
   return false;
 }
@@ -52,7 +50,8 @@ Run draw(MarkingStep& step, std::mt19937_64& engine) {
   const std::vector<automata::VariableId>& seen = step.program().observables;
   while (true) {
     Run run;
-    auto at = step.initial()->front().target;
+    const auto starts = *step.initial();
+    auto at = starts[drawn(starts, unit(engine))].target;
     run.markings.push_back(step.whole(at));
     for (std::size_t i = 0; i < steps; ++i) {
       const auto& ways = *step.ways(at);

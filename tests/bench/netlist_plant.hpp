@@ -19,7 +19,7 @@ namespace rmpl::bench {
 /// Imports and compiles a netlist, as `rmplc import` and the reader of every program do.
 inline automata::Document imported(const std::filesystem::path& netlist, compiler::FaultModel faults) {
   const auto model = std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_circuit.tcca");
-  const compiler::ImportedCircuit circuit = compiler::import_circuit(netlist, faults);
+  const compiler::ImportedPlant circuit = compiler::import_plant(netlist, faults);
   if (!circuit.plant) {
     std::fputs(grammar::render_text(circuit.findings, false).c_str(), stderr);
     std::exit(EXIT_FAILURE);

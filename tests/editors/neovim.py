@@ -38,19 +38,44 @@ vim.cmd('qall!')
 """
 
 
+# A program of a project, whose plant lies in another folder.
+PROJECT = """
+local buffer = vim.api.nvim_get_current_buf()
+local client = vim.lsp.start_client({ name = 'rmplc', cmd = { '%s', 'server' }, root_dir = vim.fn.getcwd() })
+vim.lsp.buf_attach_client(buffer, client)
+local line = vim.fn.search('pump = broken') - 1
+vim.api.nvim_buf_set_lines(buffer, line, line + 1, false, { '  } watching (pump = brokem | switch = stuck);' })
+local told = vim.wait(10000, function() return #vim.diagnostic.get(buffer) == 1 end)
+if not told or vim.diagnostic.get(buffer)[1].lnum ~= line then
+  io.stderr:write('no diagnostic across folders: ' .. vim.inspect(vim.diagnostic.get(buffer)) .. '\\n')
+  vim.cmd('cquit 1')
+end
+vim.lsp.stop_client(client)
+vim.cmd('qall!')
+"""
+
+
 def main(root: str, programs: str) -> int:
     if not shutil.which("nvim"):
         print("skipped: there is no nvim; cmake/install-packages editors installs it")
         return 77
+    rmplc = pathlib.Path(programs, "rmplc").resolve()
+
+    def edited(folder, file, script):
+        path = pathlib.Path(folder, "check.lua")
+        path.write_text(script % rmplc, encoding="utf-8")
+        done = subprocess.run(["nvim", "--headless", "--clean", "-n", file, "-c", f"luafile {path}"], cwd=folder, timeout=90,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        print(done.stdout + done.stderr)
+        return done.returncode == 0, done.stdout
+
     with tempfile.TemporaryDirectory() as at:
         folder = pathlib.Path(at, "mars-entry")
         shutil.copytree(pathlib.Path(root, "examples/mars-entry"), folder)
-        script = pathlib.Path(at, "check.lua")
-        script.write_text(SCRIPT % pathlib.Path(programs, "rmplc").resolve(), encoding="utf-8")
-        done = subprocess.run(["nvim", "--headless", "--clean", "-n", "mars_entry.rmpl", "-c", f"luafile {script}"], cwd=folder, timeout=90,
-                              stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-    print(done.stdout + done.stderr)
-    return 0 if done.returncode == 0 and "understand each other" in done.stdout else 1
+        good, text = edited(folder, "mars_entry.rmpl", SCRIPT)
+        subprocess.run([rmplc, "new", "-q", "demo"], cwd=at, check=True)
+        project, _ = edited(pathlib.Path(at, "demo"), "program/fill.rmpl", PROJECT)
+    return 0 if good and "understand each other" in text and project else 1
 
 
 if __name__ == "__main__":

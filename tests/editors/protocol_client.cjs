@@ -56,6 +56,13 @@ async function main() {
   assert.ok(references.length > 5, 'uses of standby: ' + references.length);
   const symbols = await connection.sendRequest(protocol.DocumentSymbolRequest.type, { textDocument });
   assert.deepStrictEqual(symbols.map((s) => s.name), ['EntrySequence']);
+  const lenses = await connection.sendRequest(protocol.CodeLensRequest.type, { textDocument });
+  assert.deepStrictEqual(lenses.map((l) => [l.command.title, l.command.command]), [['check', 'rmpl.run']]);
+  const [item] = await connection.sendRequest(protocol.CallHierarchyPrepareRequest.type,
+    { textDocument, position: symbols[0].selectionRange.start });
+  assert.strictEqual(item.name, 'EntrySequence');
+  const incoming = await connection.sendRequest(protocol.CallHierarchyIncomingCallsRequest.type, { item });
+  assert.deepStrictEqual(incoming.filter(({ from }) => from.kind !== protocol.SymbolKind.Event), []);
   const completion = await connection.sendRequest(protocol.CompletionRequest.type, { textDocument, position });
   assert.deepStrictEqual(completion.items.map((i) => i.label).filter((l) => l === 'heating'), ['heating']);
   const tokens = await connection.sendRequest(protocol.SemanticTokensRequest.type, { textDocument });

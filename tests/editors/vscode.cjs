@@ -43,6 +43,7 @@ const EXPECTED = {
            '2 s': 'constant.numeric.tcca' }],
   scn: ['plant "a.tcca"; at 5 s expect v = open; /* no', { '5 s': 'constant.numeric.scn', '/*': 'comment.block.scn' }],
   props: ['never v = stuck;', { v: 'variable.other.props' }],
+  mon: ['channel "T" : v { low below 5; }', { below: 'keyword.operator.word.mon', v: 'variable.other.mon' }],
 };
 
 async function grammars() {
@@ -79,8 +80,17 @@ async function grammars() {
 async function activation() {
   const noted = {};
   const stand_ins = {
-    vscode: { workspace: { getConfiguration: (section) => ({ get: (key) => manifest.contributes.configuration.properties[section + '.' + key].default }),
-                           createFileSystemWatcher: (pattern) => ({ pattern }) } },
+    vscode: { commands: { registerCommand: (name, action) => { noted[name] = action; return { name }; } },
+              tasks: { executeTask: (task) => { noted.task = task; } },
+              Task: class { constructor(...all) { this.execution = all[4]; } },
+              TaskScope: { Workspace: 2 },
+              ProcessExecution: class { constructor(process, args, options) { Object.assign(this, { process, args, options }); } },
+              workspace: { saveAll: async () => { noted.saved = true; return true; },
+                           getConfiguration: (section) => ({ get: (key) => manifest.contributes.configuration.properties[section + '.' + key].default }),
+                           createFileSystemWatcher: (pattern) => ({ pattern }) },
+              debug: { startDebugging: (folder, configuration) => { noted.debugged = configuration; },
+                       registerDebugAdapterDescriptorFactory: (type, factory) => { noted.debuggers = { type, factory }; return { type }; } },
+              DebugAdapterExecutable: class { constructor(command, args) { Object.assign(this, { command, args }); } } },
     'vscode-languageclient/node': {
       TransportKind: { stdio: 0 },
       LanguageClient: class {
@@ -94,10 +104,21 @@ async function activation() {
   Module._load = (request, ...rest) => (request in stand_ins ? stand_ins[request] : load(request, ...rest));
   const loaded = require(path.join(extension, manifest.main));
   Module._load = load;
-  await loaded.activate();
+  const context = { subscriptions: [] };
+  await loaded.activate(context);
   assert.strictEqual(noted.run.command, 'rmplc');
   assert.deepStrictEqual(noted.run.args, ['server']);
   assert.deepStrictEqual(noted.options.documentSelector.map(({ language }) => language), manifest.contributes.languages.map(({ id }) => id));
+  assert.strictEqual(noted.debuggers.type, manifest.contributes.debuggers[0].type);
+  const { command, args } = noted.debuggers.factory.createDebugAdapterDescriptor();
+  assert.deepStrictEqual([command, args], ['rmpl-run', ['step', '--dap']]);
+  assert.strictEqual(context.subscriptions.length, 3);
+  await noted['rmpl.run']({ program: 'tcca-check', arguments: ['check', 'a b.props'], folder: '/x' });
+  assert.ok(noted.saved);
+  assert.deepStrictEqual({ ...noted.task.execution }, { process: 'tcca-check', args: ['check', 'a b.props'], options: { cwd: '/x' } });
+  await assert.rejects(noted['rmpl.run']({ program: 'sh', arguments: ['-c', 'true'], folder: '/' }));
+  await noted['rmpl.debug']({ type: 'rmpl', scenario: 'a.scn' });
+  assert.strictEqual(noted.debugged.scenario, 'a.scn');
   assert.ok(noted.started);
   await loaded.deactivate();
   assert.ok(!noted.started);
@@ -106,7 +127,7 @@ async function activation() {
 (async () => {
   const counted = await grammars();
   await activation();
-  console.log(`four grammars, ${counted} tokens of the examples; the extension starts rmplc server and stops it`);
+  console.log(`grammars of each language, ${counted} tokens of the examples; the extension starts rmplc server and stops it`);
 })().catch((error) => {
   console.log(String(error.stack || error));
   process.exit(1);

@@ -32,6 +32,22 @@ void read(const std::string& text, Names& names) {
   }
 }
 
+/// As the log of a plant is read: odd samples are left out, and counted.
+void read_leaving_out(const std::string& text) {
+  try {
+    std::istringstream in(text);
+    runtime::LogReader reader(in, "log.jsonl", lander());
+    reader.read_times({.from_first = true, .origin = {}}, runtime::LogReader::OddSamples::left_out);
+    automata::Ticks before;
+    while (const auto line = reader.next()) {
+      if (line->time < before) std::abort();
+      before = line->time;
+    }
+  } catch (const base::InputError& error) {
+    if (std::string_view(error.what()).empty()) std::abort();
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -39,5 +55,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   read(text, lander());
   automata::Variables names;
   read(text, names);
+  read_leaving_out(text);
   return 0;
 }

@@ -58,10 +58,14 @@ void edit(const std::string& text, const std::string& language) {
   const tools::Json range = {{"start", place(line / 2, character)}, {"end", place(line, character)}};
   tools::Json ranged = {{"textDocument", document}, {"range", range}};
   const auto ask = [&] {
-    for (const char* method : {"hover", "definition", "references", "documentHighlight", "prepareRename", "rename",
-                               "completion", "documentSymbol", "foldingRange", "semanticTokens/full"})
+    for (const char* method :
+         {"hover", "definition", "references", "documentHighlight", "prepareRename", "rename", "completion",
+          "documentSymbol", "foldingRange", "semanticTokens/full", "codeLens", "prepareCallHierarchy"})
       session.say(std::string("textDocument/") + method, at, true);
     session.say("textDocument/codeAction", ranged, true);
+    tools::Json item = {{"uri", document["uri"]}, {"selectionRange", range}};
+    for (const char* method : {"incomingCalls", "outgoingCalls"})
+      session.say(std::string("callHierarchy/") + method, {{"item", item}}, true);
   };
   ask();
   const tools::Json change = {{"range", range}, {"text", text.substr(0, text.size() / 3)}};

@@ -45,16 +45,24 @@ std::optional<Ticks> ticks_of(const Number& number) {
 }
 
 std::int64_t nanoseconds(std::string_view unit) {
-  static const std::vector<std::pair<std::string_view, std::int64_t>> units = {
-      {"us", 1'000},           {"ms", 1'000'000},        {"s", 1'000'000'000},     {"", 1'000'000'000},
-      {"min", 60'000'000'000}, {"mins", 60'000'000'000}, {"h", 3'600'000'000'000}, {"d", 86'400'000'000'000}};
+  static const std::vector<std::pair<std::string_view, std::int64_t>> units = {{"ns", 1},
+                                                                               {"w", 604'800'000'000'000},
+                                                                               {"weeks", 604'800'000'000'000},
+                                                                               {"us", 1'000},
+                                                                               {"ms", 1'000'000},
+                                                                               {"s", 1'000'000'000},
+                                                                               {"", 1'000'000'000},
+                                                                               {"min", 60'000'000'000},
+                                                                               {"mins", 60'000'000'000},
+                                                                               {"h", 3'600'000'000'000},
+                                                                               {"d", 86'400'000'000'000}};
   return std::find_if(units.begin(), units.end(), [&](const auto& known) { return known.first == unit; })->second;
 }
 
 /// The duration that the text says, by its definition.
 std::optional<Ticks> read(const std::string& text) {
   static const std::regex form(
-      R"([ \t\n\r]*(?:(inf|∞)|([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?[ \t\n\r]*(us|ms|s|mins?|h|d|))[ \t\n\r]*)");
+      R"([ \t\n\r]*(?:(inf|∞)|([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?[ \t\n\r]*(ns|us|ms|s|mins?|h|d|w|weeks|))[ \t\n\r]*)");
   std::smatch found;
   if (!std::regex_match(text, found, form)) return std::nullopt;
   if (found[1].matched) return Ticks::infinite();

@@ -15,7 +15,6 @@ import tempfile
 
 SKIPPED = 77
 PROGRAMS = ("rmplc", "rmpl-run", "tcca-check")
-PAGES = ("man1/rmplc.1.gz", "man1/rmpl-run.1.gz", "man1/tcca-check.1.gz", "man5/rmpl.5.gz", "man5/tcca.5.gz")
 # Where the programs' package may put something.
 PLACES = re.compile(r"usr/bin/[a-z-]+|usr/share/(man|rmpl|doc/rmpl|bash-completion|zsh/vendor-completions|"
                     r"fish/vendor_completions\.d)(/.*)?")
@@ -42,7 +41,8 @@ def expect(holds, complaint):
 def packages(build, into):
     run("cpack", "-G", "DEB", "--config", build / "CPackConfig.cmake", "-B", into)
     found = {run("dpkg-deb", "-f", file, "Package").strip(): file for file in into.glob("*.deb")}
-    expect(set(found) == {"rmpl", "librmpl-dev"}, f"packages: {sorted(found)}")
+    python = {"python3-rmpl"} if any((build / "python/rmpl").glob("_rmpl*.so")) else set()
+    expect(set(found) == {"rmpl", "librmpl-dev"} | python, f"packages: {sorted(found)}")
     return found
 
 
@@ -85,8 +85,12 @@ def check_programs(root, work):
     run(bin_dir / "rmpl-run", "scenario", examples / "propulsion/burn.scn")
 
 
-def check_pages(root):
-    for page in PAGES:
+def check_pages(source, root):
+    """Every page of man/ is there, and renders without a warning."""
+    pages = sorted(path.stem for path in (source / "man").glob("*.scd"))
+    installed = sorted(path.stem for path in (root / "usr/share/man").rglob("*.gz"))
+    expect(pages == installed, f"installed are the pages {installed}, expected {pages}")
+    for page in (f"man{name[-1]}/{name}.gz" for name in pages):
         with gzip.open(root / "usr/share/man" / page, "rb") as compressed:
             done = subprocess.run(["groff", "-man", "-Tutf8", "-P-cbou", "-ww", "-K", "utf8"], input=compressed.read(),
                                   capture_output=True, timeout=60, check=False)
@@ -110,6 +114,18 @@ def check_consumer(source, package, work):
     expect(said == "Tap: 1 component\n", f"the consumer says {said}")
 
 
+def check_python(source, package, work):
+    """The module, from where the package puts it, for the Python of the system."""
+    depends = run("dpkg-deb", "-f", package, "Depends")
+    expect("python3 (>=" in depends and "libstdc++6" in depends, f"the package depends on {depends}")
+    run("dpkg-deb", "-x", package, work / "python")
+    said = run("env", "PYTHONDONTWRITEBYTECODE=1", f"PYTHONPATH={work / 'python/usr/lib/python3/dist-packages'}", "/usr/bin/python3", "-c",
+               f"import rmpl; print(rmpl.compile('{source / 'examples/propulsion/propulsion.tcca'}').plants)")
+    expect(said == "['Propulsion']\n", f"the module says {said}")
+    strange = sorted(file for file in files_below(work / "python") if not re.fullmatch(r"usr/(lib/python3/dist-packages/rmpl|share/doc/python3-rmpl)/[^/]+", file))
+    expect(not strange, f"files of the module in strange places: {strange}")
+
+
 def main(source, build):
     missing = [tool for tool in ("cpack", "dpkg", "dpkg-deb", "dpkg-shlibdeps", "groff", "scdoc") if not shutil.which(tool)]
     if missing:
@@ -123,13 +139,15 @@ def main(source, build):
             dpkg(root, "--install", built["rmpl"])
             check_contents(root, built["rmpl"])
             check_programs(root, work)
-            check_pages(root)
+            check_pages(source, root)
             check_removal(root)
             check_consumer(source / "tests/package/consumer", built["librmpl-dev"], work)
+            if "python3-rmpl" in built:
+                check_python(source, built["python3-rmpl"], work)
         except Failed as failure:
             print(failure)
             return 1
-    print("installed, used and removed: rmpl; built upon: librmpl-dev")
+    print("installed, used and removed: rmpl; built upon: librmpl-dev" + ("; imported: python3-rmpl" if "python3-rmpl" in built else ""))
     return 0
 
 

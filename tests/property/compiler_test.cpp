@@ -1,4 +1,4 @@
-// The compiler's THCA against the table of semantics 1.
+// The compiler's THCA against the table of semantics 2.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -49,7 +49,9 @@ RC_GTEST_PROP(Compiler, LowersByTheTable, ()) {
     RC_ASSERT(location.composite == twin.composite);
     RC_ASSERT(location.parent == twin.parent);
     RC_ASSERT(location.start == twin.start);
+    RC_ASSERT(location.apart == twin.apart);
     RC_ASSERT(location.goal == twin.goal);
+    RC_ASSERT(location.goal_constraints == twin.goal_constraints);
     RC_ASSERT(location.clock_start == twin.clock_start);
     RC_ASSERT(location.own_clocks == twin.own_clocks);
     RC_ASSERT(location.maintenance == twin.maintenance);

@@ -191,8 +191,12 @@ class PlantDraw {
     timing.upper = timing.lower + Ticks::of_seconds(static_cast<std::int64_t>(up_to(0, 2)));
     if (!shape_.densities || chance(50)) return timing;
     if (chance(40)) timing.upper = Ticks::infinite();
-    timing.density = chance(50) ? automata::Density{automata::Density::Kind::exponential, 2, 0}
-                                : automata::Density{automata::Density::Kind::normal, 3, 1.5};
+    using Kind = automata::Density::Kind;
+    timing.density = pick<automata::Density>({{Kind::exponential, 2},
+                                              {Kind::exponential, 2},
+                                              {Kind::normal, 3, 1.5},
+                                              {Kind::weibull, 0, 0, 1.5, 3},
+                                              {Kind::erlang, 2, 0, 3}});
     return timing;
   }
 

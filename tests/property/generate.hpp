@@ -92,6 +92,8 @@ struct RandomProgram {
 };
 void showValue(const RandomProgram& program, std::ostream& out);
 rc::Gen<RandomProgram> programs(const automata::Plant& plant);
+/// The same, with branches of `each`, goals of any form, and conditions that ask of the executive's knowledge.
+rc::Gen<RandomProgram> programs_that_know(const automata::Plant& plant);
 
 /// A program over a plant's variables, as text and as a tree.
 struct RandomSource {

@@ -21,7 +21,8 @@ namespace {
 
 class ProgramDraw {
  public:
-  explicit ProgramDraw(const automata::Plant& plant) : plant_(plant) {
+  /// `knows`: with branches of `each`, goals of any form and what conditions ask of the executive's knowledge.
+  ProgramDraw(const automata::Plant& plant, bool knows) : plant_(plant), knows_(knows) {
     program_.name = "Random";
     program_.variables = plant.variables;
     program_.clocks = {"t0", "t1"};
@@ -42,6 +43,7 @@ class ProgramDraw {
     location.parent = parent;
     location.start = !parent || chance(60);
     location.label = "composite";
+    location.apart = knows_ && parent && chance(40);
     if (chance(40)) location.maintenance = condition();
     if (chance(30) && owned_ < program_.clocks.size()) location.own_clocks.emplace_back(owned_++);
     program_.locations.push_back(std::move(location));
@@ -62,6 +64,8 @@ class ProgramDraw {
     location.start = chance(60);
     location.label = "primitive";
     if (chance(50)) location.goal.push_back(mode_assignment());
+    if (knows_ && chance(20))
+      location.goal_constraints.push_back(*formulas(program_.variables, all_variables(plant_), 1));
     if (chance(25)) location.clock_start = ClockId(up_to(0, program_.clocks.size() - 1));
     if (chance(15)) location.maintenance = condition();
     program_.locations.push_back(std::move(location));
@@ -112,7 +116,30 @@ class ProgramDraw {
                    : chance(50) ? automata::conjunction({std::move(constraint), std::move(clock)})
                                 : automata::disjunction({std::move(constraint), std::move(clock)});
     }
+    if (knows_ && chance(40)) {
+      constraint = chance(50) ? automata::conjunction({std::move(constraint), knowledge()})
+                              : automata::disjunction({std::move(constraint), knowledge()});
+    }
     return {chance(60), std::move(constraint)};
+  }
+
+  Formula knowledge() {
+    using automata::Knowing;
+    const automata::VariableId component = pick(plant_.components).mode;
+    switch (up_to(0, 5)) {
+      case 0:
+        return automata::knowledge(Knowing::surprise);
+      case 1:
+        return automata::knowledge(Knowing::surprise, component);
+      case 2:
+        return automata::knowledge(Knowing::no_plan);
+      case 3:
+        return automata::knowledge(Knowing::no_plan, component);
+      case 4:
+        return automata::knowledge(Knowing::possible, *formulas(program_.variables, all_variables(plant_), 1), 0.25);
+      default:
+        return automata::knowledge(Knowing::likely, *formulas(program_.variables, all_variables(plant_), 1), 0.9);
+    }
   }
 
   Assignment mode_assignment() {
@@ -121,6 +148,7 @@ class ProgramDraw {
   }
 
   const automata::Plant& plant_;
+  bool knows_;
   automata::Program program_;
   std::size_t owned_ = 0;  ///< how many of the clocks belong to a composite
 };
@@ -130,7 +158,11 @@ class ProgramDraw {
 void showValue(const RandomProgram& program, std::ostream& out) { out << automata::to_json(program.program).dump(); }
 
 rc::Gen<RandomProgram> programs(const automata::Plant& plant) {
-  return rc::gen::exec([plant] { return RandomProgram{ProgramDraw(plant).draw()}; });
+  return rc::gen::exec([plant] { return RandomProgram{ProgramDraw(plant, false).draw()}; });
+}
+
+rc::Gen<RandomProgram> programs_that_know(const automata::Plant& plant) {
+  return rc::gen::exec([plant] { return RandomProgram{ProgramDraw(plant, true).draw()}; });
 }
 
 rc::Gen<std::vector<std::vector<Assignment>>> knowledge_of(const automata::Plant& plant, std::size_t cycles) {

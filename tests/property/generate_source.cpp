@@ -45,10 +45,10 @@ class SourceDraw {
 
   Statement statement(int depth) {
     using Kind = Statement::Kind;
-    static const std::vector<Kind> leaves = {Kind::goal, Kind::goal, Kind::clock_start, Kind::call};
-    static const std::vector<Kind> all = {Kind::sequence, Kind::parallel, Kind::if_then,    Kind::if_else,
-                                          Kind::unless,   Kind::when,     Kind::whenever,   Kind::always,
-                                          Kind::next,     Kind::watching, Kind::maintaining};
+    static const std::vector<Kind> leaves = {Kind::goal, Kind::goal, Kind::clock_start, Kind::call, Kind::nothing};
+    static const std::vector<Kind> all = {Kind::sequence, Kind::parallel, Kind::if_then,    Kind::if_else, Kind::unless,
+                                          Kind::when,     Kind::whenever, Kind::always,     Kind::repeat,  Kind::next,
+                                          Kind::watching, Kind::each,     Kind::maintaining};
     Statement s;
     s.kind = depth == 0 || chance(20) ? pick(leaves) : pick(all);
     switch (s.kind) {
@@ -66,6 +66,11 @@ class SourceDraw {
           draw_goal(s);
         }
         break;
+      case Kind::nothing:
+        break;
+      case Kind::each:
+        add_parts(s, up_to(1, 3), depth);
+        break;
       case Kind::sequence:
       case Kind::parallel:
         add_parts(s, up_to(2, 3), depth);
@@ -75,6 +80,7 @@ class SourceDraw {
         add_parts(s, 2, depth);
         break;
       case Kind::always:
+      case Kind::repeat:
       case Kind::next:
         add_parts(s, 1, depth);
         break;
@@ -118,7 +124,24 @@ class SourceDraw {
                                      Ticks{static_cast<std::int64_t>(up_to(0, 6)) * Ticks::per_second / 2});
       }
       const automata::VariableId variable = pick(all_variables(plant_));
-      return automata::is(variable, automata::ValueId(up_to(0, plant_.variables[variable].values.size() - 1)));
+      Formula is = automata::is(variable, automata::ValueId(up_to(0, plant_.variables[variable].values.size() - 1)));
+      if (!chance(15)) return is;
+      using automata::Knowing;
+      const automata::VariableId component = pick(plant_.components).mode;
+      switch (up_to(0, 5)) {
+        case 0:
+          return automata::knowledge(Knowing::surprise);
+        case 1:
+          return automata::knowledge(Knowing::no_plan);
+        case 2:
+          return automata::knowledge(Knowing::surprise, component);
+        case 3:
+          return automata::knowledge(Knowing::no_plan, component);
+        case 4:
+          return automata::knowledge(Knowing::possible, std::move(is), chance(50) ? automata::least_possible : 0.25);
+        default:
+          return automata::knowledge(Knowing::likely, std::move(is), 0.95);
+      }
     };
     if (chance(60)) return atom();
     return chance(50) ? automata::conjunction({atom(), atom()}) : automata::disjunction({atom(), atom()});

@@ -28,10 +28,22 @@ automata::Scenario draw_scenario(const automata::Plant& plant) {
     scenario.forced.push_back({Ticks{1}, *plant.find_component(component.name), mode, {"random.scn", 3, 4}});
   const auto condition = *formulas(plant.variables, {component.mode});
   if (chance(50))
-    scenario.expectations.push_back({automata::Expectation::Kind::never, true, condition, {}, {}, "", {}});
+    scenario.expectations.push_back({automata::Expectation::Kind::never, true, condition, {}, {}, "", {}, {}});
   if (chance(50))
-    scenario.expectations.push_back(
-        {automata::Expectation::Kind::eventually, false, condition, condition, Ticks::of_seconds(60), "text", {}});
+    scenario.expectations.push_back({automata::Expectation::Kind::eventually,
+                                     false,
+                                     condition,
+                                     condition,
+                                     Ticks::of_seconds(60),
+                                     "text",
+                                     {"R 1", "R-2"},
+                                     {}});
+  if (!plant.controls.empty() && chance(50)) {
+    const automata::Assignment command{pick(plant.controls).variable, automata::ValueId(std::size_t{0})};
+    scenario.commands.push_back({Ticks{3}, Ticks{8}, command, {"random.scn", 5, 6}});
+  }
+  if (chance(50)) scenario.samples.push_back({Ticks{4}, "P \"1\"", 0.1, "1e-1", {}});
+  if (chance(50)) scenario.samples.push_back({Ticks{5}, "P 2", std::nullopt, "n/a", {}});
   if (plant.observables.empty()) return scenario;
   const automata::Assignment reading{pick(plant.observables), automata::ValueId(std::size_t{1})};
   if (chance(50)) scenario.overrides.push_back({Ticks{5}, Ticks::infinite(), reading, {}});
@@ -46,7 +58,7 @@ automata::Scenario draw_scenario(const automata::Plant& plant) {
 RC_GTEST_PROP(Json, DocumentsComeBackTheSame, ()) {
   const Model model = *models({.rewards = true});
   const automata::Document document{.plants = {model.plant},
-                                    .programs = {(*programs(model.plant)).program},
+                                    .programs = {(*programs_that_know(model.plant)).program},
                                     .models = {},
                                     .scenarios = {draw_scenario(model.plant)}};
   const automata::Json json = automata::to_json(document);

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "automata/logic/theory.hpp"
 #include "automata/step/plain_step.hpp"
 #include "automata/step/plant_step.hpp"
 #include "automata/store/relevance.hpp"
+#include "automata/store/value_set.hpp"
 #include "base/bounded_cache.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
@@ -150,6 +152,31 @@ RC_GTEST_PROP(Logic, PartsOfAStoreSayWhatItSays, ()) {
       RC_ASSERT(permitted == whole.consistent(values));
     }
   }
+}
+
+/// The values that formulas leave a variable are those with which they hold.
+RC_GTEST_PROP(ValuesLeft, AreThoseThatHold, ()) {
+  const Model model = *models();
+  const automata::Variables& variables = model.plant.variables;
+  reference::World world(variables.size());
+  for (std::size_t v = 0; v < world.size(); ++v) {
+    world[v] = automata::ValueId(up_to(0, variables[automata::VariableId(v)].values.size() - 1));
+  }
+  const automata::VariableId of(up_to(0, variables.size() - 1));
+  const auto parts = *rc::gen::container<std::vector<automata::Formula>>(
+      up_to(0, 3), formulas(variables, all_variables(model.plant), 3));
+  const automata::ValueSet left =
+      automata::values_left(parts, of, [&](automata::VariableId v) { return world[v.index()]; });
+  std::size_t count = 0;
+  std::optional<automata::ValueId> first;
+  for (std::size_t value = 0; value < variables[of].values.size(); ++value) {
+    world[of.index()] = automata::ValueId(value);
+    const auto holds = [&](const automata::Formula& part) { return reference::holds(part, world); };
+    if (!std::all_of(parts.begin(), parts.end(), holds)) continue;
+    if (count++ == 0) first = automata::ValueId(value);
+  }
+  RC_ASSERT(left.size(variables[of].values.size()) == count);
+  if (first) RC_ASSERT(left.first() == first);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Window window_of(const MarkingQuestion& question) {
 
 struct Expected {
   std::optional<std::size_t> steps;  ///< of the soonest witness
-  unsigned improbable = 0;           ///< draws of the best of those
+  reference::Reached best;           ///< of those
   std::optional<unsigned> fewest;    ///< of any witness
   bool stuck = false;
 };
@@ -74,8 +74,8 @@ Expected expected_of(const reference::ModelProgramStep& slow, const std::vector<
   Expected result;
   const Window window = window_of(question);
   for (std::size_t s = 0; s <= window.last; ++s) {
-    for (const auto& [marking, improbable] : layers[s]) {
-      if (question.improbable && improbable > *question.improbable) continue;
+    for (const auto& [marking, reached] : layers[s]) {
+      if (question.improbable && reached.improbable > *question.improbable) continue;
       bool goes_on = s == window.last;
       for (const auto& commands : free) {
         slow.for_each_next(marking, commands, [&](const MarkedSet&, double, unsigned) { goes_on = true; });
@@ -84,9 +84,9 @@ Expected expected_of(const reference::ModelProgramStep& slow, const std::vector<
       const bool holds =
           question.entailed ? slow.entails(marking, question.formula) : slow.allows(marking, question.formula);
       if (s < window.first || !holds) continue;
-      if (!result.steps || (*result.steps == s && improbable < result.improbable)) result.improbable = improbable;
+      if (!result.steps || (*result.steps == s && reached < result.best)) result.best = reached;
       if (!result.steps) result.steps = s;
-      result.fewest = std::min(result.fewest.value_or(improbable), improbable);
+      result.fewest = std::min(result.fewest.value_or(reached.improbable), reached.improbable);
     }
   }
   return result;
@@ -96,20 +96,29 @@ Expected expected_of(const reference::ModelProgramStep& slow, const std::vector<
 bool settled(const std::vector<MarkingLayer>& layers) {
   MarkingLayer before;
   for (std::size_t s = 0; s + 1 < layers.size(); ++s) {
-    for (const auto& [marking, improbable] : layers[s]) {
-      const auto known = before.try_emplace(marking, improbable).first;
-      known->second = std::min(known->second, improbable);
+    for (const auto& [marking, reached] : layers[s]) {
+      const auto known = before.try_emplace(marking, reached).first;
+      known->second = std::min(known->second, reached);
     }
   }
   return std::all_of(layers.back().begin(), layers.back().end(), [&](const auto& one) {
     const auto known = before.find(one.first);
-    return known != before.end() && known->second <= one.second;
+    return known != before.end() && known->second.improbable <= one.second.improbable;
   });
 }
 
 std::size_t draws_in(const verifier::MarkingWitness& witness) {
   std::size_t result = 0;
   for (const auto& event : witness.events) result += event.draws.size();
+  return result;
+}
+
+std::size_t commanded_in(const verifier::MarkingWitness& witness, const ModelProgram& program) {
+  std::size_t result = 0;
+  for (std::size_t e = 1; e < witness.events.size(); ++e) {
+    const automata::Command& command = witness.events[e].command;
+    for (std::size_t c = 0; c < command.size(); ++c) result += command[c] != program.controls[c].idle ? 1 : 0;
+  }
   return result;
 }
 
@@ -141,7 +150,8 @@ RC_GTEST_PROP(MarkingReach, IsTheEnumeration, ()) {
     RC_ASSERT(draws_in(*answer.witness) == *expected.fewest);
   } else {
     RC_ASSERT(answer.witness->events.size() == *expected.steps + 1);
-    RC_ASSERT(draws_in(*answer.witness) == expected.improbable);
+    RC_ASSERT(draws_in(*answer.witness) == expected.best.improbable);
+    RC_ASSERT(commanded_in(*answer.witness, program) == expected.best.commanded);
   }
 }
 

@@ -31,13 +31,21 @@ constexpr std::int64_t day = 86400 * Ticks::per_second;
 Timing draw_timing() {
   const Ticks lower{pick<std::int64_t>({0, 1, 999, Ticks::per_second, 1000 * day, 90'000 * day})};
   const Ticks upper{lower.count + pick<std::int64_t>({0, 1, 1'000'000, 3 * Ticks::per_second, day, 1000 * day})};
-  switch (up_to(0, 2)) {
+  switch (up_to(0, 4)) {
     case 0:
       return {lower, upper, {}};
     case 1:
       return {lower,
               chance(50) ? Ticks::infinite() : upper,
               {Density::Kind::exponential, pick<double>({1e-6, 1.0, 1e9}), 0}};
+    case 2:
+      return {lower,
+              chance(50) ? Ticks::infinite() : upper,
+              {Density::Kind::weibull, 0, 0, pick<double>({0.3, 1.5, 4.0, 40.0}), pick<double>({1e-6, 1.0, 1e9})}};
+    case 3:
+      return {lower,
+              chance(50) ? Ticks::infinite() : upper,
+              {Density::Kind::erlang, pick<double>({1e-6, 1.0, 1e9}), 0, pick<double>({2.0, 5.0, 100.0})}};
     default:
       return {lower,
               chance(50) ? Ticks::infinite() : upper,

@@ -167,6 +167,48 @@ RC_GTEST_PROP(Reachability, SampledResponseIsTheTicks, ()) {
   compare_response(model, drawn, [&](const auto& q) { return reference::fewest_steps_sampled(slow, q, period); });
 }
 
+/// What may come some day, beside all runs that never bring it. Where time stands still while it is owed it does not
+/// come, which no run of the twin tells.
+void compare_some_day(const Model& model, Drawn drawn) {
+  drawn.question.response->within = Ticks::infinite();
+  const reference::Response& asked = *drawn.question.response;
+  const verifier::Response property{asked.after, asked.then, asked.within};
+  const reference::Step slow(model.plant);
+  const Ticks unit{Ticks::per_second / 2};
+  const bool never = reference::never_answers(slow, drawn.question, drawn.options.period, unit);
+  RC_LOG() << "after " << to_text(asked.after, model.plant.variables) << "\nthen "
+           << to_text(asked.then, model.plant.variables) << "\nfaults " << drawn.options.faults.value_or(0)
+           << ", commands " << static_cast<int>(drawn.options.commands) << ", never answered: " << never << '\n';
+  verifier::Slices slices(model.plant);
+  const verifier::Answer parts = verifier::check(slices, property, drawn.options, {});
+  drawn.options.slice = false;
+  const verifier::Answer whole = verifier::check(slices, property, drawn.options, {});
+  const auto stands_still = [](const verifier::Answer& answer) {
+    return answer.cut_off.still || (answer.witness && answer.witness->stop && answer.witness->stop->still);
+  };
+  RC_CLASSIFY(never);
+  RC_CLASSIFY(whole.witness && whole.witness->repeats_from);
+  if (stands_still(whole) || stands_still(parts)) return;
+  RC_ASSERT(whole.verdict == (never ? verifier::Verdict::violated : verifier::Verdict::holds));
+  if (parts.verdict == whole.verdict) return;
+  // A cone is taken to be able to go on where the rest of the plant is stuck, or is not looked at as a fault is
+  // certain.
+  RC_ASSERT(whole.cut_off.spent || reference::comes_to_a_stop(slow, drawn.question, drawn.options.period, unit));
+}
+
+RC_GTEST_PROP(Reachability, DenseLeadsToIsTheGrid, ()) {
+  const Model model = *models(drawn_shape());
+  RC_PRE(whole_seconds_suffice(model.plant));
+  compare_some_day(model, draw_response(model.plant));
+}
+
+RC_GTEST_PROP(Reachability, SampledLeadsToIsTheTicks, ()) {
+  const Model model = *models(drawn_shape());
+  Drawn drawn = draw_response(model.plant);
+  drawn.options.period = pick<Ticks>({{Ticks::per_second}, {3 * Ticks::per_second / 4}});
+  compare_some_day(model, drawn);
+}
+
 RC_GTEST_PROP(Reachability, DenseIsTheGrid, ()) {
   const Model model = *models(drawn_shape());
   RC_PRE(whole_seconds_suffice(model.plant));
@@ -216,6 +258,27 @@ RC_GTEST_PROP(Reachability, SampledStopsAreThoseOfTheTicks, ()) {
   Drawn drawn = draw_question(model.plant);
   drawn.options.period = pick<Ticks>({{Ticks::per_second}, {3 * Ticks::per_second / 4}});
   compare_stuck(model, drawn);
+}
+
+/// A dense proof is about the limit of ever shorter cycles: cycles that are short against all bounds, of which the
+/// least is a second, bear it out. Commands are left out, as they are held in cycles alone.
+RC_GTEST_PROP(Reachability, ShortCyclesBearOutThatNothingGetsStuck, ()) {
+  const Model model = *models(tangled);
+  Drawn drawn = draw_question(model.plant);
+  drawn.options.commands = verifier::Commands::none;
+  verifier::Slices slices(model.plant);
+  const auto ask = [&](std::optional<Ticks> period) {
+    drawn.options.period = period;
+    return verifier::check(slices, verifier::Stuck{}, drawn.options, {});
+  };
+  const verifier::Answer dense = ask(std::nullopt);
+  RC_CLASSIFY(dense.witness.has_value());
+  for (const Ticks cycle : {Ticks{Ticks::per_second / 8}, Ticks{Ticks::per_second / 1000}}) {
+    const verifier::Answer sampled = ask(cycle);
+    RC_CLASSIFY(sampled.witness.has_value());
+    RC_LOG() << "cycle " << automata::format_seconds(cycle) << " s" << std::endl;
+    if (dense.verdict == verifier::Verdict::holds) RC_ASSERT(sampled.verdict == verifier::Verdict::holds);
+  }
 }
 
 /// More components than the twin can explore: states that are put together change no verdict and no number of steps.

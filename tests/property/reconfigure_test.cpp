@@ -1,4 +1,4 @@
-// The goal interpreter and the planner against enumeration and nominal execution.
+// Reconfiguration against enumeration and nominal execution.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,16 +9,14 @@
 #include <random>
 #include <set>
 
-#include "runtime/reasoning/reconfigure/nominal_step.hpp"
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/one_step.hpp"
-#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "runtime/reasoning/reconfigure/plan.hpp"
 #include "runtime/reasoning/reconfigure/policy.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/goals.hpp"
-#include "tests/reference/plans.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -44,10 +42,6 @@ const Shape certain = {.max_modes = 4,
                        .distributions = false,
                        .rewards = true,
                        .commanded = true};
-
-/// What takes time comes by itself, or where a command lets it; all else is commanded.
-const Shape in_time = {
-    .max_modes = 4, .max_attributes = 6, .faults = false, .distributions = false, .rewards = true, .commanded = true};
 
 /// A random plant, its twin, and who is asked.
 struct Subject {
@@ -93,42 +87,6 @@ RC_GTEST_PROP(Reconfigure, PreconditionsAreWhatImpliesTheGuard, ()) {
                                             });
         RC_ASSERT(fit == (!weightless && slow.models().entails(store, transition.guard)));
       }
-    }
-  }
-}
-
-/// Where an action does not matter it enables what idling enables, and a search that leaves it out misses nothing.
-RC_GTEST_PROP(Reconfigure, WhatDoesNotMatterLeadsNowhereElse, ()) {
-  const Model model = *models(planning);
-  automata::PlantStep step(model.plant);
-  const runtime::NominalGraph graph(model.plant);
-  const runtime::Parts parts(model.plant, graph.restless());
-  runtime::NominalStep nominal(step, graph, parts);
-  runtime::Permitted::Steps steps;
-  for (const automata::ComponentId c : graph.components()) steps.emplace_back(graph.transitions(c).size(), true);
-  const runtime::Permitted all{steps, steps};
-  const auto idle = idle_action(model.plant);
-  for (int question = 0; question < 8; ++question) {
-    const Modes modes = *modes_of(model.plant);
-    const auto action = *actions_of(model.plant);
-    if (!step.permits(modes, idle) || !step.permits(modes, action)) continue;
-    runtime::OffIdle off;
-    for (std::size_t i = 0; i < idle.size(); ++i) {
-      if (action[i] != idle[i]) off.emplace_back(i, action[i]);
-    }
-    runtime::NominalStep::Rest rest = nominal.rest(modes);
-    const auto enabled = step.enabled(modes, action);
-    const auto anyway = step.enabled(modes, idle);
-    bool same = true;
-    for (std::size_t c = 0; c < modes.size(); ++c) {
-      same = same && enabled[c].untimed == anyway[c].untimed && enabled[c].timed == anyway[c].timed;
-    }
-    RC_ASSERT(nominal.matters(rest, off) == !same);
-    if (!same) continue;
-    for (std::size_t part = 0; part < parts.count(); ++part) {
-      std::set<Modes> reached;
-      for (const auto& outcome : nominal.outcomes(modes, idle, part, all)) reached.insert(outcome.modes);
-      for (const auto& outcome : nominal.outcomes(modes, action, part, all)) RC_ASSERT(reached.contains(outcome.modes));
     }
   }
 }
@@ -244,32 +202,6 @@ RC_GTEST_PROP(Reconfigure, PlansAreFoundWhereTheyExist, ()) {
   }
 }
 
-/// Where what needs time is waited for, too: what can be reached is, and modes that last in no more cycles than it
-/// takes; those in which only something else is done beside it do not count.
-RC_GTEST_PROP(Reconfigure, PlansInTimeAreFoundWhereTheyExist, ()) {
-  const Subject subject(in_time);
-  reference::Courses courses(subject.slow);
-  for (int question = 0; question < 4; ++question) {
-    const Modes modes = *modes_of(subject.model.plant);
-    const Formula goal = draw_goal(subject.model.plant);
-    if (!subject.slow.possible(modes) || goal.is_true() || entails(subject.slow, modes, goal)) continue;
-    const auto fewest = reference::Plans(courses, goal).surely(courses.number(modes));
-    if (!fewest) continue;
-    const runtime::Plan plan = runtime::make_plan(subject.model.plant, *subject.reconfigurer, modes, goal);
-    RC_LOG() << automata::to_text(goal, subject.model.plant.variables) << " from " << rc::toString(modes) << ": "
-             << plan.reason << ", where " << *fewest << " cycles do it" << std::endl;
-    RC_ASSERT(plan.outcome != runtime::Plan::Outcome::no_plan);
-    if (!asks_for_modes(subject.model.plant, goal) || !reference::lasts(subject.model.plant, goal)) continue;
-    std::size_t cycles = 0;
-    for (Modes at = modes; !entails(subject.slow, at, goal);) {
-      const runtime::Reconfiguration answer = subject.reconfigurer->next(at, goal);
-      cycles += answer.why.purpose == runtime::Reason::Purpose::goal ? 1 : 0;
-      at = *answer.expected;
-    }
-    RC_ASSERT(cycles <= *fewest);
-  }
-}
-
 /// Closed runs in which all goes as expected: while nothing happens of itself no state comes again, so commands come to
 /// an end.
 RC_GTEST_PROP(Reconfigure, CommandsComeToAnEnd, ()) {
@@ -373,7 +305,7 @@ RC_GTEST_PROP(Reconfigure, OneStepIsTheCheapestActionOfAll, ()) {
     const Formula goal = draw_goal(model.plant);
     if (tracked.empty() || goal.is_true()) continue;
     const auto expected = reference::cheapest_action(slow, tracked, goal);
-    const runtime::Reconfiguration found = reconfigurer->next_of_all(tracked, goal);
+    const runtime::Reconfiguration found = reconfigurer->next_of_all(tracked, goal, {});
     RC_LOG() << automata::to_text(goal, model.plant.variables) << ": " << found.reason << std::endl;
     RC_ASSERT((found.outcome == runtime::Reconfiguration::Outcome::no_plan) == !expected);
     if (expected) RC_ASSERT(found.action == *expected);

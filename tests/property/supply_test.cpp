@@ -22,7 +22,8 @@ using automata::Plant;
 using automata::ValueId;
 using automata::VariableId;
 
-/// A switch, links that follow it, and a load that takes its time with what the last one brings.
+/// A switch, links that follow it, and a load that takes its time with what the last one brings. Without rewards, for
+/// which the switch might go off while the links coast.
 Plant draw_chain() {
   Plant plant;
   plant.name = "Chain";
@@ -41,11 +42,14 @@ Plant draw_chain() {
   automata::Component& load = add_part(plant, "load", {"warm", "cooling", "cold"});
   load.transitions = {move(0, 1, is(supply, ValueId(1))), move(1, 0, is(supply, ValueId(0))),
                       move(1, 2, is(supply, ValueId(1)), some_seconds())};
+  for (automata::Component& component : plant.components) {
+    for (automata::Mode& mode : component.modes) mode.reward = 0;
+  }
   return plant;
 }
 
 /// A switch that is on, and loads behind it that step up and down by commands of their own, and fall at once without
-/// it.
+/// it. Without rewards, which might be worth a detour.
 Plant draw_loads() {
   Plant plant;
   plant.name = "Loads";
@@ -57,6 +61,7 @@ Plant draw_loads() {
   const VariableId cmd = control("switch.cmd", {"none", "on", "off"});
   automata::Component& bus = add_part(plant, "switch", {"off", "on"});
   bus.transitions = {move(0, 1, is(cmd, ValueId(1))), move(1, 0, is(cmd, ValueId(2)))};
+  for (automata::Mode& mode : bus.modes) mode.reward = 0;
   const VariableId supply = bus.mode;
   for (std::size_t i = up_to(1, 3); i > 0; --i) {
     const std::string name = "load" + std::to_string(i);
@@ -71,6 +76,7 @@ Plant draw_loads() {
       load.transitions.push_back(move(m + 1, m, with(is(own, ValueId(2)))));
       if (chance(60)) load.transitions.push_back(move(m + 1, 0, is(supply, ValueId(0))));
     }
+    for (automata::Mode& mode : load.modes) mode.reward = 0;
     std::shuffle(load.transitions.begin(), load.transitions.end(), std::minstd_rand(up_to(0, 1000)));
   }
   return plant;
@@ -100,15 +106,17 @@ RC_GTEST_PROP(Supply, WhatIsWaitedForComes, ()) {
   const Plant plant = draw_chain();
   RC_LOG() << rc::toString(Model{plant}) << std::endl;
   automata::PlantStep step(plant);
-  const auto reconfigurer = runtime::make_reconfigurer(step);
+  const auto reconfigurer = runtime::make_reconfigurer(step, nullptr, automata::Ticks::of_seconds(1));
   const Formula goal = is(plant.components.back().mode, ValueId(2));
   Moment now = at_rest(plant);
   std::size_t commands = 0;
+  runtime::StrategyPosition position;
   for (int cycle = 0; cycle < 100 && now.modes.back() != ModeId(2); ++cycle) {
-    const runtime::Reconfiguration answer = reconfigurer->next(now.modes, goal);
+    const runtime::Reconfiguration answer = reconfigurer->go_on(now.modes, goal, position);
     RC_ASSERT(answer.outcome != runtime::Reconfiguration::Outcome::no_plan);
     commands += answer.outcome == runtime::Reconfiguration::Outcome::command ? 1 : 0;
     go_on(step, now, answer.action);
+    position = position_after(answer, now.modes);
   }
   RC_ASSERT(now.modes.back() == ModeId(2));
   RC_ASSERT(commands == 1U);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/reference/set_aside.hpp"
+
 namespace rmpl::reference {
 
 using automata::Modes;
@@ -32,13 +34,19 @@ void for_each_choice(const std::vector<std::vector<double>>& distributions,
   }
 }
 
+/// `scaled`: what is possible of the outcomes of each state sums to 1.
 void for_each_trajectory(const Step& step, const Belief& belief, const automata::ControlAction& action, Ticks before,
-                         Ticks now, const std::function<void(const SystemState&, double)>& visit) {
+                         Ticks now, bool scaled, const std::function<void(const SystemState&, double)>& visit) {
   for (const auto& [state, weight] : belief) {
     std::vector<std::vector<double>> distributions;
     for (std::size_t i = 0; i < state.modes.size(); ++i)
       distributions.push_back(step.distribution(i, state, action, before, now));
-    for_each_choice(distributions, [&, &source = state, &mass = weight](const Modes& modes, double probability) {
+    double possible = 0;
+    for_each_choice(distributions, [&](const Modes& modes, double probability) {
+      if (step.possible(modes)) possible += probability;
+    });
+    const double mass = scaled ? weight / possible : weight;
+    for_each_choice(distributions, [&, &source = state](const Modes& modes, double probability) {
       if (step.possible(modes)) visit(Step::advance(source, modes, now), mass * probability);
     });
   }
@@ -70,7 +78,7 @@ Belief initial_belief(const Step& step) {
 Belief predicted(const Step& step, const Belief& belief, const automata::ControlAction& action, Ticks before,
                  Ticks now) {
   Belief result;
-  for_each_trajectory(step, belief, action, before, now,
+  for_each_trajectory(step, belief, action, before, now, true,
                       [&](const SystemState& target, double probability) { result[target] += probability; });
   return result;
 }
@@ -78,15 +86,18 @@ Belief predicted(const Step& step, const Belief& belief, const automata::Control
 Update belief_update(const Step& step, const Belief& belief, const automata::ControlAction& action,
                      const automata::Observation& observation, Ticks before, Ticks now) {
   const Belief prior = predicted(step, belief, action, before, now);
-  Update update;
-  for (const auto& [state, probability] : prior) {
-    const double posterior = probability * step.observation_factor(state.modes, observation);
-    if (posterior > 0) update.belief[state] = posterior;
-  }
-  if (update.belief.empty()) {
-    update.consistent = false;
-    update.belief = prior.empty() ? belief : prior;
-  }
+  const auto weighed = [&](const automata::Observation& readings) {
+    Belief posterior;
+    for (const auto& [state, probability] : prior) {
+      const double worth = probability * step.observation_factor(state.modes, readings);
+      if (worth > 0) posterior[state] = worth;
+    }
+    return posterior;
+  };
+  const auto counted =
+      set_aside(observation, [&](const automata::Observation& rest) { return !weighed(rest).empty(); });
+  if (!counted) return {belief, observation, false};
+  Update update{weighed(counted->rest), counted->aside, true};
   normalise(update.belief);
   return update;
 }
@@ -105,7 +116,7 @@ MostLikely most_likely(const Belief& belief) {
 Belief timed_me(const Step& step, const Belief& belief, const automata::ControlAction& action,
                 const automata::Observation& observation, Ticks before, Ticks now) {
   Belief result;
-  for_each_trajectory(step, belief, action, before, now, [&](const SystemState& target, double probability) {
+  for_each_trajectory(step, belief, action, before, now, false, [&](const SystemState& target, double probability) {
     if (!step.explains(target.modes, observation)) return;
     double& known = result[target];
     known = std::max(known, probability);

@@ -17,17 +17,18 @@ using Belief = std::map<automata::SystemState, double>;
 /// Clocks 0, the product of the initial distributions, impossible states dropped; not normalised.
 Belief initial_belief(const Step& step);
 
-/// All states that one step leads to, each with the summed probability of the ways there; impossible ones dropped.
+/// All states that one step leads to, each with the summed probability of the ways there. Of the outcomes of each state
+/// impossible ones are dropped, and the rest is scaled to 1.
 Belief predicted(const Step& step, const Belief& belief, const automata::ControlAction& action, automata::Ticks before,
                  automata::Ticks now);
 
 struct Update {
   Belief belief;
-  bool consistent = true;  ///< false: nothing explains the observation, `belief` is the prediction
+  automata::Observation set_aside;  ///< the first smallest set of readings without which some state explains the rest
+  bool follows = true;              ///< false: no state does; `belief` is the one before, and nothing counts
 };
 
-/// BeliefUpdate of Fig. 6-10, normalised at the end. Where nothing explains the observation: the prediction; where not
-/// even that exists: the belief before.
+/// BeliefUpdate of Fig. 6-10, normalised at the end.
 Update belief_update(const Step& step, const Belief& belief, const automata::ControlAction& action,
                      const automata::Observation& observation, automata::Ticks before, automata::Ticks now);
 

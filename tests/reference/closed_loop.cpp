@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "tests/reference/belief.hpp"
 #include "tests/reference/endless.hpp"
@@ -43,6 +44,9 @@ struct State {
   std::set<std::size_t> achieved;  ///< components that are still where a goal brought them, or found them
   std::size_t faults = 0;
   std::optional<Ticks> late;  ///< time so far, while what is to hold has not
+  /// Of the cycle that led here, where it was without a plan: the modes that its goal spoke of.
+  std::optional<std::set<automata::VariableId>> no_plan = std::nullopt;
+  Adviser::Position position = 0;
   auto operator<=>(const State&) const = default;
 };
 
@@ -52,6 +56,8 @@ struct Begun {
   std::vector<Assignment> goal;
   bool conflict;
   Advice advice;
+  Modes modes;
+  Adviser::Position position;
 };
 
 /// What a run through all states is for.
@@ -67,6 +73,9 @@ class Explorer {
         plant_(step.plant()),
         adviser_(adviser),
         question_(question),
+        asked_(knowledge_asked_by(program)),
+        asks_for_plans_(std::any_of(asked_.begin(), asked_.end(),
+                                    [](const auto& atom) { return atom.knowing == automata::Knowing::no_plan; })),
         moves_(step, question.period, question.period.value_or(question.unit)) {}
 
   LoopAnswer run() {
@@ -88,12 +97,15 @@ class Explorer {
         cycles(s, state, state, true);
       else
         dense(s, state);
-      const bool late = state.late && (question_.period ? *state.late + *question_.period > question_.within
-                                                        : *state.late == question_.within);
-      answer_.late = answer_.late || (late && judged_[s] && !goes_on_);
+      const bool late =
+          state.late && !question_.within.is_infinite() &&
+          (question_.period ? *state.late + *question_.period > question_.within : *state.late == question_.within);
+      const bool some_day = state.late && question_.within.is_infinite();
+      answer_.late = answer_.late || ((late || some_day) && judged_[s] && !goes_on_);
     }
     answer_.too_many = states_.size() >= most_states;
     if (look_ == Look::all && !answer_.too_many) find_endless();
+    if (look_ != Look::all && !answer_.too_many && question_.within.is_infinite()) find_unanswered();
     return answer_;
   }
 
@@ -127,6 +139,21 @@ class Explorer {
     return step_.models().entails(assumptions_of(plant_, modes), question_.formula);
   }
 
+  /// What is so, where the estimate is the truth, of all that the program asks of the executive's knowledge.
+  [[nodiscard]] std::vector<automata::Formula> so(const State& state) const {
+    const auto store = assumptions_of(plant_, state.modes);
+    std::vector<automata::Formula> result;
+    for (const automata::Formula& atom : asked_) {
+      bool is_so = false;
+      if (atom.knowing == automata::Knowing::no_plan)
+        is_so = state.no_plan && (!atom.about_one || state.no_plan->contains(atom.variable));
+      if (atom.knowing == automata::Knowing::possible) is_so = step_.models().allows(store, atom.operands[0]);
+      if (atom.knowing == automata::Knowing::likely) is_so = step_.models().entails(store, atom.operands[0]);
+      if (is_so) result.push_back(atom);
+    }
+    return result;
+  }
+
   /// Of what is to hold in time.
   [[nodiscard]] bool has_come(const Modes& modes) const {
     const automata::Formula& wanted = look_ == Look::missed ? question_.then : question_.formula;
@@ -135,16 +162,17 @@ class Explorer {
 
   /// `seen` is the state with its clocks on the sides from which this cycle sees them.
   Begun begin(const State& state, const State& seen) {
-    Begun begun{Sequencer(program_, step_.models()), {}, false, {}};
+    Begun begun{Sequencer(program_, step_.models()), {}, false, {}, state.modes, state.position};
     std::map<ClockId, Ticks> started;
     for (const auto& [clock, c] : seen.clocks)
       started[clock] = Ticks{0} - c.reading - Ticks{question_.period ? 0 : c.side};
     begun.sequencer.resume(state.marking, started);
-    const auto goal = begun.sequencer.begin(assumptions_of(plant_, state.modes), Ticks{0});
+    begun.sequencer.know(so(state));
+    const auto goal = begun.sequencer.begin(assumptions_of(plant_, state.modes), Ticks{0}).front();
     begun.conflict = goal.contradictory;
     if (!goal.contradictory) begun.goal.assign(goal.assignments.begin(), goal.assignments.end());
-    const auto [at, fresh] = advice_.try_emplace({state.modes, begun.goal});
-    if (fresh) at->second = adviser_(state.modes, begun.goal);
+    const auto [at, fresh] = advice_.try_emplace({state.modes, begun.goal, state.position});
+    if (fresh) at->second = adviser_.says(state.modes, begun.goal, state.position);
     begun.advice = at->second;
     if (!state.marking.empty()) {
       answer_.conflict = answer_.conflict || begun.conflict;
@@ -165,7 +193,7 @@ class Explorer {
                                      [&](const Transition& t) { return t.from == state.modes[i] && t.timing; });
       if (timed) state.component_clocks[i] = std::min(state.component_clocks[i] + moves_.unit(), moves_.cap());
     }
-    if (state.late) *state.late += moves_.unit();
+    if (state.late && !question_.within.is_infinite()) *state.late += moves_.unit();
     return state;
   }
 
@@ -186,8 +214,10 @@ class Explorer {
     for (const auto& tuple : tuples(sizes)) {
       State next = at_end;
       bool allowed = true;
+      int lasts = 2;
       for (std::size_t c = 0; c < tuple.size(); ++c) {
         const auto [mode, fault] = options[c][tuple[c]];
+        lasts = std::min(lasts, moves_.lasts(state.modes, c, begun.advice.action, state.component_clocks[c], mode));
         if (mode != state.modes[c]) next.component_clocks[c] = Ticks{0};
         next.modes[c] = mode;
         next.faults += fault;
@@ -196,10 +226,10 @@ class Explorer {
       if (!allowed) continue;
       if (next.faults > question_.faults || !step_.possible(next.modes)) continue;
       finish(next, begun, sampled);
-      goes_on_ = goes_on_ || (next.faults == state.faults && (sampled || next != state));
+      goes_on_ = goes_on_ || (next.faults == state.faults && (sampled || (next != state && lasts == 2)));
       if (next.late && *next.late <= question_.within && has_come(next.modes)) continue;
       achieve(state, begun, next);
-      add_edge(from, state, next, sampled, begun.advice.action);
+      add_edge(from, state, next, sampled, begun.advice.action, lasts);
     }
   }
 
@@ -225,6 +255,13 @@ class Explorer {
   /// The second half of a cycle: marking and clocks of `next`.
   void finish(State& next, const Begun& begun, bool sampled) {
     Sequencer sequencer = begun.sequencer;
+    next.no_plan.reset();
+    if (begun.advice.no_plan && asks_for_plans_) {
+      next.no_plan.emplace();
+      for (const Assignment& goal : begun.goal) next.no_plan->insert(goal.variable);
+    }
+    next.position = adviser_.knows(begun.modes, begun.goal, begun.position, next.modes);
+    sequencer.know(so(next));
     sequencer.finish(assumptions_of(plant_, next.modes));
     next.marking = sequencer.marking();
     std::erase_if(next.clocks, [&](const auto& known) { return !sequencer.started().contains(known.first); });
@@ -238,11 +275,12 @@ class Explorer {
     for (auto& [clock, c] : next.clocks) c.rank = static_cast<int>(std::distance(ranks.begin(), ranks.find(c.rank)));
   }
 
-  void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action) {
+  void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action,
+                int lasts = 2) {
     std::vector<bool> moves;
     for (std::size_t c = 0; c < state.modes.size(); ++c) moves.push_back(state.modes[c] != next.modes[c]);
-    edges_.push_back(
-        {from, arrive(next), time, state.faults == next.faults, std::move(moves), &moves_.exits(state.modes, action)});
+    edges_.push_back({from, arrive(next), time, state.faults == next.faults, std::move(moves),
+                      &moves_.exits(state.modes, action), lasts});
   }
 
   void dense(std::size_t from, const State& state) {
@@ -324,6 +362,14 @@ class Explorer {
     }
   }
 
+  /// Runs that go on for ever while something is owed that may come some day.
+  void find_unanswered() {
+    std::vector<RunEdge> owed;
+    for (const RunEdge& e : edges_)
+      if (states_[e.from]->late && states_[e.to]->late) owed.push_back(e);
+    answer_.late = answer_.late || runs_for_ever(owed, plant_.components.size());
+  }
+
   static bool is_shut(const Exits& exits) {
     return std::all_of(exits.open.begin(), exits.open.end(), [](const auto& open) { return open.empty(); });
   }
@@ -347,6 +393,8 @@ class Explorer {
   const automata::Plant& plant_;
   const Adviser& adviser_;
   const LoopQuestion& question_;
+  const std::vector<automata::Formula> asked_;
+  const bool asks_for_plans_;
   LoopMoves moves_;
   LoopAnswer answer_;
   bool goes_on_ = false;  ///< what is looked at
@@ -354,7 +402,7 @@ class Explorer {
   std::vector<const State*> states_;
   std::vector<bool> judged_;  ///< by state: it was explored, and no fault is certain in it
   std::vector<RunEdge> edges_;
-  std::map<std::pair<Modes, std::vector<Assignment>>, Advice> advice_;
+  std::map<std::tuple<Modes, std::vector<Assignment>, Adviser::Position>, Advice> advice_;
 };
 
 }  // namespace
@@ -366,7 +414,13 @@ LoopAnswer explore_loop(const automata::Program& program, const Step& step, cons
   const LoopAnswer owed = Explorer(program, step, adviser, question, Look::missed).run();
   answer.late = timed.late;
   answer.missed = owed.late;
-  answer.too_many = answer.too_many || timed.too_many || owed.too_many;
+  LoopQuestion some_day = question;
+  some_day.within = Ticks::infinite();
+  const LoopAnswer never = Explorer(program, step, adviser, some_day, Look::late).run();
+  const LoopAnswer unanswered = Explorer(program, step, adviser, some_day, Look::missed).run();
+  answer.never_comes = never.late;
+  answer.never_answered = unanswered.late;
+  answer.too_many = answer.too_many || timed.too_many || owed.too_many || never.too_many || unanswered.too_many;
   return answer;
 }
 

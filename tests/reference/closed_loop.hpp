@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <set>
@@ -16,7 +17,15 @@
 
 namespace rmpl::reference {
 
-using Adviser = std::function<Advice(const automata::Modes&, const std::vector<automata::Assignment>&)>;
+/// What a reconfigurer says, and what it knows besides, as a number: 0 where that is nothing.
+struct Adviser {
+  using Position = std::size_t;
+  std::function<Advice(const automata::Modes&, const std::vector<automata::Assignment>& goal, Position)> says;
+  /// What it knows when what it said has led to modes.
+  std::function<Position(const automata::Modes&, const std::vector<automata::Assignment>& goal, Position,
+                         const automata::Modes& then)>
+      knows;
+};
 
 struct LoopQuestion {
   std::size_t faults = 0;
@@ -34,11 +43,13 @@ struct LoopAnswer {
   bool too_many = false;  ///< states, to say anything
   bool conflict = false;
   bool no_plan = false;
-  bool undone = false;        ///< a command for reward takes a component out of a mode that a goal achieved
-  bool holds = false;         ///< the store allows the formula, while the program runs or as it ends
-  bool ends_without = false;  ///< the store need not imply it where the program ends
-  bool late = false;          ///< nor at any time up to `within`
-  bool missed = false;        ///< it allows the formula while the program runs, and does not imply `then` in time
+  bool undone = false;          ///< a command for reward takes a component out of a mode that a goal achieved
+  bool holds = false;           ///< the store allows the formula, while the program runs or as it ends
+  bool ends_without = false;    ///< the store need not imply it where the program ends
+  bool late = false;            ///< nor at any time up to `within`
+  bool missed = false;          ///< it allows the formula while the program runs, and does not imply `then` in time
+  bool never_comes = false;     ///< on some run the store never implies the formula
+  bool never_answered = false;  ///< nor, on some run, `then` from where it allows the formula while the program runs
   bool waits_for_ever = false;
   bool runs_for_ever = false;  ///< waiting or not
   bool stops = false;          ///< while the program runs it comes to where, but for faults, time never passes again

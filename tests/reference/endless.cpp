@@ -66,15 +66,20 @@ bool lasts(const Edges& round, std::size_t components) {
   if (std::none_of(round.begin(), round.end(), [](const RunEdge& e) { return e.time; })) return false;
   for (std::size_t c = 0; c < components; ++c) {
     std::set<automata::ModeId> open;
-    for (const RunEdge& e : round) open.insert(e.exits->open[c].begin(), e.exits->open[c].end());
-    const auto patient = [&](const RunEdge& e) { return e.moves[c] || !meet(e.exits->enabled[c], open); };
+    for (const RunEdge& e : round)
+      if (e.exits != nullptr) open.insert(e.exits->open[c].begin(), e.exits->open[c].end());
+    if (open.empty()) continue;
+    const auto patient = [&](const RunEdge& e) {
+      return e.moves[c] || (e.exits != nullptr && !meet(e.exits->enabled[c], open));
+    };
     if (std::any_of(round.begin(), round.end(), patient)) continue;
     // Not on all of them; but perhaps where what is enabled on one of them is open on none.
     std::set<std::set<automata::ModeId>> different;
-    for (const RunEdge& e : round) different.insert(e.exits->enabled[c]);
+    for (const RunEdge& e : round)
+      if (e.exits != nullptr) different.insert(e.exits->enabled[c]);
     return std::any_of(different.begin(), different.end(), [&](const std::set<automata::ModeId>& enabled) {
       Edges fewer = round;
-      std::erase_if(fewer, [&](const RunEdge& e) { return meet(e.exits->open[c], enabled); });
+      std::erase_if(fewer, [&](const RunEdge& e) { return e.exits != nullptr && meet(e.exits->open[c], enabled); });
       const auto parts = rounds(fewer);
       return std::any_of(parts.begin(), parts.end(), [&](const Edges& part) { return lasts(part, components); });
     });
@@ -95,7 +100,7 @@ bool comes_to_a_stop(const std::vector<RunEdge>& edges, const std::vector<bool>&
   for (std::size_t s = 0; s < judged.size(); ++s)
     if (!judged[s]) queue.push_back(s);
   for (const RunEdge& e : edges) {
-    if (!e.nominal) continue;
+    if (!e.nominal || e.lasts == 0) continue;
     if (e.time)
       queue.push_back(e.from);
     else
@@ -107,7 +112,11 @@ bool comes_to_a_stop(const std::vector<RunEdge>& edges, const std::vector<bool>&
     const auto more = reach(behind, s);
     go_on.insert(more.begin(), more.end());
   }
-  return go_on.size() < judged.size();
+  // The first step of an instant is looked at more closely than those after it.
+  std::vector<bool> stops = judged;
+  for (const RunEdge& e : edges)
+    if (e.nominal && (e.time || (e.lasts == 2 && go_on.contains(e.to)))) stops[e.from] = false;
+  return std::find(stops.begin(), stops.end(), true) != stops.end();
 }
 
 }  // namespace rmpl::reference

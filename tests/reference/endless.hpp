@@ -1,4 +1,4 @@
-// Runs without end, and runs that cannot go on, in a graph of states: the twin of verifier/closed_loop/lasso.
+// Runs without end, and runs that cannot go on, in a graph of states: the twin of verifier/search/lasso.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -21,7 +21,8 @@ struct RunEdge {
   bool time;                ///< it takes time
   bool nominal;             ///< no fault happens on it
   std::vector<bool> moves;  ///< per component: it leaves its mode
-  const Exits* exits;       ///< where it comes from
+  const Exits* exits;       ///< where it comes from; none where what is enabled on it does not count
+  int lasts = 2;            ///< 0: it exists at that instant only; 1: it does as the first step of an instant
 };
 
 /// Whether some run goes on for ever: it takes time again and again, and no component stays in a mode all the while
@@ -29,7 +30,8 @@ struct RunEdge {
 bool runs_for_ever(const std::vector<RunEdge>& edges, std::size_t components);
 
 /// Whether from one of the states on, edges without a fault never take time again: it leads nowhere, or round and round
-/// at one instant. Nothing is said of states that are not `judged`: there they may.
+/// at one instant. Nothing is said of states that are not `judged`: there they may. What exists at one instant only
+/// leads nowhere.
 bool comes_to_a_stop(const std::vector<RunEdge>& edges, const std::vector<bool>& judged);
 
 }  // namespace rmpl::reference

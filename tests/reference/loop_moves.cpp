@@ -63,6 +63,32 @@ std::vector<std::pair<ModeId, bool>> LoopMoves::choices(const Modes& modes, std:
   return result;
 }
 
+int LoopMoves::lasts(const Modes& modes, std::size_t component, const ControlAction& action, Ticks clock, ModeId to) {
+  if (period_) return 2;
+  const auto can_be_taken = [&](std::size_t c, const Transition& t) {
+    const bool weightless = t.weight.kind != automata::Weight::Kind::none && t.weight.value <= 0;
+    return !plant_.components[c].is_fault(t) && !weightless;
+  };
+  bool rests = true;
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    for (const Transition* t : enabled(modes, c, action))
+      rests = rests && !(can_be_taken(c, *t) && !t->timing && t->to != modes[c]);
+  bool due = false;
+  for (const Transition* t : enabled(modes, component, action)) {
+    if (!can_be_taken(component, *t)) continue;
+    if (!t->timing) return 2;
+    due = due || clock >= t->timing->upper;
+  }
+  int best = to == modes[component] && !due ? 2 : 0;
+  for (const Transition* t : enabled(modes, component, action)) {
+    if (!can_be_taken(component, *t) || t->to != to || clock < t->timing->lower) continue;
+    if (due && clock < t->timing->upper) continue;
+    const bool met = !due && Ticks{0} < clock && clock == t->timing->lower && rests;
+    best = std::max(best, met ? 1 : 2);
+  }
+  return best;
+}
+
 std::vector<const Transition*> LoopMoves::enabled(const Modes& modes, std::size_t component,
                                                   const ControlAction& action) {
   const auto [at, fresh] = enabled_.try_emplace({modes, component, action});

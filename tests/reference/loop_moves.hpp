@@ -29,6 +29,10 @@ class LoopMoves {
   std::vector<std::pair<automata::ModeId, bool>> choices(const automata::Modes& modes, std::size_t component,
                                                          const automata::ControlAction& action, automata::Ticks from,
                                                          automata::Ticks to);
+  /// In dense time, whether a component's going to a mode at this reading is more than something of one instant, as
+  /// RunEdge tells it.
+  int lasts(const automata::Modes& modes, std::size_t component, const automata::ControlAction& action,
+            automata::Ticks clock, automata::ModeId to);
   std::vector<const automata::Transition*> enabled(const automata::Modes& modes, std::size_t component,
                                                    const automata::ControlAction& action);
   const Exits& exits(const automata::Modes& modes, const automata::ControlAction& action);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tests/reference/set_aside.hpp"
+
 namespace rmpl::reference {
 
 using automata::LocationId;
@@ -58,7 +60,10 @@ MarkingBelief weighed(const ModelProgramStep& step, const MarkingBelief& belief,
 MarkingBelief predicted(const ModelProgramStep& step, const MarkingBelief& belief, const Commands& commands) {
   MarkingBelief result;
   for (const auto& [marking, weight] : belief) {
-    for (const auto& [next, probability] : step.next(marking, commands)) result[next] += weight * probability;
+    const MarkingBelief following = step.next(marking, commands);
+    double possible = 0;
+    for (const auto& [next, probability] : following) possible += probability;
+    for (const auto& [next, probability] : following) result[next] += weight * probability / possible;
   }
   return result;
 }
@@ -239,37 +244,44 @@ std::map<automata::VariableId, automata::ValueId> ModelProgramStep::values(const
   return result;
 }
 
+namespace {
+
+/// What is predicted, given what is read; `before`: what stays where nothing is predicted.
+MarkingUpdate conditioned(const ModelProgramStep& step, const MarkingBelief& prior, const MarkingBelief& before,
+                          const automata::Observation& observation) {
+  const auto counted =
+      set_aside(observation, [&](const automata::Observation& rest) { return !weighed(step, prior, rest).empty(); });
+  if (!counted) return {before, observation, false};
+  return {normalised(weighed(step, prior, counted->rest)), counted->aside, true};
+}
+
+}  // namespace
+
 MarkingUpdate start(const ModelProgramStep& step, const automata::Observation& observation) {
-  const MarkingBelief initial = step.initial();
-  const MarkingBelief posterior = weighed(step, initial, observation);
-  if (posterior.empty()) return {normalised(initial), false, !initial.empty()};
-  return {normalised(posterior), true, true};
+  return conditioned(step, step.initial(), {}, observation);
 }
 
 MarkingUpdate update(const ModelProgramStep& step, const MarkingBelief& belief, const Commands& commands,
                      const automata::Observation& observation) {
-  const MarkingBelief prior = predicted(step, belief, commands);
-  if (prior.empty()) return {belief, false, false};
-  const MarkingBelief posterior = weighed(step, prior, observation);
-  if (posterior.empty()) return {normalised(prior), false, true};
-  return {normalised(posterior), true, true};
+  return conditioned(step, predicted(step, belief, commands), belief, observation);
 }
 
 MarkingUpdate beam(const ModelProgramStep& step, const MarkingBelief& belief, const Commands& commands,
                    const automata::Observation& observation, std::size_t k, bool& clear) {
   MarkingBelief prior = predicted(step, belief, commands);
-  if (prior.empty()) return {belief, false, false};
-  const bool explained = !weighed(step, prior, observation).empty();
+  const auto counted =
+      set_aside(observation, [&](const automata::Observation& rest) { return !weighed(step, prior, rest).empty(); });
+  if (!counted) return {belief, observation, false};
   std::vector<std::pair<double, MarkedSet>> best;
   for (const auto& [marking, probability] : prior) {
-    if (!explained || step.factor(marking, observation) > 0) best.emplace_back(probability, marking);
+    if (step.factor(marking, counted->rest) > 0) best.emplace_back(probability, marking);
   }
   std::stable_sort(best.begin(), best.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   clear = best.size() <= k || best[k - 1].first > best[k].first * (1 + 1e-9);
   if (best.size() > k) best.resize(k);
   MarkingBelief kept;
   for (const auto& [probability, marking] : best) kept[marking] = probability;
-  return {normalised(explained ? weighed(step, kept, observation) : kept), explained, true};
+  return {normalised(weighed(step, kept, counted->rest)), counted->aside, true};
 }
 
 std::map<MarkingTrajectory, double> trajectories(const ModelProgramStep& step, const MarkingBelief& from,
@@ -277,20 +289,26 @@ std::map<MarkingTrajectory, double> trajectories(const ModelProgramStep& step, c
   std::map<MarkingTrajectory, double> result;
   for (const auto& [marking, probability] : from) result[{marking}] = probability;
   for (const auto& [commands, observation] : updates) {
-    std::map<MarkingTrajectory, double> predictions, posterior;
+    std::map<MarkingTrajectory, double> predictions;
     for (const auto& [trajectory, weight] : result) {
-      for (const auto& [next, probability] : step.next(trajectory.back(), commands)) {
+      for (const auto& [next, probability] : predicted(step, {{trajectory.back(), 1.0}}, commands)) {
         MarkingTrajectory longer = trajectory;
         longer.push_back(next);
         predictions[longer] = weight * probability;
-        const double factor = step.factor(next, observation);
-        if (factor > 0) posterior[longer] = weight * probability * factor;
       }
     }
-    if (!posterior.empty()) {
-      result = std::move(posterior);
-    } else if (!predictions.empty()) {
-      result = std::move(predictions);
+    const auto weighed_by = [&, &predictions = predictions](const automata::Observation& readings) {
+      std::map<MarkingTrajectory, double> posterior;
+      for (const auto& [trajectory, probability] : predictions) {
+        const double factor = step.factor(trajectory.back(), readings);
+        if (factor > 0) posterior[trajectory] = probability * factor;
+      }
+      return posterior;
+    };
+    const auto counted =
+        set_aside(observation, [&](const automata::Observation& rest) { return !weighed_by(rest).empty(); });
+    if (counted) {
+      result = weighed_by(counted->rest);
     } else {  // the belief stays
       std::map<MarkingTrajectory, double> standing;
       for (const auto& [trajectory, weight] : result) {

@@ -58,8 +58,9 @@ class ModelProgramStep {
 
 struct MarkingUpdate {
   MarkingBelief belief;
-  bool explained = true;  ///< false: nothing explains the readings, `belief` is the prediction
-  bool possible = true;   ///< false: not even a prediction, `belief` is the one before
+  automata::Observation set_aside =
+      {};                ///< the first smallest set of readings without which something explains the rest
+  bool possible = true;  ///< false: not even a prediction, `belief` is the one before
 };
 
 /// The initial belief, normalised, given what is seen at time 0.

@@ -75,6 +75,8 @@ bool holds(const Formula& formula, const World& world, const Clocks& clocks) {
       const auto& reading = clocks.at(formula.clock.index());
       return reading && compare(*reading, formula.comparison, formula.bound);
     }
+    case Formula::Kind::knowledge:
+      return false;  // replaced before by who asks
     case Formula::Kind::negation:
       return !operand(0);
     case Formula::Kind::conjunction:

@@ -11,6 +11,7 @@
 
 #include "tests/reference/belief.hpp"
 #include "tests/reference/endless.hpp"
+#include "tests/reference/loop_moves.hpp"
 
 namespace rmpl::reference {
 
@@ -34,6 +35,7 @@ struct State {
 struct Choice {
   ModeId mode;
   std::size_t faults;
+  int lasts = 2;  ///< see RunEdge
 };
 
 std::vector<ControlAction> actions_of(const automata::Plant& plant, Question::Commands commands) {
@@ -82,7 +84,7 @@ class Search {
       bool goes_on = false;
       successors(state, [&, &from = state, n = steps](const State& target) {
         const State next = enter(target);
-        goes_on = goes_on || next.faults == from.faults;
+        goes_on = goes_on || (next.faults == from.faults && lasts_ == 2);
         if (next.modes == from.modes)
           queue.emplace_front(next, n);
         else
@@ -96,27 +98,57 @@ class Search {
   }
 
   bool stops() {
-    std::map<State, std::size_t> numbers;
-    std::deque<State> queue;
-    const auto number = [&](const State& state) {
-      const auto [at, fresh] = numbers.try_emplace(state, numbers.size());
-      if (fresh) queue.push_back(state);
-      return at->second;
-    };
-    for (const auto& [start, probability] : initial_belief(step_)) number({start.modes, start.clock_starts});
-    std::vector<RunEdge> edges;
-    std::vector<bool> judged;
-    for (; !queue.empty(); queue.pop_front()) {
-      const State state = queue.front();
-      judged.push_back(!some_fault_is_certain(state));
-      successors(state, [&](const State& next) {
-        edges.push_back({judged.size() - 1, number(next), takes_time_, next.faults == state.faults, {}, nullptr});
-      });
+    const Explored all = explore(nullptr);
+    return comes_to_a_stop(all.edges, all.judged);
+  }
+
+  bool never_answers(LoopMoves& moves) {
+    const Explored all = explore(&moves);
+    std::vector<bool> goes_on(all.judged.size(), false);
+    std::vector<RunEdge> owed;
+    for (const RunEdge& edge : all.edges) {
+      if (edge.nominal && edge.lasts == 2) goes_on[edge.from] = true;
+      if (all.states[edge.from].waiting && all.states[edge.to].waiting) owed.push_back(edge);
     }
-    return comes_to_a_stop(edges, judged);
+    for (std::size_t s = 0; s < goes_on.size(); ++s)
+      if (all.states[s].waiting && all.judged[s] && !goes_on[s]) return true;
+    return runs_for_ever(owed, plant_.components.size());
   }
 
  protected:
+  /// All states and steps; `judged` where no fault is certain.
+  struct Explored {
+    std::vector<State> states;
+    std::vector<RunEdge> edges;
+    std::vector<bool> judged;
+  };
+
+  /// `moves`: what tells of exits; none where they do not matter.
+  Explored explore(LoopMoves* moves) {
+    Explored result;
+    std::map<State, std::size_t> numbers;
+    const auto number = [&](const State& state) {
+      const auto [at, fresh] = numbers.try_emplace(state, numbers.size());
+      if (fresh) result.states.push_back(state);
+      return at->second;
+    };
+    for (const auto& [start, probability] : initial_belief(step_)) number(enter({start.modes, start.clock_starts}));
+    for (std::size_t s = 0; s < result.states.size(); ++s) {
+      const State state = result.states[s];
+      result.judged.push_back(!some_fault_is_certain(state));
+      successors(state, [&](const State& target) {
+        const State next = enter(target);
+        std::vector<bool> changes;
+        for (std::size_t c = 0; c < state.modes.size(); ++c) changes.push_back(state.modes[c] != next.modes[c]);
+        // A command of an instant keeps nothing from staying enabled.
+        const Exits* exits = moves == nullptr || !takes_time_ ? nullptr : &moves->exits(state.modes, action_);
+        result.edges.push_back(
+            {s, number(next), takes_time_, next.faults == state.faults, std::move(changes), exits, lasts_});
+      });
+    }
+    return result;
+  }
+
   using Visit = std::function<void(const State&)>;
   virtual void successors(const State& state, const Visit& visit) = 0;
   /// Whether what follows now, at the soonest, would come too late.
@@ -141,8 +173,10 @@ class Search {
     }
     for (const auto& tuple : tuples(sizes)) {
       State next = state;
+      lasts_ = 2;
       for (std::size_t i = 0; i < tuple.size(); ++i) {
         const Choice& choice = options[i][tuple[i]];
+        lasts_ = std::min(lasts_, choice.lasts);
         if (choice.mode != state.modes[i]) next.clocks[i] = Ticks{0};
         next.modes[i] = choice.mode;
         next.faults += choice.faults;
@@ -160,7 +194,7 @@ class Search {
                       [&](const Transition& t) { return t.from == state.modes[i] && t.timing; }))
         state.clocks[i] = std::min(state.clocks[i] + by, cap_ + by);
     }
-    if (state.waiting) *state.waiting += by;
+    if (state.waiting && !question_.response->within.is_infinite()) *state.waiting += by;
     return state;
   }
 
@@ -177,6 +211,8 @@ class Search {
   const Question& question_;
   std::vector<ControlAction> actions_;
   bool takes_time_ = true;  ///< what is visited does
+  ControlAction action_;    ///< under which it is visited
+  int lasts_ = 2;           ///< what is visited: see RunEdge
 
  private:
   /// Under idle controls.
@@ -228,12 +264,16 @@ class Dense : public Search {
  protected:
   void successors(const State& state, const Visit& visit) override {
     takes_time_ = true;
+    action_ = idle();
+    lasts_ = 2;
     if (time_may_pass(state)) visit(later(state, unit_));
     takes_time_ = false;
-    for (const ControlAction& action : actions_)
+    for (const ControlAction& action : actions_) {
+      action_ = action;
       moves(state, action, [&](const State& next) {
         if (next.modes != state.modes) visit(next);
       });
+    }
   }
 
   std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) override {
@@ -254,19 +294,36 @@ class Dense : public Search {
     // An exit whose bound is passed (its guard came to hold late) is certain: only certain ones are possible, now.
     const Ticks clock = state.clocks[component];
     bool passed = false;
-    for (const Transition* t : enabled(state.modes, component, action))
+    bool due = false;
+    for (const Transition* t : enabled(state.modes, component, action)) {
       passed = passed || (!automaton.is_fault(*t) && t->timing && clock > t->timing->upper);
+      due = due || (!automaton.is_fault(*t) && t->timing && clock >= t->timing->upper);
+    }
+    // At a bound an exit is taken in the cycle that ends there, and one that begins to be possible is not.
+    const auto lasts = [&](const Transition& t) {
+      if (untimed) return 2;
+      if (due) return clock >= t.timing->upper ? 2 : 0;
+      return Ticks{0} < clock && clock == t.timing->lower && may_rest(state) ? 1 : 2;
+    };
     for (const Transition* t : enabled(state.modes, component, action)) {
       if (automaton.is_fault(*t)) continue;
       const bool timed = t->timing && clock >= (passed ? t->timing->upper : t->timing->lower);
-      if (untimed ? is_untimed_nominal(automaton, *t) : timed) nominal.push_back({t->to, 0});
+      if (untimed ? is_untimed_nominal(automaton, *t) : timed) nominal.push_back({t->to, 0, lasts(*t)});
     }
-    if (!untimed && !passed) nominal.push_back({state.modes[component], 0});
+    if (!untimed && !passed) nominal.push_back({state.modes[component], 0, due ? 0 : 2});
     if (fault_sum < 1) result.insert(result.end(), nominal.begin(), nominal.end());
     return result;
   }
 
  private:
+  /// Whether no component has to leave its mode whatever its clock reads, with every control idle.
+  bool may_rest(const State& state) {
+    for (std::size_t i = 0; i < plant_.components.size(); ++i)
+      for (const Transition* t : enabled(state.modes, i, idle()))
+        if (is_untimed_nominal(plant_.components[i], *t) && t->to != state.modes[i]) return false;
+    return true;
+  }
+
   /// With every control idle: no untimed nominal transition to another mode is enabled, no faults to other modes are
   /// certain, and no timed transition to another mode has reached its upper bound, unless an untimed one to its own
   /// mode takes all of the nominal share.
@@ -304,7 +361,10 @@ class Sampled : public Search {
 
  protected:
   void successors(const State& state, const Visit& visit) override {
-    for (const ControlAction& action : actions_) moves(at_end(state), action, visit);
+    for (const ControlAction& action : actions_) {
+      action_ = action;
+      moves(at_end(state), action, visit);
+    }
   }
 
   [[nodiscard]] State at_end(const State& state) const override { return later(state, period_); }
@@ -354,6 +414,12 @@ class Sampled : public Search {
 
 std::optional<std::size_t> fewest_steps_sampled(const Step& step, const Question& question, Ticks period) {
   return Sampled(step, question, period).run();
+}
+
+bool never_answers(const Step& step, const Question& question, std::optional<Ticks> period, Ticks unit) {
+  LoopMoves moves(step, period, period.value_or(unit));
+  return period ? Sampled(step, question, *period).never_answers(moves)
+                : Dense(step, question, unit).never_answers(moves);
 }
 
 bool comes_to_a_stop(const Step& step, const Question& question, std::optional<Ticks> period, Ticks unit) {

@@ -15,7 +15,7 @@ namespace rmpl::reference {
 struct Response {
   automata::Formula after;
   automata::Formula then;
-  automata::Ticks within;
+  automata::Ticks within;    ///< infinite: some day
   bool stuck_misses = true;  ///< what is owed where nothing can follow is missed where what follows would come too late
 };
 
@@ -37,6 +37,11 @@ std::optional<std::size_t> fewest_steps_sampled(const Step& step, const Question
 /// good are digital clocks?, ICALP 1992) rounding the times of a run down to whole units gives a run with the same
 /// steps.
 std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& question, automata::Ticks unit);
+
+/// Whether some run owes the response of the question, whose time is infinite, and never gives it: it gets stuck so, or
+/// goes on for ever, by the rules of `runs_for_ever` (endless.hpp). Dense (no period) on the grid of `unit`, as below.
+bool never_answers(const Step& step, const Question& question, std::optional<automata::Ticks> period,
+                   automata::Ticks unit);
 
 /// Whether from some reachable state on nothing can follow, or time stands still: steps without a fault never take time
 /// again. In dense time (no period) on the grid of `unit`, of which every finite bound is an even multiple: where a

@@ -1,4 +1,4 @@
-// RMPL as a tree of our own, its text, and its THCA straight from the table of semantics 1.
+// RMPL as a tree of our own, its text, and its THCA straight from the table of semantics 2.
 // SPDX-License-Identifier: MIT
 #include "tests/reference/rmpl.hpp"
 
@@ -46,8 +46,14 @@ class Printer {
         return "whenever " + constraint() + " donext " + body(0);
       case Statement::Kind::always:
         return "always " + body(0);
+      case Statement::Kind::repeat:
+        return "repeat " + body(0);
       case Statement::Kind::next:
         return "next " + body(0);
+      case Statement::Kind::nothing:
+        return "{ }";
+      case Statement::Kind::each:
+        return "each { " + joined(s.parts, ", ") + " }";
       case Statement::Kind::watching:
         return "do " + body(0) + " watching " + constraint();
       case Statement::Kind::maintaining:
@@ -152,6 +158,24 @@ class Lowering {
         if (s.kind == Statement::Kind::clock_start) at(self).clock_start = clock(s.clock);
         return {{self}, {{self, {}}}};
       }
+      case Statement::Kind::nothing: {
+        const LocationId self = add(parent);
+        return {{self}, {{self, {}}}};
+      }
+      case Statement::Kind::repeat: {
+        Piece again = piece(parent, s.parts[0]);
+        for (const auto& [end, guard] : again.ends) connect(end, guard, again.starts);
+        return {again.starts, {}};
+      }
+      case Statement::Kind::each: {
+        const LocationId self = add(parent);
+        at(self).composite = true;
+        for (const Statement& part : s.parts) {
+          const Piece branch = composite(self, {}, part);
+          at(branch.starts.front()).apart = at(branch.starts.front()).start = true;
+        }
+        return {{self}, {{self, {}}}};
+      }
       case Statement::Kind::sequence: {
         Piece whole = piece(parent, s.parts[0]);
         for (std::size_t i = 1; i < s.parts.size(); ++i) {
@@ -226,6 +250,9 @@ class Lowering {
       case Statement::Kind::parallel:
       case Statement::Kind::watching:
       case Statement::Kind::maintaining:
+      case Statement::Kind::repeat:
+      case Statement::Kind::nothing:
+      case Statement::Kind::each:
       case Statement::Kind::call:
         CHECK(false);
     }

@@ -1,4 +1,4 @@
-// RMPL as a tree of our own, its text, and its THCA straight from the table of semantics 1: the compiler's twin.
+// RMPL as a tree of our own, its text, and its THCA straight from the table of semantics 2: the compiler's twin.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -21,7 +21,10 @@ struct Statement {
     when,
     whenever,
     always,
+    repeat,
     next,
+    nothing,      ///< { }
+    each,         ///< parts, each with goals of its own
     watching,     ///< do parts[0] watching constraint
     maintaining,  ///< parts[0] maintaining constraint
     call          ///< of definitions[callee]

@@ -17,13 +17,27 @@ Sequencer::Sequencer(const automata::Program& program, const Models& models)
       interpretation_(program.clocks.size()) {}
 
 bool Sequencer::satisfied(const automata::Condition& condition, const std::vector<Assignment>& knowledge) const {
-  return models_.entails(knowledge, condition.constraint, interpretation_) == condition.entailed;
+  return models_.entails(knowledge, known(condition.constraint), interpretation_) == condition.entailed;
+}
+
+automata::Formula Sequencer::known(const automata::Formula& formula) const {
+  if (formula.kind == automata::Formula::Kind::knowledge) {
+    return automata::constant(std::find(so_.begin(), so_.end(), formula) != so_.end());
+  }
+  automata::Formula result = formula;
+  for (automata::Formula& operand : result.operands) operand = known(operand);
+  return result;
 }
 
 bool Sequencer::achieved(LocationId location, const std::vector<Assignment>& knowledge) const {
-  return std::all_of(at(location).goal.begin(), at(location).goal.end(), [&](Assignment goal) {
-    return models_.entails(knowledge, automata::is(goal.variable, goal.value), interpretation_);
-  });
+  const auto& constraints = at(location).goal_constraints;
+  return std::all_of(at(location).goal.begin(), at(location).goal.end(),
+                     [&](Assignment goal) {
+                       return models_.entails(knowledge, automata::is(goal.variable, goal.value), interpretation_);
+                     }) &&
+         std::all_of(constraints.begin(), constraints.end(), [&](const automata::Formula& constraint) {
+           return models_.entails(knowledge, constraint, interpretation_);
+         });
 }
 
 Sequencer::Locations Sequencer::subautomata(LocationId composite) const {
@@ -42,7 +56,7 @@ Sequencer::Locations Sequencer::full_marking(LocationId location) const {
   return result;
 }
 
-Sequencer::Goal Sequencer::begin(const std::vector<Assignment>& knowledge, automata::Ticks now) {
+std::vector<Sequencer::Goal> Sequencer::begin(const std::vector<Assignment>& knowledge, automata::Ticks now) {
   // 1. Update active clocks.
   interpretation_ = Clocks(program_.clocks.size());
   for (const auto& [clock, start] : started_) interpretation_[clock.index()] = now - start;
@@ -61,20 +75,31 @@ Sequencer::Goal Sequencer::begin(const std::vector<Assignment>& knowledge, autom
 
   // 4. Set up the configuration goal.
   violated_.clear();
-  Goal goal;
+  std::map<LocationId, Goal> goals;  // by the program or the branch
+  goals[LocationId(std::size_t{0})];
+  for (std::size_t i = 0; i < program_.locations.size(); ++i)
+    if (program_.locations[i].apart) goals[LocationId(i)];
   for (LocationId location : marking_) {
     if (at(location).composite) continue;
     if (!satisfied(at(location).maintenance, knowledge)) {
       violated_.insert(location);
       continue;
     }
+    LocationId owner = location;
+    while (at(owner).parent && !at(owner).apart) owner = *at(owner).parent;
+    Goal& goal = goals[owner];
+    for (const automata::Formula& constraint : at(location).goal_constraints)
+      if (std::find(goal.constraints.begin(), goal.constraints.end(), constraint) == goal.constraints.end())
+        goal.constraints.push_back(constraint);
     for (Assignment assignment : at(location).goal) {
       for (Assignment other : goal.assignments)
         if (other.variable == assignment.variable && other.value != assignment.value) goal.contradictory = true;
       goal.assignments.insert(assignment);
     }
   }
-  return goal;
+  std::vector<Goal> result;
+  for (auto& [owner, goal] : goals) result.push_back(std::move(goal));
+  return result;
 }
 
 void Sequencer::finish(const std::vector<Assignment>& knowledge) {

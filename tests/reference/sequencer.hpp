@@ -28,10 +28,15 @@ class Sequencer {
 
   struct Goal {
     std::set<automata::Assignment> assignments;
-    bool contradictory = false;  ///< two different values for one variable
+    std::vector<automata::Formula> constraints;  ///< what else is asked, each once, in the order of the locations
+    bool contradictory = false;                  ///< two different values for one variable
+    [[nodiscard]] bool empty() const { return assignments.empty() && constraints.empty(); }
   };
-  /// Steps 1 to 4.
-  Goal begin(const std::vector<automata::Assignment>& knowledge, automata::Ticks now);
+  /// What the executive knows, of all that conditions ask: these atoms are so, all others are not.
+  void know(std::vector<automata::Formula> atoms) { so_ = std::move(atoms); }
+  /// Steps 1 to 4: the goals of the program, and, behind them in order, those of each branch of an `each`, which may be
+  /// empty.
+  std::vector<Goal> begin(const std::vector<automata::Assignment>& knowledge, automata::Ticks now);
   /// Steps 7 to 10.
   void finish(const std::vector<automata::Assignment>& knowledge);
 
@@ -45,6 +50,8 @@ class Sequencer {
   [[nodiscard]] bool satisfied(const automata::Condition& condition,
                                const std::vector<automata::Assignment>& knowledge) const;
   [[nodiscard]] bool achieved(automata::LocationId location, const std::vector<automata::Assignment>& knowledge) const;
+  /// The formula with each atom of knowledge replaced by whether it is so.
+  [[nodiscard]] automata::Formula known(const automata::Formula& formula) const;
   /// All locations inside a composite one, at any depth.
   [[nodiscard]] Locations subautomata(automata::LocationId composite) const;
   /// m_F: the location with its start locations, recursively.
@@ -56,6 +63,7 @@ class Sequencer {
   std::map<automata::ClockId, automata::Ticks> started_;       ///< t_init(i)
   std::map<automata::ClockId, automata::Ticks> started_next_;  ///< what this cycle adds
   Clocks interpretation_;                                      ///< omega(i)
+  std::vector<automata::Formula> so_;
   Locations violated_;  ///< marked primitives whose own maintenance constraint is violated in this cycle
 };
 

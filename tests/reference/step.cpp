@@ -21,6 +21,14 @@ double upper_tail(const automata::Density& density, double t) {
       return -t;  // any falling line: truncation scales it
     case automata::Density::Kind::exponential:
       return std::exp(-t / density.mean);
+    case automata::Density::Kind::weibull:
+      return std::exp(-std::pow(t / density.scale, density.shape));
+    case automata::Density::Kind::erlang: {
+      const double x = t * density.shape / density.mean;
+      double term = 1, sum = 1;
+      for (double i = 1; i < density.shape; ++i) sum += term *= x / i;
+      return std::exp(-x) * sum;
+    }
     case automata::Density::Kind::normal:
       return 0.5 * std::erfc((t - density.mean) / (density.standard_deviation * std::sqrt(2.0)));
   }

@@ -112,6 +112,18 @@ const std::vector<Output> outputs = {
      "tcca-check safety {examples}/propulsion/propulsion.tcca --never 'engine = failed' --cut-sets 2 --max-states 12 "
      "--format json",
      "verdict"},
+    {"ProbabilityOfAPlant",
+     "tcca-check probability {examples}/power/power.tcca --target 'relay_a = closed & battery_a = dead' --within '1 "
+     "min' --time 1s --format json",
+     "probability"},
+    {"FaultTree",
+     "tcca-check fault-tree {examples}/power/power.tcca --top 'battery_a = dead' --within '1 h' --format json",
+     "fault_tree"},
+    {"Hazards",
+     "tcca-check check {examples}/power/power.tcca {examples}/power/hazards.props {examples}/power/power.rmpl --format "
+     "json",
+     "verdicts"},
+    {"FailureModes", "tcca-check fmea {examples}/power/power.rmpl {examples}/power/power.tcca --format json", "fmea"},
     {"ModelProgramHolds",
      "tcca-check safety {examples}/rover-camera/rover_camera.rmpl --never 'software = corrupt & software = running' "
      "--format json",
@@ -161,6 +173,9 @@ const std::vector<Output> outputs = {
      "verdicts"},
     {"Plan", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = firing' --format json", "plan"},
     {"Policies", "rmpl-run plan {examples}/propulsion/propulsion.tcca --policy --format json", "policy"},
+    {"Strategy",
+     "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = standby' --strategy --format json",
+     "strategy"},
     {"NothingToDo", "rmpl-run plan {examples}/propulsion/propulsion.tcca --goal 'engine = off' --format json", "plan"},
     {"Diagnoses",
      "rmpl-run diagnose {examples}/propulsion/propulsion.tcca --observe 'engine.thrust = zero' --format json",
@@ -169,6 +184,26 @@ const std::vector<Output> outputs = {
      "rmpl-run diagnose {examples}/rover-camera/rover.tcca --observe 'power.current = none' --format json",
      "diagnoses"},
     {"ScenarioResult", "rmpl-run scenario {examples}/propulsion/burn.scn --format json", "scenario_result"},
+    {"Coverage",
+     "rmpl-run scenario {examples}/propulsion/burn.scn -q --coverage coverage.json > story.txt; cat coverage.json",
+     "coverage"},
+    {"CoverageOfProperties",
+     "tcca-check check {examples}/propulsion/propulsion.props --coverage coverage.json > table.txt 2> warnings.txt; "
+     "cat "
+     "coverage.json",
+     "coverage"},
+    {"Baseline",
+     "echo 'component C { initial a; mode a; mode b; } plant P { c : C; }' > p.tcca && rmplc lint p.tcca "
+     "--write-baseline known.json && cat known.json",
+     "lint_baseline"},
+    {"ProjectThatPasses", "rmplc new -q demo && rmplc test demo --format json", "project_test"},
+    {"ProjectThatFails",
+     "rmplc new -q bad && sed -i 's/within 30 s/within 3 s/' bad/scenarios/fill.scn && rmplc test bad --format json",
+     "project_test"},
+    {"ProjectThatIsWrong", "rmplc new -q worse && echo x > worse/scenarios/x.scn && rmplc test worse --format json",
+     "project_test"},
+    {"CoverageOfAProject", "rmplc new -q whole && rmplc test whole -q --coverage all.json > summary.txt; cat all.json",
+     "coverage"},
     {"Trace",
      "rmpl-run scenario {examples}/propulsion/burn.scn --only 'fire and stop' --trace trace.jsonl > story.txt; cat "
      "trace.jsonl",

@@ -20,6 +20,8 @@ using Part = Expression::Kind;
 
 constexpr std::size_t no_depth = 1000;
 constexpr std::size_t depth_limit = 24;
+/// Definitions that are called so cannot be called (grammar/rmpl.ebnf).
+constexpr std::array<std::string_view, 5> uncallable = {"surprise", "noplan", "possible", "likely", "repeat"};
 /// Rules whose characters make one token.
 constexpr std::array<std::string_view, 7> token_names = {"name",         "identifier", "number", "signed-number",
                                                          "whole-number", "string",     "digits"};
@@ -65,6 +67,7 @@ class Sentences::Drawing {
       all_.clear();
       lone_.clear();
       unitless_.clear();
+      calls_.clear();
       open_ifs_.clear();
       stolen_ = false;
       expand(sentences_.grammar_.at(start), 0);
@@ -110,6 +113,7 @@ class Sentences::Drawing {
     }
     const std::size_t first = all_.size();
     if (name == "simple-step") has_else_.push_back(false);
+    if (name == "call") calls_.push_back(first);
     expand(sentences_.grammar_.at(name), depth);
     if (name == "simple-step") {
       if (all_[first] == "if" && !has_else_.back()) open_ifs_.push_back(all_.size());
@@ -196,8 +200,8 @@ class Sentences::Drawing {
     throw std::runtime_error("the grammar says in words what is not programmed:" + words);
   }
 
-  /// What the grammar says in its comments: of a bare name that no name or number may follow it; and of a number, that
-  /// a unit behind it is its own.
+  /// What the grammar says in its comments: of a bare name that no name or number may follow it; of a number, that a
+  /// unit behind it is its own; and that definitions with some names cannot be called.
   [[nodiscard]] bool is_excluded() const {
     const Expression reserved{Part::rule, "reserved", {}};
     const Expression unit{Part::rule, "unit", {}};
@@ -206,7 +210,11 @@ class Sentences::Drawing {
       return is_number(token) || token == "true" || token == "false" ||
              (is_word(token) && !is_alternative(reserved, token));
     };
-    return stolen_ || std::any_of(lone_.begin(), lone_.end(), [&](std::size_t at) { return is_value(next(at)); }) ||
+    const auto is_uncallable = [&](std::size_t at) {
+      return std::find(uncallable.begin(), uncallable.end(), all_[at]) != uncallable.end();
+    };
+    return stolen_ || std::any_of(calls_.begin(), calls_.end(), is_uncallable) ||
+           std::any_of(lone_.begin(), lone_.end(), [&](std::size_t at) { return is_value(next(at)); }) ||
            std::any_of(unitless_.begin(), unitless_.end(),
                        [&](std::size_t at) { return is_alternative(unit, next(at)); });
   }
@@ -218,6 +226,7 @@ class Sentences::Drawing {
   std::vector<std::size_t> unitless_;  ///< durations without a unit
   std::vector<bool> has_else_;         ///< of each step that is not at its end, whether it has an `elsenext` of its own
   std::vector<std::size_t> open_ifs_;  ///< the ends of those that could have one and have not
+  std::vector<std::size_t> calls_;     ///< where they begin
   bool stolen_ = false;
 };
 
@@ -273,7 +282,10 @@ void Sentences::find_keywords(const Expression& expression) {
   if (expression.kind != Part::terminal || expression.text.size() < 3 || !is_word(expression.text)) return;
   const auto& reserved = grammar_.at("reserved").parts;
   const auto same = [&](const Expression& one) { return one.text == expression.text; };
-  if (std::none_of(reserved.begin(), reserved.end(), same)) keywords_.push_back(expression.text);
+  // By itself after `expect`, each of these is what scn.ebnf says, and no name.
+  const std::string& word = expression.text;
+  const bool expected = word == "truth" || word == "never" || word == "finished";
+  if (!expected && std::none_of(reserved.begin(), reserved.end(), same)) keywords_.push_back(word);
 }
 
 std::string plain_text(const std::vector<std::string>& tokens) {

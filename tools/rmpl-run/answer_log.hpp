@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -10,6 +11,8 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "runtime/executive/trace/log.hpp"
+#include "tools/rmpl-run/log_options.hpp"
+#include "tools/rmpl-run/telemetry.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/terminal.hpp"
 
@@ -20,15 +23,23 @@ namespace rmpl::tools {
 template <class Names>
 class LogOf {
  public:
-  LogOf(const std::string& log, const Names& names)
-      : input_(log, interrupted), reader_(input_.stream(), input_.name(), names) {}
+  LogOf(const std::string& log, const Names& names, const LogOptions& options) : input_(log, interrupted) {
+    if constexpr (of_plant) {
+      telemetry_ = std::make_unique<Telemetry>(input_, log, names, options);
+      source_ = &telemetry_->source();
+    } else {
+      reader_ = std::make_unique<runtime::LogReader>(input_.stream(), input_.name(), names);
+      reader_->read_times(options.times, runtime::LogReader::OddSamples::refused);
+      source_ = reader_.get();
+    }
+  }
 
   /// The next line; nothing at the end, or once the run is interrupted.
   std::optional<runtime::LogLine> next() {
     if (interrupted()) return std::nullopt;
-    auto line = reader_.next();
+    auto line = source_->next();
     const bool start = first_ && line && !line->commanded;
-    if (std::is_same_v<Names, automata::Plant> && line && !line->timed && !start) {
+    if (of_plant && line && !line->timed && !start) {
       throw base::InputError(name() + ":" + std::to_string(line->number) + ": expected a 'time'");
     }
     first_ = false;
@@ -36,18 +47,31 @@ class LogOf {
   }
   [[nodiscard]] const std::string& name() const { return input_.name(); }
 
+  /// Tells what is odd in the lines so far. The steps of a model program take no time.
+  void tell_remarks() {
+    if (telemetry_) telemetry_->tell_remarks();
+  }
+  /// Tells which samples were left out, a line for each kind, and which channels were silent.
+  void tell_left_out() const {
+    if (telemetry_) telemetry_->tell_left_out();
+  }
+
  private:
+  static constexpr bool of_plant = std::is_same_v<Names, automata::Plant>;
+
   base::InputFile input_;
-  runtime::LogReader reader_;
+  std::unique_ptr<runtime::LogReader> reader_;
+  std::unique_ptr<Telemetry> telemetry_;
+  runtime::LogSource* source_ = nullptr;
   bool first_ = true;
 };
 
 /// A file is checked in full before anything is answered: how many lines it has. What can be read only once is answered
 /// as it comes: nothing, as where the run is interrupted.
 template <class Names>
-std::optional<std::size_t> check_log(const std::string& log, const Names& names) {
+std::optional<std::size_t> check_log(const std::string& log, const Names& names, const LogOptions& options) {
   if (!base::is_read_again(log)) return std::nullopt;
-  LogOf<Names> lines(log, names);
+  LogOf<Names> lines(log, names, options);
   std::size_t count = 0;
   while (lines.next()) ++count;
   return interrupted() ? std::nullopt : std::optional(count);
@@ -56,15 +80,18 @@ std::optional<std::size_t> check_log(const std::string& log, const Names& names)
 /// Answers each line with `answer(line, name of the log)`, up to an interruption, which is told; where that came within
 /// a line there is no answer to it. Whether one came before the end.
 template <class Names, class Answer>
-bool answer_log(const std::string& log, const Names& names, std::optional<std::size_t> lines, const Answer& answer) {
-  LogOf<Names> of(log, names);
+bool answer_log(const std::string& log, const Names& names, const LogOptions& options, std::optional<std::size_t> lines,
+                const Answer& answer) {
+  LogOf<Names> of(log, names, options);
   std::size_t answered = 0;
   while (const auto line = of.next()) {
+    if (!options.quiet) of.tell_remarks();
     const std::optional<std::string> text = answer(*line, of.name());
     if (!text) break;
-    print(*text);  // whole lines, whatever ends the run
+    print_json(*text);  // whole lines, whatever ends the run
     ++answered;
   }
+  if (!options.quiet) of.tell_left_out();
   const bool early = interrupted() && answered != lines;
   if (early) {
     tell("interrupted after " + std::to_string(answered) + (lines ? " of " + std::to_string(*lines) : std::string()) +

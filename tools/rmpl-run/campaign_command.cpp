@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <limits>
@@ -15,11 +18,18 @@
 
 #include "automata/json/document.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "runtime/executive/campaign/flight.hpp"
+#include "runtime/executive/campaign/table.hpp"
+#include "runtime/executive/scenario/report.hpp"
+#include "runtime/executive/scenario/story.hpp"
+#include "runtime/report/recorder.hpp"
 #include "tools/rmpl-run/campaign_store.hpp"
 #include "tools/rmpl-run/campaign_summary.hpp"
 #include "tools/rmpl-run/commands.hpp"
+#include "tools/rmpl-run/scenario_monitors.hpp"
+#include "tools/rmpl-run/views.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/models.hpp"
 #include "tools/shared/progress.hpp"
@@ -33,10 +43,36 @@ using runtime::CampaignRun;
 using runtime::ScenarioOptions;
 
 constexpr unsigned most_jobs = 256;
+constexpr std::uint64_t most_runs = 1'000'000'000;
+
+/// How many runs may fail: a number of them, or a share of all.
+struct AtMost {
+  double count = 0;
+  bool percent = false;
+  std::string text = "0";  ///< as it was given
+
+  [[nodiscard]] bool permits(std::uint64_t failed, std::uint64_t runs) const {
+    return static_cast<double>(failed) <= (percent ? count * static_cast<double>(runs) / 100 : count);
+  }
+};
+
+AtMost at_most(const std::string& text) {
+  AtMost result{0, text.ends_with('%'), text};
+  const char* const end = text.data() + text.size() - (result.percent ? 1 : 0);
+  const auto parsed = std::from_chars(text.data(), end, result.count, std::chars_format::fixed);
+  const bool whole = result.percent || std::floor(result.count) == result.count;
+  const double most = result.percent ? 100 : static_cast<double>(most_runs);
+  if (text.empty() || parsed.ec != std::errc{} || parsed.ptr != end || std::signbit(result.count) || !whole ||
+      result.count > most) {
+    throw BadValue("expected a number of runs, or a share of them such as 5%, not '" + text + "'");
+  }
+  return result;
+}
 
 struct Options {
   std::string file;
   std::string only;
+  std::vector<std::string> monitors;  ///< files; empty: those of the project
   std::uint64_t runs = 0;
   std::uint64_t faults = 0;
   bool enumerate = false;
@@ -45,8 +81,10 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
   std::string database;
+  AtMost at_most;
   std::string csv;
   std::string report;
+  std::optional<std::uint64_t> replay;  ///< the number of a run
 };
 
 constexpr const char* footer =
@@ -56,10 +94,13 @@ number alone. The same command goes on where one was ended, and shares the work 
 the same time: in two terminals, or under mpirun, over machines that share the folder.
 docs/campaigns.md explains the tables.
 
-exit code: 0 done, whatever the runs came to; 2 an input is wrong; 3 interrupted
+exit code: 0 every run met what is expected, or no more failed than --at-most permits; 1 more failed;
+2 an input is wrong; 3 interrupted: what the runs so far came to is told
 
 examples:
   rmpl-run campaign landing.scn --runs 1000 --faults 1 --db landing.sqlite --report landing.html
+  rmpl-run campaign landing.scn --runs 1000 --faults 1 --db landing.sqlite --at-most 5%
+  rmpl-run campaign landing.scn --faults 1 --replay 17 --report run17.html
   rmpl-run campaign landing.scn --enumerate --at 10s --at 4.5h --db each.sqlite --csv each.csv
   mpirun --enable-recovery -n 8 rmpl-run campaign landing.scn --runs 10000 --jobs 1 --db landing.sqlite)";
 
@@ -114,29 +155,20 @@ std::string digest(const automata::Document& document, const automata::Scenario&
   return std::to_string(hash);
 }
 
-/// How long the flight is without injections, which also shows what is wrong with the scenario itself.
-std::uint64_t reference_cycles(const Campaign& campaign) {
-  const auto result = runtime::run_scenario(campaign.document, campaign.scenario, campaign.flight, {});
-  return std::max<std::uint64_t>(result.cycles, 1);
+/// The same of the files of monitors, as they are written.
+std::string digest_of(const std::vector<std::string>& files) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const std::string& file : files) {
+    for (const char c : base::read_file(file)) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  }
+  return std::to_string(hash);
 }
 
 Campaign prepare(const automata::Document& document, const Options& options) {
   const automata::Scenario& scenario = selected(document, options);
-  if (scenario.model) {
-    throw base::InputError("scenario '" + scenario.name + "': '" + document.plant_of(scenario).name +
-                           "' is, or holds, a model program, which does not say what its faults are");
-  }
+  runtime::expect_faults(document, scenario, options.enumerate ? 1 : options.faults);
   Campaign campaign{document, scenario, {}, options.runs, {}, {}};
   const automata::Plant& plant = campaign.plant();
-  if (scenario.rules_only) {
-    throw base::InputError("scenario '" + scenario.name +
-                           "': its plant follows the rules only, and has no faults to inject");
-  }
-  const std::size_t fallible = runtime::fallible_components(plant);
-  if (options.faults > fallible || (options.enumerate && fallible == 0)) {
-    throw base::InputError("--faults: only " + std::to_string(fallible) + " components of plant '" + plant.name +
-                           "' have faults");
-  }
   campaign.plan.seed = options.seed;
   campaign.plan.faults = options.faults;
   campaign.plan.unmodelled = options.unmodelled;
@@ -159,6 +191,7 @@ Campaign prepare(const automata::Document& document, const Options& options) {
                        {"faults", (options.enumerate ? "each at " + times + " s" : std::to_string(options.faults)) +
                                       (options.unmodelled ? ", unmodelled" : "")},
                        {"models", digest(document, scenario)}};
+  if (!options.monitors.empty()) campaign.identity["monitors"] = digest_of(options.monitors);
   return campaign;
 }
 
@@ -229,11 +262,29 @@ class Crew {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(500);
-    show_progress(std::to_string(store.count(campaign_.runs)) + " of " + std::to_string(campaign_.runs) + " runs");
+    show_progress(progress(store, now));
+  }
+
+  /// `120 of 1000 runs, 14.2 a second, 62 s left, 3 failed`.
+  std::string progress(CampaignStore& store, std::chrono::steady_clock::time_point now) {
+    const std::uint64_t done = store.count(campaign_.runs);
+    if (!before_) before_ = done - std::min<std::uint64_t>(done, 1);  // runs of an earlier start take no time
+    std::string text = std::to_string(done) + " of " + std::to_string(campaign_.runs) + " runs";
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    if (done > *before_ && seconds > 0) {
+      const double rate = static_cast<double>(done - *before_) / seconds;
+      char told[64];
+      std::snprintf(told, sizeof told, ", %.3g a second, %.0f s left", rate,
+                    std::ceil(static_cast<double>(campaign_.runs - done) / rate));
+      text += told;
+    }
+    return text + ", " + std::to_string(store.count_failed(campaign_.runs)) + " failed";
   }
 
   const Campaign& campaign_;
   const Options& options_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::optional<std::uint64_t> before_;  ///< results that were there at the start
   bool tells_;
   std::atomic<bool> stop_ = false;
   std::mutex mutex_;
@@ -248,71 +299,142 @@ bool is_first_rank() {
 }
 
 void check(const Options& options) {
+  if (options.replay && (!options.csv.empty() || !options.database.empty()))
+    throw base::InputError("--replay: flies one run, and goes with neither --db nor --csv");
+  if (!options.replay && options.database.empty())
+    throw base::InputError("--db: expected the name of a file for the results, or :memory:");
   if (options.enumerate && options.at.empty()) throw base::InputError("--enumerate: expected times, with --at");
   if (!options.enumerate && !options.at.empty()) throw base::InputError("--at: goes only with --enumerate");
   if (options.enumerate && options.faults > 0) throw base::InputError("--faults: does not go with --enumerate");
-  if (!options.enumerate && options.runs == 0) throw base::InputError("expected --runs or --enumerate");
+  if (!options.enumerate && options.runs == 0 && !options.replay)
+    throw base::InputError("expected --runs or --enumerate");
 }
 
-void publish(const Campaign& campaign, const Options& options, const Common& common) {
+/// Tells and writes what the runs came to that are there.
+ExitStatus publish(const Campaign& campaign, const Options& options, const Common& common) {
   CampaignStore store(options.database, campaign.plant(), campaign.identity);
   CampaignSummary summary(campaign.plant());
-  std::string csv = csv_head();
+  std::string csv = runtime::csv_head();
   store.read(campaign.runs, [&](const CampaignRun& run) {
     summary.add(run);
-    if (!options.csv.empty()) csv += csv_line(run, campaign.plant());
+    if (!options.csv.empty()) csv += runtime::csv_line(run, campaign.plant());
   });
-  const std::string heading = campaign.scenario.name + ": " + std::to_string(campaign.runs) +
-                              " runs, faults: " + campaign.identity.at("faults") + ", seed " +
-                              campaign.identity.at("seed");
+  const bool all = summary.runs() == campaign.runs;
+  const std::string runs = std::to_string(campaign.runs) + " runs";
+  const std::string heading = campaign.scenario.name + ": " +
+                              (all ? runs : std::to_string(summary.runs()) + " of " + runs) +
+                              ", faults: " + campaign.identity.at("faults") + ", seed " + campaign.identity.at("seed");
   if (!options.csv.empty()) base::write_file(options.csv, csv);
   if (!options.report.empty()) base::write_file(options.report, summary.page(heading));
   print(summary.text(heading, output_painter(common.color)));
-}
-
-ExitStatus run(const Options& options, const Common& common) {
-  check(options);
-  const compiler::Compilation compilation = load({options.file}, common);
-  watch_for_interruption();
-  Campaign campaign = prepare(compilation.document(), options);
-  const bool first = is_first_rank();
-  campaign.plan.cycles = reference_cycles(campaign);
-  if (!Crew(campaign, options, first && progress_is_seen(common.quiet)).work()) {
-    if (first) tell("interrupted; the same command goes on");
+  const bool permitted = options.at_most.permits(summary.failed(), campaign.runs);
+  if (!permitted && !common.quiet) {
+    tell(std::to_string(summary.failed()) + (summary.failed() == 1 ? " run" : " runs") + " failed, at most " +
+         options.at_most.text + " may");
+  }
+  if (!all) {
+    tell("interrupted after " + std::to_string(summary.runs()) + " of " + runs +
+         (options.database == in_memory ? "" : "; the same command goes on"));
     return ExitStatus::undecided;
   }
-  if (first) publish(campaign, options, common);
-  return ExitStatus::done;
+  return permitted ? ExitStatus::done : ExitStatus::violated;
+}
+
+/// One run again, told as the flight that it is.
+ExitStatus replay(const Campaign& campaign, const Options& options, const Common& common) {
+  if (options.enumerate && *options.replay >= campaign.runs) {
+    throw base::InputError("--replay: expected a run below " + std::to_string(campaign.runs) +
+                           ", and they count from 0");
+  }
+  const automata::Scenario& scenario = campaign.scenario;
+  const automata::Program& program = campaign.document.programs[scenario.program];
+  std::optional<Views> views;
+  if (!options.report.empty()) views.emplace(ViewPaths{options.report, {}, {}, {}}, campaign.plant(), program);
+  const base::Painter painter = output_painter(common.color);
+  const std::uint64_t seed = runtime::seed_of_run(campaign.plan, *options.replay);
+  runtime::Story story(campaign.plant(), program, runtime::MomentColumn(scenario.duration, scenario.cycle), painter, {},
+                       [](const std::string& line) { print(line + "\n"); });
+  runtime::Recorder recorder(campaign.document, scenario);
+  std::vector<runtime::CycleObserver*> observers{&recorder};
+  if (!common.quiet) observers.push_back(&story);
+  if (!common.quiet) print(runtime::heading(campaign.document, scenario, seed, painter) + "\n");
+  runtime::ScenarioResult result;
+  const auto run = runtime::fly_run(campaign.document, scenario, campaign.plan, *options.replay, campaign.flight,
+                                    observers, &result);
+  if (!run) return ExitStatus::undecided;
+  if (run->verdict == CampaignRun::Verdict::impossible) {
+    throw base::InputError("--replay " + std::to_string(*options.replay) + ": the run is impossible for the model");
+  }
+  print((common.quiet ? "" : "\n") + runtime::summary(scenario, result, painter));
+  if (views) {
+    runtime::Flight flight = recorder.finish(result);
+    flight.name += ", run " + std::to_string(*options.replay);
+    views->write(flight, common.quiet);
+  }
+  switch (run->verdict) {
+    case CampaignRun::Verdict::met:
+      return ExitStatus::done;
+    case CampaignRun::Verdict::failed:
+      return ExitStatus::violated;
+    default:
+      return ExitStatus::undecided;
+  }
+}
+
+ExitStatus run(Options options, const Common& common, const Settings& settings) {
+  check(options);
+  options.monitors = ScenarioMonitors(options.monitors, settings.manifest).of(options.file);
+  const compiler::Compilation compilation = load(with_monitors(options.file, options.monitors), common, to_be_flown());
+  Campaign campaign = prepare(compilation.document(), options);
+  const bool first = is_first_rank();
+  campaign.plan.cycles = runtime::cycles_without_faults(campaign.document, campaign.scenario, campaign.flight);
+  if (options.replay) return replay(campaign, options, common);
+  std::optional<ForgottenDatabase> forgotten;
+  if (options.database == in_memory) options.database = forgotten.emplace().path();
+  const bool all = Crew(campaign, options, first && progress_is_seen(common.quiet)).work();
+  if (first) return publish(campaign, options, common);
+  return all ? ExitStatus::done : ExitStatus::undecided;
 }
 
 }  // namespace
 
 void add_campaign(Program& program) {
-  CLI::App* command = program.app().add_subcommand("campaign", "fly a scenario many times, with faults injected");
+  Command command = program.add_command("campaign", "fly a scenario many times, with faults injected");
   const auto options = std::make_shared<Options>();
-  constexpr std::uint64_t most_runs = 1'000'000'000;
-  command->add_option("FILE", options->file, "a .scn file, or a compiled .json")->required();
-  command->add_option("--only", options->only, "the scenario of the file")->option_text("NAME");
-  add_whole_number(*command, "--runs", options->runs, 1, most_runs,
+  command.add_option("FILE", options->file, "a .scn file, or a compiled .json").required();
+  command.add_option("--only", options->only, "the scenario of the file").option_text("NAME");
+  add_monitors(command, options->monitors);
+  add_whole_number(command, "--runs", options->runs, 1, most_runs,
                    "how many runs; of an enumeration, how often each fault at each time");
-  add_whole_number(*command, "--faults", options->faults, 0, 1000, "how many faults to draw in each run (default: 0)");
-  command->add_flag("--enumerate", options->enumerate, "inject every single fault at each of the times --at");
-  repeatable(command->add_option("--at", options->at, "a time of an enumeration; may be given several times")
-                 ->option_text("TIME"));
-  command->add_flag("--unmodelled", options->unmodelled,
-                    "inject each fault at its time, whether or not the model has a transition to it then");
-  add_whole_number(*command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
+  add_whole_number(command, "--faults", options->faults, 0, 1000, "how many faults to draw in each run (default: 0)");
+  command.add_flag("--enumerate", options->enumerate, "inject every single fault at each of the times --at");
+  command.add_option("--at", options->at, "a time of an enumeration; may be given several times")
+      .option_text("TIME")
+      .repeatable();
+  command.add_flag("--unmodelled", options->unmodelled,
+                   "inject each fault at its time, whether or not the model has a transition to it then");
+  add_whole_number(command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
                    "seed of all runs (default: 1)");
-  add_whole_number(*command, "--jobs,-j", options->jobs, 1, most_jobs,
+  add_whole_number(command, "--jobs,-j", options->jobs, 1, most_jobs,
                    "how many runs at a time in this process (default: one a processor)");
-  command->add_option("--db", options->database, "the database of results: made, or gone on with")
-      ->required()
-      ->option_text("OUT.sqlite");
-  command->add_option("--csv", options->csv, "write the results as a table, a line a run")->option_text("OUT.csv");
-  command->add_option("--report", options->report, "write the summary as a page")->option_text("OUT.html");
-  command->footer(footer);
+  command
+      .add_option("--db", options->database,
+                  "the database of results: made, or gone on with;\n:memory: for one that is forgotten")
+      .option_text("OUT.sqlite");
+  add_read(command, "--at-most", options->at_most, at_most,
+           "how many runs may fail, or which share of them (default: 0)")
+      .option_text("N|P%");
+  command.add_option("--csv", options->csv, "write the results as a table, a line a run").option_text("OUT.csv");
+  command.add_option("--report", options->report, "write the summary as a page; of --replay the flight")
+      .option_text("OUT.html");
+  add_whole_number(command, "--replay", options->replay, 0, most_runs,
+                   "fly this run alone, by its number from 0, and tell its story; takes no --db");
+  command.footer(footer);
   program.add({command,
-               [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});
+               [options, &program] {
+                 return within_limits([&] { return run(*options, program.common(), program.settings()); });
+               },
+               AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

@@ -8,6 +8,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
@@ -80,6 +82,18 @@ class CampaignStore::Statement {
   int read_ = 0;
 };
 
+ForgottenDatabase::ForgottenDatabase() {
+  std::error_code unknown;
+  const std::filesystem::path where = std::filesystem::temp_directory_path(unknown);
+  folder_ = ((unknown ? std::filesystem::path("/tmp") : where) / "rmpl-campaign-XXXXXX").string();
+  if (::mkdtemp(folder_.data()) == nullptr) throw base::InputError(folder_ + ": " + std::strerror(errno));
+}
+
+ForgottenDatabase::~ForgottenDatabase() {
+  std::error_code ignored;  // what is left there is nobody's
+  std::filesystem::remove_all(folder_, ignored);
+}
+
 CampaignStore::CampaignStore(std::string path, const automata::Plant& plant,
                              const std::map<std::string, std::string>& identity)
     : path_(std::move(path)), plant_(plant) {
@@ -119,6 +133,12 @@ bool CampaignStore::has(std::uint64_t run) {
 
 std::uint64_t CampaignStore::count(std::uint64_t runs) {
   Statement statement(*this, "SELECT count(*) FROM run WHERE run < ?");
+  statement.bind(runs).step();
+  return statement.number();
+}
+
+std::uint64_t CampaignStore::count_failed(std::uint64_t runs) {
+  Statement statement(*this, "SELECT count(*) FROM run WHERE run < ? AND verdict IN ('failed', 'undecided')");
   statement.bind(runs).step();
   return statement.number();
 }

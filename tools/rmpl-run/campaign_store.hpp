@@ -17,6 +17,23 @@ struct sqlite3_stmt;
 
 namespace rmpl::tools {
 
+/// As SQLite calls a database that is forgotten. There each connection has one of its own; here all see the same.
+inline constexpr const char* in_memory = ":memory:";
+
+/// A database in a folder of its own, removed with this. Throws base::InputError where there can be none.
+class ForgottenDatabase {
+ public:
+  ForgottenDatabase();
+  ~ForgottenDatabase();
+  ForgottenDatabase(const ForgottenDatabase&) = delete;
+  ForgottenDatabase& operator=(const ForgottenDatabase&) = delete;
+
+  [[nodiscard]] std::string path() const { return folder_ + "/runs.sqlite"; }
+
+ private:
+  std::string folder_;
+};
+
 /// One connection; each thread has its own. Throws base::InputError where the file is no database of a campaign, or
 /// cannot be read or written. A run is a transaction of its own: it is there in full, or not.
 class CampaignStore {
@@ -29,6 +46,8 @@ class CampaignStore {
   [[nodiscard]] bool has(std::uint64_t run);
   /// Results among the first `runs`.
   [[nodiscard]] std::uint64_t count(std::uint64_t runs);
+  /// Of those, how many did not meet what is expected, but for those that are impossible for the model.
+  [[nodiscard]] std::uint64_t count_failed(std::uint64_t runs);
   /// The first `runs` in order, as they were added.
   void read(std::uint64_t runs, const std::function<void(const runtime::CampaignRun&)>& take);
 

@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <set>
 
 #include "automata/assignment_text.hpp"
 #include "runtime/executive/campaign/interval.hpp"
+#include "tools/rmpl-run/campaign_plots.hpp"
 
 namespace rmpl::tools {
 namespace {
@@ -20,6 +22,7 @@ using runtime::Injected;
 using Row = std::vector<std::string>;
 
 constexpr Ticks soon = Ticks::of_seconds(10);
+constexpr std::size_t most_told = 500;  // failing runs, on the page
 
 /// With two decimals, or as many as keep what is not all, or not none, from looking so.
 std::string percent(double share) {
@@ -58,8 +61,14 @@ Row row_of(const std::string& name, const CampaignTally& tally) {
           median(tally.latencies)};
 }
 
-const Row fault_head{
-    "", "expectations met, of runs", "injected", "with a symptom", "named within 10 s of it", "median latency"};
+Row fault_head(const char* of) {
+  return {of,
+          "expectations met, of runs with it",
+          "injected",
+          "with a symptom",
+          "named within 10 s of it",
+          "median latency"};
+}
 
 std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths;
@@ -79,24 +88,9 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string table(const std::string& caption, const std::vector<Row>& rows, bool head) {
-  std::string text = "<div><table><caption>" + escaped(caption) + "</caption>\n";
+  std::string text = "<div tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(caption) + "\"><table><caption>" +
+                     escaped(caption) + "</caption>\n";
   for (std::size_t r = 0; r < rows.size(); ++r) {
     text += "<tr>";
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
@@ -111,20 +105,12 @@ std::string table(const std::string& caption, const std::vector<Row>& rows, bool
   return text + "</table></div>\n";
 }
 
-std::string seconds(const std::optional<Ticks>& time) { return time ? automata::format_seconds(*time) : ""; }
-
-template <class Text>
-std::string joined(const std::vector<Injected>& faults, const Text& text_of) {
-  std::string text;
-  for (std::size_t f = 0; f < faults.size(); ++f) text += (f > 0 ? ";" : "") + text_of(faults[f]);
-  return text;
-}
-
 }  // namespace
 
 void CampaignTally::add_run(const CampaignRun& run) {
   ++runs;
   met += run.verdict == CampaignRun::Verdict::met ? 1 : 0;
+  undecided += run.verdict == CampaignRun::Verdict::undecided ? 1 : 0;
   impossible += run.verdict == CampaignRun::Verdict::impossible ? 1 : 0;
   finished += run.ended ? 1 : 0;
   cycles += run.cycles;
@@ -146,13 +132,17 @@ void CampaignTally::add_fault(const Injected& fault) {
 
 void CampaignSummary::add(const CampaignRun& run) {
   all_.add_run(run);
+  const bool told = run.verdict == CampaignRun::Verdict::failed || run.verdict == CampaignRun::Verdict::undecided;
+  if (told && failed_.size() < most_told) failed_.push_back(run);
+  std::set<const CampaignTally*> counted;
   for (const Injected& injected : run.injected) {
     const std::size_t component = injected.fault.component.index();
     const std::pair fault{component, injected.fault.mode.index()};
     all_.add_fault(injected);
     for (CampaignTally* tally : {&components_[component], &faults_[fault]}) {
-      tally->add_run(run);
       tally->add_fault(injected);
+      // A run without the fault says nothing of it, and one with two of a component counts once.
+      if (injected.forced && counted.insert(tally).second) tally->add_run(run);
     }
   }
 }
@@ -180,14 +170,33 @@ std::vector<Row> CampaignSummary::totals() const {
 }
 
 std::vector<Row> CampaignSummary::by_component() const {
-  std::vector<Row> rows{fault_head};
+  std::vector<Row> rows{fault_head("component")};
   for (const auto& [component, tally] : components_) rows.push_back(row_of(plant_.components[component].name, tally));
   return rows;
 }
 
 std::vector<Row> CampaignSummary::by_fault() const {
-  std::vector<Row> rows{fault_head};
+  std::vector<Row> rows{fault_head("fault")};
   for (const auto& [fault, tally] : faults_) rows.push_back(row_of(name_of(fault), tally));
+  return rows;
+}
+
+std::vector<Row> CampaignSummary::failures() const {
+  std::vector<Row> rows{{"run", "verdict", "program ended", "faults, each with its time", "symptom", "named"}};
+  const auto at = [](const std::optional<Ticks>& time) {
+    return time ? automata::format_seconds(*time) + " s" : "never";
+  };
+  for (const CampaignRun& run : failed_) {
+    Row row{std::to_string(run.run), std::string(runtime::name_of(run.verdict)), at(run.ended), "", "", ""};
+    for (const Injected& injected : run.injected) {
+      const char* const separator = row[3].empty() ? "" : "; ";
+      const std::pair fault{injected.fault.component.index(), injected.fault.mode.index()};
+      row[3] += separator + name_of(fault) + (injected.forced ? " at " + at(injected.forced) : ", without an occasion");
+      row[4] += separator + at(injected.symptom);
+      row[5] += separator + at(injected.named);
+    }
+    rows.push_back(std::move(row));
+  }
   return rows;
 }
 
@@ -204,13 +213,16 @@ std::string CampaignSummary::page(const std::string& heading) const {
 <meta name="color-scheme" content="light dark"><title>)" +
                      escaped(heading) + R"(</title>
 <style>
-:root { color-scheme: light; --paper: #fff; --ink: #1f2328; --quiet: #59636e; --edge: #d8dee4; --shade: #f6f8fa }
+:root { color-scheme: light; --paper: #fff; --ink: #1f2328; --quiet: #59636e; --edge: #d8dee4; --shade: #f6f8fa;
+  --good: #2da44e; --bad: #cf222e; --open: #bf8700 }
 @media (prefers-color-scheme: dark) {
-  :root { color-scheme: dark; --paper: #0f1318; --ink: #e6edf3; --quiet: #9198a1; --edge: #30363d; --shade: #161b22 }
+  :root { color-scheme: dark; --paper: #0f1318; --ink: #e6edf3; --quiet: #9198a1; --edge: #30363d; --shade: #161b22;
+    --good: #3fb950; --bad: #f85149; --open: #d29922 }
 }
 body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
   background: var(--paper); color: var(--ink) }
 h1 { font-size: 1.4em; overflow-wrap: anywhere }
+h2 { font-size: 1.1em; margin-top: 2em }
 table { border-collapse: collapse; margin: 2em 0; font-variant-numeric: tabular-nums }
 caption { text-align: left; font-weight: 600; padding-bottom: .4em }
 th, td { text-align: left; font-weight: normal; padding: .25em 1.2em .25em 0; border-bottom: 1px solid var(--edge) }
@@ -219,36 +231,30 @@ th[scope=col] { color: var(--quiet) }
 div { overflow-x: auto }
 tr:hover > * { background: var(--shade) }
 p { color: var(--quiet) }
-</style></head><body>
+svg { max-width: 100%; height: auto; font: 13px system-ui, sans-serif; fill: var(--ink) }
+.met, .bar { fill: var(--good) } .failed { fill: var(--bad) } .undecided { fill: var(--open) } .impossible { fill: var(--edge) }
+.axis { stroke: var(--edge) }
+</style></head><body><main>
 <h1>)" + escaped(heading) +
                      "</h1>\n";
+  const std::uint64_t wrong = failed();
+  text += outcome_plot({all_.met, wrong - all_.undecided, all_.undecided, all_.impossible});
   text += table("All runs", totals(), false);
+  if (!all_.latencies.empty()) text += "<h2>Latencies of diagnosis</h2>\n" + latency_plot(all_.latencies);
   if (!faults_.empty()) text += table("By component", by_component(), true) + table("By fault", by_fault(), true);
+  if (!failed_.empty()) {
+    text += "<h2>Failing runs</h2>\n" + failure_plot(failed_, plant_);
+    text += table(wrong > failed_.size()
+                      ? "The first " + std::to_string(failed_.size()) + " of " + std::to_string(wrong) + " failing runs"
+                      : "Failing runs",
+                  failures(), true);
+    text += "<p>The same command with <code>--replay RUN --report run.html</code> flies one of them again.</p>\n";
+  }
   return text +
          "<p>Intervals are of Clopper and Pearson, for 95 %. A symptom is the first reading that the flight without "
          "the "
          "fault could not have had; the latency is the time from it until the estimate has the fault.</p>\n"
-         "</body></html>\n";
-}
-
-std::string csv_head() {
-  return "run,seed,verdict,ended,time,cycles,right,chance_faults,faults,at,forced,symptom,named\n";
-}
-
-std::string csv_line(const CampaignRun& run, const automata::Plant& plant) {
-  std::string line = std::to_string(run.run) + "," + std::to_string(run.seed) + "," +
-                     std::string(runtime::name_of(run.verdict)) + "," + seconds(run.ended) + "," + seconds(run.time) +
-                     "," + std::to_string(run.cycles) + "," + std::to_string(run.right) + "," +
-                     std::to_string(run.by_chance);
-  line += "," + joined(run.injected, [&](const Injected& injected) {
-            const automata::Component& component = plant[injected.fault.component];
-            return component.name + "=" + component.modes[injected.fault.mode.index()].name;
-          });
-  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.fault.at); });
-  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.forced); });
-  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.symptom); });
-  line += "," + joined(run.injected, [](const Injected& injected) { return seconds(injected.named); });
-  return line + "\n";
+         "</main></body></html>\n";
 }
 
 }  // namespace rmpl::tools

@@ -6,11 +6,17 @@
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "tools/shared/program.hpp"
 
+namespace rmpl::runtime {
+struct ScenarioOptions;
+}
+
 namespace rmpl::tools {
 
 void add_scenario(Program& program);
+void add_step(Program& program);
 void add_execute(Program& program);
 void add_campaign(Program& program);
+void add_report(Program& program);
 void add_estimate(Program& program);
 void add_sequence(Program& program);
 void add_plan(Program& program);
@@ -18,10 +24,13 @@ void add_diagnose(Program& program);
 
 /// `-k N` of an estimator.
 template <class Count>
-void add_k(CLI::App& command, Count& k) {
+void add_k(Command& command, Count& k) {
   constexpr std::uint64_t most = 1'000'000;
   add_whole_number(command, "-k", k, 1, most, "how many states k-best keeps (default: 16)");
 }
+
+/// How the executive estimates, and finds commands.
+void add_engines(Command& command, runtime::ScenarioOptions& engines);
 
 /// Runs what may need more states than there is room for: that is a limit like any other.
 template <class Run>

@@ -1,15 +1,12 @@
 // rmpl-run diagnose: the leading diagnoses of one snapshot.
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <memory>
-#include <numbers>
 #include <sstream>
 
 #include "automata/assignment_text.hpp"
 #include "automata/facade.hpp"
 #include "base/error.hpp"
+#include "runtime/executive/answer/diagnosis_answer.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/reasoning/diagnose/diagnose.hpp"
 #include "tools/rmpl-run/commands.hpp"
@@ -27,6 +24,7 @@ using runtime::JsonLine;
 struct Options {
   std::string plant;
   std::string observe;
+  std::string modes;
   std::string scenario;
   runtime::DiagnoseOptions search;
   bool stats = false;
@@ -44,49 +42,17 @@ exit code: 0 done; 2 an input is wrong; 3 a limit was hit, or there was not enou
 examples:
   rmpl-run diagnose c17.tcca --observe 'N1 = true, N22.o = false'
   rmpl-run diagnose valves.tcca --observe 'flow = none' -k 3 --format json
+  rmpl-run diagnose hall.tcca --observe 'lamp.light = dark' --modes 'breaker = on'
   rmpl-run diagnose c432.tcca --observe 'N1 = true, N223.o = false' -k 10 --ratio 100
   rmpl-run diagnose 74181.tcca --scenario 74181.000.scn --all-minimal --count
   rmpl-run diagnose c880.tcca --scenario c880.000.scn --first)";
-
-/// The prior as a number that any reader of decimal numbers takes; also where it underflows a double.
-std::string probability_text(const Diagnosis& diagnosis) {
-  constexpr double tiny = 1e-300;
-  if (diagnosis.probability >= tiny || !std::isfinite(diagnosis.log_probability)) {
-    JsonLine number;
-    number.number(diagnosis.probability);
-    return std::string(number.text());
-  }
-  const double decimal = diagnosis.log_probability / std::numbers::ln10;
-  const double exponent = std::floor(decimal);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.9ge%.0f", std::pow(10.0, decimal - exponent), exponent);
-  return text.data();
-}
-
-void write_json(JsonLine& json, const automata::Plant& plant, const Diagnoses& found) {
-  json.open('{').key("diagnoses").open('[');
-  for (const Diagnosis& diagnosis : found.diagnoses) {
-    json.open('{').key("probability").digits(probability_text(diagnosis)).key("modes").open('{');
-    for (const auto& [component, mode] : diagnosis.faults) {
-      json.key(plant[component].name).string(plant[component].modes[mode.index()].name);
-    }
-    json.close('}').close('}');
-  }
-  json.close(']').key("count").digits(found.count.str()).key("cardinality");
-  if (found.cardinality) {
-    json.number(*found.cardinality);
-  } else {
-    json.null();
-  }
-  json.key("checked").number(found.checked).key("seconds").number(found.seconds).close('}');
-}
 
 std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool count_only) {
   if (count_only) return found.count.str() + "\n";
   if (found.diagnoses.empty()) return "no diagnosis: no modes of the components are consistent with the observations\n";
   std::string text;
   for (const Diagnosis& diagnosis : found.diagnoses) {
-    std::string probability = probability_text(diagnosis);
+    std::string probability = runtime::probability_text(diagnosis);
     if (probability.size() < 24) probability.append(24 - probability.size(), ' ');
     text += probability;
     if (diagnosis.faults.empty()) text += " nothing is at fault";
@@ -107,9 +73,10 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
 /// A model program, or a plant that holds one, is diagnosed by its threads.
 ExitStatus run_model(const automata::ModelProgram& program, const Options& options, const Common& common) {
   const runtime::DiagnoseOptions& search = options.search;
-  if (search.all_minimal || search.first || search.count_only || !options.scenario.empty()) {
+  const bool modes = !options.modes.empty();
+  if (search.all_minimal || search.first || search.count_only || !options.scenario.empty() || modes) {
     throw base::InputError(options.plant +
-                           ": --all-minimal, --first, --count and --scenario are about plants of components, "
+                           ": --all-minimal, --first, --count, --modes and --scenario are about plants of components, "
                            "and this is, or holds, a model program");
   }
   const auto observation = assignments_option(options.observe, program, "--observe", common);
@@ -135,11 +102,15 @@ ExitStatus run(Options options, const Common& common) {
     throw base::InputError("--first and --count exclude each other: one diagnosis, or how many there are");
   }
   options.search.all_minimal = options.search.all_minimal || options.search.first || options.search.count_only;
-  const Diagnoses found = runtime::diagnose(plant, observation, options.search);
+  const Diagnoses found =
+      options.modes.empty()
+          ? runtime::diagnose(plant, observation, options.search)
+          : runtime::diagnose(runtime::with_known(plant, assignments_option(options.modes, plant, "--modes", common)),
+                              observation, options.search);
   if (common.format == Format::json) {
     JsonLine json;
-    write_json(json, plant, found);
-    print(std::string(json.text()) + "\n");
+    write(json, plant, found);
+    print_json(std::string(json.text()) + "\n");
   } else {
     print(text_of(plant, found, options.search.count_only));
   }
@@ -154,34 +125,35 @@ ExitStatus run(Options options, const Common& common) {
 }  // namespace
 
 void add_diagnose(Program& program) {
-  CLI::App* command = program.app().add_subcommand("diagnose", "find the faults that explain one snapshot");
+  Command command = program.add_command("diagnose", "find the faults that explain one snapshot");
   const auto options = std::make_shared<Options>();
-  command->add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
-      ->required();
-  CLI::Option* observe = command->add_option("--observe", options->observe, "what is seen: attributes and their values")
-                             ->option_text("'x = v, ...'");
-  CLI::Option* readings =
-      command
-          ->add_option("--scenario", options->scenario,
-                       "what is seen: the last sensor readings in a file of the diagnosis competition")
-          ->option_text("FILE");
-  require_one(*command, observe, readings);
+  command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
+      .required();
+  Option observe = command.add_option("--observe", options->observe, "what is seen: attributes and their values")
+                       .option_text("'x = v, ...'");
+  Option readings = command
+                        .add_option("--scenario", options->scenario,
+                                    "what is seen: the last sensor readings in a file of the diagnosis competition")
+                        .option_text("FILE");
+  command.require_one(observe, readings);
+  command.add_option("--modes", options->modes, "nominal modes that are known: each component is in its, or at fault")
+      .option_text("'c = m, ...'");
   constexpr std::uint64_t most = 1'000'000'000;
-  CLI::Option* k = add_whole_number(*command, "-k", options->search.k, 1, most, "how many diagnoses (default: 10)");
+  Option k = add_whole_number(command, "-k", options->search.k, 1, most, "how many diagnoses (default: 10)");
   const auto ratio = [](const std::string& text) {
-    double value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= 1) return value;
-    throw CLI::ValidationError("expected a number that is at least 1, not '" + text + "'");
+    const std::optional<double> value = real_number(text);
+    if (value && *value >= 1) return *value;
+    throw BadValue("expected a number that is at least 1, not '" + text + "'");
   };
-  add_read(*command, "--ratio", options->search.ratio, ratio, "none more than R times less likely than the best")
-      ->option_text("R");
-  command->add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
-  command->add_flag("--first", options->search.first, "only one with the fewest faults, which proves their number")
-      ->excludes(k);
-  command->add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
-  add_format(*command, program.common());
-  command->add_flag("--stats", options->stats, "say on standard error what it cost");
-  command->footer(footer);
+  add_read(command, "--ratio", options->search.ratio, ratio, "none more than R times less likely than the best")
+      .option_text("R");
+  command.add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
+  command.add_flag("--first", options->search.first, "only one with the fewest faults, which proves their number")
+      .excludes(k);
+  command.add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
+  add_format(command, program.common());
+  command.add_flag("--stats", options->stats, "say on standard error what it cost");
+  command.footer(footer);
   program.add({command,
                [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});
 }

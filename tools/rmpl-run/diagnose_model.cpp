@@ -71,7 +71,7 @@ ExitStatus diagnose_model(const automata::ModelProgram& program, const std::stri
   const ModelDiagnoses found = runtime::diagnose(program, observation, k, ratio);
   if (!found.starts) refuse_start(program, path);
   const double seconds = stopwatch.seconds();
-  print(common.format == Format::json ? as_json(program, found, seconds) : as_text(program, found));
+  common.format == Format::json ? print_json(as_json(program, found, seconds)) : print(as_text(program, found));
   if (stats || common.verbose) {
     std::ostringstream cost;
     cost << found.checked << " candidates checked in " << seconds << " s\n";

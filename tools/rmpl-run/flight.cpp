@@ -136,7 +136,9 @@ Flown fly(const Task& task, const FlightOptions& options, const Common& common, 
   std::optional<FollowScreen> screen;
   if (followed) observers.push_back(&screen.emplace(plant, program, scenario, painter));
   std::optional<runtime::TraceWriter> trace;
-  if (!options.trace.empty()) observers.push_back(&trace.emplace(plant, program, options.trace, options.detail));
+  if (!options.trace.empty()) {
+    observers.push_back(&trace.emplace(plant, program, options.trace, options.detail, options.keyframe));
+  }
   // A story on the terminal is its own progress.
   const std::string which =
       count > 1 ? "[" + std::to_string(position + 1) + "/" + std::to_string(count) + "] " : std::string();
@@ -144,6 +146,8 @@ Flown fly(const Task& task, const FlightOptions& options, const Common& common, 
   if (progress_is_seen(common.quiet) && !(told && output_is_seen())) observers.push_back(&progress);
   std::optional<runtime::Recorder> recorder;
   if (options.records()) observers.push_back(&recorder.emplace(*task.document, scenario));
+  std::optional<runtime::Coverage> coverage;
+  if (!options.coverage.empty()) observers.push_back(&coverage.emplace(&plant, &program));
   Account account;
   const bool accounted = options.stats || common.verbose;
   if (accounted) observers.push_back(&account);
@@ -156,12 +160,14 @@ Flown fly(const Task& task, const FlightOptions& options, const Common& common, 
   if (screen) screen->finish();
   if (accounted) voices.say(position, InTurn::To::error, account.text(scenario.name, seconds));
   if (trace) trace->keep();
-  if (told || (common.format == Format::text && common.quiet)) {
+  if (told || (common.format == Format::text && common.quiet && options.files.size() == 1)) {
     tell((common.quiet ? scenario.name + ": " : "\n") + runtime::summary(scenario, result, painter));
   }
   std::optional<runtime::Flight> data;
   if (recorder) data = recorder->finish(result);
-  return {&scenario, std::move(result), seconds, std::move(data)};
+  Flown flown{&scenario, std::move(result), seconds, std::move(data)};
+  if (coverage) flown.coverage = coverage->items();
+  return flown;
 }
 
 }  // namespace rmpl::tools

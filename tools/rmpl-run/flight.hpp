@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/executive/scenario/run.hpp"
+#include "runtime/report/coverage.hpp"
 #include "runtime/report/flight.hpp"
 #include "tools/rmpl-run/flight_options.hpp"
 #include "tools/rmpl-run/in_turn.hpp"
@@ -28,6 +29,7 @@ struct Flown {
   runtime::ScenarioResult result;
   double seconds = 0;
   std::optional<runtime::Flight> data = std::nullopt;  ///< where the options ask for it
+  std::vector<runtime::CoverageItem> coverage = {};    ///< likewise
 };
 
 /// Flies the task at `position` of `count`, and tells its story as it happens. Throws base::InputError.

@@ -16,12 +16,15 @@ namespace rmpl::tools {
 
 struct FlightOptions {
   std::vector<std::string> files;
-  std::vector<std::string> only;  ///< names of scenarios; empty: all
-  std::string trace;              ///< paths of what is written; empty: not
+  std::vector<std::string> only;      ///< names of scenarios; empty: all
+  std::vector<std::string> monitors;  ///< files; empty: those of the project
+  std::string trace;                  ///< paths of what is written; empty: not
   std::string junit;
   std::string report;
   std::string vcd, csv, mcap;
+  std::string coverage;
   runtime::TraceDetail detail = runtime::TraceDetail::changes;
+  std::uint64_t keyframe = runtime::TraceWriter::usual_keyframe;
   std::vector<std::string> components;
   automata::Ticks from;
   automata::Ticks to = automata::Ticks::infinite();
@@ -35,9 +38,9 @@ struct FlightOptions {
   bool real_time = false;
   bool stats = false;
 
-  /// Several files are told as a table; the flights of one as stories, unless nobody wants to hear them.
   /// Whether the data of the flights are wanted.
   [[nodiscard]] bool records() const { return !report.empty() || !vcd.empty() || !csv.empty() || !mcap.empty(); }
+  /// Several files are told as a table; the flights of one as stories, unless nobody wants to hear them.
   [[nodiscard]] bool tells_stories(const Common& common) const {
     return common.format == Format::text && !common.quiet && (files.size() == 1 || common.verbose);
   }

@@ -24,7 +24,7 @@ class Flights {
         flown_(tasks.size()),
         failures_(tasks.size()) {}
 
-  std::vector<Flown> fly_all() {
+  std::vector<std::optional<Flown>> fly_all() {
     std::vector<std::thread> others;
     const std::size_t jobs = std::min<std::size_t>(options_.jobs, tasks_.size());
     try {
@@ -34,14 +34,10 @@ class Flights {
     }
     work();
     for (std::thread& other : others) other.join();
-    std::vector<Flown> result;
-    for (std::size_t t = 0; t < tasks_.size(); ++t) {
-      if (failures_[t]) std::rethrow_exception(failures_[t]);
-      if (!flown_[t]) break;
-      result.push_back(std::move(*flown_[t]));
-      if (result.back().result.interrupted) break;
+    for (const std::exception_ptr& failure : failures_) {
+      if (failure) std::rethrow_exception(failure);
     }
-    return result;
+    return std::move(flown_);
   }
 
  private:
@@ -73,7 +69,8 @@ class Flights {
 
 }  // namespace
 
-std::vector<Flown> fly_all(const std::vector<Task>& tasks, const FlightOptions& options, const Common& common) {
+std::vector<std::optional<Flown>> fly_all(const std::vector<Task>& tasks, const FlightOptions& options,
+                                          const Common& common) {
   return Flights(tasks, options, common).fly_all();
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/printable.hpp"
 #include "tools/shared/terminal.hpp"
 
 namespace rmpl::tools {
@@ -39,9 +40,9 @@ void FollowScreen::draw() {
   const Size size = size_of_terminal();
   std::string text = drawn_ == 0 ? "" : "\x1b[" + std::to_string(drawn_) + "A\r";
   const auto lines = view_.lines(size.columns, size.rows - 3);
-  for (const std::string& line : lines) text += line + "\x1b[K\n";
+  for (const std::string& line : lines) text += base::printable_in_colour(line) + "\x1b[K\n";
   drawn_ = lines.size();
-  print(text + "\x1b[J");
+  print_raw(text + "\x1b[J");
 }
 
 }  // namespace rmpl::tools

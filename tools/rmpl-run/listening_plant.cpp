@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/rmpl-run/listening_plant.hpp"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -14,15 +11,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <thread>
 #include <utility>
 
 #include "base/error.hpp"
+#include "tools/shared/tcp_listener.hpp"
 #include "tools/shared/terminal.hpp"
 
 namespace rmpl::tools {
@@ -45,23 +41,6 @@ bool same(std::string_view given, std::string_view token) {
                                             (static_cast<unsigned char>(other) ^ static_cast<unsigned char>(token[i])));
   }
   return difference == 0;
-}
-
-bool is_loopback(const addrinfo& info) {
-  if (info.ai_family == AF_INET6) {
-    return IN6_IS_ADDR_LOOPBACK(&reinterpret_cast<const sockaddr_in6*>(info.ai_addr)->sin6_addr) != 0;
-  }
-  if (info.ai_family != AF_INET) return false;
-  return ntohl(reinterpret_cast<const sockaddr_in*>(info.ai_addr)->sin_addr.s_addr) >> 24U == 127;
-}
-
-std::string port_of(int listener) {
-  sockaddr_storage bound{};
-  socklen_t size = sizeof bound;
-  getsockname(listener, reinterpret_cast<sockaddr*>(&bound), &size);
-  const bool six = bound.ss_family == AF_INET6;
-  return std::to_string(ntohs(six ? reinterpret_cast<const sockaddr_in6&>(bound).sin6_port
-                                  : reinterpret_cast<const sockaddr_in&>(bound).sin_port));
 }
 
 /// A socket that nobody listens on is left from a run that was killed.
@@ -111,28 +90,14 @@ void ListeningPlant::listen_on_path(const std::string& path) {
 }
 
 void ListeningPlant::listen_on_network(const std::string& host, const std::string& port, bool remote) {
-  std::uint16_t number = 0;
-  const auto [end, problem] = std::from_chars(port.data(), port.data() + port.size(), number);
-  if (problem != std::errc{} || end != port.data() + port.size()) {
-    fail(address_, "'" + port + "' is no port; expected a number from 0 to 65535");
+  try {
+    TcpListener listener = listen_tcp(host, port, remote, "a loopback address, or --allow-remote and --token");
+    listener_ = std::move(listener.socket);
+    address_.resize(address_.rfind(':') + 1);
+    address_ += listener.port;
+  } catch (const CannotListen& error) {
+    fail(address_, error.what());
   }
-  addrinfo wanted{};
-  wanted.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  const int error = getaddrinfo(host.c_str(), port.c_str(), &wanted, &found);
-  if (error != 0) fail(address_, gai_strerror(error));
-  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
-  if (!is_loopback(*found) && !remote) {
-    fail(address_, "other machines could connect; expected a loopback address, or --allow-remote and --token");
-  }
-  listener_ = Descriptor(::socket(found->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  const int again = 1;
-  setsockopt(listener_.number(), SOL_SOCKET, SO_REUSEADDR, &again, sizeof again);
-  if (bind(listener_.number(), found->ai_addr, found->ai_addrlen) != 0 || listen(listener_.number(), SOMAXCONN) != 0) {
-    fail(address_, std::strerror(errno));
-  }
-  address_.resize(address_.rfind(':') + 1);
-  address_ += port_of(listener_.number());
 }
 
 void ListeningPlant::await_first(automata::Ticks patience) {

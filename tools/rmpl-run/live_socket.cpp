@@ -3,7 +3,6 @@
 #include "tools/rmpl-run/live_socket.hpp"
 
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -22,17 +21,6 @@ timespec time_of(automata::Ticks ticks) {
 }
 
 }  // namespace
-
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  if (this == &other) return *this;
-  close();
-  number_ = std::exchange(other.number_, -1);
-  return *this;
-}
-
-void Descriptor::close() {
-  if (open()) ::close(std::exchange(number_, -1));
-}
 
 short wait_for(int descriptor, bool writable, automata::Ticks patience) {
   pollfd wanted{descriptor, static_cast<short>(writable ? POLLIN | POLLOUT : POLLIN), 0};

@@ -11,25 +11,9 @@
 #include <vector>
 
 #include "runtime/executive/live/channel.hpp"
+#include "tools/shared/descriptor.hpp"
 
 namespace rmpl::tools {
-
-/// A file descriptor that is closed in the end; -1 is none.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
-  Descriptor& operator=(Descriptor&& other) noexcept;
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool open() const { return number_ >= 0; }
-  void close();
-
- private:
-  int number_;
-};
 
 /// Waits until a descriptor can be read or, for `writable`, written, or until the end of `patience`. A signal ends the
 /// wait early. What poll(2) says of it; 0 where it says nothing.

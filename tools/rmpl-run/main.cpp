@@ -19,8 +19,10 @@ int main(int count, char** arguments) {
                   "Runs timed model-based programs: the executive on a simulated plant, and its parts one by one.",
                   notes);
   add_scenario(program);
+  add_step(program);
   add_execute(program);
   add_campaign(program);
+  add_report(program);
   add_estimate(program);
   add_sequence(program);
   add_plan(program);

@@ -9,12 +9,13 @@
 #include "automata/step/plant_step.hpp"
 #include "base/enumerated.hpp"
 #include "base/error.hpp"
+#include "runtime/executive/answer/plan_answer.hpp"
 #include "runtime/executive/trace/json_line.hpp"
-#include "runtime/reasoning/reconfigure/one_step.hpp"
 #include "runtime/reasoning/reconfigure/plan.hpp"
 #include "runtime/reasoning/reconfigure/plan_risks.hpp"
 #include "tools/rmpl-run/commands.hpp"
 #include "tools/rmpl-run/policy_report.hpp"
+#include "tools/rmpl-run/strategy_report.hpp"
 #include "tools/shared/models.hpp"
 #include "tools/shared/suggestion.hpp"
 
@@ -26,100 +27,38 @@ using runtime::Plan;
 using runtime::PlanRisk;
 using runtime::TransitionOf;
 
+enum class PlanFormat { text, json, dot };
+
 struct Options {
   std::string plant;
   std::string from;
   std::string goal;
   bool policy = false;
+  bool strategy = false;
+  automata::Ticks cycle;  ///< of the executive; 0: dense time
+  PlanFormat format = PlanFormat::text;
   bool one_step = false;
   std::string component;
 };
 
 constexpr const char* footer =
-    R"(The commands are those that lead to the goal state if nothing fails, one a cycle: first what the goal
-needs, then what is worth more by reward. A wait is for a transition that needs no command. Components that
+    R"(The commands are those that lead to the goal state if nothing fails, a line for each cycle: what the goal
+needs, and what is worth more by reward. A wait is for a transition that needs no command. Components that
 --from does not name are in their most likely initial mode.
 
 A policy says for each current and target mode of a component what to achieve next: modes of others and a
 command; 'idle' is to wait, 'failure' that no nominal transitions lead there.
 
-exit code: 0 there is a plan, or nothing to do; 1 there is no plan; 2 an input is wrong
+A strategy says for each state that the plant may come to what is sent there, so that the goal is reached on
+every run (rank sure), on every run on which chance gives each outcome its turn (fair), or on some run (hoped).
+
+exit code: 0 there is a plan, or nothing to do; 1 there is no plan; 2 an input is wrong; 3 a strategy was asked
+for, and the game has too many states
 
 examples:
   rmpl-run plan propulsion.tcca --from 'engine = off, pde = off' --goal 'engine = firing'
   rmpl-run plan lander.tcca --from 'lander = unsuccessful-attempt' --goal 'lander = separated' --format json
   rmpl-run plan propulsion.tcca --policy --component engine)";
-
-std::string_view name_of(Plan::Outcome outcome) {
-  switch (outcome) {
-    case Plan::Outcome::plan:
-      return "plan";
-    case Plan::Outcome::no_plan:
-      return "no-plan";
-    case Plan::Outcome::nothing_to_do:
-      return "nothing-to-do";
-  }
-  return {};
-}
-
-/// The most likely initial modes, ties to the first, with those that are given.
-automata::Modes modes_from(const automata::Plant& plant, const std::vector<automata::Assignment>& given) {
-  automata::Modes modes;
-  for (const automata::Component& component : plant.components) {
-    const auto best = std::max_element(component.initial.begin(), component.initial.end());
-    modes.emplace_back(static_cast<std::size_t>(best - component.initial.begin()));
-  }
-  for (const automata::Assignment& mode : given) {
-    const auto component = plant.component_of(mode.variable);
-    if (!component) {
-      throw base::InputError("--from: '" + plant.variables.name(mode.variable) + "' is no component of plant '" +
-                             plant.name + "'; expected modes of components");
-    }
-    modes[component->index()] = automata::ModeId(mode.value.index());
-  }
-  return modes;
-}
-
-void write_lost(JsonLine& json, const automata::Plant& plant, const std::vector<TransitionOf>& lost) {
-  json.key("lost").open('[');
-  for (const TransitionOf& leaving : lost) {
-    const automata::Component& component = plant[leaving.component];
-    const automata::Transition& t = component.transitions[leaving.transition.index()];
-    json.open('{').key("component").string(component.name);
-    json.key("from").string(component.modes[t.from.index()].name);
-    json.key("to").string(component.modes[t.to.index()].name).close('}');
-  }
-  json.close(']');
-}
-
-void write_risks(JsonLine& json, const automata::Plant& plant, const std::vector<PlanRisk>& risks) {
-  json.key("risks").open('[');
-  for (const PlanRisk& risk : risks) {
-    const automata::Component& component = plant[risk.leaving.component];
-    const automata::Transition& leaving = component.transitions[risk.leaving.transition.index()];
-    json.open('{').key("wait").number(risk.wait + 1).key("component").string(component.name);
-    json.key("from").string(component.modes[leaving.from.index()].name);
-    json.key("to").string(component.modes[leaving.to.index()].name).close('}');
-  }
-  json.close(']');
-}
-
-void write_json(JsonLine& json, const automata::Plant& plant, const Plan& plan, const std::vector<PlanRisk>& risks,
-                const std::vector<TransitionOf>& lost) {
-  json.open('{');
-  json.key("goal_state").modes(plan.goal_state.value_or(automata::Modes{}), plant);
-  json.key("commands").open('[');
-  for (const automata::ControlAction& action : plan.commands) {
-    json.assignments(automata::commanded(plant, action), plant.variables);
-  }
-  json.close(']').key("outcome").string(name_of(plan.outcome));
-  if (!risks.empty()) write_risks(json, plant, risks);
-  if (!lost.empty()) write_lost(json, plant, lost);
-  if (plan.component) json.key("component").string(plant[*plan.component].name);
-  if (!plan.reason.empty()) json.key("reason").string(plan.reason);
-  if (const std::string would = runtime::remedy(plan.why, plant); !would.empty()) json.key("remedy").string(would);
-  json.close('}');
-}
 
 /// Where the model says so, and what would permit it; a line where there is something to say.
 std::string hint(const automata::Plant& plant, const runtime::Reason& why) {
@@ -135,7 +74,9 @@ std::string waiting(const std::vector<std::string>& steps) {
 }
 
 /// A line for each transition, with all the waits in which it may come.
-std::string text_of(const automata::Plant& plant, const std::vector<PlanRisk>& risks) {
+std::string text_of(const automata::Plant& plant, const Plan& plan, const std::vector<PlanRisk>& risks) {
+  const std::string but =
+      plan.bounds_counted ? ": the plan hopes that it does not" : ": how long each takes is not compared";
   std::vector<std::pair<TransitionOf, std::vector<std::string>>> lines;
   for (const PlanRisk& risk : risks) {
     const auto known = std::find_if(lines.begin(), lines.end(), [&](const auto& l) { return l.first == risk.leaving; });
@@ -150,8 +91,7 @@ std::string text_of(const automata::Plant& plant, const std::vector<PlanRisk>& r
             " from '" + component.modes[leaving.from.index()].name + "' to '" +
             component.modes[leaving.to.index()].name + "' by itself" +
             (leaving.origin.line == 0 ? "" : " (" + short_place(leaving.origin) + ")") +
-            (leaving.timing ? ": how long each takes is not compared\n"
-                            : ": what is waited for would have to come in that very step\n");
+            (leaving.timing ? but : ": the awaited transition would have to occur in the same step") + "\n";
   }
   return text;
 }
@@ -164,7 +104,7 @@ std::string text_of(const automata::Plant& plant, const std::vector<TransitionOf
     text += "the goal does not last: '" + component.name + "' goes from '" + component.modes[t.from.index()].name +
             "' to '" + component.modes[t.to.index()].name + "' by itself in the next step" +
             (t.origin.line == 0 ? "" : " (" + short_place(t.origin) + ")") +
-            "; where it is asked for on and on, it is commanded on and on\n";
+            "; while a program asserts it, it is commanded again\n";
   }
   return text;
 }
@@ -190,6 +130,7 @@ std::string text_of(const automata::Plant& plant, const Plan& plan) {
   if (plan.goal_state) {
     text += "goal state: " + to_text(plant.variables, automata::assignments_of(plant, *plan.goal_state)) + "\n";
   }
+  if (!plan.proved_best) text += "not proved best: the game is too large to look at all commands\n";
   return text;
 }
 
@@ -213,40 +154,64 @@ ExitStatus print_policies(const Options& options, const Common& common, const au
   if (common.format == Format::json) {
     JsonLine json;
     write_policies(json, plant, graph, components);
-    print(std::string(json.text()) + "\n");
+    print_json(std::string(json.text()) + "\n");
   } else {
     print(policy_text(plant, graph, components));
   }
   return ExitStatus::done;
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus print_strategy(const Options& options, automata::PlantStep& step, const automata::Modes& modes,
+                          const automata::Formula& goal) {
+  const automata::Plant& plant = step.plant();
+  const runtime::NominalGraph graph(plant);
+  runtime::Strategist strategist(step, graph, goal, options.cycle);
+  const auto strategy = runtime::strategy_from(strategist, modes);
+  if (!strategy) {
+    throw base::LimitError(
+        "plan: the game has too many states for a strategy that is proved best; `plan` without "
+        "--strategy finds a plan step by step");
+  }
+  switch (options.format) {
+    case PlanFormat::text:
+      print(strategy_text(plant, *strategy));
+      break;
+    case PlanFormat::dot:
+      print(strategy_dot(plant, *strategy));
+      break;
+    case PlanFormat::json: {
+      JsonLine json;
+      write_strategy(json, plant, *strategy);
+      print_json(std::string(json.text()) + "\n");
+      break;
+    }
+  }
+  return strategy->rank == runtime::Rank::none ? ExitStatus::violated : ExitStatus::done;
+}
+
+ExitStatus run(const Options& options, Common common) {
+  if (options.format == PlanFormat::json) common.format = Format::json;
   const compiler::Compilation compilation = load({options.plant}, common);
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   if (options.policy) return print_policies(options, common, plant);
   if (options.goal.empty()) throw base::InputError("plan: expected --goal, or --policy");
+  if (options.format == PlanFormat::dot && !options.strategy)
+    throw base::InputError("plan: --format dot draws a strategy; expected --strategy with it");
   const auto given = assignments_option(options.from, plant, "--from", common);
   const automata::Formula goal = formula_option(options.goal, plant, "--goal", common);
 
   automata::PlantStep step(plant);
-  const automata::Modes modes = modes_from(plant, given);
-  if (!step.possible(modes)) {
-    throw base::InputError("--from: the plant cannot be in " +
-                           to_text(plant.variables, automata::assignments_of(plant, modes)) +
-                           ": the model forbids these modes together");
-  }
-  const auto reconfigurer =
-      options.one_step ? runtime::make_one_step_reconfigurer(step) : runtime::make_reconfigurer(step);
-  const Plan plan = options.one_step ? runtime::make_one_step_plan(*reconfigurer, modes, goal)
-                                     : runtime::make_plan(plant, *reconfigurer, modes, goal);
-  const std::vector<PlanRisk> risks = runtime::risks_of(plan, step, goal);
-  const std::vector<TransitionOf> lost = runtime::lost_in_the_end(plan, step, goal);
+  const automata::Modes modes = runtime::modes_from(plant, given);
+  runtime::expect_possible(step, modes);
+  if (options.strategy) return print_strategy(options, step, modes, goal);
+  const runtime::PlanAnswer answer = runtime::answer_plan(step, modes, goal, options.one_step, options.cycle);
+  const Plan& plan = answer.plan;
   if (common.format == Format::json) {
     JsonLine json;
-    write_json(json, plant, plan, risks, lost);
-    print(std::string(json.text()) + "\n");
+    write(json, plant, answer);
+    print_json(std::string(json.text()) + "\n");
   } else {
-    print(text_of(plant, plan) + text_of(plant, risks) + text_of(plant, lost));
+    print(text_of(plant, plan) + text_of(plant, plan, answer.risks) + text_of(plant, answer.lost));
   }
   return plan.outcome == Plan::Outcome::no_plan ? ExitStatus::violated : ExitStatus::done;
 }
@@ -254,22 +219,29 @@ ExitStatus run(const Options& options, const Common& common) {
 }  // namespace
 
 void add_plan(Program& program) {
-  CLI::App* command = program.app().add_subcommand("plan", "find the commands that lead from a state to a goal");
+  Command command = program.add_command("plan", "find the commands that lead from a state to a goal");
   const auto options = std::make_shared<Options>();
-  command->add_option("PLANT", options->plant, "a .tcca model, or a compiled .json")->required();
-  command->add_option("--from", options->from, "the modes to start from")->option_text("'x = m, ...'");
-  auto* const goal = command->add_option("--goal", options->goal, "a constraint over modes and attributes")
-                         ->option_text("'constraint'");
-  add_choice<bool>(*command, "--reconfigurer", options->one_step, {{"planner", false}, {"one-step", true}},
+  command.add_option("PLANT", options->plant, "a .tcca model, or a compiled .json").required();
+  command.add_option("--from", options->from, "the modes to start from").option_text("'x = m, ...'");
+  const Option goal =
+      command.add_option("--goal", options->goal, "a constraint over modes and attributes").option_text("'constraint'");
+  add_choice<bool>(command, "--reconfigurer", options->one_step, {{"planner", false}, {"one-step", true}},
                    "a sequence of commands, or one control action that is enough (default: planner)");
-  auto* const policy =
-      command->add_flag("--policy", options->policy, "print the policy of each component instead of a plan")
-          ->excludes(goal);
-  command->add_option("--component", options->component, "with --policy: of this component only")
-      ->option_text("NAME")
-      ->needs(policy);
-  add_format(*command, program.common());
-  command->footer(footer);
+  const Option policy =
+      command.add_flag("--policy", options->policy, "print the policy of each component instead of a plan")
+          .excludes(goal);
+  command.add_option("--component", options->component, "with --policy: of this component only")
+      .option_text("NAME")
+      .needs(policy);
+  command.add_flag("--strategy", options->strategy, "print the whole strategy: what is done in each state it may meet")
+      .excludes(policy);
+  add_read(command, "--cycle", options->cycle, positive_duration,
+           "of the executive that acts on the plan (default: dense time, in which commands take none)")
+      .option_text("TIME");
+  add_choice<PlanFormat>(command, "--format", options->format,
+                         {{"text", PlanFormat::text}, {"json", PlanFormat::json}, {"dot", PlanFormat::dot}},
+                         "text for people (the default), json for programs, dot for a picture of the strategy");
+  command.footer(footer);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 

@@ -7,7 +7,7 @@
 
 #include "automata/plant.hpp"
 #include "runtime/executive/trace/json_line.hpp"
-#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
 
 namespace rmpl::tools {
 

@@ -73,7 +73,6 @@ ExitStatus fly_model(const ModelProgram& program, const std::string& paths, cons
                      std::uint64_t seed) {
   base::InputFile input(commands, interrupted);
   runtime::LogReader reader(input.stream(), input.name(), program);
-  watch_for_interruption();
   std::optional<ModelFlight> flight;
   try {
     flight.emplace(program, seed);
@@ -95,7 +94,7 @@ ExitStatus fly_model(const ModelProgram& program, const std::string& paths, cons
       throw base::LimitError(where + error.what());
     }
   }
-  print(flight->log());
+  print_json(flight->log());
   return interrupted() ? ExitStatus::undecided : ExitStatus::done;
 }
 

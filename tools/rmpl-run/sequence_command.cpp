@@ -46,11 +46,11 @@ ExitStatus run(const Options& options, const Common& common) {
   const automata::Plant* const plant = modelled ? &only_controlled_plant(document, options.plant) : nullptr;
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
   if (base::is_read_again(options.log)) {
-    print(modelled ? runtime::sequence_log(program, *plant, input.stream(), input.name())
-                   : runtime::sequence_log(program, input.stream(), input.name()));
+    print_json(modelled ? runtime::sequence_log(program, *plant, input.stream(), input.name())
+                        : runtime::sequence_log(program, input.stream(), input.name()));
     return ExitStatus::done;
   }
-  const auto answer = [](std::string_view line) { print(std::string(line) + "\n"); };
+  const auto answer = [](std::string_view line) { print_json(std::string(line) + "\n"); };
   if (modelled) {
     runtime::sequence_log(program, *plant, input.stream(), input.name(), answer);
   } else {
@@ -62,17 +62,14 @@ ExitStatus run(const Options& options, const Common& common) {
 }  // namespace
 
 void add_sequence(Program& program) {
-  CLI::App* command =
-      program.app().add_subcommand("sequence", "step a control program through a log of state estimates");
+  Command command = program.add_command("sequence", "step a control program through a log of state estimates");
   const auto options = std::make_shared<Options>();
-  command->add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json")->required();
-  command->add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json");
-  command->add_option("--log", options->log, "state estimates; - is standard input")
-      ->required()
-      ->option_text("IN.jsonl");
-  command->add_option("--main", options->main, "the definition to run, where several are called by no other")
-      ->option_text("NAME");
-  command->footer(footer);
+  command.add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json").required();
+  command.add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json");
+  command.add_option("--log", options->log, "state estimates; - is standard input").required().option_text("IN.jsonl");
+  command.add_option("--main", options->main, "the definition to run, where several are called by no other")
+      .option_text("NAME");
+  command.footer(footer);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 

@@ -16,11 +16,13 @@ void add_explain(Program& program);
 void add_diagram(Program& program);
 void add_format(Program& program);
 void add_server(Program& program);
+void add_new(Program& program);
+void add_test(Program& program);
 
 /// `-o`: where a result goes.
-void add_output(CLI::App& command, std::string& output, const char* name, const char* description);
+void add_output(Command& command, std::string& output, const char* name, const char* description);
 /// `--format`: text or JSON, of diagnostics.
-void add_diagnostics_format(CLI::App& command, Common& common);
+void add_diagnostics_format(Command& command, Common& common);
 /// To a file, or without one, or with `-`, to standard output.
 void write_result(const std::string& output, const std::string& text);
 

@@ -4,7 +4,9 @@
 
 #include "automata/json/document.hpp"
 #include "automata/size.hpp"
+#include "base/output_file.hpp"
 #include "tools/rmplc/commands.hpp"
+#include "tools/rmplc/project/dependencies.hpp"
 #include "tools/shared/models.hpp"
 
 namespace rmpl::tools {
@@ -13,6 +15,7 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string output;
+  std::string depfile;  ///< where to write what the output depends on; empty: nowhere
   std::string main;
 };
 
@@ -50,6 +53,12 @@ void print_sizes(const automata::Document& document) {
 ExitStatus run(const Options& options, const Common& common) {
   const compiler::Compilation result = load(options.files, common, {options.main});
   write_result(options.output, automata::to_text(result.document()));
+  if (!options.depfile.empty()) {
+    std::vector<std::string> files;
+    const grammar::Sources& sources = result.findings().sources;
+    for (std::uint32_t file = 0; file < sources.size(); ++file) files.push_back(sources[file].name());
+    base::write_file(options.depfile, dependency_rule(options.output, files));
+  }
   if (common.verbose) print_sizes(result.document());
   return ExitStatus::done;
 }
@@ -57,14 +66,17 @@ ExitStatus run(const Options& options, const Common& common) {
 }  // namespace
 
 void add_compile(Program& program) {
-  CLI::App* command = program.app().add_subcommand("compile", "compile sources into one JSON document");
+  Command command = program.add_command("compile", "compile sources into one JSON document");
   const auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->files, "sources and compiled documents")->required();
-  add_output(*command, options->output, "OUT.json", "write the document to this file");
-  command->add_option("--main", options->main, "start the control program at this definition")->option_text("NAME");
+  command.add_option("FILE", options->files, "sources and compiled documents").required();
+  add_output(command, options->output, "OUT.json", "write the document to this file");
+  command.add_option("--depfile", options->depfile, "write which files it depends on, for make and ninja")
+      .option_text("OUT.d")
+      .needs(command.option("--output"));
+  command.add_option("--main", options->main, "start the control program at this definition").option_text("NAME");
   Common& common = program.common();
-  add_diagnostics_format(*command, common);
-  command->footer(notes);
+  add_diagnostics_format(command, common);
+  command.footer(notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }
 

@@ -1,6 +1,7 @@
 // rmplc diagram: a program, a component type or a plant as a picture.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -16,7 +17,11 @@ namespace {
 
 using compiler::Figure;
 
-enum class Picture { unsaid, dot, svg };
+enum class Picture { unsaid, dot, svg, png, pdf };
+
+/// The forms, by their names and the ends of names of files.
+const std::vector<std::pair<std::string, Picture>> pictures = {
+    {"dot", Picture::dot}, {"svg", Picture::svg}, {"png", Picture::png}, {"pdf", Picture::pdf}};
 
 struct Options {
   std::vector<std::string> files;
@@ -34,8 +39,8 @@ choose is a diamond, with a dot for each of its transition functions. Of several
 figures --of names one: a program, a plant, a component type, the path of a module
 (mes.fuel) or of a component. A file with component types alone will do.
 
-SVG is laid out by Graphviz: its program dot must be there. DOT needs nothing, and the
-same input gives the same bytes.
+SVG, PNG and PDF are laid out by Graphviz: its program dot must be there. DOT needs
+nothing, and the same input gives the same bytes.
 
 Without --depth a program is drawn with all that is in it, and of a plant as many
 levels of modules are opened as make no more than 30 boxes.
@@ -81,33 +86,42 @@ std::string drawn(const std::vector<Figure>& figures, const Options& options) {
                          " different figures; give the files of one");
 }
 
-bool is_svg(const Options& options) {
-  if (options.format != Picture::unsaid) return options.format == Picture::svg;
-  return options.output.ends_with(".svg");
+/// The name of the form that was asked for, or that the name of the output tells: no end is DOT. Throws
+/// base::InputError for another end, whose readers would find no picture there.
+std::string form_of(const Options& options) {
+  const std::string end = std::filesystem::path(options.output).extension().string();
+  for (const auto& [name, picture] : pictures) {
+    if (options.format == Picture::unsaid ? end == "." + name : options.format == picture) return name;
+  }
+  if (end.empty() || end == ".gv") return "dot";
+  throw base::InputError(
+      options.output +
+      ": expected a name that ends in .dot, .gv, .svg, .png or .pdf, or --format, which says the form");
 }
 
 ExitStatus run(const Options& options, const Common& common) {
+  const std::string form = form_of(options);
   const compiler::Compilation result = load(options.files, common, {.main = options.main, .types_suffice = true});
   constexpr std::string_view way_out = "install the package 'graphviz', or write DOT with --format dot";
-  const std::string graph = drawn(compiler::figures_of(result.document()), options);
-  write_result(options.output, is_svg(options) ? svg_of(graph, way_out) : graph);
+  const std::string graph = drawn(compiler::figures_of(result.document(), result.plants_with_models()), options);
+  write_result(options.output, form == "dot" ? graph : picture_of(graph, form, way_out));
   return ExitStatus::done;
 }
 
 }  // namespace
 
 void add_diagram(Program& program) {
-  CLI::App* command = program.app().add_subcommand("diagram", "draw a program, a component type or a plant");
+  Command command = program.add_command("diagram", "draw a program, a component type or a plant");
   const auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->files, "sources and compiled documents")->required();
-  add_output(*command, options->output, "OUT", "write the picture to this file");
-  add_choice<Picture>(*command, "--format", options->format, {{"dot", Picture::dot}, {"svg", Picture::svg}},
-                      "the form of the picture (default: svg where OUT ends in .svg, else dot)");
-  command->add_option("--of", options->of, "what to draw")->option_text("NAME");
-  add_whole_number(*command, "--depth", options->depth, 0, 1000, "how many levels of boxes are opened");
-  command->add_option("--main", options->main, "start the control program at this definition")->option_text("NAME");
+  command.add_option("FILE", options->files, "sources and compiled documents").required();
+  add_output(command, options->output, "OUT", "write the picture to this file");
+  add_choice<Picture>(command, "--format", options->format, pictures,
+                      "the form of the picture (default: as OUT ends, else dot)");
+  command.add_option("--of", options->of, "what to draw").option_text("NAME");
+  add_whole_number(command, "--depth", options->depth, 0, 1000, "how many levels of boxes are opened");
+  command.add_option("--main", options->main, "start the control program at this definition").option_text("NAME");
   Common& common = program.common();
-  command->footer(notes);
+  command.footer(notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }
 

@@ -19,7 +19,7 @@ std::optional<std::string> heading(std::string_view line) {
   line.remove_prefix(start.size());
   const std::size_t dot = line.rfind('.');
   if (dot == std::string_view::npos || line.find(' ') != std::string_view::npos) return std::nullopt;
-  for (const std::string_view extension : {"tcca", "rmpl", "scn", "props", "json", "bench", "ini"}) {
+  for (const std::string_view extension : {"tcca", "rmpl", "scn", "props", "mon", "json", "bench", "ini"}) {
     if (line.substr(dot + 1) == extension) return std::string(line);
   }
   return std::nullopt;
@@ -50,6 +50,7 @@ std::string program(grammar::Code code, const std::vector<ExampleFile>& files) {
   const auto has = [&](std::string_view extension) {
     return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.name.ends_with(extension); });
   };
+  if (has(".mon") && !has(".scn")) return "rmplc check";
   if (has(".bench")) return "rmplc import -o circuit.tcca";
   return has(".props") ? "tcca-check check" : "rmplc compile -o model.json";
 }

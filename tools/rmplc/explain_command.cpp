@@ -81,7 +81,7 @@ ExitStatus list(Format format) {
     column.resize(sizeof "warning", ' ');
     text += to_string(info.code) + "  " + column + " " + std::string(info.title) + "\n";
   }
-  print(format == Format::json ? Json{{"codes", codes}}.dump(2) + "\n" : text);
+  format == Format::json ? print_json(Json{{"codes", codes}}.dump(2) + "\n") : print(text);
   return ExitStatus::done;
 }
 
@@ -93,7 +93,7 @@ ExitStatus explain(const std::string& text, Format format) {
   }
   const CodeInfo& info = grammar::info(*code);
   if (format == Format::json) {
-    print(Json{{"codes", Json::array({to_json(info)})}}.dump(2) + "\n");
+    print_json(Json{{"codes", Json::array({to_json(info)})}}.dump(2) + "\n");
     return ExitStatus::done;
   }
   print(to_string(*code) + ": " + std::string(info.title) + " (" + level(info) + ")\n\n" + wrapped(info.explanation) +
@@ -101,17 +101,24 @@ ExitStatus explain(const std::string& text, Format format) {
   return ExitStatus::done;
 }
 
+constexpr const char* notes = R"(Exit status: 0 it is told, 2 there is no such code.
+
+Examples:
+  rmplc explain RMPL0301
+  rmplc explain --list)";
+
 }  // namespace
 
 void add_explain(Program& program) {
-  CLI::App* command = program.app().add_subcommand("explain", "tell what a diagnostic means, with an example");
+  Command command = program.add_command("explain", "tell what a diagnostic means, with an example");
   const auto code = std::make_shared<std::string>();
   const auto all = std::make_shared<bool>(false);
-  CLI::Option* one = command->add_option("CODE", *code, "as in the diagnostic: RMPL0301");
-  CLI::Option* list_all = command->add_flag("--list", *all, "list all diagnostics");
-  require_one(*command, one, list_all);
+  Option one = command.add_option("CODE", *code, "as in the diagnostic: RMPL0301");
+  Option list_all = command.add_flag("--list", *all, "list all diagnostics");
+  command.require_one(one, list_all);
   Common& common = program.common();
-  add_format(*command, common);
+  add_format(command, common);
+  command.footer(notes);
   program.add({command, [code, all, &common] { return *all ? list(common.format) : explain(*code, common.format); }});
 }
 

@@ -27,13 +27,13 @@ struct Formatted {
 };
 
 constexpr const char* notes =
-    R"(Lays out .rmpl, .tcca, .scn and .props files in one style, in place: lines of at most
+    R"(Lays out .rmpl, .tcca, .scn, .props and .mon files in one style, in place: lines of at most
 120 columns, tables aligned. Tokens and comments stay as they are; of blank lines at
 most one stays. A file that is well laid out is not touched. `-` is standard input,
 told by its content, and goes to standard output.
 
 A file with syntax errors ends the command before any file is written. --check and
---diff write none.
+--diff write none. Lines end in LF; where some end in CR LF, that is told.
 
 Exit status: 1 if --check or --diff find a file that would change.
 
@@ -44,7 +44,7 @@ compiler::Kind kind_of(const std::string& path, const std::string& text) {
   const auto kind = path == "-" ? compiler::kind_by_content(text) : compiler::kind_by_name(path);
   if (kind && *kind != compiler::Kind::document) return *kind;
   if (path == "-") throw base::InputError("standard input: is a compiled document, which has no style");
-  throw base::InputError(path + ": expected a .rmpl, .tcca, .scn or .props file");
+  throw base::InputError(path + ": expected a .rmpl, .tcca, .scn, .props or .mon file");
 }
 
 /// All files, formatted. Tells the errors of all of them; throws Rejected where there are any.
@@ -69,30 +69,34 @@ ExitStatus run(const Options& options, const Common& common) {
   bool changes = false;
   for (const Formatted& file : format_all(options.files, common)) {
     const bool changed = file.before != file.after;
+    if (!common.quiet && file.before.find("\r\n") != std::string::npos) {
+      const bool writes = !options.check && !options.diff;
+      tell(file.path + ": lines end in CR LF; " + (writes ? "they end in LF now" : "they would end in LF"));
+    }
     changes = changes || changed;
     if (options.check) {
       if (changed && !options.diff) report += file.path + "\n";
     } else if (!options.diff) {
-      if (file.path == "-") print(file.after);
+      if (file.path == "-") print_file(file.after);
       if (file.path != "-" && changed) base::rewrite_file(file.path, file.after);
     }
     if (options.diff) report += compiler::layout_difference(file.before, file.after, file.path);
   }
-  if (!report.empty()) print(report);
+  if (!report.empty()) print_file(report);
   return changes && (options.check || options.diff) ? ExitStatus::violated : ExitStatus::done;
 }
 
 }  // namespace
 
 void add_format(Program& program) {
-  CLI::App* command = program.app().add_subcommand("format", "lay out sources in the one style");
+  Command command = program.add_command("format", "lay out sources in the one style");
   const auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->files, "sources; - is standard input")->required();
-  command->add_flag("--check", options->check, "write nothing; print the names of files that would change");
-  command->add_flag("--diff", options->diff, "write nothing; print what would change");
+  command.add_option("FILE", options->files, "sources; - is standard input").required();
+  command.add_flag("--check", options->check, "write nothing; print the names of files that would change");
+  command.add_flag("--diff", options->diff, "write nothing; print what would change");
   Common& common = program.common();
-  add_diagnostics_format(*command, common);
-  command->footer(notes);
+  add_diagnostics_format(command, common);
+  command.footer(notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }
 

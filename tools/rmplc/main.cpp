@@ -10,7 +10,7 @@ constexpr const char* notes = R"(Exit status:
   0  done; lint found nothing
   1  lint found something; format --check, --diff: a file would change
   2  the command line or an input is wrong; nothing was written
-  3  out of memory; nothing was written
+  3  out of memory, or interrupted; nothing was written
   4  an internal error; nothing is claimed
 
 Examples:
@@ -22,17 +22,17 @@ Examples:
 
 }  // namespace
 
-void add_output(CLI::App& command, std::string& output, const char* name, const char* description) {
-  command.add_option("-o,--output", output, description)->option_text(name);
+void add_output(Command& command, std::string& output, const char* name, const char* description) {
+  command.add_option("-o,--output", output, description).option_text(name);
 }
 
-void add_diagnostics_format(CLI::App& command, Common& common) {
+void add_diagnostics_format(Command& command, Common& common) {
   add_choice<Format>(command, "--format", common.format, {{"text", Format::text}, {"json", Format::json}},
                      "the form of diagnostics (default: text)");
 }
 
 void write_result(const std::string& output, const std::string& text) {
-  if (output.empty() || output == "-") return print(text);
+  if (output.empty() || output == "-") return print_file(text);
   base::write_file(output, text);
 }
 
@@ -50,5 +50,7 @@ int main(int count, char** arguments) {
   add_diagram(program);
   add_format(program);
   add_server(program);
+  add_new(program);
+  add_test(program);
   return program.run(count, arguments);
 }

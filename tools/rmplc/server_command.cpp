@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include "base/error.hpp"
 #include "tools/rmplc/commands.hpp"
 #include "tools/rmplc/server/server.hpp"
+#include "tools/shared/frame_input.hpp"
 #include "tools/shared/terminal.hpp"
 
 namespace rmpl::tools {
@@ -27,12 +27,6 @@ Exit status:
   0  the editor shut it down
   1  the editor ended without a shutdown)";
 
-/// Whether bytes, or their end, can be had without waiting.
-bool is_ready(int descriptor) {
-  pollfd wanted{descriptor, POLLIN, 0};
-  return poll(&wanted, 1, 0) > 0;
-}
-
 /// Waits for bytes, or their end, while the server uses the time.
 void wait_for_input(Server& server) {
   for (;;) {
@@ -44,18 +38,6 @@ void wait_for_input(Server& server) {
   }
 }
 
-/// Reads what there is, waiting for the first byte. False at the end.
-bool read_some(Frames& frames) {
-  std::array<char, 1 << 16> bytes;
-  ssize_t count = 0;
-  do {
-    count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
-  } while (count < 0 && errno == EINTR);
-  if (count < 0) throw base::InputError(std::string("standard input: ") + std::strerror(errno));
-  frames.feed({bytes.data(), static_cast<std::size_t>(count)});
-  return count > 0;
-}
-
 /// The pages of the codes, where they were installed with the program; empty where they were not.
 std::string pages() {
   std::error_code error;
@@ -65,14 +47,15 @@ std::string pages() {
 }
 
 ExitStatus run() {
-  compiler::Disk disk;
-  Server server(disk, {RMPL_VERSION, pages()}, [](const std::string& message) { print(framed(message)); });
+  constexpr std::size_t most = std::size_t{64} << 20;  // what people edit is a hundred times shorter
+  compiler::RegularFiles disk(most);
+  Server server(disk, {RMPL_VERSION, pages()}, [](const std::string& message) { print_raw(framed(message)); });
   Frames frames;
   bool more = true;
   while (!server.ended()) {
     while (auto frame = frames.next()) server.receive(*frame);
     // Everything that has come is looked at before anything is done: it may cancel, or change the text once more.
-    if (more && is_ready(STDIN_FILENO)) {
+    if (more && input_is_ready()) {
       more = read_some(frames);
     } else if (server.has_work()) {
       server.work();
@@ -90,9 +73,9 @@ ExitStatus run() {
 }  // namespace
 
 void add_server(Program& program) {
-  CLI::App* command = program.app().add_subcommand("server", "the language server, for editors");
-  command->add_flag("--stdio")->description("use standard input and output, as it always does");
-  command->footer(notes);
+  Command command = program.add_command("server", "the language server, for editors");
+  command.add_flag("--stdio", "use standard input and output, as it always does");
+  command.footer(notes);
   program.add({command, [] { return run(); }});
 }
 

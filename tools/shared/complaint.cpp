@@ -26,14 +26,14 @@ std::vector<const CLI::App*> called(const CLI::App& app) {
   return apps;
 }
 
-Words subcommands_of(const CLI::App& app) {
+Words names_of_subcommands(const CLI::App& app) {
   Words names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
   return names;
 }
 
 std::string unknown_subcommand(const std::string& word, const CLI::App& app) {
-  const Words names = subcommands_of(app);
+  const Words names = names_of_subcommands(app);
   const std::string near = nearest_of(word, names);
   return "unknown subcommand '" + word + "'" + (near.empty() ? "; expected " + base::enumerated(names, "or") : near);
 }
@@ -62,7 +62,8 @@ std::optional<std::string> between(const std::string& text, std::string_view bef
 
 /// What is missing: a subcommand, an argument, an option.
 std::string missing(const CLI::App& app, const std::string& text) {
-  if (text.starts_with("A subcommand")) return "expected a subcommand: " + base::enumerated(subcommands_of(app), "or");
+  if (text.starts_with("A subcommand"))
+    return "expected a subcommand: " + base::enumerated(names_of_subcommands(app), "or");
   const std::string name = text.substr(0, text.find(' '));
   return name + ": is missing";
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/shared/completion.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <vector>
 
@@ -10,17 +11,17 @@
 namespace rmpl::tools {
 namespace {
 
-struct Option {
+struct ListedOption {
   std::vector<std::string> names;  ///< `-o`, `--output`
   std::vector<std::string> words;  ///< what it takes, where these are few words
   std::string takes;               ///< what it takes, as help calls it; empty for a flag
   std::string description;
 };
 
-struct Command {
+struct ListedCommand {
   std::string name;
   std::string description;
-  std::vector<Option> options;
+  std::vector<ListedOption> options;
 };
 
 /// `text|json` is `text`, `json`; `OUT.json` is no choice.
@@ -37,10 +38,10 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-Command command_of(const CLI::App& app) {
-  Command command{app.get_name(), app.get_description(), {}};
+ListedCommand command_of(const CLI::App& app) {
+  ListedCommand command{app.get_name(), app.get_description(), {}};
   for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return !o->get_positional(); })) {
-    Option& made = command.options.emplace_back();
+    ListedOption& made = command.options.emplace_back();
     for (const std::string& name : option->get_snames()) made.names.push_back("-" + name);
     for (const std::string& name : option->get_lnames()) made.names.push_back("--" + name);
     made.description = option->get_description();
@@ -52,13 +53,13 @@ Command command_of(const CLI::App& app) {
 }
 
 /// Their options without those that the program has everywhere.
-std::vector<Command> subcommands_of(const CLI::App& app) {
-  const Command top = command_of(app);
-  const auto everywhere = [&](const Option& option) {
+std::vector<ListedCommand> subcommands_of(const CLI::App& app) {
+  const ListedCommand top = command_of(app);
+  const auto everywhere = [&](const ListedOption& option) {
     return std::any_of(top.options.begin(), top.options.end(),
-                       [&](const Option& o) { return o.names == option.names; });
+                       [&](const ListedOption& o) { return o.names == option.names; });
   };
-  std::vector<Command> all;
+  std::vector<ListedCommand> all;
   for (const CLI::App* inner : app.get_subcommands([](const CLI::App*) { return true; })) {
     all.push_back(command_of(*inner));
     std::erase_if(all.back().options, everywhere);
@@ -97,9 +98,9 @@ std::string function_name(const std::string& program) {
 }
 
 /// The cases that complete what an option takes; without words these are names of files, which bash adds itself.
-std::string bash_values(const std::string& command, const Command& of) {
+std::string bash_values(const std::string& command, const ListedCommand& of) {
   std::string text;
-  for (const Option& option : of.options) {
+  for (const ListedOption& option : of.options) {
     if (option.takes.empty()) continue;
     std::vector<std::string> patterns;
     for (const std::string& name : option.names) patterns.push_back(command + "," + name);
@@ -111,17 +112,18 @@ std::string bash_values(const std::string& command, const Command& of) {
   return text;
 }
 
-std::string bash_words(const Command& command) {
+std::string bash_words(const ListedCommand& command) {
   std::vector<std::string> names;
-  for (const Option& option : command.options) names.insert(names.end(), option.names.begin(), option.names.end());
+  for (const ListedOption& option : command.options)
+    names.insert(names.end(), option.names.begin(), option.names.end());
   return joined(names, " ");
 }
 
 std::string bash(const CLI::App& app) {
-  const Command top = command_of(app);
-  const std::vector<Command> commands = subcommands_of(app);
+  const ListedCommand top = command_of(app);
+  const std::vector<ListedCommand> commands = subcommands_of(app);
   std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.name);
+  for (const ListedCommand& command : commands) names.push_back(command.name);
   const std::string function = function_name(top.name);
   std::string text = header(top.name, "bash") + function + R"(() {
   local current=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD-1]} command='' words='' word
@@ -141,9 +143,9 @@ std::string bash(const CLI::App& app) {
   COMPREPLY=()
   case $command,$option in
 )";
-  for (const Command& command : commands) text += bash_values(command.name, command);
+  for (const ListedCommand& command : commands) text += bash_values(command.name, command);
   text += bash_values("*", top) + "  esac\n  case $command in\n";
-  for (const Command& command : commands) {
+  for (const ListedCommand& command : commands) {
     text += "    " + command.name + ") words='" + bash_words(command) + "' ;;\n";
   }
   text += "    *) words='" + joined(names, " ") + "' ;;\n  esac\n";
@@ -153,9 +155,9 @@ std::string bash(const CLI::App& app) {
 }
 
 /// The specifications of `_arguments`, a line each.
-std::string zsh_options(const Command& command, const std::string& indent) {
+std::string zsh_options(const ListedCommand& command, const std::string& indent) {
   std::string text;
-  for (const Option& option : command.options) {
+  for (const ListedOption& option : command.options) {
     std::string takes;
     if (!option.takes.empty()) {
       takes = option.words.empty() ? ":" + option.takes + ":_files" : ":word:(" + joined(option.words, " ") + ")";
@@ -174,19 +176,19 @@ std::string zsh_options(const Command& command, const std::string& indent) {
 }
 
 std::string zsh(const CLI::App& app) {
-  const Command top = command_of(app);
-  const std::vector<Command> commands = subcommands_of(app);
+  const ListedCommand top = command_of(app);
+  const std::vector<ListedCommand> commands = subcommands_of(app);
   const std::string function = "_" + top.name;  // also the name of the file, by which it is loaded
   std::string text = "#compdef " + top.name + "\n" + header(top.name, "zsh") + function +
                      "() {\n  local context state state_descr line\n  typeset -A opt_args\n  local -a commands=(\n";
-  for (const Command& command : commands) {
+  for (const ListedCommand& command : commands) {
     text += "    " + quoted(command.name + ":" + command.description, "", "'\\''") + "\n";
   }
   text += "  )\n  _arguments -C \\\n" + zsh_options(top, "    ") +
           "    '1:subcommand:->command' \\\n    '*::argument:->arguments'\n  case $state in\n    command) _describe "
           "subcommand "
           "commands ;;\n    arguments)\n      case $line[1] in\n";
-  for (const Command& command : commands) {
+  for (const ListedCommand& command : commands) {
     text += "        " + command.name + ")\n          _arguments \\\n" + zsh_options(command, "            ") +
             zsh_options(top, "            ") + "            '*:file:_files' ;;\n";
   }
@@ -195,9 +197,9 @@ std::string zsh(const CLI::App& app) {
          " \"$@\"\nelse\n  compdef " + function + " " + top.name + "\nfi\n";
 }
 
-std::string fish_options(const std::string& start, const Command& command) {
+std::string fish_options(const std::string& start, const ListedCommand& command) {
   std::string text;
-  for (const Option& option : command.options) {
+  for (const ListedOption& option : command.options) {
     text += start;
     for (const std::string& name : option.names) {
       text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
@@ -213,10 +215,10 @@ std::string fish_options(const std::string& start, const Command& command) {
 }
 
 std::string fish(const CLI::App& app) {
-  const Command top = command_of(app);
+  const ListedCommand top = command_of(app);
   const std::string start = "complete -c " + top.name;
   std::string text = header(top.name, "fish") + fish_options(start, top);
-  for (const Command& command : subcommands_of(app)) {
+  for (const ListedCommand& command : subcommands_of(app)) {
     text += start + " -n __fish_use_subcommand -f -a " + command.name + " -d " +
             quoted(command.description, "\\", "\\'") + "\n" +
             fish_options(start + " -n '__fish_seen_subcommand_from " + command.name + "'", command);

@@ -11,4 +11,7 @@ namespace rmpl::tools {
 /// then, or where it fails.
 std::string svg_of(const std::string& graph, std::string_view way_out);
 
+/// The same in another form that `dot` knows: `png`, `pdf`.
+std::string picture_of(const std::string& graph, const std::string& form, std::string_view way_out);
+
 }  // namespace rmpl::tools

@@ -8,6 +8,7 @@
 
 #include "automata/scenario.hpp"
 #include "compiler/session/compiler.hpp"
+#include "compiler/session/contents.hpp"
 #include "tools/shared/options.hpp"
 
 namespace rmpl::tools {
@@ -20,26 +21,20 @@ compiler::Compilation load(const std::vector<std::string>& paths, const Common& 
 /// Tells diagnostics, in the form that was asked for; nothing where there are none.
 void tell_findings(const grammar::Findings& findings, const Common& common);
 
-/// The one plant, control program or model program that the files hold. Throw base::InputError where there is not
-/// exactly one.
-const automata::Plant& only_plant(const automata::Document& document, const std::string& paths);
-const automata::Program& only_program(const automata::Document& document, const std::string& paths);
-const automata::ModelProgram& only_model_program(const automata::Document& document, const std::string& paths);
-
-/// The one plant that a control program runs on: of components, or what it sees of the one model program. Throws
-/// base::InputError as above, and where the program cannot be flown.
-const automata::Plant& only_controlled_plant(const automata::Document& document, const std::string& paths);
-
-/// Whether the files hold a model program and no plant.
-bool is_model_program(const automata::Document& document);
-
-/// Says that no start of a model program is consistent. Throws base::InputError.
-[[noreturn]] void refuse_start(const automata::ModelProgram& program, const std::string& paths);
+using compiler::is_model_program;
+using compiler::only_controlled_plant;
+using compiler::only_model_program;
+using compiler::only_plant;
+using compiler::only_program;
+using compiler::refuse_start;
 
 /// A formula or assignments that stand on the command line, as the option `where`. Throw Rejected where they are wrong.
 /// Assignments come sorted, each once; base::InputError where two contradict each other.
 automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
                                  const Common& common);
+/// One that is asked of a program: it may ask of the executive's knowledge.
+automata::Formula program_formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
+                                         const Common& common);
 automata::Formula formula_option(const std::string& text, const automata::ModelProgram& program, std::string_view where,
                                  const Common& common);
 std::vector<automata::Assignment> assignments_option(const std::string& text, const automata::Plant& plant,

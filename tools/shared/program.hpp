@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <string>
 #include <vector>
 
 #include "tools/shared/options.hpp"
@@ -16,9 +16,14 @@ class Program {
   /// `name` and `version` last. `notes` stand below the list of subcommands in `--help`.
   Program(const char* name, const char* version, const char* description, const char* notes);
 
-  [[nodiscard]] CLI::App& app() { return app_; }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program();
+
+  /// Declares a subcommand; `add` tells what it does.
+  Command add_command(const char* name, const char* description);
   [[nodiscard]] Common& common() { return common_; }
-  /// What `rmpl.ini` says; read by the time that a subcommand runs.
+  /// What `rmpl.ini` and `rmpl.toml` say; read by the time that a subcommand runs.
   [[nodiscard]] const Settings& settings() const { return settings_; }
   void add(Subcommand command) { commands_.push_back(std::move(command)); }
 
@@ -28,15 +33,21 @@ class Program {
  private:
   ExitStatus parse_and_run(int count, const char* const* arguments);
 
-  void take_settings(const CLI::App& command);
+  void take_settings(CLI::App& command);
+  /// The options of the command that stand in the manifest. Throws base::InputError, also where another of this
+  /// program's subcommands is one that there is not.
+  void take_defaults(CLI::App& command) const;
+  void print_failure(const std::string& text) noexcept;
 
-  CLI::App app_;
+  std::unique_ptr<CLI::App> app_;
   Common common_;
   Settings settings_;
   std::vector<Subcommand> commands_;
 };
 
 /// The input is wrong, and its diagnostics have been told.
-struct Rejected {};
+struct Rejected {
+  std::string text = {};  ///< the same once more, for a form that has a place for it; lines ended
+};
 
 }  // namespace rmpl::tools

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <string>
 
+#include "base/printable.hpp"
+
 namespace rmpl::tools {
 namespace {
 
@@ -22,7 +24,7 @@ bool progress_is_seen(bool quiet) { return !quiet && isatty(STDERR_FILENO) != 0;
 
 void show_progress(std::string_view line) {
   drawn = true;
-  draw("\r\x1b[K" + std::string(line));
+  draw("\r\x1b[K" + base::printable(line));
 }
 
 void erase_progress() {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/shared/settings.hpp"
 
-#include <array>
 #include <boost/program_options/errors.hpp>
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/parsers.hpp>
@@ -14,23 +13,21 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "tools/shared/command.hpp"
 #include "tools/shared/suggestion.hpp"
 
 namespace rmpl::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using compiler::LintGroup;
-using grammar::Severity;
-
-constexpr std::array groups = {LintGroup::impossible,    LintGroup::suspicious, LintGroup::unused,
-                               LintGroup::observability, LintGroup::timing,     LintGroup::style,
-                               LintGroup::allowance};
 
 /// Reads keys and values; `path` is for messages.
 class Reader {
  public:
-  Reader(const std::string& path, const std::string& text) : text_(text) { settings_.path = path; }
+  Reader(const std::string& path, const std::string& text, LintLevels levels)
+      : text_(text), levels_(std::move(levels)) {
+    settings_.path = path;
+  }
 
   Settings run() {
     std::set<std::string> seen;
@@ -38,18 +35,12 @@ class Reader {
       if (!seen.insert(key).second) fail(key, "'" + key + "' is given twice");
       take(key, value);
     }
-    // A code has the last word over its group.
-    for (const auto& [group, level] : by_group_) {
-      for (const compiler::LintCode& code : compiler::lint_codes()) {
-        if (code.group == group) settings_.lint.levels.emplace(code.code, level);
-      }
-    }
+    settings_.lint = levels_.settings();
+    settings_.level = levels_.level();
     return std::move(settings_);
   }
 
  private:
-  using Level = std::optional<Severity>;
-
   std::vector<std::pair<std::string, std::string>> entries() const {
     namespace options = boost::program_options;
     std::istringstream stream(text_);
@@ -81,43 +72,18 @@ class Reader {
   }
 
   void take_lint(const std::string& key, const std::string& name, const std::string& value) {
-    if (name == "level") {
-      settings_.level = level(key, value);
-      if (!settings_.level) fail(key, "'" + key + "' is note, warning or error");
-      return;
+    bool known = false;
+    try {
+      known = levels_.take(name, value);
+    } catch (const BadValue& bad) {
+      fail(key, "'" + key + "' " + bad.what());
     }
-    if (name == "cycle") return take_cycle(key, value);
-    for (const LintGroup group : groups) {
-      if (name == compiler::to_string(group)) {
-        by_group_[group] = level(key, value);
-        return;
-      }
-    }
-    const auto code = name.starts_with("RMPL") ? grammar::find_code(name) : std::nullopt;
-    if (!code || compiler::find_lint_code(*code) == nullptr) unknown(key);
-    settings_.lint.levels[*code] = level(key, value);
-  }
-
-  void take_cycle(const std::string& key, const std::string& value) {
-    const auto cycle = automata::parse_duration(value);
-    if (!cycle || cycle->is_infinite() || *cycle <= automata::Ticks{0}) {
-      fail(key, "'" + value + "' is no length of time; expected a finite duration above 0, as in 0.5 s");
-    }
-    settings_.lint.cycle = *cycle;
-  }
-
-  Level level(const std::string& key, const std::string& value) const {
-    if (value == "off") return std::nullopt;
-    for (const Severity severity : {Severity::note, Severity::warning, Severity::error}) {
-      if (value == grammar::to_string(severity)) return severity;
-    }
-    fail(key, "'" + key + "' is off, note, warning or error, not '" + value + "'");
+    if (!known) unknown(key);
   }
 
   [[noreturn]] void unknown(const std::string& key) const {
-    std::vector<std::string> names = {"color", "quiet", "verbose", "max-input", "lint.level", "lint.cycle"};
-    for (const LintGroup group : groups) names.push_back(std::string("lint.") + compiler::to_string(group));
-    for (const compiler::LintCode& code : compiler::lint_codes()) names.push_back("lint." + to_string(code.code));
+    std::vector<std::string> names = {"color", "quiet", "verbose", "max-input"};
+    for (const std::string& name : LintLevels::keys()) names.push_back("lint." + name);
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     fail(key, "unknown key '" + key + "'" + suggestion_or_list(key, candidates));
   }
@@ -148,25 +114,56 @@ class Reader {
 
   const std::string& text_;
   Settings settings_;
-  std::map<LintGroup, Level> by_group_;
+  LintLevels levels_;
 };
+
+/// The nearest file of a name in a folder and those above it, by an absolute path.
+std::optional<fs::path> nearest_file(fs::path folder, const char* name) {
+  std::error_code error;
+  while (true) {
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+    if (!folder.has_relative_path()) return std::nullopt;
+    folder = folder.parent_path();
+  }
+}
+
+/// The folder where a search for settings begins, by an absolute path; nothing where there is none.
+std::optional<fs::path> first_folder(const std::string& first_file) {
+  std::error_code error;
+  fs::path start;
+  if (!first_file.empty() && first_file != "-") {
+    start = fs::is_directory(first_file, error) ? fs::path(first_file) : fs::path(first_file).parent_path();
+  }
+  fs::path folder = fs::weakly_canonical(fs::current_path(error) / start, error);
+  if (error) return std::nullopt;
+  return folder.has_filename() ? folder : folder.parent_path();
+}
 
 }  // namespace
 
-Settings read_settings(const std::string& path, const std::string& text) { return Reader(path, text).run(); }
+Settings read_settings(const std::string& path, const std::string& text, const LintLevels& below) {
+  return Reader(path, text, below).run();
+}
+
+std::optional<std::string> find_manifest(const std::string& first_file) {
+  const auto folder = first_folder(first_file);
+  const auto found = folder ? nearest_file(*folder, manifest_name) : std::nullopt;
+  if (!found) return std::nullopt;
+  std::error_code error;
+  const fs::path named = fs::proximate(*found, error);
+  return error ? found->string() : named.string();
+}
 
 Settings find_settings(const std::string& first_file) {
-  std::error_code error;
-  const fs::path start = first_file.empty() || first_file == "-" ? fs::path() : fs::path(first_file).parent_path();
-  fs::path folder = fs::weakly_canonical(fs::current_path(error) / start, error);
-  if (error) return {};
-  while (true) {
-    const fs::path candidate = folder / "rmpl.ini";
-    if (fs::is_regular_file(candidate, error))
-      return read_settings(candidate.string(), base::read_file(candidate.string()));
-    if (!folder.has_relative_path()) return {};
-    folder = folder.parent_path();
-  }
+  std::optional<Manifest> manifest;
+  if (const auto path = find_manifest(first_file)) manifest = read_manifest(*path, base::read_file(*path));
+  const LintLevels below = manifest ? manifest->lint : LintLevels();
+  const auto folder = first_folder(first_file);
+  const auto found = folder ? nearest_file(*folder, "rmpl.ini") : std::nullopt;
+  Settings settings = found ? read_settings(found->string(), base::read_file(found->string()), below)
+                            : Settings{.lint = below.settings(), .level = below.level()};
+  settings.manifest = std::move(manifest);
+  return settings;
 }
 
 }  // namespace rmpl::tools

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -19,6 +20,8 @@ std::string& program() {
   static std::string name;
   return name;
 }
+
+std::atomic<bool> begun = false;
 
 /// Whether somebody sees what is written there. Under mpirun standard output is a terminal of its own, from which all
 /// goes to wherever mpirun writes: a file, as it may be.
@@ -59,10 +62,17 @@ int written(int descriptor, std::string_view text) {
 base::Painter output_painter(Color color) { return painter(color, STDOUT_FILENO); }
 base::Painter error_painter(Color color) { return painter(color, STDERR_FILENO); }
 
+bool output_is_begun() { return begun; }
+
 bool output_is_seen() { return is_seen(STDOUT_FILENO); }
 
-void print(std::string_view text) {
+void print(std::string_view text) { print_raw(base::printable_in_colour(text)); }
+void print_json(std::string_view document) { print_raw(base::printable_json(document)); }
+void print_file(std::string_view text) { output_is_seen() ? print(text) : print_raw(text); }
+
+void print_raw(std::string_view text) {
   erase_progress();
+  begun = begun || !text.empty();
   const int reason = written(STDOUT_FILENO, text);
   if (reason == EBADF) throw base::InputError("standard output: cannot be written: it is closed");
   if (reason != 0) throw base::InputError(std::string("standard output: cannot be written: ") + std::strerror(reason));
@@ -70,7 +80,7 @@ void print(std::string_view text) {
 
 void print_error(std::string_view text) {
   erase_progress();
-  (void)written(STDERR_FILENO, text);  // there is nowhere left to say so
+  (void)written(STDERR_FILENO, base::printable_in_colour(text));  // there is nowhere left to say so
 }
 
 void tell(std::string_view text) { print_error(program() + ": " + base::printable(text) + "\n"); }

@@ -16,15 +16,26 @@ enum class Color { automatic, always, never };
 base::Painter output_painter(Color color);
 base::Painter error_painter(Color color);
 
-/// To standard output, at once. Throws base::InputError with the reason where it does not get there in full.
+/// To standard output, at once. Each throws base::InputError with the reason where it does not get there in full.
+///
+/// A text for people: what would steer a terminal is escaped, but for the colours of `Painter`.
 void print(std::string_view text);
+/// A JSON document, or lines of JSON: the same, by escapes of JSON that leave its values what they are.
+void print_json(std::string_view document);
+/// A file, byte by byte; escaped as a text for people where somebody sees it on a terminal.
+void print_file(std::string_view text);
+/// As it is, whatever it does to a terminal.
+void print_raw(std::string_view text);
+
+/// Whether anything was printed, or tried to be.
+bool output_is_begun();
 
 /// Whether standard output is a terminal that somebody sees, not one of mpirun.
 bool output_is_seen();
 
-/// To standard error, as it is.
+/// To standard error, a text for people.
 void print_error(std::string_view text);
-/// `program: text` and the end of the line, to standard error. Characters that would steer a terminal are escaped.
+/// `program: text` and the end of the line, to standard error.
 void tell(std::string_view text);
 
 /// The program's name in what is told.

@@ -3,22 +3,27 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <set>
 
 #include "base/check.hpp"
 #include "base/error.hpp"
+#include "base/output_file.hpp"
+#include "compiler/lint/allowances.hpp"
+#include "grammar/source/render.hpp"
+#include "runtime/report/coverage.hpp"
 #include "tools/shared/models.hpp"
+#include "tools/shared/property_subject.hpp"
 #include "tools/shared/suggestion.hpp"
 #include "tools/tcca-check/check_options.hpp"
 #include "tools/tcca-check/commands.hpp"
 #include "tools/tcca-check/witness_flight.hpp"
+#include "verifier/claims/stated_claims.hpp"
 #include "verifier/closed_loop/check_all.hpp"
 #include "verifier/verdict/table.hpp"
 
 namespace rmpl::tools {
 
 using automata::PlantProperty;
-using verifier::Commands;
-using verifier::ProgramProperty;
 using verifier::Subject;
 
 namespace {
@@ -31,80 +36,28 @@ struct Options {
   std::vector<std::string> only;  ///< the names of those to check; empty: all
   Budget budget;
   bool statistics = false;
-  std::string report;  ///< where to write a page to look at traces; empty: nowhere
+  std::string report;    ///< where to write a page to look at traces; empty: nowhere
+  std::string coverage;  ///< where to write what traces come to; empty: nowhere
 };
 
-Commands commands_of(PlantProperty::Commands commands) {
-  switch (commands) {
-    case PlantProperty::Commands::none:
-      return Commands::none;
-    case PlantProperty::Commands::one:
-      return Commands::one;
-    case PlantProperty::Commands::any:
-      return Commands::any;
-  }
-  return Commands::one;
-}
+/// The properties that were asked for, and where they are stated.
+struct ReadProperties {
+  std::vector<PlantProperty> all;
+  std::vector<Stated> stated;  ///< of those that a search decides
+};
 
-ProgramProperty::Kind kind_of(PlantProperty::Claim claim) {
-  using Claim = PlantProperty::Claim;
-  using Kind = ProgramProperty::Kind;
-  switch (claim) {
-    case Claim::never:
-      return Kind::never;
-    case Claim::response:
-      return Kind::response;
-    case Claim::eventually:
-      return Kind::eventually;
-    case Claim::finally:
-      return Kind::finally;
-    case Claim::stuck:
-      return Kind::stuck;
-    case Claim::goal_conflict:
-      return Kind::goal_conflict;
-    case Claim::no_plan:
-      return Kind::no_plan;
-    case Claim::endless_wait:
-      return Kind::endless_wait;
-    case Claim::termination:
-      return Kind::termination;
-    case Claim::undone:
-      return Kind::undone;
-    case Claim::reach:
-      break;
-  }
-  throw base::InternalError("what can be reached is asked of a plant alone");
-}
-
-verifier::Property property_of(const PlantProperty& stated, const automata::Plant& plant) {
-  if (stated.of_program) {
-    ProgramProperty asked{.kind = kind_of(stated.claim)};
-    const auto text = [&](const automata::Formula& formula) {
-      return formula == automata::constant(true) ? "" : to_text(formula, plant.variables);
-    };
-    asked.formula = stated.formula;
-    asked.within = stated.within;
-    asked.text = text(stated.formula);
-    asked.then = stated.then;
-    asked.then_text = text(stated.then);
-    return asked;
-  }
-  switch (stated.claim) {
-    case PlantProperty::Claim::never:
-      return verifier::Safety{stated.formula, {}, false};
-    case PlantProperty::Claim::reach:
-      return verifier::Reachability{stated.formula, {}, false};
-    case PlantProperty::Claim::stuck:
-      return verifier::Stuck{};
-    default:
-      return verifier::Response{stated.formula, stated.then, stated.within};
-  }
-}
-
-std::vector<PlantProperty> read_properties(const Options& options, const Common& common, const Subject& subject) {
-  auto compiled = compiler::compile_properties(options.properties, subject.plant, subject.program != nullptr);
+compiler::CompiledProperties compiled_properties(const Options& options, const Common& common, const Subject& subject,
+                                                 bool under_program) {
+  auto compiled = compiler::compile_properties(options.properties, subject.plant, under_program);
   tell_findings(compiled.findings, common);
-  if (!compiled.properties) throw Rejected{};
+  if (!compiled.properties) throw Rejected{grammar::render_text(compiled.findings, false)};
+  return compiled;
+}
+
+ReadProperties read_properties(const Options& options, const Common& common, const Subject& subject) {
+  // A claim on a program that is not asked for needs none.
+  const bool under_program = subject.program != nullptr;
+  auto compiled = compiled_properties(options, common, subject, under_program || !options.only.empty());
   std::vector<PlantProperty> all = std::move(*compiled.properties);
   std::vector<std::string_view> names;
   names.reserve(all.size());
@@ -119,24 +72,22 @@ std::vector<PlantProperty> read_properties(const Options& options, const Common&
     std::erase_if(all, [&](const auto& p) {
       return std::find(options.only.begin(), options.only.end(), p.name) == options.only.end();
     });
+    const auto of_program = [](const PlantProperty& p) { return p.of_program; };
+    if (!under_program && std::any_of(all.begin(), all.end(), of_program)) {
+      compiled_properties(options, common, subject, under_program);
+    }
   }
-  return all;
-}
-
-std::vector<verifier::Question> questions_of(const std::vector<PlantProperty>& stated, const automata::Plant& plant,
-                                             const Options& options) {
-  std::vector<verifier::Question> questions;
-  questions.reserve(stated.size());
-  for (const PlantProperty& p : stated) {
-    questions.push_back({property_of(p, plant),
-                         {.period = p.period,
-                          .faults = p.faults,
-                          .commands = commands_of(p.commands),
-                          .entailed = p.entailed,
-                          .from = p.from},
-                         options.budget.bounds()});
+  grammar::Diagnostics wrong;  // lint tells what is wrong with a comment
+  std::set<std::uint32_t> lines;
+  for (const compiler::Allowance& one : compiler::allowances_in(compiled.findings.sources, 0, wrong)) {
+    if (one.code == grammar::Code::vacuous_property) lines.insert(one.line);
   }
-  return questions;
+  ReadProperties result{std::move(all), {}};
+  for (const PlantProperty& property : result.all) {
+    if (verifier::is_measured(property)) continue;
+    result.stated.push_back({property.name, property.origin, lines.contains(property.origin.line)});
+  }
+  return result;
 }
 
 /// The program of the claims on one: that of the command line, or the one that comes with the plant; none where there
@@ -157,6 +108,34 @@ std::vector<runtime::Flight> runs_of(const Subject& subject, const std::vector<v
   return flights;
 }
 
+/// What the traces come to, each a run, of all that there is.
+std::string coverage_of(const Subject& subject, const std::vector<runtime::Flight>& runs) {
+  std::vector<runtime::CoverageItem> items = runtime::Coverage(&subject.plant, subject.program).items();
+  for (const runtime::Flight& run : runs) {
+    runtime::Coverage coverage(&subject.plant, subject.program);
+    coverage.follow(run);
+    runtime::add(items, coverage.items());
+  }
+  return runtime::to_json(items);
+}
+
+/// A file of properties alone is asked of what the project has for it.
+void take_subject(Options& options, const Settings& settings) {
+  if (!options.properties.empty()) return;
+  if (!options.model.ends_with(".props")) {
+    throw base::InputError("PROPERTIES is missing: what is claimed of " + options.model + ", a .props file");
+  }
+  options.properties = std::move(options.model);
+  if (!settings.manifest) {
+    throw base::InputError(options.properties +
+                           ": properties speak of a plant; expected it before them, or an rmpl.toml that says it");
+  }
+  PropertySubject subject = subject_of(*settings.manifest, options.properties);
+  options.model = std::move(subject.plant);
+  options.program = std::move(subject.program);
+  if (options.entry.empty()) options.entry = std::move(subject.main);
+}
+
 ExitStatus run(const Options& options, const Common& common) {
   check_standard_input({options.model, options.properties});
   std::vector<std::string> models = {options.model};
@@ -166,46 +145,61 @@ ExitStatus run(const Options& options, const Common& common) {
   const std::string paths = options.model + (options.program.empty() ? "" : ", " + options.program);
   const automata::Plant& plant = only_plant(document, paths);
   const Subject subject{plant, program_of(document, options, paths)};
-  const std::vector<PlantProperty> stated = read_properties(options, common, subject);
-  std::vector<verifier::Question> questions = questions_of(stated, plant, options);
+  auto [stated, places] = read_properties(options, common, subject);
+  const verifier::StatedClaims asked(subject, std::move(stated), options.budget.bounds());
+  const std::vector<verifier::Question>& questions = asked.questions();
   TraceReport report(options.report, subject);
+  std::optional<base::OutputFile> coverage;
+  if (!options.coverage.empty()) coverage.emplace(options.coverage);
   verifier::Slices slices(plant);
-  auto warnings = warn_of_questions(questions, slices, common);
+  auto warnings = warn_of_questions(questions, slices, subject.program, common, places);
   std::vector<verifier::Answer> answers =
       verifier::check_all(subject, slices, questions, limits(options.budget, common));
-  warn_of_answers(questions, std::move(warnings), answers, slices, common);
-  std::vector<verifier::Claim> claims;
-  for (std::size_t q = 0; q < stated.size(); ++q) {
-    claims.push_back({stated[q].name, std::move(questions[q]), stated[q].expect_violated, std::move(answers[q])});
-  }
+  warn_of_answers(questions, std::move(warnings), answers, slices, common, places);
+  const std::vector<verifier::Claim> claims = asked.with(std::move(answers), limits(options.budget, common));
   print_answer(
       common,
       [&] { return verifier::to_table(subject, claims, options.statistics, output_painter(common.color).color); },
       [&] { return verifier::to_json(subject, claims); }, [&] { return verifier::to_junit(subject, claims); });
+  if (coverage) {
+    coverage->write(coverage_of(subject, runs_of(subject, claims)));
+    coverage->keep();
+  }
   report.write(runs_of(subject, claims), subject, common.quiet);
   const verifier::Count found = verifier::count(claims);
   if (found.unexpected > 0) return ExitStatus::violated;
   return found.undecided > 0 ? ExitStatus::undecided : ExitStatus::done;
 }
 
+constexpr const char* notes =
+    R"(Exit status: 0 all are as the file expects, 1 one is not, 2 the command line or an input is wrong, 3 one is undecided:
+a limit or a signal ended the search, 4 an internal error, and nothing is claimed.)";
+
 }  // namespace
 
 void add_check(Program& program) {
-  CLI::App* command =
-      program.app().add_subcommand("check", "do all properties of a file come out as it expects? a table of verdicts");
+  Command command = program.add_command("check", "check the properties in a file; the answer is a table of verdicts");
   const auto options = std::make_shared<Options>();
-  add_model(*command, options->model);
-  command->add_option("PROPERTIES", options->properties, "what is claimed of it: .props; - for standard input")
-      ->required();
-  command->add_option("PROGRAM", options->program, "the program that is spoken of: .rmpl or compiled .json");
-  add_text(*command, "--main", options->entry, "NAME",
-           "the definition to start with; else the one that no other calls");
-  add_texts(*command, "--only", options->only, "NAME", "check this property alone; may be given several times");
-  add_report(*command, options->report);
-  add_budget(*command, options->budget);
-  add_format(*command, program.common(), true);
-  command->add_flag("--stats", options->statistics, "tell what each search has cost; properties may share one");
-  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
+  add_model(command, options->model);
+  command.option("MODEL").description(
+      "the plant: .tcca or compiled .json; - for standard input; not needed before a file that an rmpl.toml names");
+  command.add_option("PROPERTIES", options->properties, "what is claimed of it: .props; - for standard input");
+  command.add_option("PROGRAM", options->program, "the program that is spoken of: .rmpl or compiled .json");
+  add_text(command, "--main", options->entry, "NAME",
+           "the definition to start with (default: the one that no other calls)");
+  add_texts(command, "--only", options->only, "NAME", "check this property alone; may be given several times");
+  add_report(command, options->report);
+  add_text(command, "--coverage", options->coverage, "OUT.json",
+           "write the modes, transitions, faults and locations that the traces come to");
+  add_budget(command, options->budget);
+  add_answer_form(command, program.common(), options->statistics);
+  command.footer(notes);
+  program.add({command,
+               [options, &program] {
+                 take_subject(*options, program.settings());
+                 return run(*options, program.common());
+               },
+               AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

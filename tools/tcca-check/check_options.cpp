@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "automata/place.hpp"
+#include "grammar/source/codes.hpp"
 #include "tools/shared/interruption.hpp"
 #include "tools/shared/progress.hpp"
 #include "verifier/slice/warnings.hpp"
@@ -15,17 +17,17 @@ namespace rmpl::tools {
 using verifier::Commands;
 using verifier::Verdict;
 
-void add_freedom(CLI::App& command, Freedom& freedom, bool formula) {
+void add_freedom(Command& command, Freedom& freedom, bool formula) {
   const auto period = [&freedom](const std::string& text) {
     freedom.dense = text == "dense";
     return freedom.dense ? std::nullopt : std::optional(positive_duration(text));
   };
   add_read(command, "--time", freedom.period, period,
            "dense time (the default), or the period at whose multiples steps happen")
-      ->option_text("dense|T");
+      .option_text("dense|T");
   constexpr std::uint64_t most = 1'000'000;
   add_whole_number(command, "--faults", freedom.faults, 0, most, "the most faults that may happen (default: 0)")
-      ->option_text("K");
+      .option_text("K");
   if (formula) {
     command.add_flag("--entailed", freedom.entailed,
                      "a formula holds where the constraints imply it, not where they allow it");
@@ -34,16 +36,15 @@ void add_freedom(CLI::App& command, Freedom& freedom, bool formula) {
            "modes to start in, such as 'engine = off'; what is not named starts as in the plant");
 }
 
-void add_budget(CLI::App& command, Budget& budget) {
+void add_budget(Command& command, Budget& budget) {
   constexpr std::uint64_t most = 1'000'000'000'000;
   add_whole_number(command, "--max-states", budget.states, 1, most, "give up after so many symbolic states");
-  add_read(command, "--timeout", budget.time, duration, "give up after so much time")->option_text("T");
+  add_read(command, "--timeout", budget.time, duration, "give up after so much time").option_text("T");
   add_read(command, "--max-memory", budget.bytes, memory_size, "give up when so much memory is in use")
-      ->option_text("BYTES[K|M|G]");
+      .option_text("BYTES[K|M|G]");
 }
 
 verifier::Limits limits(const Budget& budget, const Common& common) {
-  watch_for_interruption();
   verifier::Limits result{budget.states, std::nullopt, budget.bytes, &interruption(), nullptr};
   if (budget.time && !budget.time->is_infinite()) result.time.emplace(budget.time->seconds());
   if (progress_is_seen(common.quiet)) {
@@ -57,28 +58,51 @@ verifier::Limits limits(const Budget& budget, const Common& common) {
   return result;
 }
 
-void add_report(CLI::App& command, std::string& path) {
+void add_report(Command& command, std::string& path) {
   add_text(command, "--report", path, "OUT.html", "write a page to look at the traces in a browser, all in one file");
 }
 
-void add_model(CLI::App& command, std::string& model) {
-  command.add_option("MODEL", model, "the plant: .tcca or compiled .json; - for standard input")->required();
+void add_model(Command& command, std::string& model) {
+  command.add_option("MODEL", model, "the plant: .tcca or compiled .json; - for standard input").required();
 }
 
-void add_commands(CLI::App& command, Commands& commands) {
+void add_commands(Command& command, Commands& commands) {
   add_choice<Commands>(command, "--commands", commands,
                        {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},
                        "how many controls may be off their idle value in one step (default: one)");
 }
 
-CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& text, const char* type,
-                      const char* description) {
-  return command.add_option(name, text, description)->option_text(type);
+Option add_text(Command& command, const std::string& name, std::string& text, const char* type,
+                const char* description) {
+  return command.add_option(name, text, description).option_text(type);
 }
 
-CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts, const char* type,
-                       const char* description) {
-  return repeatable(command.add_option(name, texts, description)->option_text(type));
+Option add_texts(Command& command, const std::string& name, std::vector<std::string>& texts, const char* type,
+                 const char* description) {
+  return command.add_option(name, texts, description).option_text(type).repeatable();
+}
+
+void add_answer_form(Command& command, Common& common, bool& statistics) {
+  add_format(command, common, true);
+  Option with = command.add_flag("--stats", statistics, "print what the search cost");
+  command
+      .add_negation("--no-statistics", common.measured,
+                    "leave times and memory out of json and junit: the same bytes each time")
+      .excludes(with);
+}
+
+void forget_statistics(nlohmann::ordered_json& answer) {
+  if (answer.is_object()) answer.erase("statistics");
+  for (nlohmann::ordered_json& inner : answer) {
+    if (inner.is_structured()) forget_statistics(inner);
+  }
+}
+
+void forget_times(std::string& junit) {
+  static constexpr std::string_view attribute = " time=\"";
+  for (std::size_t at = junit.find(attribute); at != std::string::npos; at = junit.find(attribute, at)) {
+    junit.erase(at, junit.find('"', at + attribute.size()) + 1 - at);
+  }
 }
 
 ExitStatus status_of(Verdict verdict) {
@@ -98,25 +122,51 @@ namespace {
 /// Whether anybody is to hear of warnings: they are part of what machines read, however quiet it is.
 bool warnings_are_wanted(const Common& common) { return !common.quiet || common.format != Format::text; }
 
+/// Each text once; of a property of a file with its place and name, so that one sees which it is of several.
+class Warnings {
+ public:
+  explicit Warnings(const std::vector<Stated>& stated) : stated_(stated) {}
+
+  /// `says_nothing`: lint finds the same in the file, under this code.
+  void tell(std::size_t question, const std::string& text, bool says_nothing) {
+    std::string line = "warning: ";
+    if (question < stated_.size()) {
+      const Stated& own = stated_[question];
+      if (says_nothing && own.allowed) return;
+      line = automata::short_place(own.origin) + ": warning";
+      if (says_nothing) line += "[" + grammar::to_string(grammar::Code::vacuous_property) + "]";
+      line += ": property \"" + own.name + "\": ";
+    }
+    line += text;
+    if (told_.insert(line).second) tools::tell(line);
+  }
+
+ private:
+  const std::vector<Stated>& stated_;
+  std::set<std::string> told_;
+};
+
 }  // namespace
 
 std::vector<std::vector<std::string>> warn_of_questions(const std::vector<verifier::Question>& questions,
-                                                        verifier::Slices& slices, const Common& common) {
+                                                        verifier::Slices& slices, const automata::Program* program,
+                                                        const Common& common, const std::vector<Stated>& stated) {
   std::vector<std::vector<std::string>> result(questions.size());
   if (!warnings_are_wanted(common)) return result;
-  std::set<std::string> told;
+  Warnings warnings(stated);
   for (std::size_t q = 0; q < questions.size(); ++q) {
-    result[q] = verifier::warnings_of(questions[q], slices);
-    for (const std::string& warning : result[q]) {
-      if (told.insert(warning).second && !common.quiet) tell("warning: " + warning);
+    for (const verifier::QuestionWarning& warning : verifier::warnings_of(questions[q], slices, program)) {
+      result[q].push_back(warning.text);
+      if (!common.quiet) warnings.tell(q, warning.text, warning.says_nothing);
     }
   }
   return result;
 }
 
 void warn_of_answers(const std::vector<verifier::Question>& questions, std::vector<std::vector<std::string>> warnings,
-                     std::vector<verifier::Answer>& answers, verifier::Slices& slices, const Common& common) {
-  std::set<std::string> told;
+                     std::vector<verifier::Answer>& answers, verifier::Slices& slices, const Common& common,
+                     const std::vector<Stated>& stated) {
+  Warnings told(stated);
   for (std::size_t q = 0; q < questions.size(); ++q) {
     verifier::Answer& answer = answers[q];
     answer.warnings = std::move(warnings[q]);
@@ -124,7 +174,8 @@ void warn_of_answers(const std::vector<verifier::Question>& questions, std::vect
     if (!warnings_are_wanted(common) && !answer.startless) continue;
     auto warning = verifier::warning_of(questions[q], answer, slices);
     if (!warning) continue;
-    if (told.insert(*warning).second && (!common.quiet || answer.startless)) tell("warning: " + *warning);
+    // That nothing starts is about the plant, and no property.
+    if (!common.quiet || answer.startless) told.tell(answer.startless ? stated.size() : q, *warning, false);
     answer.warnings.push_back(std::move(*warning));
   }
 }

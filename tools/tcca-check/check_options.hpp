@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "automata/origin.hpp"
 #include "automata/plant.hpp"
 #include "tools/shared/options.hpp"
 #include "verifier/property/commands.hpp"
@@ -27,7 +28,7 @@ struct Freedom {
   std::string from;  ///< assignments; empty: the initial distribution
 };
 /// `formula`: what is asked has one, to be read in either way.
-void add_freedom(CLI::App& command, Freedom& freedom, bool formula = true);
+void add_freedom(Command& command, Freedom& freedom, bool formula = true);
 
 /// What a search may cost.
 struct Budget {
@@ -38,19 +39,26 @@ struct Budget {
   /// As the answer repeats them.
   [[nodiscard]] verifier::Bounds bounds() const { return {states, time, bytes}; }
 };
-void add_budget(CLI::App& command, Budget& budget);
+void add_budget(Command& command, Budget& budget);
 /// The limits of a search that signals end, and that shows its progress where somebody sees it.
 verifier::Limits limits(const Budget& budget, const Common& common);
 
 /// Where to write a page with the traces.
-void add_report(CLI::App& command, std::string& path);
-void add_model(CLI::App& command, std::string& model);
-void add_commands(CLI::App& command, verifier::Commands& commands);
+void add_report(Command& command, std::string& path);
+void add_model(Command& command, std::string& model);
+void add_commands(Command& command, verifier::Commands& commands);
 /// An option that takes a formula or a name, and may be given several times where it fills a list.
-CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& text, const char* type,
-                      const char* description);
-CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts, const char* type,
-                       const char* description);
+Option add_text(Command& command, const std::string& name, std::string& text, const char* type,
+                const char* description);
+Option add_texts(Command& command, const std::string& name, std::vector<std::string>& texts, const char* type,
+                 const char* description);
+
+/// The form of an answer: text, json or junit, and whether it tells what it has cost.
+void add_answer_form(Command& command, Common& common, bool& statistics);
+
+/// An answer without what it has cost, so that every run gives the same bytes.
+void forget_statistics(nlohmann::ordered_json& answer);
+void forget_times(std::string& junit);
 
 /// Writes an answer in the form that was asked for, by the function that makes that form.
 template <class Text, class Json, class Junit>
@@ -58,20 +66,36 @@ void print_answer(const Common& common, const Text& text, const Json& json, cons
   switch (common.format) {
     case Format::text:
       return print(text());
-    case Format::json:
-      return print(json().dump(2) + "\n");
-    case Format::junit:
-      return print(junit());
+    case Format::json: {
+      nlohmann::ordered_json answer = json();
+      if (!common.measured) forget_statistics(answer);
+      return print_json(answer.dump(2) + "\n");
+    }
+    case Format::junit: {
+      std::string answer = junit();
+      if (!common.measured) forget_times(answer);
+      return print_file(answer);
+    }
   }
 }
 
 ExitStatus status_of(verifier::Verdict verdict);
 
-/// What there is to be warned of in each question; told, each text once.
+/// Where questions of a file are stated, one by one; nothing for those of the command line.
+struct Stated {
+  std::string name;
+  automata::Origin origin;
+  bool allowed = false;  ///< a comment allows that it says nothing
+};
+
+/// What there is to be warned of in each question; told, each text once, with the property and where it is stated.
+/// `program`: that questions about one are asked of, if there is one.
 std::vector<std::vector<std::string>> warn_of_questions(const std::vector<verifier::Question>& questions,
-                                                        verifier::Slices& slices, const Common& common);
+                                                        verifier::Slices& slices, const automata::Program* program,
+                                                        const Common& common, const std::vector<Stated>& stated = {});
 /// Puts that beside the answers, with what there is to be warned of in those, which is told too.
 void warn_of_answers(const std::vector<verifier::Question>& questions, std::vector<std::vector<std::string>> warnings,
-                     std::vector<verifier::Answer>& answers, verifier::Slices& slices, const Common& common);
+                     std::vector<verifier::Answer>& answers, verifier::Slices& slices, const Common& common,
+                     const std::vector<Stated>& stated = {});
 
 }  // namespace rmpl::tools

@@ -13,5 +13,8 @@ void add_stuck(Program& program);
 void add_program(Program& program);
 void add_check(Program& program);
 void add_export(Program& program);
+void add_probability(Program& program);
+void add_fault_tree(Program& program);
+void add_fmea(Program& program);
 
 }  // namespace rmpl::tools

@@ -11,12 +11,27 @@
 #include "verifier/export/prism.hpp"
 #include "verifier/export/write.hpp"
 #include "verifier/property/initial_modes.hpp"
+#include "verifier/slice/slices.hpp"
 #include "verifier/slice/warnings.hpp"
 
 namespace rmpl::tools {
 namespace {
 
-enum class Tool { tchecker, uppaal, prism };
+enum class Tool { tchecker, uppaal, prism, jani };
+
+std::string name_of(Tool tool) {
+  switch (tool) {
+    case Tool::tchecker:
+      return "tchecker";
+    case Tool::uppaal:
+      return "uppaal";
+    case Tool::prism:
+      return "prism";
+    case Tool::jani:
+      return "jani";
+  }
+  return {};
+}
 
 struct Options {
   std::string model;
@@ -24,22 +39,21 @@ struct Options {
   std::string target, never;
   Freedom freedom;
   verifier::Commands commands = verifier::Commands::one;
+  bool whole = false;
   Budget budget;
 };
 
 /// For a tool of dense time.
 void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::ExportQuestion& question,
                  const Options& options, const verifier::Limits& limits) {
-  const bool uppaal = options.tool == Tool::uppaal;
   if (options.freedom.period) {
-    throw base::InputError(std::string(uppaal ? "uppaal" : "tchecker") + " reads time as dense; expected no period");
+    throw base::InputError(name_of(options.tool) + " reads time as dense; expected no period");
   }
-  const verifier::TimedAutomaton automaton = verifier::unfold(step, question, limits);
-  if (automaton.locations.empty()) {
-    if (!question.from.empty()) verifier::refuse_start();
-    tell(std::string("warning: ") + verifier::no_start);
+  if (options.tool == Tool::tchecker) {
+    return verifier::write_tchecker(out, step.plant(), verifier::unfold(step, question, limits));
   }
-  (uppaal ? verifier::write_uppaal : verifier::write_tchecker)(out, step.plant(), automaton);
+  const auto write = options.tool == Tool::uppaal ? verifier::write_uppaal : verifier::write_jani;
+  write(out, step.plant(), verifier::network_of(step, question, limits));
 }
 
 void write_steps(std::ostream& out, automata::PlantStep& step, const verifier::ExportQuestion& question,
@@ -48,6 +62,28 @@ void write_steps(std::ostream& out, automata::PlantStep& step, const verifier::E
     throw base::InputError("prism has steps and no dense time; expected a period, as in --time 0.5s");
   }
   verifier::write_prism(out, step, question, *options.freedom.period, limits);
+}
+
+/// What is written: of the cone of the question, where it has a start.
+void write(std::ostream& out, const automata::Plant& plant, verifier::ExportQuestion question, const Options& options,
+           const verifier::Limits& limits) {
+  const auto write_one = options.tool == Tool::prism ? write_steps : write_dense;
+  verifier::Slices slices(plant);
+  const bool starts = slices.start(question.from).has_value();
+  if (!starts) {
+    if (!question.from.empty()) verifier::refuse_start();
+    tell(std::string("warning: ") + verifier::no_start);
+  }
+  if (options.whole || !starts) {
+    automata::PlantStep step(plant);
+    return write_one(out, step, question, options, limits);
+  }
+  const std::vector<automata::Formula> asked{question.target};
+  const verifier::Part part = slices.part(slices.cone(asked), asked);
+  question.target = part.into(question.target);
+  question.from = part.into(question.from);
+  automata::PlantStep step(part.plant());
+  write_one(out, step, question, options, limits);
 }
 
 ExitStatus run(const Options& options, const Common& common) {
@@ -59,39 +95,45 @@ ExitStatus run(const Options& options, const Common& common) {
       options.freedom.entailed, options.freedom.faults.value_or(0), options.commands,
       assignments_option(options.freedom.from, plant, "--from", common)};
   verifier::demand_modes(plant, question.from);
-  automata::PlantStep step(plant);
   std::ostringstream out;  // as a whole or not at all: what cannot be said may be met late
   out.exceptions(std::ios::badbit | std::ios::failbit);
   try {
-    (options.tool == Tool::prism ? write_steps : write_dense)(out, step, question, options,
-                                                              limits(options.budget, common));
-  } catch (const verifier::LimitReached&) {
-    throw base::LimitError("a limit was reached before all mode combinations were met: nothing is written");
+    write(out, plant, question, options, limits(options.budget, common));
+  } catch (const verifier::LimitReached& reached) {
+    const bool signal = reached.limit == verifier::Limit::interrupt;
+    throw base::LimitError(std::string(signal ? "interrupted" : "a limit was reached") +
+                           " before all mode combinations were met: nothing is written");
   } catch (const std::ios::failure&) {
     throw base::LimitError("out of memory: nothing is written");
   }
-  print(std::move(out).str());
+  print_file(std::move(out).str());
   return ExitStatus::done;
 }
+
+constexpr const char* notes =
+    R"(Exit status: 0 it is written, 2 the command line or an input is wrong, 3 a limit or a signal came before it
+was whole: nothing is written, 4 an internal error.)";
 
 }  // namespace
 
 void add_export(Program& program) {
-  CLI::App* command =
-      program.app().add_subcommand("export", "the same question for another tool, which has to give the same answer");
+  Command command = program.add_command("export", "write the same question for another tool");
   const auto options = std::make_shared<Options>();
-  add_model(*command, options->model);
-  add_choice<Tool>(*command, "--format", options->tool,
-                   {{"tchecker", Tool::tchecker}, {"uppaal", Tool::uppaal}, {"prism", Tool::prism}},
-                   "which tool is asked: the first two in dense time, prism with the period of --time")
-      ->required();
-  CLI::Option* target = add_text(*command, "--target", options->target, "FORMULA", "what is to be reached");
-  CLI::Option* never = add_text(*command, "--never", options->never, "FORMULA", "what is never to hold");
-  require_one(*command, target, never);
-  add_freedom(*command, options->freedom);
-  add_commands(*command, options->commands);
-  add_budget(*command, options->budget);
-  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
+  add_model(command, options->model);
+  add_choice<Tool>(
+      command, "--format", options->tool,
+      {{"tchecker", Tool::tchecker}, {"uppaal", Tool::uppaal}, {"prism", Tool::prism}, {"jani", Tool::jani}},
+      "which tool is asked, all in dense time but prism, which takes the period of --time")
+      .required();
+  command.add_flag("--whole", options->whole, "all components; else those that have to do with the question");
+  Option target = add_text(command, "--target", options->target, "FORMULA", "what is to be reached");
+  Option never = add_text(command, "--never", options->never, "FORMULA", "a formula that must never hold");
+  command.require_one(target, never);
+  add_freedom(command, options->freedom);
+  add_commands(command, options->commands);
+  add_budget(command, options->budget);
+  command.footer(notes);
+  program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

@@ -33,13 +33,14 @@ ExitStatus run(const FormulaCheck& check, const Options& options, const Common& 
 }  // namespace
 
 void add_formula_check(Program& program, const FormulaCheck& check) {
-  CLI::App* command = program.app().add_subcommand(check.name, check.description);
+  Command command = program.add_command(check.name, check.description);
   const auto options = std::make_shared<Options>();
-  add_text(*command, check.option, options->formula, "FORMULA", check.meaning)->required();
-  add_window(*command, *options);
-  add_property_options(*command, *options, program.common());
-  command->footer(std::string(model_notes) + "\n\n" + command->get_footer());
-  program.add({command, [check, options, &common = program.common()] { return run(check, *options, common); }});
+  add_text(command, check.option, options->formula, "FORMULA", check.meaning).required();
+  add_window(command, *options);
+  add_property_options(command, *options, program.common());
+  command.prepend_footer(model_notes);
+  program.add(
+      {command, [check, options, &common = program.common()] { return run(check, *options, common); }, AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "tools/shared/models.hpp"
+#include "tools/shared/stale_file.hpp"
 #include "tools/tcca-check/commands.hpp"
 #include "tools/tcca-check/program_options.hpp"
 #include "tools/tcca-check/rehearsal.hpp"
@@ -36,44 +37,71 @@ bool is_at_a_moment(Kind kind) {
   return kind != Kind::termination && kind != Kind::stuck && kind != Kind::eventually && kind != Kind::response;
 }
 
+/// What is to come in time, and what is owed in time.
+void add_timed(const automata::Plant& plant, const ProgramOptions& options, const Common& common,
+               std::vector<ProgramProperty>& result) {
+  const TimedFormula within = options.within.value_or(TimedFormula{});
+  bool taken = false;
+  for (const TimedFormula& promise : options.eventuallys) {
+    const bool own = promise.time.has_value();
+    taken = taken || !own;
+    const auto time = own ? promise.time : within.time;
+    if (!time) throw base::InputError("--eventually: expected 'FORMULA within T', or a time in --within");
+    if (!own && !within.formula.empty()) {
+      throw base::InputError("--within: '" + within.formula + "' follows the time that --eventually is to come in");
+    }
+    result.push_back(ProgramProperty{Kind::eventually,
+                                     program_formula_option(promise.formula, plant, "--eventually", common), *time,
+                                     promise.formula});
+  }
+  for (const TimedResponse& response : options.responses) {
+    const bool own = response.then.time.has_value();
+    taken = taken || !own;
+    const TimedFormula& then = own ? response.then : within;
+    if (!then.time || then.formula.empty()) {
+      throw base::InputError("--after: expected 'FORMULA within T FORMULA', or a time and a formula in --within");
+    }
+    result.push_back(ProgramProperty{.kind = Kind::response,
+                                     .formula = program_formula_option(response.asks, plant, "--after", common),
+                                     .within = *then.time,
+                                     .text = response.asks,
+                                     .then = program_formula_option(then.formula, plant, "--after", common),
+                                     .then_text = then.formula});
+  }
+  if (options.within && !taken) {
+    throw base::InputError(options.eventuallys.empty() && options.responses.empty()
+                               ? "--within: it belongs to --eventually or --after"
+                               : "--within: each --eventually and --after has a time of its own");
+  }
+}
+
 /// What is asked by its name.
 std::vector<ProgramProperty> asked_of(const automata::Plant& plant, const ProgramOptions& options,
                                       const Common& common) {
   std::vector<ProgramProperty> result;
   for (const GeneralCheck& check : options.general) {
-    result.push_back(ProgramProperty{.kind = check.kind, .warning = check.warning});
+    if (check.kind == Kind::stuck && options.allow_stuck) {
+      if (check.of_all) continue;
+      throw base::InputError("--allow-stuck: --check asks for stuck");
+    }
+    result.push_back(ProgramProperty{.kind = check.kind, .warning = check.of_all && check.kind == Kind::undone});
   }
   for (const std::string& text : options.nevers) {
-    ProgramProperty never{Kind::never, formula_option(text, plant, "--never", common), {}, text};
+    ProgramProperty never{Kind::never, program_formula_option(text, plant, "--never", common), {}, text};
     never.window = options.window.window;
     result.push_back(std::move(never));
   }
-  const bool open = std::any_of(options.eventuallys.begin(), options.eventuallys.end(),
-                                [](const Promise& promise) { return !promise.within; });
-  if (options.within && !open) throw base::InputError("--within: each --eventually has a time of its own");
-  for (const Promise& promise : options.eventuallys) {
-    const auto within = promise.within ? promise.within : options.within;
-    if (!within) throw base::InputError("--eventually: expected 'FORMULA within T', or a time in --within");
-    result.push_back(ProgramProperty{Kind::eventually,
-                                     formula_option(promise.constraint, plant, "--eventually", common), *within,
-                                     promise.constraint});
-  }
-  for (const Answered& response : options.responses) {
-    result.push_back(ProgramProperty{.kind = Kind::response,
-                                     .formula = formula_option(response.asks, plant, "--after", common),
-                                     .within = response.within,
-                                     .text = response.asks,
-                                     .then = formula_option(response.then, plant, "--after", common),
-                                     .then_text = response.then});
-  }
+  add_timed(plant, options, common, result);
   for (const std::string& text : options.finallys) {
-    result.push_back(ProgramProperty{Kind::finally, formula_option(text, plant, "--finally", common), {}, text});
+    result.push_back(
+        ProgramProperty{Kind::finally, program_formula_option(text, plant, "--finally", common), {}, text});
   }
   return result;
 }
 
-/// What is asked; where nothing is, the properties that every program should have. Throws base::InputError where an
-/// option has no meaning for one of them.
+/// What is asked; where nothing is, the properties that every program should have. Whether runs get stuck is asked
+/// along with all else, as no other verdict says anything of what would follow. Throws base::InputError where an option
+/// has no meaning for one of them.
 std::vector<Property> properties_of(const automata::Plant& plant, const ProgramOptions& options, const Common& common) {
   std::vector<ProgramProperty> asked = asked_of(plant, options, common);
   for (const ProgramProperty& property : asked) {
@@ -82,8 +110,13 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
                            " is violated by what does not come, and not at a time; ask for it without --fastest");
   }
   if (asked.empty() && !options.each_fault) {
-    for (const Kind kind : verifier::general_kinds) asked.push_back({.kind = kind, .warning = kind == Kind::undone});
+    for (const Kind kind : verifier::general_kinds) {
+      if (kind == Kind::stuck && options.allow_stuck) continue;
+      asked.push_back({.kind = kind, .warning = kind == Kind::undone});
+    }
   }
+  const bool asks = std::any_of(asked.begin(), asked.end(), [](const auto& p) { return p.kind == Kind::stuck; });
+  if (!asks && !options.allow_stuck && !options.each_fault) asked.push_back({.kind = Kind::stuck});
   std::vector<Property> result;
   for (ProgramProperty& property : asked) {
     if (options.cut_sets && property.kind == Kind::termination) {
@@ -91,6 +124,8 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
           "--cut-sets: termination has none, as a run without end is no way to a state; name what is asked, such as "
           "--check endless-wait");
     }
+    const bool some_day = property.within.is_infinite();
+    if (options.cut_sets && some_day) throw base::InputError(no_cut_sets_of_some_day);
     property.fastest = options.window.fastest && is_at_a_moment(property.kind);
     result.emplace_back(std::move(property));
   }
@@ -197,7 +232,7 @@ ExitStatus run_table(const ProgramOptions& options, const Common& common, const 
   verifier::Slices slices(subject.plant);
   CheckOptions with_one = free;
   with_one.faults = 1;
-  const auto warnings = warn_of_questions(questions_of(properties, with_one), slices, common);
+  const auto warnings = warn_of_questions(questions_of(properties, with_one), slices, subject.program, common);
   FaultTable table =
       verifier::check_each_fault(*subject.program, step, properties, free, limits(options.budget, common));
   for (const auto& one : warnings) table.warnings.insert(table.warnings.end(), one.begin(), one.end());
@@ -209,7 +244,7 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
                      automata::PlantStep& step, const std::vector<Property>& properties, const CheckOptions& free) {
   verifier::Slices slices(subject.plant);
   const std::vector<verifier::Question> questions = questions_of(properties, free);
-  auto warnings = warn_of_questions(questions, slices, common);
+  auto warnings = warn_of_questions(questions, slices, subject.program, common);
   std::optional<ScenarioFrame> frame;
   std::optional<base::OutputFile> file;
   if (!options.scenario.empty()) {
@@ -234,6 +269,7 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
   }
   report.write(std::move(flights), subject, common.quiet);
   if (shown) file->keep();
+  if (frame && !shown) remove_stale(options.scenario);
   return status_of(verifier::overall(properties, answers));
 }
 
@@ -260,11 +296,11 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
 }  // namespace
 
 void add_program(Program& program) {
-  CLI::App* command = program.app().add_subcommand(
-      "program", "what can become of a program that controls a plant? each violation with a timed trace");
+  Command command =
+      program.add_command("program", "check a program that controls a plant; each violation has a timed trace");
   const auto options = std::make_shared<ProgramOptions>();
-  add_program_options(*command, *options, program.common());
-  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
+  add_program_options(command, *options, program.common());
+  program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

@@ -7,27 +7,15 @@
 #include <vector>
 
 #include "tools/tcca-check/property_check.hpp"
+#include "tools/tcca-check/timed_formula.hpp"
 #include "verifier/property/property.hpp"
 
 namespace rmpl::tools {
 
-/// A constraint that is to come true in time.
-struct Promise {
-  std::string constraint;
-  std::optional<automata::Ticks> within;  ///< nothing: as `--within` says
-};
-
-/// What is owed each time something else holds.
-struct Answered {
-  std::string asks;
-  automata::Ticks within;
-  std::string then;
-};
-
-/// A property that holds for any program; as part of `all` *undone* only warns.
+/// A property that holds for any program.
 struct GeneralCheck {
   verifier::ProgramProperty::Kind kind;
-  bool warning = false;
+  bool of_all = false;  ///< it is one of `all`, and not asked for by its name: *undone* then only warns
 };
 
 struct ProgramOptions {
@@ -35,9 +23,10 @@ struct ProgramOptions {
   std::string entry;                  ///< the definition to start with; empty: the one that no other calls
   std::vector<GeneralCheck> general;  ///< of the properties that hold for any program
   std::vector<std::string> nevers, finallys;
-  std::vector<Promise> eventuallys;
-  std::vector<Answered> responses;
-  std::optional<automata::Ticks> within;
+  std::vector<TimedFormula> eventuallys;  ///< without a time: as `within` says
+  std::vector<TimedResponse> responses;   ///< without a response: as `within` says
+  std::optional<TimedFormula> within;     ///< a time for the former, a time and a response for the latter
+  bool allow_stuck = false;               ///< a run that gets stuck is no violation of its own
   bool each_fault = false;
   bool fewest_faults = false;
   std::optional<unsigned> cut_sets;  ///< the most faults that such a set may hold
@@ -52,6 +41,6 @@ struct ProgramOptions {
   [[nodiscard]] std::vector<std::string> models() const;
 };
 
-void add_program_options(CLI::App& command, ProgramOptions& options, Common& common);
+void add_program_options(Command& command, ProgramOptions& options, Common& common);
 
 }  // namespace rmpl::tools

@@ -33,20 +33,20 @@ verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& 
 }
 
 /// Which traces are wanted, where one is not as good as another.
-void add_choice_of_traces(CLI::App& command, PropertyOptions& options) {
-  CLI::Option* fewest =
+void add_choice_of_traces(Command& command, PropertyOptions& options) {
+  Option fewest =
       command.add_flag("--fewest-faults", options.fewest_faults,
                        "a trace with the least number of faults there is; --faults bounds how many are tried");
   constexpr std::uint64_t most = 1'000'000;
   add_whole_number(command, "--cut-sets", options.cut_sets, 0, most,
                    "every minimal set of up to so many faults that leads to a trace")
-      ->excludes(fewest)
-      ->excludes(command.get_option("--faults"));
+      .excludes(fewest)
+      .excludes(command.option("--faults"));
 }
 
 }  // namespace
 
-void add_property_options(CLI::App& command, PropertyOptions& options, Common& common, Asked asked) {
+void add_property_options(Command& command, PropertyOptions& options, Common& common, Asked asked) {
   add_model(command, options.model);
   add_freedom(command, options.freedom, asked == Asked::formula);
   add_commands(command, options.commands);
@@ -55,18 +55,24 @@ void add_property_options(CLI::App& command, PropertyOptions& options, Common& c
                    "explore also what differs only in the names of like components");
   add_report(command, options.report);
   add_budget(command, options.budget);
-  add_format(command, common, true);
-  command.add_flag("--stats", options.statistics, "tell what the check has cost");
+  add_answer_form(command, common, options.statistics);
 }
 
-void add_window(CLI::App& command, WindowOptions& options) {
+void add_window(Command& command, WindowOptions& options) {
   add_read(command, "--not-before", options.window.not_before, duration, "the formula counts from this time on")
-      ->option_text("T");
-  add_read(command, "--by", options.window.by, duration, "the formula counts up to this time")->option_text("T");
+      .option_text("T");
+  const auto end = [](const std::string& text) {
+    const automata::Ticks time = duration(text);
+    return time.is_infinite() ? std::nullopt : std::optional(time);  // up to any time
+  };
+  add_read(command, "--by", options.window.by, end, "the formula counts up to this time").option_text("T");
   command.add_flag("--fastest", options.fastest, "a trace with least time, not with fewest steps");
 }
 
 void check_window(const verifier::Window& window, std::optional<automata::Ticks> period) {
+  if (window.not_before && window.not_before->is_infinite()) {
+    throw base::InputError("--not-before inf: no time is that late");
+  }
   if (!window.by) return;
   const automata::Ticks from = window.not_before.value_or(automata::Ticks{});
   const auto text = [](automata::Ticks time) { return automata::format_seconds(time) + " s"; };
@@ -101,7 +107,7 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   const std::vector<verifier::Question> questions{
       {asked, check_options(plant, options, common), options.budget.bounds()}};
   const verifier::Question& question = questions.front();
-  auto warnings = warn_of_questions(questions, slices, common);
+  auto warnings = warn_of_questions(questions, slices, nullptr, common);
   std::vector<verifier::Answer> answers{
       verifier::check(slices, asked, question.options, limits(options.budget, common))};
   warn_of_answers(questions, std::move(warnings), answers, slices, common);
@@ -114,7 +120,7 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
       },
       [&] { return verifier::to_json(subject, question, answer); },
       [&] {
-        return verifier::to_junit(subject, {{title, question, false, answer}});
+        return verifier::to_junit(subject, {{.name = title, .origin = {}, .question = question, .answer = answer}});
       });
   report.write(flights_of(subject, title, asked, question.options, answer), subject, common.quiet);
   return status_of(answer.verdict);

@@ -24,17 +24,23 @@ struct PropertyOptions {
 
 /// What is asked: whether a formula holds somewhere, or for any dead end, of which one is enough.
 enum class Asked { formula, dead_end };
-void add_property_options(CLI::App& command, PropertyOptions& options, Common& common, Asked asked = Asked::formula);
+void add_property_options(Command& command, PropertyOptions& options, Common& common, Asked asked = Asked::formula);
 
 /// When a formula counts, and which trace is wanted.
 struct WindowOptions {
   verifier::Window window;
   bool fastest = false;
 };
-void add_window(CLI::App& command, WindowOptions& options);
+void add_window(Command& command, WindowOptions& options);
 /// With `period`, of a search in steps of that length. Throws base::InputError where no time, or the end of no step, is
 /// in the window: whatever is asked about it would hold.
 void check_window(const verifier::Window& window, std::optional<automata::Ticks> period);
+
+/// What is asked of `within inf` is violated by runs without end, which are no way to a state.
+inline constexpr const char* no_cut_sets_of_some_day =
+    "--cut-sets: what may come some day (within inf) has none, as a run without end is no way to a state; give a "
+    "finite "
+    "time, or ask with --fewest-faults";
 
 struct FormulaAsked;
 

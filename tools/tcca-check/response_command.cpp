@@ -1,51 +1,55 @@
 // tcca-check response.
 // SPDX-License-Identifier: MIT
 #include <memory>
+#include <optional>
 
+#include "base/error.hpp"
 #include "tools/shared/models.hpp"
 #include "tools/tcca-check/commands.hpp"
 #include "tools/tcca-check/property_check.hpp"
+#include "tools/tcca-check/timed_formula.hpp"
 
 namespace rmpl::tools {
 namespace {
 
 struct Options : PropertyOptions {
-  std::string after, then;
-  automata::Ticks within;
+  TimedResponse response;
+  std::optional<TimedFormula> within;
 };
 
 ExitStatus run(const Options& options, const Common& common) {
-  const std::string title =
-      "response " + options.after + " within " + automata::format_seconds(options.within) + " s " + options.then;
+  TimedResponse response = options.response;
+  if (options.within) {
+    if (response.then.time) throw base::InputError("--within: --after has a time of its own");
+    response.then = *options.within;
+  }
+  if (!response.then.time || response.then.formula.empty()) {
+    const std::string given = response.then.formula.empty() ? "" : ", not '" + response.then.formula + "'";
+    throw base::InputError("--within: expected a time and a formula, as in '5 s x = y' or 'inf x = y'" + given);
+  }
+  const automata::Ticks time = *response.then.time;
+  if (options.cut_sets && time.is_infinite()) throw base::InputError(no_cut_sets_of_some_day);
+  const std::string within = automata::format_seconds(time) + (time.is_infinite() ? "" : " s");
+  const std::string title = "response " + response.asks + " within " + within + " " + response.then.formula;
   return check_property(options, common, title, [&](const automata::Plant& plant) {
-    return verifier::Response{formula_option(options.after, plant, "--after", common),
-                              formula_option(options.then, plant, "--within", common), options.within};
+    return verifier::Response{formula_option(response.asks, plant, "--after", common),
+                              formula_option(response.then.formula, plant, "--within", common), time};
   });
 }
 
 }  // namespace
 
 void add_response(Program& program) {
-  CLI::App* command = program.app().add_subcommand(
+  Command command = program.add_command(
       "response", "whenever one formula holds, does another follow in time? no: a timed counterexample");
   const auto options = std::make_shared<Options>();
-  add_text(*command, "--after", options->after, "FORMULA", "what asks for the response, each time it holds")
-      ->required();
-  const auto take = [options](const std::vector<std::string>& words) {
-    try {
-      options->within = duration(words[0]);
-    } catch (const CLI::ValidationError& error) {
-      throw CLI::ValidationError("--within", error.what());
-    }
-    options->then = words[1];
-  };
-  command->add_option_function<std::vector<std::string>>("--within", take, "how soon, and what the response is")
-      ->type_name("T FORMULA")
-      ->option_text("T FORMULA")
-      ->required()
-      ->expected(2);
-  add_property_options(*command, *options, program.common());
-  program.add({command, [options, &common = program.common()] { return run(*options, common); }});
+  add_read(command, "--after", options->response, timed_response, "what asks for the response, each time it holds")
+      .option_text("FORMULA")
+      .required();
+  add_read(command, "--within", options->within, timed_formula, "how soon, and what the response is; inf: some day")
+      .option_text("T FORMULA");
+  add_property_options(command, *options, program.common());
+  program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

@@ -10,7 +10,7 @@ void add_safety(Program& program) {
                               .name = "safety",
                               .description = "does a formula never hold? no: a timed counterexample",
                               .option = "--never",
-                              .meaning = "what is never to hold"});
+                              .meaning = "a formula that must never hold"});
 }
 
 }  // namespace rmpl::tools

@@ -8,14 +8,15 @@
 namespace rmpl::tools {
 
 void add_stuck(Program& program) {
-  CLI::App* command = program.app().add_subcommand(
-      "stuck", "can something follow wherever the plant comes, and does time pass? no: the way there");
+  Command command = program.add_command("stuck", "look for deadlocks, and for states in which time stands still");
   const auto options = std::make_shared<PropertyOptions>();
-  add_property_options(*command, *options, program.common(), Asked::dead_end);
-  program.add({command, [options, &common = program.common()] {
+  add_property_options(command, *options, program.common(), Asked::dead_end);
+  program.add({command,
+               [options, &common = program.common()] {
                  return check_property(*options, common, "stuck",
                                        [](const automata::Plant&) { return verifier::Stuck{}; });
-               }});
+               },
+               AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

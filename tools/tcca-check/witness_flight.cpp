@@ -28,7 +28,7 @@ constexpr Ticks apart{1};
 class Events {
  public:
   Events(const Subject& subject, const Witness& witness, std::optional<Ticks> period)
-      : subject_(subject), plant_(subject.plant), witness_(witness), period_(period) {
+      : plant_(subject.plant), witness_(witness), period_(period) {
     flight_.plant = &plant_;
     flight_.program = subject.program;
     flight_.cycle = period.value_or(Ticks{});
@@ -76,27 +76,21 @@ class Events {
   void cycle(const verifier::Cycle& cycle, const verifier::Event& event, Ticks at) {
     flight_.marking.set(at, cycle.marking);
     std::vector<runtime::AssertedGoal> goals;
-    for (const automata::Assignment& goal : cycle.goal) goals.push_back({goal, asserts(cycle, goal)});
+    for (std::size_t g = 0; g < cycle.goals.goal.size(); ++g) goals.push_back({cycle.goals.goal[g], cycle.goals.by[g]});
     flight_.goals.set(at, std::move(goals));
+    std::vector<runtime::AssertedConstraint> constraints;
+    for (const automata::GoalConstraint& constraint : cycle.goals.constraints)
+      constraints.push_back({to_text(constraint.formula, plant_.variables), constraint.by});
+    flight_.constraints.set(at, std::move(constraints));
     set_command(at, event.action);
     const bool acts = cycle.outcome != runtime::Reconfiguration::Outcome::nothing_to_do;
     const std::string outcome(acts ? runtime::name_of(cycle.outcome) : "");
-    flight_.explanations.set(
-        at, {outcome, outcome.empty() ? "" : to_text(cycle.why, plant_, automata::conjunction_of(cycle.goal))});
+    flight_.explanations.set(at, {outcome, outcome.empty() ? "" : to_text(cycle.why, plant_, cycle.goals.formula())});
     if (cycle.outcome == runtime::Reconfiguration::Outcome::no_plan) note("no-plan", at, cycle.reason);
+    for (const runtime::LeftOut& left_out : cycle.left_out) note("no-plan", at, left_out.reason);
     if (!cycle.conflicts.empty()) note("goal-conflict", at, "goals contradict each other");
   }
 
-  [[nodiscard]] std::optional<automata::LocationId> asserts(const verifier::Cycle& cycle,
-                                                            automata::Assignment goal) const {
-    for (const automata::LocationId location : cycle.marking) {
-      const auto& own = subject_.program->locations[location.index()].goal;
-      if (std::find(own.begin(), own.end(), goal) != own.end()) return location;
-    }
-    return std::nullopt;
-  }
-
-  const Subject& subject_;
   const automata::Plant& plant_;
   const Witness& witness_;
   std::optional<Ticks> period_;
@@ -168,12 +162,9 @@ TraceReport::TraceReport(const std::string& path, const Subject& subject) {
 
 void TraceReport::write(std::vector<Flight> flights, const Subject& subject, bool quiet) {
   if (!file_) return;
-  if (flights.empty()) {
-    if (!quiet) tell("there is no trace, so no report is written");
-    return;
-  }
+  if (flights.empty() && !quiet) tell("there is no trace, so no report is written");
   for (Flight& flight : flights) flight.program = subject.program;
-  file_->write(verifier::title(subject), std::move(flights));
+  file_->write(verifier::title(subject), std::move(flights), quiet);
 }
 
 }  // namespace rmpl::tools

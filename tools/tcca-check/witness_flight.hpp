@@ -40,7 +40,7 @@ std::vector<runtime::Flight> flights_of(const verifier::Subject& subject, const 
 class TraceReport {
  public:
   TraceReport(const std::string& path, const verifier::Subject& subject);
-  /// Writes the runs; says so where there is none, unless `quiet`.
+  /// Writes the runs; says so where there is none, unless `quiet`, and removes the page of an earlier run.
   void write(std::vector<runtime::Flight> flights, const verifier::Subject& subject, bool quiet);
 
  private:

@@ -8,24 +8,25 @@
 namespace rmpl::verifier {
 namespace {
 
-/// The locations that assert one of the goals.
+/// The locations that assert one of the conjuncts of a goal.
 std::vector<automata::LocationId> askers(const automata::Program& program, const automata::Marking& marking,
-                                         std::span<const automata::Assignment> goals) {
+                                         std::span<const automata::Formula> conjuncts) {
   std::vector<automata::LocationId> result;
   for (const automata::LocationId id : marking) {
-    const auto& own = program.locations[id.index()].goal;
-    if (std::find_first_of(own.begin(), own.end(), goals.begin(), goals.end()) != own.end()) result.push_back(id);
+    const std::vector<automata::Formula> own = conjuncts_of(goal_of(program.locations[id.index()]));
+    const bool asks = std::find_first_of(own.begin(), own.end(), conjuncts.begin(), conjuncts.end()) != own.end();
+    if (asks && program.locations[id.index()].has_goal()) result.push_back(id);
   }
   return result;
 }
 
 }  // namespace
 
-Cause no_plan_cause(const automata::Program& program, const automata::Marking& marking,
-                    const std::vector<automata::Assignment>& goal, const runtime::Reason& why,
-                    const std::string& reason) {
-  std::span<const automata::Assignment> asked = goal;
-  if (why.conjunct && *why.conjunct < goal.size()) asked = asked.subspan(*why.conjunct, 1);
+Cause no_plan_cause(const automata::Program& program, const automata::Marking& marking, const automata::Goals& goals,
+                    const runtime::Reason& why, const std::string& reason) {
+  const std::vector<automata::Formula> all = conjuncts_of(goals.formula());
+  std::span<const automata::Formula> asked = all;
+  if (why.conjunct && *why.conjunct < all.size()) asked = asked.subspan(*why.conjunct, 1);
   return {askers(program, marking, asked), reason};
 }
 
@@ -40,9 +41,13 @@ Cause waiting_cause(const automata::Program& program, const automata::Marking& m
 std::vector<Cause> causes_of(const automata::Program& program, const Witness& witness, bool plans) {
   const Cycle& last = *witness.events.back().cycle;
   if (!plans) return {waiting_cause(program, last.marking)};
-  std::vector<Cause> result = {no_plan_cause(program, last.marking, last.goal, last.why, last.reason)};
+  std::vector<Cause> result;
+  if (last.outcome == runtime::Reconfiguration::Outcome::no_plan)
+    result.push_back(no_plan_cause(program, last.marking, last.goals, last.why, last.reason));
+  for (const runtime::LeftOut& other : last.left_out)
+    result.push_back(no_plan_cause(program, last.marking, other.goals, other.why, other.reason));
   for (const Refusal& other : witness.refused) {
-    result.push_back({askers(program, last.marking, {&other.goal, 1}), other.reason});
+    result.push_back({askers(program, last.marking, conjuncts_of(other.goal)), other.reason});
   }
   return result;
 }

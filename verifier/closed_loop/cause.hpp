@@ -20,9 +20,8 @@ struct Cause {
 };
 
 /// The goal without a plan, by the locations that ask for it, and why.
-Cause no_plan_cause(const automata::Program& program, const automata::Marking& marking,
-                    const std::vector<automata::Assignment>& goal, const runtime::Reason& why,
-                    const std::string& reason);
+Cause no_plan_cause(const automata::Program& program, const automata::Marking& marking, const automata::Goals& goals,
+                    const runtime::Reason& why, const std::string& reason);
 
 /// The locations that wait.
 Cause waiting_cause(const automata::Program& program, const automata::Marking& marking);

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/closed_loop/check.hpp"
 
+#include <algorithm>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <utility>
 
+#include "verifier/closed_loop/bystanders.hpp"
 #include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/searches.hpp"
 #include "verifier/plant/cut_set_rounds.hpp"
@@ -12,7 +16,6 @@
 
 namespace rmpl::verifier {
 
-using Aim = Query::Aim;
 using Kind = ProgramProperty::Kind;
 
 namespace {
@@ -123,16 +126,23 @@ class ProgramCheck {
   void find_others(const ProgramProperty& property, Answer& answer) {
     const bool plans = property.kind == Kind::no_plan;
     if (!plans && property.kind != Kind::endless_wait) return;
-    Query query{plans ? Aim::no_plan : Aim::endless_wait};
+    Query query{plans ? Query::Aim::no_plan : Query::Aim::endless_wait};
     std::set<Cause> known;
     const auto learn = [&](const Witness& witness) {
       for (Cause& cause : causes_of(program_, witness, plans)) known.insert(std::move(cause));
     };
     learn(*answer.witness);
+    const auto is_new = [&](const Cause& cause) { return !known.contains(cause); };
     query.fresh = [&](const LoopState& state, const Turn& turn) {
-      return !known.contains(
-          plans ? no_plan_cause(program_, state.marking, turn.goal, turn.answer.why, turn.answer.reason)
-                : waiting_cause(program_, state.marking));
+      if (!plans) return is_new(waiting_cause(program_, state.marking));
+      const auto cause = [&](const automata::Goals& goals, const runtime::Reason& why, const std::string& reason) {
+        return no_plan_cause(program_, state.marking, goals, why, reason);
+      };
+      const bool whole = turn.answer.outcome == runtime::Reconfiguration::Outcome::no_plan &&
+                         is_new(cause(turn.goals, turn.answer.why, turn.answer.reason));
+      return whole || std::any_of(turn.left_out.begin(), turn.left_out.end(), [&](const runtime::LeftOut& other) {
+               return is_new(cause(other.goals, other.why, other.reason));
+             });
     };
     while (auto witness = searches_.search(query, &property)) {
       learn(*witness);
@@ -145,15 +155,15 @@ class ProgramCheck {
   std::optional<Vacuity> vacuity_of(const ProgramProperty& property) {
     const auto unless = [](bool found, Vacuity vacuity) { return found ? std::nullopt : std::optional(vacuity); };
     if (property.kind == Kind::finally) {
-      const auto any = searches_.search({.aim = Aim::ends_with, .test = [](const automata::Modes&) { return true; }});
+      const auto any = searches_.search({.aim = Query::Aim::ends_with, .test = [](const LoopState&) { return true; }});
       return unless(any.has_value(), Vacuity::endless);
     }
     if (property.kind == Kind::response) {
       const auto asks =
-          searches_.search({.aim = Aim::holds, .test = searches_.holds(property.formula, options_.entailed)});
+          searches_.search({.aim = Query::Aim::holds, .test = searches_.holds(property.formula, options_.entailed)});
       return unless(asks.has_value(), Vacuity::unasked);
     }
-    if (property.kind != Kind::never) return std::nullopt;
+    if (property.kind != Kind::never || has_knowledge(property.formula)) return std::nullopt;
     Slices slices(step_.plant());
     const auto of_model = vacuity_of_never(slices, property.formula, options_.entailed);
     if (of_model || !property.window.not_before) return of_model;
@@ -172,11 +182,45 @@ class ProgramCheck {
   bool startless_ = false;  ///< known to be
 };
 
+/// The answers where bystanders have left and nothing is violated: else a witness needs them, and nothing is told.
+/// Takes half of the time at most, so that there is time left for all components.
+std::optional<std::vector<Answer>> unviolated(const automata::Program& program, const automata::Plant& plant,
+                                              const std::vector<Property>& properties, const CheckOptions& options,
+                                              Limits limits) {
+  if (!options.slice || options.cut_sets) return std::nullopt;
+  if (limits.time) *limits.time /= 2;
+  Slices slices(plant);
+  if (!slices.start(options.from)) return std::nullopt;
+  std::optional<Stage> stage;
+  Meter meter(limits);
+  try {
+    stage = without_bystanders(slices, program, properties, options, meter);
+  } catch (const LimitReached&) {
+    return std::nullopt;
+  }
+  if (!stage) return std::nullopt;
+  std::vector<Property> own;
+  own.reserve(properties.size());
+  for (const Property& property : properties) own.push_back(into(stage->part, property));
+  CheckOptions terms = options;
+  terms.from = stage->part.into(options.from);
+  automata::PlantStep step(stage->part.plant());
+  const Limits left = remaining(limits, meter.progress());
+  std::vector<Answer> answers = ProgramCheck(stage->program, step, own, terms, left).run();
+  const bool all_hold = std::all_of(answers.begin(), answers.end(), [](const Answer& answer) {
+    return answer.verdict == Verdict::holds && !answer.witness && !answer.limit && !answer.startless;
+  });
+  return all_hold ? std::optional(std::move(answers)) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Answer> check(const automata::Program& program, automata::PlantStep& step,
                           const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits) {
-  return ProgramCheck(program, step, properties, options, limits).run();
+  const Meter meter(limits);
+  if (auto answers = unviolated(program, step.plant(), properties, options, limits)) return std::move(*answers);
+  const Limits left = remaining(limits, meter.progress());
+  return ProgramCheck(program, step, properties, options, left).run();
 }
 
 }  // namespace rmpl::verifier

@@ -3,6 +3,9 @@
 #include "verifier/closed_loop/check_all.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <limits>
+#include <optional>
 #include <tuple>
 
 #include "verifier/closed_loop/check.hpp"
@@ -29,41 +32,117 @@ std::vector<Element> at(const std::vector<Element>& all, const std::vector<std::
   return result;
 }
 
-}  // namespace
+/// Questions of a plant that are explored together, or of a program that are decided together.
+using Group = std::vector<std::size_t>;
 
-std::vector<Answer> check_all(const Subject& subject, Slices& slices, const std::vector<Question>& questions,
-                              const Limits& limits) {
-  std::vector<Answer> answers(questions.size());
-  const auto settle = [&](const std::vector<std::size_t>& group, std::vector<Answer> found) {
-    for (std::size_t i = 0; i < group.size(); ++i) answers[group[i]] = std::move(found[i]);
-  };
+std::vector<Group> groups_of(Slices& slices, const std::vector<Question>& questions) {
   std::vector<std::size_t> of_plant, of_program;
   for (std::size_t q = 0; q < questions.size(); ++q) {
     (std::holds_alternative<ProgramProperty>(questions[q].property) ? of_program : of_plant).push_back(q);
   }
-  settle(of_plant, check_all(slices, at(questions, of_plant), limits));
-  Progress spent;
-  for (const std::size_t q : of_plant) {
-    spent.seconds += answers[q].progress.seconds;
-    spent.states += answers[q].progress.states;
+  std::vector<Group> groups = explored_together(slices, at(questions, of_plant));
+  for (Group& group : groups) {
+    for (std::size_t& member : group) member = of_plant[member];
   }
   while (!of_program.empty()) {
     const Question& first = questions[of_program.front()];
     const auto others = std::stable_partition(of_program.begin(), of_program.end(),
                                               [&](std::size_t q) { return alike(questions[q], first); });
-    const std::vector<std::size_t> group(of_program.begin(), others);
+    groups.emplace_back(of_program.begin(), others);
     of_program.erase(of_program.begin(), others);
+  }
+  return groups;
+}
+
+class Turns {
+ public:
+  Turns(const Subject& subject, Slices& slices, const std::vector<Question>& questions, const Limits& limits)
+      : subject_(subject),
+        slices_(slices),
+        questions_(questions),
+        limits_(limits),
+        open_(groups_of(slices, questions)),
+        answers_(questions.size()) {
+    for (Answer& answer : answers_) answer.limit = Limit::time;  // until it is begun
+  }
+
+  std::vector<Answer> run() {
+    constexpr double first_turn = 0.05, growth = 10, longest_turn = 5;
+    bool last = open_.size() < 2;
+    for (double turn = first_turn; !open_.empty(); turn *= growth) {
+      last = last || left() / static_cast<double>(open_.size()) <= turn || (!limits_.time && turn > longest_turn);
+      take_turns(last ? std::nullopt : std::optional(turn));
+      if (last) break;
+    }
+    return std::move(answers_);
+  }
+
+ private:
+  using Seconds = std::chrono::duration<double>;
+
+  /// Of the time for all together; infinite where there is no limit.
+  [[nodiscard]] double left() const {
+    if (!limits_.time) return std::numeric_limits<double>::infinity();
+    return std::max(0.0, (*limits_.time - Seconds(std::chrono::steady_clock::now() - begin_)).count());
+  }
+
+  /// A turn of so many seconds for each that is open; without a number of them the last, which shares what is left.
+  void take_turns(std::optional<double> seconds) {
+    std::vector<Group> still_open;
+    for (std::size_t g = 0; g < open_.size(); ++g) {
+      Limits limits = limits_;
+      const double share = std::min(left() / static_cast<double>(open_.size() - g), seconds.value_or(left()));
+      if (seconds || limits_.time) limits.time = Seconds(share);
+      if (!take_turn(open_[g], limits)) still_open.push_back(open_[g]);
+    }
+    open_ = std::move(still_open);
+  }
+
+  /// Whether more time would make no difference. What an earlier turn decided, and this one does not, stays.
+  bool take_turn(const Group& group, const Limits& limits) {
+    std::vector<Answer> found = ask(group, limits);
+    bool settled = true;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      Answer& known = answers_[group[i]];
+      settled = settled && found[i].limit != Limit::time;
+      const bool loses = found[i].verdict == Verdict::undecided &&
+                         (known.verdict != Verdict::undecided || known.progress.states > found[i].progress.states);
+      if (!loses) {
+        known = std::move(found[i]);
+      } else if (found[i].limit) {
+        known.limit = found[i].limit;  // why the search is over in the end
+      }
+    }
+    return settled;
+  }
+
+  std::vector<Answer> ask(const Group& group, const Limits& limits) {
+    const Question& first = questions_[group.front()];
+    if (!std::holds_alternative<ProgramProperty>(first.property)) {
+      return check_all(slices_, at(questions_, group), limits);
+    }
     std::vector<Property> asked;
-    for (const std::size_t q : group) asked.push_back(questions[q].property);
-    const Limits left = remaining(limits, spent);
-    std::vector<Answer> found = check(*subject.program, slices.whole(), asked, first.options, left);
-    spent.seconds += found.back().progress.seconds;
-    spent.states += found.back().progress.states;
+    for (const std::size_t q : group) asked.push_back(questions_[q].property);
+    std::vector<Answer> found = check(*subject_.program, slices_.whole(), asked, first.options, limits);
     // Each stands for itself: a trace that two have in common is told by both.
     for (Answer& answer : found) answer.same_as.reset();
-    settle(group, std::move(found));
+    return found;
   }
-  return answers;
+
+  const Subject& subject_;
+  Slices& slices_;
+  const std::vector<Question>& questions_;
+  const Limits& limits_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::vector<Group> open_;
+  std::vector<Answer> answers_;
+};
+
+}  // namespace
+
+std::vector<Answer> check_all(const Subject& subject, Slices& slices, const std::vector<Question>& questions,
+                              const Limits& limits) {
+  return Turns(subject, slices, questions, limits).run();
 }
 
 }  // namespace rmpl::verifier

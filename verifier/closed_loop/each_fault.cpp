@@ -3,15 +3,17 @@
 #include "verifier/closed_loop/each_fault.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
+#include <utility>
 
+#include "automata/step/transition_rules.hpp"
 #include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/searches.hpp"
 
 namespace rmpl::verifier {
 
-using Aim = Query::Aim;
 using Kind = ProgramProperty::Kind;
 
 namespace {
@@ -32,7 +34,29 @@ std::vector<FaultStep> faults_of(const automata::Plant& plant) {
   return faults;
 }
 
-bool anything(const automata::Modes& /*modes*/) { return true; }
+bool anything(const LoopState& /*state*/) { return true; }
+
+/// Whether nominal transitions lead from the fault to a mode that is no fault.
+bool is_repairable(const automata::Component& component, automata::ModeId fault) {
+  std::vector<bool> met(component.modes.size());
+  std::vector<automata::ModeId> open = {fault};
+  while (!open.empty()) {
+    const automata::ModeId mode = open.back();
+    open.pop_back();
+    if (!component.modes[mode.index()].fault) return true;
+    if (met[mode.index()]) continue;
+    met[mode.index()] = true;
+    for (const automata::Transition& t : component.transitions) {
+      if (t.from == mode && !component.is_fault(t) && automata::can_ever_be_taken(t)) open.push_back(t.to);
+    }
+  }
+  return false;
+}
+
+using Planned = runtime::Reconfiguration::Outcome;
+
+/// Whether the run ends in a cycle whose goal is without a plan.
+bool lacks_plan(const Witness& witness) { return witness.events.back().cycle->outcome == Planned::no_plan; }
 
 class Table {
  public:
@@ -63,20 +87,22 @@ class Table {
   void fill(FaultOutcome& row) {
     const FaultFilter only{true, row.fault};
     // Before anything is found: a limit leaves what was found until then.
+    row.unending = row.fault && !ends_;
     if (row.fault) row.anyway = {.goes_on = goes_on_, .stops = stops_, .another = another_};
-    if (row.fault) row.happens = searches_.search({.aim = Aim::happens, .filter = only});
+    if (row.fault) row.happens = searches_.search({.aim = Query::Aim::happens, .filter = only});
     if (row.happens || !row.fault) {
-      row.success = searches_.search({.aim = Aim::ends_with, .test = success_, .filter = only});
+      row.success = searches_.search({.aim = Query::Aim::ends_with, .test = success_, .filter = only});
       if (!row.fault) {
-        ends_ = row.success || searches_.search({.aim = Aim::ends_with, .test = anything, .filter = only});
-        row.anyway.goes_on = !ends_;
+        ends_ = row.success || searches_.search({.aim = Query::Aim::ends_with, .test = anything, .filter = only});
+        row.unending = !ends_;
       }
       find_loss(row, only);
       row.no_plan = searches_.violation({Kind::no_plan}, only);
       find_wait(row, only);
-      row.goes_on = searches_.lasso(only, {Kind::termination});
+      row.goes_on = searches_.lasso({.filter = only}, {Kind::termination});
       row.stops = searches_.violation({Kind::stuck}, only);
-      row.another = searches_.search({.aim = Aim::spent, .filter = only});
+      row.another = searches_.search({.aim = Query::Aim::spent, .filter = only});
+      if (row.fault && !ends_) row.unrepaired = is_unrepaired(*row.fault, only);
     }
     if (!row.fault) {
       succeeds_ = row.success.has_value();
@@ -106,33 +132,76 @@ class Table {
     }
   }
 
-  /// A wait that never ends, rather one that is the row's own: at locations at which nothing waits for ever without the
-  /// fault; and where the program never ends, so that to rest is no fault, for a goal without a plan.
+  /// Whether the fault could be repaired, and no run on which it happens repairs it.
+  bool is_unrepaired(const FaultStep& fault, const FaultFilter& only) {
+    const automata::ComponentId component = fault.component;
+    const automata::Component& automaton = step_.plant()[component];
+    if (!is_repairable(automaton, fault.to)) return false;
+    const auto repaired = [&](const LoopState& state) {
+      return !automaton.modes[state.modes[component.index()].index()].fault;
+    };
+    return !searches_.search({.aim = Query::Aim::holds, .test = repaired, .filter = only});
+  }
+
+  /// A wait that never ends: rather one at a place of its own; and rather one for a goal without a plan, where the
+  /// program has no end to come to.
   void find_wait(FaultOutcome& row, const FaultFilter& only) {
     const ProgramProperty wait{Kind::endless_wait};
-    auto any = searches_.violation(wait, only);
-    if (!any) return;
-    Query query{.aim = Aim::endless_wait, .filter = only, .fresh = [this](const LoopState& state, const Turn& turn) {
-                  const bool counts = ends_ || turn.answer.outcome == runtime::Reconfiguration::Outcome::no_plan;
-                  return counts && !waits_.contains(waiting_cause(program_, state.marking));
-                }};
-    auto own = searches_.search(query, &wait);
-    row.anyway.waits = !own;
-    row.waits = own ? own : std::move(any);
-    if (row.fault) return;
-    for (; own; own = searches_.search(query, &wait)) {
-      for (Cause& cause : causes_of(program_, *own, false)) waits_.insert(std::move(cause));
+    keep_wait(row, searches_.search({.aim = Query::Aim::endless_wait, .filter = only}, &wait));
+    if (!row.waits) return;
+    const std::array<std::pair<bool, bool>, 3> looks = {{{true, true}, {true, false}, {false, true}}};
+    for (const auto& look : looks) {
+      const auto [own, without_plan] = look;
+      if ((own && !row.fault) || (without_plan && ends_)) continue;
+      if ((!own || !row.anyway.waits) && (!without_plan || row.waits_without_plan)) break;
+      const Query query{.aim = Query::Aim::endless_wait,
+                        .filter = only,
+                        .fresh = [this, look](const LoopState& state, const Turn& turn) {
+                          const bool plan = turn.answer.outcome != Planned::no_plan;
+                          return !(look.second && plan) &&
+                                 !(look.first && is_known(waiting_cause(program_, state.marking), plan));
+                        }};
+      auto found = searches_.search(query, &wait);
+      if (!found) continue;
+      keep_wait(row, std::move(found));
+      break;
+    }
+    if (!row.fault) find_places(only);
+  }
+
+  void keep_wait(FaultOutcome& row, std::optional<Witness> wait) {
+    row.waits = std::move(wait);
+    if (!row.waits) return;
+    row.waits_without_plan = lacks_plan(*row.waits);
+    row.anyway.waits = row.fault && is_known(causes_of(program_, *row.waits, false).front(), !row.waits_without_plan);
+  }
+
+  /// All places where the program waits for ever without a fault.
+  void find_places(const FaultFilter& only) {
+    const ProgramProperty wait{Kind::endless_wait};
+    const Query query{
+        .aim = Query::Aim::endless_wait, .filter = only, .fresh = [this](const LoopState& state, const Turn& turn) {
+          const bool plan = turn.answer.outcome != Planned::no_plan;
+          return !waits_.contains({waiting_cause(program_, state.marking), plan});
+        }};
+    while (const auto found = searches_.search(query, &wait)) {
+      for (Cause& cause : causes_of(program_, *found, false)) waits_.insert({std::move(cause), !lacks_plan(*found)});
     }
   }
 
+  /// Whether the program waits there for ever without a fault too, and is no better off.
+  [[nodiscard]] bool is_known(const Cause& place, bool plan) const {
+    return waits_.contains({place, false}) || (plan && waits_.contains({place, true}));
+  }
+
   /// Whether every `finally` holds.
-  std::function<bool(const automata::Modes&)> success() {
-    std::vector<std::function<bool(const automata::Modes&)>> all;
+  std::function<bool(const LoopState&)> success() {
+    std::vector<std::function<bool(const LoopState&)>> all;
     for (const ProgramProperty& property : properties_) {
       if (property.kind == Kind::finally) all.push_back(searches_.holds(property.formula, !options_.entailed));
     }
-    return [all](const automata::Modes& modes) {
-      return std::all_of(all.begin(), all.end(), [&](const auto& test) { return test(modes); });
+    return [all](const LoopState& state) {
+      return std::all_of(all.begin(), all.end(), [&](const auto& test) { return test(state); });
     };
   }
 
@@ -141,11 +210,11 @@ class Table {
   std::vector<ProgramProperty> properties_;
   const CheckOptions& options_;
   Searches searches_;
-  std::function<bool(const automata::Modes&)> success_ = success();
+  std::function<bool(const LoopState&)> success_ = success();
   // What comes without a fault.
-  std::set<std::size_t> lost_;  ///< properties that are violated
-  std::set<Cause> waits_;       ///< all of those that never end
-  bool ends_ = false;           ///< some run does
+  std::set<std::size_t> lost_;              ///< properties that are violated
+  std::set<std::pair<Cause, bool>> waits_;  ///< where those that never end are, and whether there is a plan
+  bool ends_ = false;                       ///< some run does
   bool succeeds_ = false, goes_on_ = false, stops_ = false, another_ = false;
 };
 

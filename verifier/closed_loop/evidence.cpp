@@ -13,7 +13,6 @@ namespace rmpl::verifier {
 
 using automata::Modes;
 using automata::Ticks;
-using Aim = Query::Aim;
 using Kind = ProgramProperty::Kind;
 
 Evidence::Evidence(Loop& loop, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
@@ -24,17 +23,20 @@ Witness Evidence::of(const std::vector<PathState>& path, const SymbolicState& en
                      const Query& query, const ProgramProperty* shown) {
   if (ProgramSystem::is_end(path.back().discrete)) return stopped(path, end, system, query, shown);
   Witness witness = earliest_witness(path, loop_, query);
+  const bool endless = query.aim == Query::Aim::endless_wait || query.deadline == unbounded;
+  witness.waits_for_ever = endless;
   note_owed(witness, shown);
-  if (query.aim == Aim::undone) witness.undone = undone_at_end(judge().rules(), witness);
-  if (query.aim == Aim::endless_wait) witness.hindrances = hindrances(step_, loop_.program(), witness);
+  if (query.aim == Query::Aim::undone) witness.undone = undone_at_end(judge().rules(), witness);
+  if (endless) witness.hindrances = hindrances(step_, loop_.program(), witness);
   add_refusals(witness);
-  return replayed(std::move(witness), query.aim == Aim::endless_wait, shown);
+  return replayed(std::move(witness), shown);
 }
 
 Witness Evidence::of(const Lasso& lasso, const Query& query, const ProgramProperty& shown) {
   Witness witness = earliest_witness(lasso.path, loop_, query);
   witness.repeats_from = lasso.repeats_from + 1;
-  return replayed(std::move(witness), false, &shown);
+  note_owed(witness, &shown);
+  return replayed(std::move(witness), &shown);
 }
 
 /// Since when a response is owed.
@@ -47,11 +49,14 @@ void Evidence::note_owed(Witness& witness, const ProgramProperty* shown) {
 /// Which other goals of a cycle without a plan have none by themselves.
 void Evidence::add_refusals(Witness& witness) {
   const Event& last = witness.events.back();
+  for (const runtime::LeftOut& left_out : last.cycle->left_out) {
+    witness.refused.push_back({left_out.goals.formula(), left_out.why, left_out.reason});
+  }
   if (last.cycle->outcome != runtime::Reconfiguration::Outcome::no_plan) return;
-  const auto& goal = last.cycle->goal;
+  const std::vector<automata::Formula> goal = conjuncts_of(last.cycle->goals.formula());
   for (std::size_t g = 0; g < goal.size(); ++g) {
     if (g == last.cycle->why.conjunct || goal.size() == 1) continue;
-    auto answer = reconfigurer_.next(last.modes, automata::conjunction_of({&goal[g], 1}));
+    auto answer = reconfigurer_.next(last.modes, goal[g]);
     if (answer.outcome != runtime::Reconfiguration::Outcome::no_plan) continue;
     witness.refused.push_back({goal[g], answer.why, std::move(answer.reason)});
   }
@@ -74,7 +79,7 @@ Witness Evidence::stopped(std::vector<PathState> path, const SymbolicState& acce
     explain(witness);
   }
   note_owed(witness, shown);
-  return replayed(std::move(witness), false, shown);
+  return replayed(std::move(witness), shown);
 }
 
 /// Names what contradicts each other in what a step would lead to.
@@ -91,8 +96,8 @@ void Evidence::explain(Witness& witness) {
 }
 
 /// The witness, after it was run anew by rules and a reconfigurer that have no part in the search.
-Witness Evidence::replayed(Witness witness, bool endless, const ProgramProperty* shown) {
-  const ReplayRules rules{options_.period, Commands::one, loop_.faults(), options_.from, endless};
+Witness Evidence::replayed(Witness witness, const ProgramProperty* shown) {
+  const ReplayRules rules{options_.period, Commands::one, loop_.faults(), options_.from};
   auto failure = judge().replay(witness, rules);
   if (!failure && shown != nullptr) failure = failure_to_show(judge().rules(), *shown, claim_terms(), witness);
   if (failure) throw base::InternalError("a witness fails: " + *failure);
@@ -100,7 +105,7 @@ Witness Evidence::replayed(Witness witness, bool endless, const ProgramProperty*
 }
 
 LoopJudge& Evidence::judge() {
-  if (!judge_) judge_.emplace(loop_.program(), step_.plant(), graph_);
+  if (!judge_) judge_.emplace(loop_.program(), step_.plant(), graph_, options_.period.value_or(automata::Ticks{0}));
   return *judge_;
 }
 

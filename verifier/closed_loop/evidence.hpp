@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "verifier/closed_loop/lasso.hpp"
 #include "verifier/closed_loop/program_system.hpp"
 #include "verifier/property/property.hpp"
+#include "verifier/search/lasso.hpp"
 #include "verifier/verdict/answer.hpp"
 #include "verifier/witness/claim.hpp"
 #include "verifier/witness/loop_replay.hpp"
@@ -35,7 +35,7 @@ class Evidence {
   void note_owed(Witness& witness, const ProgramProperty* shown);
   void add_refusals(Witness& witness);
   void explain(Witness& witness);
-  Witness replayed(Witness witness, bool endless, const ProgramProperty* shown);
+  Witness replayed(Witness witness, const ProgramProperty* shown);
   /// Made where there is something to replay.
   LoopJudge& judge();
   [[nodiscard]] ClaimTerms claim_terms() const { return {options_.entailed, options_.period}; }

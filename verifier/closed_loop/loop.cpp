@@ -3,16 +3,20 @@
 #include "verifier/closed_loop/loop.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 
+#include "verifier/plant/exits.hpp"
 #include "verifier/property/initial_modes.hpp"
+#include "verifier/property/known_truth.hpp"
 
 namespace rmpl::verifier {
 
 using automata::Assignment;
 using automata::ClockId;
 using automata::ComponentId;
+using automata::Formula;
 using automata::ModeId;
 using automata::Modes;
 using automata::Ticks;
@@ -22,20 +26,10 @@ namespace {
 /// Twice so many at most are kept.
 constexpr std::size_t turns_remembered = 1u << 13;
 
-/// Leaving without a fault, at any reading from some one on.
-bool leaves_for_sure(const Choice& choice, ModeId mode) {
-  return choice.faults == 0 && choice.mode != mode && choice.clock.upper == unbounded;
-}
-
-void include(std::vector<ModeId>& modes, ModeId mode) {
-  const auto at = std::lower_bound(modes.begin(), modes.end(), mode);
-  if (at == modes.end() || *at != mode) modes.insert(at, mode);
-}
-
 }  // namespace
 
 Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
-           const TimeModel& time, unsigned faults, Meter& meter)
+           const TimeModel& time, unsigned faults, Meter& meter, const std::vector<automata::Formula>& asked)
     : program_(program),
       step_(step),
       reconfigurer_(reconfigurer),
@@ -44,14 +38,21 @@ Loop::Loop(const automata::Program& program, automata::PlantStep& step, runtime:
       meter_(meter),
       cells_(program),
       sequencer_(program, step.plant()),
-      explored_turns_(turns_remembered) {}
+      explored_turns_(turns_remembered) {
+  std::vector<Formula> atoms = sequencer_.asked();
+  for (const Formula& formula : asked) collect_knowledge(formula, atoms);
+  for (Formula& atom : atoms) {
+    if (atom.knowing == automata::Knowing::no_plan) no_plan_asked_.push_back(std::move(atom));
+  }
+}
 
 std::vector<LoopState> Loop::initial(const std::vector<Assignment>& from) {
   sequencer_.reset();
   std::vector<LoopState> result;
   base::for_each_combination(initial_modes(plant(), from), [&](const Modes& modes) {
     meter_.poll();
-    if (step_.possible(modes)) result.push_back({sequencer_.marking(), modes, {}, {}});
+    if (step_.possible(modes))
+      result.push_back({sequencer_.marking(), modes, {}, {}, std::vector<bool>(no_plan_asked_.size())});
   });
   return result;
 }
@@ -79,6 +80,21 @@ std::shared_ptr<const Turn> Loop::turn(LoopStateId id, unsigned faults) {
   return {worked, &worked->turn};
 }
 
+std::vector<Outcome> Loop::outcomes(LoopStateId id, const std::vector<Modes>& modes) {
+  const LoopState& state = *states_[id.index()];
+  const std::shared_ptr<const Worked> worked = cycle(id);
+  sequencer_.resume(state.marking, started(state));
+  sequencer_.begin(knowledge(state.modes, state.no_plan), Ticks{0});
+  std::vector<Outcome> result;
+  result.reserve(modes.size());
+  for (const Modes& next : modes) {
+    meter_.poll();
+    sequencer_.finish(knowledge(next, worked->turn.no_plan));
+    result.push_back(follow(state, next, worked->turn));
+  }
+  return result;
+}
+
 std::shared_ptr<Loop::Worked> Loop::known(LoopStateId id) {
   if (const auto open = turns_.find(id); open != turns_.end()) return open->second;
   const auto* explored = explored_turns_.find(id);
@@ -95,6 +111,15 @@ std::shared_ptr<Loop::Worked> Loop::cycle(LoopStateId id, unsigned faults) {
     worked->faults = faults;
   }
   return worked;
+}
+
+bool Loop::may_rest(LoopStateId id) {
+  const LoopState& state = *states_[id.index()];
+  const automata::AllEnabled enabled = step_.enabled(state.modes, cycle(id)->turn.action);
+  for (std::size_t c = 0; c < state.modes.size(); ++c) {
+    if (verifier::waits(plant().components[c], state.modes[c], enabled[c], time_).empty()) return false;
+  }
+  return true;
 }
 
 void Loop::explored(LoopStateId id) {
@@ -124,45 +149,64 @@ std::vector<Choice> Loop::choices_of(const LoopState& state, const Turn& turn, C
   return choices(plant()[component], state.modes[component.index()], enabled[component.index()], time_);
 }
 
-void Loop::open_exits(const Modes& from, const Modes& to, const Box& bounds, Exits& exits) const {
-  // No period ends as a clock reads 0.
-  const bool never = !time_.is_dense() &&
-                     std::any_of(bounds.begin(), bounds.end(), [](const ClockBound& b) { return b.clock.upper == 0; });
-  if (never) return;
-  for (std::size_t c = 0; c < from.size(); ++c) {
-    const auto bound =
-        std::find_if(bounds.begin(), bounds.end(), [c](const ClockBound& b) { return b.component == ComponentId(c); });
-    const bool lasts = bound == bounds.end() || bound->clock.upper == unbounded;
-    if (from[c] != to[c] && lasts) include(exits.open[c], to[c]);
+bool Loop::is_known(const Formula& atom, const std::vector<Assignment>& modes, const std::vector<bool>& no_plan) {
+  automata::Theory& theory = step_.theory();
+  return verifier::is_known(
+      atom, [&](const Formula& formula) { return theory.entails(modes, theory.encode(formula)); },
+      [&](const Formula& formula) { return theory.allows(modes, theory.encode(formula)); },
+      [&](const Formula& asked) {
+        const auto at = std::find(no_plan_asked_.begin(), no_plan_asked_.end(), asked);
+        return no_plan[static_cast<std::size_t>(at - no_plan_asked_.begin())];
+      });
+}
+
+automata::Knowledge Loop::knowledge(const Modes& modes, const std::vector<bool>& no_plan) {
+  automata::Knowledge result{automata::assignments_of(plant(), modes)};
+  for (const Formula& atom : sequencer_.asked()) {
+    result.answers.push_back(is_known(atom, result.assignments, no_plan));
   }
+  return result;
+}
+
+bool Loop::holds(const Formula& formula, const LoopState& state, bool certain) {
+  const std::vector<Assignment> modes = automata::assignments_of(plant(), state.modes);
+  const Formula known =
+      with_knowledge(formula, [&](const Formula& atom) { return is_known(atom, modes, state.no_plan); });
+  const automata::Theory::Handle handle = step_.theory().encode(known);
+  return certain ? step_.theory().entails(modes, handle) : step_.theory().allows(modes, handle);
 }
 
 Turn Loop::work_out(const LoopState& state, unsigned faults) {
   Turn turn;
   sequencer_.resume(state.marking, started(state));
-  const automata::Asserted& asserted = sequencer_.begin({automata::assignments_of(plant(), state.modes)}, Ticks{0});
+  const automata::Asserted& asserted = sequencer_.begin(knowledge(state.modes, state.no_plan), Ticks{0});
   turn.conflicts = asserted.conflicts;
-  if (turn.conflicts.empty()) turn.goal = asserted.goal;
-  turn.answer = reconfigurer_.next(state.modes, automata::conjunction_of(turn.goal));
+  const std::vector<automata::Goals> goals =
+      turn.conflicts.empty() ? runtime::goals_of(asserted) : std::vector<automata::Goals>();
+  runtime::Pursued pursued = runtime::pursue(reconfigurer_, {&state.modes, 1}, goals, state.position);
+  for (const Formula& atom : no_plan_asked_) {
+    const auto component = atom.about_one ? plant().component_of(atom.variable) : std::nullopt;
+    turn.no_plan.push_back(
+        runtime::no_plan(pursued.goals, pursued.answer.outcome, pursued.left_out, component, plant()));
+  }
+  turn.goals = std::move(pursued.goals);
+  turn.left_out = std::move(pursued.left_out);
+  turn.answer = std::move(pursued.answer);
   turn.action = turn.answer.action;
   std::vector<std::vector<Choice>> all;
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     all.push_back(choices_of(state, turn, ComponentId(c)));
     for (const Interval& clock : without_nominal(all.back())) turn.faulty.push_back({ComponentId(c), clock});
-    turn.exits.enabled.emplace_back();
-    for (const Choice& choice : all.back()) {
-      if (leaves_for_sure(choice, state.modes[c])) include(turn.exits.enabled.back(), choice.mode);
-    }
+    add_enabled(turn.exits, all.back(), state.modes[c]);
   }
-  turn.exits.open.resize(state.modes.size());
   std::set<JointChoice> seen;
   for_each_joint(all, faults, [&](const JointChoice& joint) {
     const auto& [modes, cost, bounds] = joint;
     meter_.poll();
     if (!seen.insert(joint).second || !step_.possible(modes)) return;
-    if (cost == 0) open_exits(state.modes, modes, bounds, turn.exits);
-    sequencer_.finish({automata::assignments_of(plant(), modes)});
-    Outcome outcome = follow(state, modes);
+    if (cost == 0) add_open(turn.exits, state.modes, modes, bounds, time_);
+    sequencer_.finish(knowledge(modes, turn.no_plan));
+    Outcome outcome = follow(state, modes, turn);
     outcome.faults = cost;
     outcome.bounds = bounds;
     outcome.same = outcome.state == state;
@@ -173,8 +217,10 @@ Turn Loop::work_out(const LoopState& state, unsigned faults) {
   return turn;
 }
 
-Outcome Loop::follow(const LoopState& state, const Modes& modes) const {
+Outcome Loop::follow(const LoopState& state, const Modes& modes, const Turn& turn) const {
   Outcome result;
+  result.state.no_plan = turn.no_plan;
+  result.state.position = position_after(turn.answer, modes);
   result.state.marking = sequencer_.marking();
   result.state.modes = modes;
   std::vector<bool> live = cells_.live(result.state.marking);
@@ -251,13 +297,34 @@ std::vector<Interval> Loop::stays(const std::vector<Choice>& choices, ModeId mod
   return result;
 }
 
+/// When components can leave their modes no more that could up to some reading, in any cycle of a round.
+Box Loop::settled_after(const std::vector<LoopStateId>& states) {
+  const Modes modes = states_[states.front().index()]->modes;
+  std::map<ComponentId, Units> last;
+  for (const LoopStateId at : states) {
+    const std::shared_ptr<const Worked> worked = cycle(at);
+    for (const Outcome& outcome : worked->turn.outcomes) {
+      if (outcome.faults > 0) continue;
+      for (const ClockBound& bound : outcome.bounds) {
+        const std::size_t c = bound.component.index();
+        if (outcome.state.modes[c] == modes[c] || bound.clock.upper == unbounded) continue;
+        Units& known = last[bound.component];
+        known = std::max(known, bound.clock.upper);
+      }
+    }
+  }
+  Box result;
+  for (const auto& [component, upper] : last) result.push_back({component, {upper, unbounded}});
+  return result;
+}
+
 std::vector<Wait> Loop::waits(LoopStateId id) {
   const auto [states, restarted] = round(id);
   if (states.empty()) return {};
   const LoopState& state = *states_[id.index()];
   std::vector<Wait> result(1);
   result.front().restarted = restarted;
-  bool restless = state.marking.empty() || restarted.size() < state.groups.size();
+  bool restless = restarted.size() < state.groups.size();
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     std::vector<Interval> intervals(1);
     for (const LoopStateId at : states) {
@@ -285,7 +352,9 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
     }
     result = std::move(longer);
   }
+  const Box settled = settled_after(states);
   for (Wait& wait : result) {
+    wait.settled = settled;
     wait.endless = !restless && std::all_of(wait.bounds.begin(), wait.bounds.end(),
                                             [](const ClockBound& b) { return b.clock.upper == unbounded; });
   }

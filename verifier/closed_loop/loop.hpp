@@ -11,9 +11,10 @@
 #include "automata/step/plant_step.hpp"
 #include "automata/step/program_step.hpp"
 #include "base/bounded_cache.hpp"
-#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
+#include "runtime/reasoning/reconfigure/several_goals.hpp"
 #include "verifier/closed_loop/clock_cells.hpp"
 #include "verifier/plant/situation.hpp"
+#include "verifier/search/lasso.hpp"
 #include "verifier/search/limits.hpp"
 #include "verifier/witness/undone.hpp"
 
@@ -31,8 +32,10 @@ struct ClockGroup {
 struct LoopState {
   automata::Marking marking;  ///< empty: the program has ended
   automata::Modes modes;
-  std::vector<automata::ClockId> passed;  ///< in their last cell, ascending: how long they run cannot matter
-  std::vector<ClockGroup> groups;         ///< the others, those that started earlier first
+  std::vector<automata::ClockId> passed;    ///< in their last cell, ascending: how long they run cannot matter
+  std::vector<ClockGroup> groups;           ///< the others, those that started earlier first
+  std::vector<bool> no_plan = {};           ///< by `Loop::no_plan_asked`: what the cycle that led here has answered
+  runtime::StrategyPosition position = {};  ///< what that cycle's answer has led to
   auto operator<=>(const LoopState&) const = default;
 };
 
@@ -53,22 +56,20 @@ struct Wait {
   Box bounds;
   /// In dense time, the groups of clocks that each round of its cycles starts anew: as time passes they stay at 0.
   std::vector<std::size_t> restarted;
-  bool endless = false;  ///< it may last for ever, and then nothing but a fault would ever end it
-};
-
-/// The ways out of modes that are enabled in a cycle however late it is, so that chance takes them at last where they
-/// stay open: per component, the modes that they lead to, ascending.
-struct Exits {
-  std::vector<std::vector<automata::ModeId>> enabled;
-  std::vector<std::vector<automata::ModeId>> open;  ///< those that some joint step takes to a possible state
-  auto operator<=>(const Exits&) const = default;
+  bool endless = false;  ///< it may last for ever, and then nothing but a fault would ever end it; perhaps the program
+                         ///< has ended
+  /// Of an endless one: what clocks read from when on nothing but a fault would change anything. Until then a component
+  /// may leave its mode yet, in steps that end before a bound by which it has to stay.
+  Box settled;
 };
 
 /// The cycle that starts in a state. It is the same wherever the clocks are in their cells.
 struct Turn {
-  std::vector<automata::Assignment> goal;  ///< that was acted on: empty where goals contradict each other
+  automata::Goals goals;  ///< that were acted on: empty where goals contradict each other
   std::vector<automata::GoalConflict> conflicts;
   runtime::Reconfiguration answer;
+  std::vector<runtime::LeftOut> left_out;
+  std::vector<bool> no_plan;  ///< of what it leads to, as `LoopState` has it
   automata::ControlAction action;
   std::vector<Outcome> outcomes;  ///< those with fewer faults first
   std::vector<Wait> waits;
@@ -76,12 +77,17 @@ struct Turn {
   std::vector<ClockBound> faulty;  ///< where a fault of a component is certain, at the end of the cycle
 };
 
+/// Whether some goal of the cycle has no plan.
+inline bool lacks_a_plan(const Turn& turn) {
+  return turn.answer.outcome == runtime::Reconfiguration::Outcome::no_plan || !turn.left_out.empty();
+}
+
 /// All states of the loop met so far. Works cycles out on the step functions themselves.
 class Loop {
  public:
-  /// `program` is bound to the plant. Keeps references to all but `reading`.
+  /// `program` is bound to the plant; `asked`: formulas of which `holds` will be asked. Keeps references.
   Loop(const automata::Program& program, automata::PlantStep& step, runtime::Reconfigurer& reconfigurer,
-       const TimeModel& time, unsigned faults, Meter& meter);
+       const TimeModel& time, unsigned faults, Meter& meter, const std::vector<automata::Formula>& asked);
 
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
   [[nodiscard]] const automata::Program& program() const { return program_; }
@@ -99,8 +105,18 @@ class Loop {
   /// out again where it is asked for again: turns take far more memory than states.
   /// `faults` are those that may still happen in it; outcomes with more are left out at the end of the list.
   std::shared_ptr<const Turn> turn(LoopStateId id, unsigned faults = 0);
+  /// The command of the cycle that starts there.
+  automata::ControlAction action(LoopStateId id) { return cycle(id)->turn.action; }
+  /// What that cycle leads to where the plant comes to these modes, which are possible: only `state` and `sources`.
+  std::vector<Outcome> outcomes(LoopStateId id, const std::vector<automata::Modes>& modes);
+  /// Whether under the command of the state each component lets time pass at some reading of its clock.
+  bool may_rest(LoopStateId id);
   /// What follows the state has been seen.
   void explored(LoopStateId id);
+
+  /// Whether a formula holds at a state: the store implies it, or (not `certain`) allows it. What it asks of the
+  /// executive's knowledge is judged by the truth (known_truth.hpp).
+  bool holds(const automata::Formula& formula, const LoopState& state, bool certain);
 
   [[nodiscard]] Cell cell(const ClockGroup& group) const { return cells_.around(group.clocks, group.position); }
   /// What a cycle takes away of what was achieved.
@@ -123,12 +139,14 @@ class Loop {
   /// The turn, perhaps without its waits.
   std::shared_ptr<Worked> cycle(LoopStateId id, unsigned faults = 0);
   [[nodiscard]] std::shared_ptr<Worked> known(LoopStateId id);
-  /// Notes the exits that a joint step to a possible state takes.
-  void open_exits(const automata::Modes& from, const automata::Modes& to, const Box& bounds, Exits& exits) const;
   [[nodiscard]] Turn work_out(const LoopState& state, unsigned faults);
+  /// What the sequencer knows: the modes, and of itself what is so of the truth.
+  [[nodiscard]] automata::Knowledge knowledge(const automata::Modes& modes, const std::vector<bool>& no_plan);
+  [[nodiscard]] bool is_known(const automata::Formula& atom, const std::vector<automata::Assignment>& modes,
+                              const std::vector<bool>& no_plan);
   [[nodiscard]] std::vector<std::optional<automata::Ticks>> started(const LoopState& state) const;
   /// What follows `state` where the plant is in `modes` and the sequencer has finished the cycle.
-  [[nodiscard]] Outcome follow(const LoopState& state, const automata::Modes& modes) const;
+  [[nodiscard]] Outcome follow(const LoopState& state, const automata::Modes& modes, const Turn& turn) const;
   /// What cycles go round in while the plant stays as it is.
   struct Round {
     std::vector<LoopStateId> states;     ///< none where they do not go round, or the plant cannot stay
@@ -138,6 +156,7 @@ class Loop {
   /// a period.
   Round round(LoopStateId id);
   std::vector<Wait> waits(LoopStateId id);
+  Box settled_after(const std::vector<LoopStateId>& states);
   /// In dense time: where a wait may begin, and where it ends at the latest, as a fault that is certain begins there.
   [[nodiscard]] std::vector<Interval> stays(const std::vector<Choice>& choices, automata::ModeId mode) const;
   [[nodiscard]] std::vector<Choice> choices_of(const LoopState& state, const Turn& turn,
@@ -151,6 +170,7 @@ class Loop {
   Meter& meter_;
   ClockCells cells_;
   automata::ProgramStep sequencer_;
+  std::vector<automata::Formula> no_plan_asked_;  ///< `noplan`, `noplan(c)`, each once
   std::map<LoopState, LoopStateId> numbers_;
   std::vector<const LoopState*> states_;
   std::unordered_map<LoopStateId, std::shared_ptr<Worked>, IdHash> turns_;           ///< of states not yet explored

@@ -8,7 +8,7 @@
 namespace rmpl::verifier {
 
 LoopInstants::LoopInstants(Loop& loop, LoopStateId root, std::size_t others,
-                           base::FunctionRef<bool(const automata::Modes&)> ends)
+                           base::FunctionRef<bool(const LoopState&)> ends)
     : loop_(loop),
       others_(others),
       ends_(ends),
@@ -18,6 +18,7 @@ LoopInstants::LoopInstants(Loop& loop, LoopStateId root, std::size_t others,
   Sources sources(loop[root].groups.size());
   std::iota(sources.begin(), sources.end(), std::size_t{1});
   number(root, std::move(sources));
+  at_bound_ = loop.may_rest(root);
 }
 
 std::uint64_t LoopInstants::number(LoopStateId state, Sources sources) {
@@ -94,7 +95,7 @@ std::optional<std::uint64_t> LoopInstants::target(const Outcome& outcome, std::u
 
 void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, std::uint64_t from,
                             std::vector<Instant>& result) {
-  const auto bounds = clocks_.translated(outcome.bounds, 0, 0);
+  const auto bounds = clocks_.lasting(outcome.bounds, from == 0 && at_bound_);
   if (!bounds) return;
   const LoopState& here = loop_[state_of(from)];
   // A clock that has come to the end of its cell goes on to the next one, and never comes back.
@@ -112,7 +113,7 @@ void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, std::uin
   if (outcome.same) return;
   Instant step{from, move, *bounds, {}, true};
   const LoopState& there = outcome.state;
-  const bool stays = there.marking.empty() == here.marking.empty() && !ends_(there.modes);
+  const bool stays = there.marking.empty() == here.marking.empty() && !ends_(there);
   const std::optional<std::uint64_t> node = stays ? target(outcome, from) : std::nullopt;
   if (node) {
     step.leads_on = false;

@@ -12,12 +12,13 @@
 namespace rmpl::verifier {
 
 /// From one state on, node 0. A node is a state with what its program clocks are: some that the root has, or started
-/// since, so that they read 0. Keeps references.
+/// since, so that they read 0. What is due moves in the next cycle. Steps that exist only at one instant do not count
+/// (semantics 7, "an instant saves no run"). Keeps references.
 class LoopInstants : public Instants {
  public:
-  /// `others` clocks come before those of the program in the zone. What leads to modes that `ends` holds for leads on;
+  /// `others` clocks come before those of the program in the zone. What leads to states that `ends` holds for leads on;
   /// it is kept as long as this object is.
-  LoopInstants(Loop& loop, LoopStateId root, std::size_t others, base::FunctionRef<bool(const automata::Modes&)> ends);
+  LoopInstants(Loop& loop, LoopStateId root, std::size_t others, base::FunctionRef<bool(const LoopState&)> ends);
 
   const std::vector<ZoneBox>& waits(std::uint64_t node) override;
   const Instant* step(std::uint64_t node, std::size_t number) override;
@@ -38,8 +39,9 @@ class LoopInstants : public Instants {
 
   Loop& loop_;
   std::size_t others_;
-  base::FunctionRef<bool(const automata::Modes&)> ends_;
+  base::FunctionRef<bool(const LoopState&)> ends_;
   InstantClocks clocks_;
+  bool at_bound_ = false;    ///< where time stops at the root, it does at a bound
   bool own_clocks_ = false;  ///< the program has some: what has started can be forgotten again
   std::map<std::pair<LoopStateId, Sources>, std::uint64_t> numbers_;
   std::vector<const std::pair<LoopStateId, Sources>*> nodes_;  ///< by number

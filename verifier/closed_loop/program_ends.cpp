@@ -15,7 +15,8 @@ void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
   auto found = stop_in(state.zone, state.discrete);
   if (!found) return;
   if (Zone late = state.zone; found->round.empty() && is_due(state.discrete)) {
-    auto too_late = late.constrain(1, last_chance()) ? stop_in(late, state.discrete) : std::nullopt;
+    const bool in_doubt = stopwatch() && late.constrain(1, last_chance());
+    auto too_late = in_doubt ? stop_in(late, state.discrete) : std::nullopt;
     if (too_late && too_late->round.empty()) found = std::move(too_late);
   }
   const std::uint64_t end = found->round.empty() ? stuck_bit : still_bit;
@@ -25,7 +26,7 @@ void ProgramSystem::enter_end(const SymbolicState& state, const Visit& visit) {
 std::optional<Standstill> ProgramSystem::stop_in(const Zone& zone, std::uint64_t discrete) {
   const bool due = is_due(discrete);
   const LoopStateId id = loop_state(discrete);
-  const auto comes_true = [this, due](const automata::Modes& modes) { return due && query_.test(modes); };
+  const auto comes_true = [this, due](const LoopState& state) { return due && query_.test(state); };
   LoopInstants instants(loop_, id, extra(), comes_true);
   auto found = find_standstill(zone, 0, instants);
   if (!found) return std::nullopt;
@@ -41,7 +42,7 @@ Standstill ProgramSystem::standstill(const SymbolicState& end) {
 
 PathEnd ProgramSystem::end_of(const SymbolicState& end, std::size_t position) const {
   PathEnd result{position, {}, {}, {}};
-  if (is_last_chance(end)) result.stopwatch = last_chance();
+  if (stopwatch() && is_last_chance(end)) result.stopwatch = last_chance();
   const LoopState& state = loop_[loop_state(end.discrete)];
   std::size_t clock = extra();
   for (const ClockGroup& group : state.groups) {

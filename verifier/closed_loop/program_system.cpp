@@ -73,6 +73,10 @@ unsigned ProgramSystem::fault_count(unsigned faults) const {
   return sets_ == nullptr ? faults : (*sets_)[faults].count;
 }
 
+TransitionSystem::FaultMeasures ProgramSystem::fault_measures(unsigned faults) const {
+  return sets_ == nullptr ? TransitionSystem::fault_measures(faults) : sets_->measures(faults);
+}
+
 bool ProgramSystem::no_more_faults(unsigned a, unsigned b) const {
   return fault_count(a) <= fault_count(b) && (sets_ == nullptr || subset((*sets_)[a], (*sets_)[b]));
 }
@@ -88,10 +92,10 @@ void ProgramSystem::note_achieved(const SymbolicState& state, const Turn& turn, 
                                   Arrival& arrival) {
   const automata::Modes& from = loop_[loop_state(state.discrete)].modes;
   const std::uint64_t before = state.discrete >> achieved_shift;
-  const CycleTaken cycle{turn.goal, turn.answer.why.purpose, turn.action, from, outcome.state.modes};
+  const CycleTaken cycle{turn.goals.goal, turn.answer.why.purpose, turn.action, from, outcome.state.modes};
   if (!loop_.taken_away(*achieved_[before], cycle).empty()) arrival.phase |= undone_bit;
   const std::uint64_t after =
-      number(achieved_after(loop_.plant(), *achieved_[before], turn.goal, from, outcome.state.modes));
+      number(achieved_after(loop_.plant(), *achieved_[before], turn.goals.goal, from, outcome.state.modes));
   arrival.phase |= after << achieved_shift;
   if (after == before) return;
   arrival.from.reset();
@@ -166,7 +170,7 @@ void ProgramSystem::choose_cells(const LoopState& state, std::vector<Cell>& chos
     }
   }
   // A clock in its last cell need not be kept.
-  LoopState entered{state.marking, state.modes, state.passed, {}};
+  LoopState entered{state.marking, state.modes, state.passed, {}, state.no_plan, state.position};
   std::vector<std::size_t> sources;
   for (std::size_t clock = 1; clock <= extra(); ++clock) sources.push_back(clock);
   for (std::size_t i = 0; i < state.groups.size(); ++i) {
@@ -185,17 +189,18 @@ void ProgramSystem::choose_cells(const LoopState& state, std::vector<Cell>& chos
 }
 
 void ProgramSystem::enter(LoopStateId id, const Zone& zone, const Arrival& arrival, const Visit& visit) {
-  const automata::Modes& modes = loop_[id].modes;
+  const LoopState& state = loop_[id];
   Zone now = zone;
-  if (is_due(arrival.phase) && query_.test(modes)) {
+  if (is_due(arrival.phase) && query_.test(state)) {
+    if (!stopwatch()) return;
     // The period that brings it may be the first one to end after the deadline: that is too late.
     if (!now.constrain(1, {query_.deadline, unbounded})) return;
   }
-  if (query_.aim == Query::Aim::missed && !owed(arrival.phase) && query_.asks(modes) && !query_.test(modes)) {
+  if (query_.aim == Query::Aim::missed && !owed(arrival.phase) && query_.asks(state) && !query_.test(state)) {
     // What is missed later on in the same modes is missed from here on too.
     std::vector<std::size_t> sources(now.clocks());
     std::iota(sources.begin(), sources.end(), std::size_t{1});
-    sources.front() = 0;
+    if (stopwatch()) sources.front() = 0;
     Arrival asked = arrival;
     asked.phase |= owed_bit;
     stay(id, now.select(sources), asked, visit);
@@ -271,23 +276,17 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
     case Query::Aim::goal_conflict:
       return !loop_.turn(id)->conflicts.empty();
     case Query::Aim::no_plan:
-      return loop_.turn(id)->answer.outcome == runtime::Reconfiguration::Outcome::no_plan && is_fresh(id);
-    case Query::Aim::endless_wait: {
-      const std::shared_ptr<const Turn> turn = loop_.turn(id);
-      return std::any_of(turn->waits.begin(), turn->waits.end(),
-                         [&](const Wait& w) {
-                           Zone zone = state.zone;
-                           return w.endless && wait(zone, w, id);
-                         }) &&
-             is_fresh(id);
-    }
+      return lacks_a_plan(*loop_.turn(id)) && is_fresh(id);
+    case Query::Aim::endless_wait:
+      return !at.marking.empty() && may_wait_for_ever(state) && is_fresh(id);
     case Query::Aim::holds:
-      return query_.test(at.modes);
+      return query_.test(at);
     case Query::Aim::late:
     case Query::Aim::missed:
-      return is_due(state.discrete) && state.zone.upper(1) >= query_.deadline;
+      if (!is_due(state.discrete)) return false;
+      return stopwatch() ? state.zone.upper(1) >= query_.deadline : may_wait_for_ever(state);
     case Query::Aim::ends_with:
-      return at.marking.empty() && query_.test(at.modes);
+      return at.marking.empty() && query_.test(at);
     case Query::Aim::happens:
       return true;
     case Query::Aim::undone:
@@ -300,6 +299,19 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
       return false;
   }
   return false;
+}
+
+bool ProgramSystem::may_wait_for_ever(const SymbolicState& state) const {
+  const LoopStateId id = loop_state(state.discrete);
+  const std::shared_ptr<const Turn> turn = loop_.turn(id);
+  return std::any_of(turn->waits.begin(), turn->waits.end(), [&](const Wait& w) {
+    Zone zone = state.zone;
+    if (!w.endless || !wait(zone, w, id)) return false;
+    const bool settles = std::all_of(w.settled.begin(), w.settled.end(), [&](const ClockBound& b) {
+      return zone.constrain(clock_of(b.component, loop_[id]), b.clock);
+    });
+    return settles && (!query_.window || zone.constrain(1, *query_.window));
+  });
 }
 
 bool ProgramSystem::is_fresh(LoopStateId id) const { return !query_.fresh || query_.fresh(loop_[id], *loop_.turn(id)); }

@@ -33,6 +33,8 @@ struct Query {
     holds,          ///< a state in which `test` holds, while the program runs or as it ends
     late,           ///< `test` has not held when `deadline` is reached; such runs go on after the program's end
     missed,         ///< the same, counted from a state in which `asks` holds, while the program runs or as it ends
+                    ///< (of both where there is no deadline: a wait that lasts for ever, or a run that is cut off; a
+                    ///< run that goes round is for `find_lasso`)
     ends_with,      ///< the program's end in a state in which `test` holds
     happens,        ///< the fault of the filter
     stop,           ///< where nothing can follow, or time stands still
@@ -42,9 +44,9 @@ struct Query {
     nothing         ///< everything is seen
   };
   Aim aim = Aim::nothing;
-  std::function<bool(const automata::Modes&)> test = nullptr;
-  std::function<bool(const automata::Modes&)> asks = nullptr;
-  Units deadline = 0;  ///< the fewest units that are too late
+  std::function<bool(const LoopState&)> test = nullptr;
+  std::function<bool(const LoopState&)> asks = nullptr;
+  Units deadline = 0;  ///< the fewest units that are too late; `unbounded`: it may come some day
   /// What is at one moment is looked for at these times alone; at any, where it is empty.
   std::optional<Interval> window = std::nullopt;
   FaultFilter filter = {};
@@ -81,6 +83,7 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] bool accepts(const SymbolicState& state) const override;
   [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override;
   [[nodiscard]] unsigned fault_count(unsigned faults) const override;
+  [[nodiscard]] FaultMeasures fault_measures(unsigned faults) const override;
   /// From now on, which faults there were counts, by numbers of `sets`, to which a reference is kept.
   void tell_faults_apart(FaultSets& sets) { sets_ = &sets; }
 
@@ -93,6 +96,12 @@ class ProgramSystem : public TransitionSystem {
   /// Whether time passed before the step that led here.
   static bool progressed(std::uint64_t discrete) { return (discrete & progressed_bit) != 0; }
 
+  /// Whether what is to come has been asked for there, and has not come.
+  [[nodiscard]] bool is_due(std::uint64_t discrete) const {
+    return query_.aim == Query::Aim::late || (query_.aim == Query::Aim::missed && owed(discrete));
+  }
+  /// Whether a fault that runs are looked at after has happened.
+  static bool happened(std::uint64_t discrete) { return (discrete & happened_bit) != 0; }
   /// Whether a run is cut off there, as nothing can follow or as time stands still.
   static bool is_end(std::uint64_t discrete) { return (discrete & (stuck_bit | still_bit)) != 0; }
   /// Where runs are cut off in states that have been seen by a search.
@@ -130,18 +139,15 @@ class ProgramSystem : public TransitionSystem {
     Label label;
   };
 
-  [[nodiscard]] bool stopwatch() const {
-    return query_.aim == Query::Aim::late || query_.aim == Query::Aim::missed || query_.window;
-  }
-  /// Whether `test` must not come to hold before the deadline.
-  [[nodiscard]] bool is_due(std::uint64_t discrete) const {
-    return query_.aim == Query::Aim::late || (query_.aim == Query::Aim::missed && owed(discrete));
-  }
+  /// Whether something is to come.
+  [[nodiscard]] bool awaits() const { return query_.aim == Query::Aim::late || query_.aim == Query::Aim::missed; }
+  [[nodiscard]] bool stopwatch() const { return (awaits() && query_.deadline != unbounded) || query_.window; }
   /// Readings of the stopwatch at which what is due cannot come in time any more but now.
   [[nodiscard]] Interval last_chance() const { return {query_.deadline - loop_.time().grain(), unbounded}; }
   /// Of a state that nothing can follow: whether what is due could come in time only now.
   [[nodiscard]] bool is_last_chance(const SymbolicState& end) const {
-    return is_due(end.discrete) && (end.discrete & stuck_bit) != 0 && end.zone.lower(1) >= last_chance().lower;
+    if (!is_due(end.discrete) || (end.discrete & stuck_bit) == 0) return false;
+    return !stopwatch() || end.zone.lower(1) >= last_chance().lower;
   }
   [[nodiscard]] bool progress_clock() const { return query_.progress && loop_.time().is_dense(); }
   [[nodiscard]] std::size_t extra() const { return (stopwatch() ? 1u : 0u) + (progress_clock() ? 1u : 0u); }
@@ -166,6 +172,7 @@ class ProgramSystem : public TransitionSystem {
   [[nodiscard]] bool is_spent(const SymbolicState& state) const;
   [[nodiscard]] unsigned faults_after(const SymbolicState& state, const Outcome& outcome) const;
   [[nodiscard]] bool is_fresh(LoopStateId id) const;
+  [[nodiscard]] bool may_wait_for_ever(const SymbolicState& state) const;
 
   Loop& loop_;
   const std::vector<LoopState>& start_;

@@ -13,7 +13,6 @@ namespace rmpl::verifier {
 using automata::Formula;
 using automata::Modes;
 using automata::Ticks;
-using Aim = Query::Aim;
 using Kind = ProgramProperty::Kind;
 
 namespace {
@@ -34,6 +33,15 @@ std::vector<Ticks> times_of(const automata::Program& program, const std::vector<
   return times;
 }
 
+std::vector<Formula> formulas_of(const std::vector<ProgramProperty>& properties) {
+  std::vector<Formula> formulas;
+  for (const ProgramProperty& property : properties) {
+    formulas.push_back(property.formula);
+    formulas.push_back(property.then);
+  }
+  return formulas;
+}
+
 }  // namespace
 
 std::vector<ProgramProperty> of_programs(const std::vector<Property>& properties) {
@@ -52,9 +60,9 @@ Searches::Searches(const automata::Program& program, automata::PlantStep& step,
       options_(options),
       meter_(limits),
       graph_(runtime::reconfiguration_graph(step.plant())),
-      reconfigurer_(runtime::make_reconfigurer(step, graph_)),
+      reconfigurer_(runtime::make_reconfigurer(step, graph_, options.period.value_or(automata::Ticks{0}))),
       loop_(program, step, *reconfigurer_, TimeModel::of(options.period, step.plant(), times_of(program, properties)),
-            0, meter_),
+            0, meter_, formulas_of(properties)),
       evidence_(loop_, step, *reconfigurer_, graph_, options) {}
 
 void Searches::allow_faults(unsigned faults) {
@@ -83,44 +91,48 @@ std::optional<Witness> Searches::violation(const ProgramProperty& property, cons
   const bool entailed = options_.entailed;
   switch (property.kind) {
     case Kind::goal_conflict:
-      return at_a_moment({.aim = Aim::goal_conflict, .filter = only}, property);
+      return at_a_moment({.aim = Query::Aim::goal_conflict, .filter = only}, property);
     case Kind::no_plan:
-      return at_a_moment({.aim = Aim::no_plan, .filter = only}, property);
+      return at_a_moment({.aim = Query::Aim::no_plan, .filter = only}, property);
     case Kind::endless_wait:
-      return at_a_moment({.aim = Aim::endless_wait, .filter = only}, property);
+      return at_a_moment({.aim = Query::Aim::endless_wait, .filter = only}, property);
     case Kind::termination: {
-      auto found = search({.aim = Aim::endless_wait, .filter = only}, &property);
-      if (!found) found = lasso(only, property);
-      return found ? std::move(found) : search({.aim = Aim::still, .filter = only}, &property);
+      auto found = search({.aim = Query::Aim::endless_wait, .filter = only}, &property);
+      if (!found) found = lasso({.filter = only}, property);
+      return found ? std::move(found) : search({.aim = Query::Aim::still, .filter = only}, &property);
     }
     case Kind::stuck:
-      return search({.aim = Aim::stop, .filter = only}, &property);
+      return search({.aim = Query::Aim::stop, .filter = only}, &property);
     case Kind::undone:
-      return at_a_moment({.aim = Aim::undone, .filter = only}, property);
+      return at_a_moment({.aim = Query::Aim::undone, .filter = only}, property);
     case Kind::never: {
       const auto bad = holds(property.formula, entailed);
-      return at_a_moment({.aim = Aim::holds, .test = bad, .filter = only}, property);
+      return at_a_moment({.aim = Query::Aim::holds, .test = bad, .filter = only}, property);
     }
     case Kind::eventually: {
-      if (property.within.is_infinite()) return std::nullopt;
       const auto right = holds(property.formula, !entailed);
-      const Units late = loop_.time().more_than(property.within);
-      return search({.aim = Aim::late, .test = right, .deadline = late, .filter = only}, &property);
+      return what_does_not_come({.aim = Query::Aim::late, .test = right, .filter = only}, property);
     }
     case Kind::response: {
-      if (property.within.is_infinite()) return std::nullopt;
       const auto asks = holds(property.formula, entailed);
       const auto answers = holds(property.then, !entailed);
-      const Units late = loop_.time().more_than(property.within);
-      return search({.aim = Aim::missed, .test = answers, .asks = asks, .deadline = late, .filter = only}, &property);
+      return what_does_not_come({.aim = Query::Aim::missed, .test = answers, .asks = asks, .filter = only}, property);
     }
     case Kind::finally: {
       const auto right = holds(property.formula, !entailed);
-      const auto wrong = [right](const Modes& modes) { return !right(modes); };
-      return at_a_moment({.aim = Aim::ends_with, .test = wrong, .filter = only}, property);
+      const auto wrong = [right](const LoopState& state) { return !right(state); };
+      return at_a_moment({.aim = Query::Aim::ends_with, .test = wrong, .filter = only}, property);
     }
   }
   return std::nullopt;
+}
+
+/// What does not come in time, or where any time will do, on a run that goes on without it.
+std::optional<Witness> Searches::what_does_not_come(Query query, const ProgramProperty& property) {
+  const bool some_day = property.within.is_infinite();
+  query.deadline = some_day ? unbounded : loop_.time().more_than(property.within);
+  auto found = search(query, &property);
+  return found || !some_day ? std::move(found) : lasso(std::move(query), property);
 }
 
 /// What is there at one time, within the window; the soonest, where that is wanted.
@@ -137,13 +149,16 @@ std::optional<Witness> Searches::at_a_moment(Query query, const ProgramProperty&
   return best;
 }
 
-std::function<bool(const Modes&)> Searches::holds(const Formula& formula, bool certain) {
+std::function<bool(const LoopState&)> Searches::holds(const Formula& formula, bool certain) {
+  if (has_knowledge(formula)) {
+    return [this, formula, certain](const LoopState& state) { return loop_.holds(formula, state, certain); };
+  }
   using Answers = base::BoundedCache<Modes, bool, automata::ModesHash>;
   const automata::Theory::Handle handle = step_.theory().encode(formula);
   const auto answers = std::make_shared<Answers>(answers_remembered);
-  return [this, handle, certain, answers](const Modes& modes) {
-    return answers->find_or(modes, [&] {
-      const std::vector<automata::Assignment> store = automata::assignments_of(step_.plant(), modes);
+  return [this, handle, certain, answers](const LoopState& state) {
+    return answers->find_or(state.modes, [&] {
+      const std::vector<automata::Assignment> store = automata::assignments_of(step_.plant(), state.modes);
       return certain ? step_.theory().entails(store, handle) : step_.theory().allows(store, handle);
     });
   };
@@ -153,8 +168,8 @@ std::function<bool(const Modes&)> Searches::holds(const Formula& formula, bool c
 /// with the other rows of a table for the same property, unless its window moves. The first of them remembers nothing:
 /// it may be the only one.
 void Searches::remember(ProgramSystem& system, const Query& query, const ProgramProperty* shown) {
-  if (query.aim == Aim::undone || options_.cut_sets) return;
-  const bool stopwatch = query.aim == Aim::late || query.aim == Aim::missed || query.window.has_value();
+  if (query.aim == Query::Aim::undone || options_.cut_sets) return;
+  const bool stopwatch = query.aim == Query::Aim::late || query.aim == Query::Aim::missed || query.window.has_value();
   if (stopwatch && (shown == nullptr || shown->fastest)) return;
   const bool progress = query.progress && loop_.time().is_dense();
   const auto [at, first] = memories_.try_emplace({stopwatch ? shown : nullptr, query.filter.only, progress}, room_);
@@ -187,11 +202,44 @@ std::optional<Witness> Searches::search_cut_sets(ProgramSystem& system, const Qu
   return cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness);
 }
 
-std::optional<Witness> Searches::lasso(const FaultFilter& only, const ProgramProperty& shown) {
-  const Query query{.filter = only, .progress = true};
+namespace {
+
+/// Runs of a closed loop, of which those count on which what is to come has been asked for and has not come, and on
+/// which the fault has happened that they are looked at after.
+class LoopRuns : public Runs {
+ public:
+  LoopRuns(ProgramSystem& system, Loop& loop, const Query& query) : system_(system), loop_(loop), query_(query) {}
+
+  TransitionSystem& system() override { return system_; }
+  [[nodiscard]] bool counts(const SymbolicState& state) const override {
+    const bool asked = query_.aim == Query::Aim::nothing || system_.is_due(state.discrete);
+    return asked && (!query_.filter.fault || ProgramSystem::happened(state.discrete));
+  }
+  Modes modes(std::uint64_t discrete) override { return loop_[ProgramSystem::loop_state(discrete)].modes; }
+  Passage passage(const SymbolicState& from, const SymbolicState& to, const Label&) override {
+    const LoopStateId id = ProgramSystem::loop_state(from.discrete);
+    if (!turn_ || id_ != id) turn_ = loop_.turn(id);
+    id_ = id;
+    return {&turn_->exits, nullptr, !loop_.time().is_dense() || ProgramSystem::progressed(to.discrete)};
+  }
+
+ private:
+  ProgramSystem& system_;
+  Loop& loop_;
+  const Query& query_;
+  LoopStateId id_{std::size_t{0}};
+  std::shared_ptr<const Turn> turn_;  ///< that of `id_`
+};
+
+}  // namespace
+
+std::optional<Witness> Searches::lasso(Query query, const ProgramProperty& shown) {
+  query.progress = true;
   ProgramSystem system(loop_, start(), query);
-  remember(system, query, nullptr);
-  const auto found = find_lasso(system, loop_, only.fault.has_value(), meter_);
+  remember(system, query, &shown);
+  LoopRuns runs(system, loop_, query);
+  const auto found = find_lasso(runs, meter_);
+  see(system);
   if (!found) return std::nullopt;
   return evidence_.of(*found, query, shown);
 }

@@ -37,10 +37,10 @@ class Searches {
   std::optional<Witness> violation(const ProgramProperty& property, const FaultFilter& only);
   /// `shown` is what the witness is to show, where it is a property.
   std::optional<Witness> search(const Query& query, const ProgramProperty* shown = nullptr);
-  /// A run that goes round for ever without the program ending.
-  std::optional<Witness> lasso(const FaultFilter& only, const ProgramProperty& shown);
+  /// A run that goes round for ever without the program ending, or without what the query waits for.
+  std::optional<Witness> lasso(Query query, const ProgramProperty& shown);
   /// Whether the formula holds at a state: the store implies it, or (not `certain`) allows it.
-  std::function<bool(const automata::Modes&)> holds(const automata::Formula& formula, bool certain);
+  std::function<bool(const LoopState&)> holds(const automata::Formula& formula, bool certain);
 
   /// How runs have been seen to be cut off since `forget_seen`.
   [[nodiscard]] const CutOff& cut_off() const { return cut_off_; }
@@ -51,6 +51,7 @@ class Searches {
 
  private:
   std::optional<Witness> at_a_moment(Query query, const ProgramProperty& property);
+  std::optional<Witness> what_does_not_come(Query query, const ProgramProperty& property);
   std::optional<Witness> search_cut_sets(ProgramSystem& system, const Query& query, const ProgramProperty* shown);
   void remember(ProgramSystem& system, const Query& query, const ProgramProperty* shown);
   void see(const ProgramSystem& system);

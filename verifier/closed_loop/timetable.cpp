@@ -122,21 +122,25 @@ class LoopTimetable {
     const Schedule::Point last = left_.back();
     if (query_.window && !end_) schedule_.constrain(0, last, *query_.window);
     if (end_ && end_->stopwatch) schedule_.constrain(entered_[asked()], last, *end_->stopwatch);
-    if ((query_.aim == Query::Aim::late || query_.aim == Query::Aim::missed) && !end_) {
+    const bool awaits = query_.aim == Query::Aim::late || query_.aim == Query::Aim::missed;
+    if (awaits && query_.deadline != unbounded && !end_) {
       Schedule late = schedule_;
       late.constrain(entered_[asked()], last, {query_.deadline, unbounded});
       // What comes true on the way does so too late.
       for (std::size_t i = asked(); i < path_.size(); ++i) {
-        if (query_.test(state(i).modes)) late.constrain(entered_[asked()], entered_[i], {query_.deadline, unbounded});
+        if (query_.test(state(i))) late.constrain(entered_[asked()], entered_[i], {query_.deadline, unbounded});
       }
       return times_of(late);
     }
-    if (query_.aim != Query::Aim::endless_wait || end_) return times_of(schedule_);
+    const bool waits = query_.aim == Query::Aim::endless_wait || (awaits && !query_.progress);
+    if (!waits || end_) return times_of(schedule_);
     const std::shared_ptr<const Turn> turn = loop_.turn(id(path_.size() - 1));
     for (const Wait& wait : turn->waits) {
       if (!wait.endless) continue;
       Schedule waiting = schedule_;
-      for (const ClockBound& b : wait.bounds) waiting.constrain(restarted(b), last, b.clock);
+      for (const Box* box : {&wait.bounds, &wait.settled}) {
+        for (const ClockBound& b : *box) waiting.constrain(restarted(b), last, b.clock);
+      }
       if (auto times = waiting.solve()) return *times;
     }
     throw base::InternalError("an accepted state cannot wait for ever");
@@ -188,7 +192,8 @@ class LoopTimetable {
       const Ticks real = cycle.begin - loop_.time().ticks(times[started_[clock.index()]]);
       cycle.readings[clock.index()] = loop_.cells().nearest(cell, real);
     });
-    cycle.goal = turn.goal;
+    cycle.goals = turn.goals;
+    cycle.left_out = turn.left_out;
     cycle.conflicts = turn.conflicts;
     cycle.outcome = turn.answer.outcome;
     cycle.why = turn.answer.why;

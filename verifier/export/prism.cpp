@@ -1,4 +1,5 @@
-// Plants in sampled time for PRISM: one module a component, synchronised on the control action of a period.
+// Plants in sampled time for PRISM: one module a component, synchronised on the control action of a period. Modules
+// that read the same, but for names, are one with other names.
 //
 // Given modes, clocks and the control action components draw independently (verifier/markov), which is what
 // synchronised modules do.
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,9 +31,6 @@ using automata::PlantStep;
 
 namespace {
 
-std::string mode_variable(std::size_t component) { return "m" + std::to_string(component); }
-std::string clock_variable(std::size_t component) { return "x" + std::to_string(component); }
-
 /// With all the digits that it has.
 std::string number(double value) {
   char text[40];
@@ -39,18 +38,40 @@ std::string number(double value) {
   return text;
 }
 
+/// What the components and commands that a module speaks of are called in it, by number.
+struct Naming {
+  std::vector<std::size_t> components;  ///< by component
+  std::vector<std::size_t> labels;      ///< by control action
+
+  [[nodiscard]] std::string mode(ComponentId component) const {
+    return "m" + std::to_string(components[component.index()]);
+  }
+  [[nodiscard]] std::string clock(ComponentId component) const {
+    return "x" + std::to_string(components[component.index()]);
+  }
+  [[nodiscard]] std::string label(std::size_t action) const { return "a" + std::to_string(labels[action]); }
+};
+
 /// In the language of PRISM; empty where it holds everywhere.
-std::string text_of(const Condition& condition) {
+std::string text_of(const Condition& condition, const Naming& naming) {
   std::string result;
   for (const std::vector<InMode>& combination : condition) {
     std::string all;
     for (const InMode& in : combination) {
-      all += (all.empty() ? "" : " & ") + mode_variable(in.component.index()) + "=" + std::to_string(in.mode.value);
+      all += (all.empty() ? "" : " & ") + naming.mode(in.component) + "=" + std::to_string(in.mode.value);
     }
     if (!all.empty()) result += (result.empty() ? "(" : " | (") + all + ")";
   }
   return result;
 }
+
+/// What a component draws from in a mode under a control action, where that is so.
+struct Command {
+  ModeId mode;
+  std::size_t action;
+  Condition where;
+  std::vector<Stretch> stretches;  ///< of readings over which the probabilities are the same
+};
 
 class Writer {
  public:
@@ -78,14 +99,14 @@ class Writer {
     if (drawn_) out_ << "// the first step, `start`, takes no time: it draws the initial modes\n";
     out_ << "// what is asked: " << (choice ? "Pmax" : "P") << "=? [ F \"target\" ]\n";
     for (std::size_t a = 0; a < actions_.size(); ++a) {
-      out_ << "// " << label(a) << ": " << describe(actions_[a]) << '\n';
+      out_ << "// a" << a << ": " << describe(actions_[a]) << '\n';
     }
     for (std::size_t c = 0; c < plant_.components.size(); ++c) write_module(ComponentId(c));
     write_target();
   }
 
  private:
-  static std::string label(std::size_t action) { return "a" + std::to_string(action); }
+  static constexpr std::size_t unnamed = static_cast<std::size_t>(-1);
 
   std::string describe(const ControlAction& action) const {
     const std::string text = to_text(plant_.variables, automata::commanded(plant_, action));
@@ -137,66 +158,156 @@ class Writer {
   [[nodiscard]] Units settled_reading(ComponentId component, ModeId mode) const {
     const auto reading = verifier::settled_reading(plant_[component], mode, period_);
     if (reading) return *reading;
-    throw base::InputError(
-        "prism cannot say a hazard that goes on changing for ever: the normal density of a transition of " +
-        plant_[component].name + " has no upper bound");
+    throw base::InputError("prism cannot say a hazard that goes on changing for ever: the density of a transition of " +
+                           plant_[component].name +
+                           " is not exponential and has no upper bound; expected a finite one");
   }
 
+  /// A module of its own; or where one before it reads the same, but for what components and commands are called, that
+  /// one with other names.
   void write_module(ComponentId id) {
+    const std::vector<Command> commands = commands_of(id);
+    Naming common = common_naming(id, commands);
+    const std::string text = body_of(id, commands, common);
     const automata::Component& component = plant_[id];
-    const std::string m = mode_variable(id.index());
-    const std::string x = clock_variable(id.index());
+    std::string modes;
+    for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
+      modes += (mode == 0 ? "" : ", ") + std::to_string(mode) + ' ' + component.modes[mode].name;
+    }
+    out_ << "\nmodule c" << id.value;
+    const auto [like, fresh] = written_.emplace(std::pair(modes, text), std::pair(id, common));
+    if (fresh) {
+      out_ << " // " << component.name << "\n  // " << modes << '\n'
+           << body_of(id, commands, own_names()) << "endmodule\n";
+      return;
+    }
+    const auto& [model, names] = like->second;
+    out_ << " = c" << model.value << " [ " << renaming(model, names, common) << " ] endmodule // " << component.name
+         << '\n';
+  }
+
+  /// `m2=m5, x2=x5, …`: what has the same common name in both.
+  static std::string renaming(ComponentId model, const Naming& from, const Naming& to) {
+    std::string text;
+    const auto add = [&](char letter, const std::vector<std::size_t>& these, const std::vector<std::size_t>& those) {
+      for (std::size_t i = 0; i < these.size(); ++i) {
+        if (these[i] == unnamed || (letter == 'x' && i != model.index())) continue;
+        const auto other = static_cast<std::size_t>(std::find(those.begin(), those.end(), these[i]) - those.begin());
+        if (other == i) continue;
+        text += (text.empty() ? "" : ", ") + (letter + std::to_string(i)) + '=' + letter + std::to_string(other);
+      }
+    };
+    add('m', from.components, to.components);
+    add('x', from.components, to.components);
+    add('a', from.labels, to.labels);
+    return text;
+  }
+
+  [[nodiscard]] Naming own_names() const {
+    Naming naming;
+    for (std::size_t c = 0; c < plant_.components.size(); ++c) naming.components.push_back(c);
+    for (std::size_t a = 0; a < actions_.size(); ++a) naming.labels.push_back(a);
+    return naming;
+  }
+
+  /// Names that like modules have in common: the component itself first, those that it reads by their types, commands
+  /// by what they do to it.
+  Naming common_naming(ComponentId id, const std::vector<Command>& commands) const {
+    Naming naming{std::vector<std::size_t>(plant_.components.size(), unnamed),
+                  std::vector<std::size_t>(actions_.size())};
+    std::set<ComponentId> read;
+    for (const Command& command : commands) {
+      for (const auto& combination : command.where) {
+        for (const InMode& in : combination) read.insert(in.component);
+      }
+    }
+    read.erase(id);
+    std::vector<ComponentId> sorted(read.begin(), read.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](ComponentId a, ComponentId b) { return plant_[a].type < plant_[b].type; });
+    std::size_t next = 0;
+    naming.components[id.index()] = next++;
+    for (const ComponentId other : sorted) naming.components[other.index()] = next++;
+    std::vector<std::pair<std::string, std::size_t>> by_effect;
+    for (std::size_t a = 0; a < actions_.size(); ++a) by_effect.emplace_back("", a);
+    for (const Command& command : commands) by_effect[command.action].first += text_of(id, command, "", naming);
+    std::sort(by_effect.begin(), by_effect.end());
+    for (std::size_t place = 0; place < by_effect.size(); ++place) naming.labels[by_effect[place].second] = place;
+    return naming;
+  }
+
+  [[nodiscard]] std::vector<Command> commands_of(ComponentId id) {
+    std::vector<Command> commands;
+    for (std::size_t m = 0; m < plant_[id].modes.size(); ++m) {
+      const ModeId mode(m);
+      const Units settled = settled_reading(id, mode);
+      for (std::size_t a = 0; a < actions_.size(); ++a) {
+        for (const EnabledClass& choice : enabled_classes(step_, id, mode, actions_[a], meter_)) {
+          commands.push_back({mode, a, choice.where, stretches(step_, id, mode, choice.enabled, period_, settled)});
+        }
+      }
+    }
+    return commands;
+  }
+
+  [[nodiscard]] Units longest_reading(ComponentId id) const {
     Units longest = 0;
-    for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
-      longest = std::max(longest, settled_reading(id, ModeId(mode)));
-    }
-    out_ << "\nmodule c" << id.value << " // " << component.name << "\n  // ";
-    for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
-      out_ << (mode == 0 ? "" : ", ") << mode << ' ' << component.modes[mode].name;
-    }
+    for (std::size_t m = 0; m < plant_[id].modes.size(); ++m)
+      longest = std::max(longest, settled_reading(id, ModeId(m)));
+    return longest;
+  }
+
+  /// Variables and commands.
+  [[nodiscard]] std::string body_of(ComponentId id, const std::vector<Command>& commands, const Naming& naming) const {
+    const automata::Component& component = plant_[id];
+    const std::string m = naming.mode(id);
+    const Units longest = longest_reading(id);
     const std::vector<ModeId>& initial = initial_[id.index()];
-    out_ << "\n  " << m << " : [" << (drawn_ ? "-1.." : "0..") << component.modes.size() - 1 << "] init "
-         << (drawn_ ? "-1" : std::to_string(initial.front().value)) << ";\n";
-    if (longest > 0) out_ << "  " << x << " : [0.." << longest << "] init 0; // periods in the mode\n";
+    std::string text = "  " + m + " : [" + (drawn_ ? "-1.." : "0..") + std::to_string(component.modes.size() - 1) +
+                       "] init " + (drawn_ ? "-1" : std::to_string(initial.front().value)) + ";\n";
+    if (longest > 0) {
+      text += "  " + naming.clock(id) + " : [0.." + std::to_string(longest) + "] init 0; // periods in the mode\n";
+    }
     if (drawn_) {
-      out_ << "  [start] " << m << "=-1 -> ";
+      text += "  [start] " + m + "=-1 -> ";
       for (std::size_t i = 0; i < initial.size(); ++i) {
         const double share = initial.size() == 1 ? 1 : component.initial[initial[i].index()];
-        out_ << (i == 0 ? "" : " + ") << number(share) << ":(" << m << "'=" << initial[i].value << ')';
+        text += (i == 0 ? "" : " + ") + number(share) + ":(" + m + "'=" + std::to_string(initial[i].value) + ')';
       }
-      out_ << ";\n";
+      text += ";\n";
     }
-    for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
-      for (std::size_t a = 0; a < actions_.size(); ++a) write_commands(id, ModeId(mode), a, longest > 0);
-    }
-    out_ << "endmodule\n";
+    std::vector<const Command*> ordered;
+    ordered.reserve(commands.size());
+    for (const Command& command : commands) ordered.push_back(&command);
+    std::stable_sort(ordered.begin(), ordered.end(), [&](const Command* one, const Command* other) {
+      return std::pair(one->mode, naming.labels[one->action]) < std::pair(other->mode, naming.labels[other->action]);
+    });
+    for (const Command* command : ordered) text += text_of(id, *command, naming.label(command->action), naming);
+    return text;
   }
 
-  /// What the component may do in a mode under an action, by what is enabled.
-  void write_commands(ComponentId id, ModeId mode, std::size_t action, bool clocked) {
-    for (const EnabledClass& choice : enabled_classes(step_, id, mode, actions_[action], meter_)) {
-      write_readings(id, mode, choice, label(action), clocked);
+  /// A line for each stretch.
+  [[nodiscard]] std::string text_of(ComponentId id, const Command& command, const std::string& label,
+                                    const Naming& naming) const {
+    const Units settled = settled_reading(id, command.mode);
+    const std::string x = naming.clock(id);
+    const std::string condition = verifier::text_of(command.where, naming);
+    std::string text;
+    for (const Stretch& stretch : command.stretches) {
+      text += "  [" + label + "] " + naming.mode(id) + '=' + std::to_string(command.mode.value);
+      if (stretch.first > 0) text += " & " + x + ">=" + std::to_string(stretch.first);
+      if (stretch.last) text += " & " + x + "<=" + std::to_string(*stretch.last);
+      if (!condition.empty()) text += " & (" + condition + ')';
+      text += " -> " + updates_of(id, command.mode, stretch.moves, settled, naming) + ";\n";
     }
+    return text;
   }
 
-  /// One command for each stretch of readings over which the probabilities are the same.
-  void write_readings(ComponentId id, ModeId mode, const EnabledClass& choice, const std::string& label, bool clocked) {
-    const Units settled = settled_reading(id, mode);
-    const std::string x = clock_variable(id.index());
-    const std::string condition = text_of(choice.where);
-    for (const Stretch& stretch : stretches(step_, id, mode, choice.enabled, period_, settled)) {
-      out_ << "  [" << label << "] " << mode_variable(id.index()) << '=' << mode.value;
-      if (stretch.first > 0) out_ << " & " << x << ">=" << stretch.first;
-      if (stretch.last) out_ << " & " << x << "<=" << *stretch.last;
-      if (!condition.empty()) out_ << " & (" << condition << ')';
-      out_ << " -> " << updates_of(id, mode, stretch.moves, settled, clocked) << ";\n";
-    }
-  }
-
-  static std::string updates_of(ComponentId id, ModeId mode, const std::vector<automata::Move>& moves, Units settled,
-                                bool clocked) {
-    const std::string m = mode_variable(id.index());
-    const std::string x = clock_variable(id.index());
+  [[nodiscard]] std::string updates_of(ComponentId id, ModeId mode, const std::vector<automata::Move>& moves,
+                                       Units settled, const Naming& naming) const {
+    const std::string m = naming.mode(id);
+    const std::string x = naming.clock(id);
+    const bool clocked = longest_reading(id) > 0;
     std::string text;
     for (const automata::Move& move : moves) {
       text += (text.empty() ? "" : " + ") + number(move.probability) + ":(" + m +
@@ -210,9 +321,9 @@ class Writer {
 
   void write_target() {
     const Condition where = where_holds(step_, question_.target, question_.entailed, meter_);
-    std::string condition = where.empty() ? "false" : text_of(where);
+    std::string condition = where.empty() ? "false" : verifier::text_of(where, own_names());
     if (condition.empty()) condition = "true";
-    out_ << "\nlabel \"target\" = " << (drawn_ ? mode_variable(0) + ">=0 & (" + condition + ")" : condition) << ";\n";
+    out_ << "\nlabel \"target\" = " << (drawn_ ? "m0>=0 & (" + condition + ")" : condition) << ";\n";
   }
 
   std::ostream& out_;
@@ -224,6 +335,8 @@ class Writer {
   std::vector<std::vector<ModeId>> initial_;  ///< by component
   std::vector<ControlAction> actions_;
   bool drawn_ = false;  ///< the initial modes are drawn, in a step of its own
+  /// Modules that are written out: by their modes and their text under common names, whose they are, and these names.
+  std::map<std::pair<std::string, std::string>, std::pair<ComponentId, Naming>> written_;
 };
 
 }  // namespace

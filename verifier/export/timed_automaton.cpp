@@ -21,9 +21,9 @@ using automata::Plant;
 
 namespace {
 
-/// The modes that guards let follow each other, first come first. One combination of modes is one location or two:
-/// `running` lets time pass up to the invariant; `stopped` lets none pass, for where an untimed exit is forced or a
-/// bound has passed before its guard held (a timed automaton could not be there under the invariant).
+/// The modes that guards let follow each other, first come first. One combination of modes is a location for each
+/// combination of its components' waits, which lets time pass up to their ends, and one that lets none pass: for where
+/// an untimed exit is forced, a bound has passed before its guard held, or a fault is certain that may not happen.
 class Unfolding {
  public:
   Unfolding(automata::PlantStep& step, const ExportQuestion& question, const Limits& limits)
@@ -46,21 +46,22 @@ class Unfolding {
     // `steps_` grows while the states that it leads to are explored.
     for (std::size_t state = 0; state < states_.size(); ++state) explore(state);
     for (const Step& step : steps_) {
-      for (const auto& from : {states_[step.from].running, states_[step.from].stopped}) {
-        if (!from) continue;
+      for (const auto& [waits, from] : states_[step.from].locations) {
         result_.edges.push_back(step.edge);
-        result_.edges.back().from = *from;
+        result_.edges.back().from = from;
       }
     }
     return std::move(result_);
   }
 
  private:
+  /// Of each component that does not let all time pass, the wait that it is in; nothing: no time passes.
+  using Waits = std::optional<std::vector<ClockRange>>;
   struct State {
     Modes modes;
-    bool urgent = false;
-    std::vector<ClockRange> invariant;
-    std::optional<std::size_t> running, stopped;  ///< locations, where something leads to them
+    std::vector<std::pair<std::size_t, std::vector<Interval>>> waits;  ///< by clock, where time ends
+    bool urgent = false;                                               ///< at any reading
+    std::map<Waits, std::size_t> locations;                            ///< where something leads to them
   };
   /// An edge from each location of a state.
   struct Step {
@@ -70,7 +71,12 @@ class Unfolding {
 
   void start() {
     base::for_each_combination(initial_modes(plant_, question_.from), [&](const Modes& modes) {
-      if (const auto state = find(modes)) result_.initial.push_back(location(*state, states_[*state].urgent));
+      const auto state = find(modes);
+      if (!state) return;
+      const std::vector<bool> zero(result_.clocks.size(), true);
+      for_each_arrival(*state, zero, [&](const Waits& waits, const std::vector<ClockRange>&) {
+        result_.initial.push_back(location(*state, waits));
+      });
     });
   }
 
@@ -79,30 +85,60 @@ class Unfolding {
     const auto [known, fresh] = numbers_.emplace(modes, std::nullopt);
     if (!fresh || !step_.possible(modes)) return known->second;
     known->second = states_.size();
-    State& state = states_.emplace_back(State{modes, false, {}, {}, {}});
+    State& state = states_.emplace_back(State{modes, {}, false, {}});
     const automata::AllEnabled& enabled = step_.enabled(modes, automata::idle_action(plant_));
     for (std::size_t c = 0; c < modes.size(); ++c) {
-      const auto waits = verifier::waits(plant_.components[c], modes[c], enabled[c], result_.time);
-      // In dense time there is one wait, from any reading on, or none, but where a fault is certain for some time.
+      auto waits = verifier::waits(plant_.components[c], modes[c], enabled[c], result_.time);
       if (waits.empty()) {
         state.urgent = true;
-      } else if (waits.front().upper != unbounded) {
-        state.invariant.push_back({clocks_[c], {0, waits.front().upper}});
+      } else if (!waits.front().is_trivial()) {
+        state.waits.emplace_back(clocks_[c], std::move(waits));
       }
     }
     return known->second;
   }
 
-  std::size_t location(std::size_t number, bool stopped) {
+  std::size_t location(std::size_t number, const Waits& waits) {
     State& state = states_[number];
-    std::optional<std::size_t>& location = stopped ? state.stopped : state.running;
-    if (!location) {
+    const auto [known, fresh] = state.locations.emplace(waits, result_.locations.size());
+    if (fresh) {
       meter_.count_state();
-      location = result_.locations.size();
-      result_.locations.push_back({state.modes, {}, stopped, asked_for(state.modes)});
-      if (!stopped) result_.locations.back().invariant = state.invariant;
+      Location& made = result_.locations.emplace_back(Location{state.modes, {}, !waits, asked_for(state.modes)});
+      if (waits) {
+        for (const auto& [clock, range] : *waits) {
+          if (range.upper != unbounded) made.invariant.push_back({clock, {0, range.upper}});
+        }
+      }
     }
-    return *location;
+    return known->second;
+  }
+
+  /// Calls visit(waits, guard) for each location that a step to the state may end in, with what the clocks must read
+  /// for it; `zero`: the clocks that the step starts anew.
+  template <class Visit>
+  void for_each_arrival(std::size_t number, const std::vector<bool>& zero, const Visit& visit) {
+    const State& state = states_[number];
+    if (state.urgent) return visit(std::nullopt, {});
+    std::vector<std::vector<Interval>> ways;
+    std::vector<ClockRange> late;
+    for (const auto& [clock, waits] : state.waits) {
+      ways.push_back(waits);
+      if (zero[clock]) std::erase_if(ways.back(), [](const Interval& wait) { return wait.lower > 0; });
+      if (zero[clock] && ways.back().empty()) return visit(std::nullopt, {});
+      if (zero[clock]) continue;
+      for (const Interval& gap : gaps(waits)) late.push_back({clock, gap});
+    }
+    base::for_each_combination(ways, [&](const std::vector<Interval>& chosen) {
+      std::vector<ClockRange> waits, guard;
+      for (std::size_t w = 0; w < chosen.size(); ++w) {
+        waits.push_back({state.waits[w].first, chosen[w]});
+        // The invariant of the location says up to when.
+        if (chosen[w].lower > 0) guard.push_back({state.waits[w].first, {chosen[w].lower, unbounded}});
+      }
+      visit(waits, guard);
+    });
+    // At the end of a wait no time can pass either way, so that it may be taken for passed: no strict bound is needed.
+    for (const ClockRange& range : late) visit(std::nullopt, {range});
   }
 
   bool asked_for(const Modes& modes) {
@@ -139,17 +175,14 @@ class Unfolding {
     }
     const auto to = find(joint.modes);
     if (!to) return;
-    edge.to = location(*to, states_[*to].urgent);
-    steps_.push_back({from, edge});
-    if (states_[*to].urgent) return;
-    for (const ClockRange& bound : std::vector(states_[*to].invariant)) {
-      if (std::count(edge.resets.begin(), edge.resets.end(), bound.clock) > 0) continue;
-      // At the bound itself no time can pass either way, so that it may be taken for passed: no strict bound is needed.
-      Edge overdue = edge;
-      overdue.to = location(*to, true);
-      overdue.guard.push_back({bound.clock, {bound.range.upper, unbounded}});
-      steps_.push_back({from, std::move(overdue)});
-    }
+    std::vector<bool> zero(result_.clocks.size(), false);
+    for (const std::size_t clock : edge.resets) zero[clock] = true;
+    for_each_arrival(*to, zero, [&](const Waits& waits, const std::vector<ClockRange>& guard) {
+      Edge arrival = edge;
+      arrival.to = location(*to, waits);
+      arrival.guard.insert(arrival.guard.end(), guard.begin(), guard.end());
+      steps_.push_back({from, std::move(arrival)});
+    });
   }
 
   automata::PlantStep& step_;

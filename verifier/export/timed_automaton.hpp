@@ -17,6 +17,7 @@ namespace rmpl::verifier {
 struct ClockRange {
   std::size_t clock;
   Interval range;
+  auto operator<=>(const ClockRange&) const = default;
 };
 
 struct Location {

@@ -32,6 +32,7 @@ class Writer {
   /// Whether what is never to hold can be seen to hold in the end.
   bool shows() {
     if (property_.kind != Kind::never) return true;
+    if (has_knowledge(property_.formula)) return false;  // what a flight knows is not the truth
     const std::vector<Event>& events = witness_.events;
     const Modes& modes = events[events.size() - 2].modes;
     std::vector<Assignment> store = automata::assignments_of(plant_, modes);
@@ -191,6 +192,7 @@ class Writer {
       case Kind::never:
         return "  expect never " + property_.text + ";\n";
       case Kind::eventually:
+        if (property_.within.is_infinite()) return "  expect " + property_.text + ";\n";
         return "  expect " + property_.text + " within " + automata::format_seconds(property_.within) + " s;\n";
       case Kind::finally:
         return "  expect finished with " + property_.text + ";\n";
@@ -208,7 +210,8 @@ class Writer {
 }  // namespace
 
 bool is_about_patience(const ProgramProperty& property) {
-  return property.kind == Kind::endless_wait || property.kind == Kind::termination;
+  const bool some_day = property.kind == Kind::eventually && property.within.is_infinite();
+  return property.kind == Kind::endless_wait || property.kind == Kind::termination || some_day;
 }
 
 bool starts_likely(const automata::Plant& plant, const Witness& witness) {
@@ -222,15 +225,15 @@ bool starts_likely(const automata::Plant& plant, const Witness& witness) {
 
 std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
                                        const Witness& witness) {
-  if (witness.stop) return "a flight goes on in time, whatever the model says of what follows";
+  if (witness.stop) return "time goes on in a flight, so no flight shows that a run is cut off";
   if (automata::speaks_of_control(step.plant(), property.formula)) {
     return "'" + property.text +
-           "' speaks of a control: a flight knows its commands, the check leaves open what no mode says";
+           "' is about a control: the check leaves unconstrained controls free, a flight fixes them";
   }
-  if (property.kind == Kind::response) return "no expectation of a scenario says that a response is owed each time";
-  if (property.kind == Kind::undone) return "no expectation of a scenario says that something is undone";
+  if (property.kind == Kind::response) return "scenarios have no expectation for a response";
+  if (property.kind == Kind::undone) return "scenarios have no expectation for an undone goal";
   if (Writer(step, property, witness, {}).shows()) return std::nullopt;
-  return "no sensor shows that '" + property.text + "' holds where it can: the estimate of a flight leaves it open";
+  return "no sensor shows that '" + property.text + "' holds: the estimate of a flight leaves it open";
 }
 
 std::string scenario_text(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness,

@@ -4,6 +4,7 @@
 
 #include <ostream>
 
+#include "verifier/export/network.hpp"
 #include "verifier/export/timed_automaton.hpp"
 
 namespace rmpl::verifier {
@@ -13,8 +14,11 @@ namespace rmpl::verifier {
 /// is beyond its 32 bits.
 void write_tchecker(std::ostream& out, const automata::Plant& plant, const TimedAutomaton& automaton);
 
-/// A system of one process with its query for UPPAAL: `verifyta FILE` says whether it is satisfied. Throws
-/// base::InputError where a constant is beyond its range.
-void write_uppaal(std::ostream& out, const automata::Plant& plant, const TimedAutomaton& automaton);
+/// A system of a process a component, and one for the rounds, with its query for UPPAAL: `verifyta FILE` says whether
+/// it is satisfied. Throws base::InputError where a constant is beyond its range.
+void write_uppaal(std::ostream& out, const automata::Plant& plant, const Network& network);
+
+/// A model of an automaton a component, and one for the rounds, with its property, in JANI: `pta`.
+void write_jani(std::ostream& out, const automata::Plant& plant, const Network& network);
 
 }  // namespace rmpl::verifier

@@ -24,7 +24,7 @@ using automata::Theory;
 namespace {
 
 using Locations = std::set<LocationId>;
-using Draws = std::vector<ImprobableDraw>;
+using ImprobableDraws = std::vector<ImprobableDraw>;
 
 /// What a branch that may have been drawn brings about.
 struct Candidate {
@@ -65,11 +65,11 @@ class Step {
   }
 
   /// As few improbable draws as lead there; nothing where none do.
-  std::optional<Draws> draws() {
+  std::optional<ImprobableDraws> draws() {
     if (!possible_) return std::nullopt;
     std::vector<const Candidate*> taken;
     std::size_t improbable = 0;
-    std::optional<Draws> best;
+    std::optional<ImprobableDraws> best;
     const auto take = [&](std::size_t l, std::size_t c) {
       const Candidate& candidate = candidates_[l][c];
       if (best && improbable + (candidate.draw ? 1 : 0) >= best->size()) return false;
@@ -174,7 +174,7 @@ class Step {
 };
 
 /// The draws before time 0 that lead to a start marking, as few improbable ones as will do.
-std::optional<Draws> draws_of_start(const ModelProgram& program, const Marking& start) {
+std::optional<ImprobableDraws> draws_of_start(const ModelProgram& program, const Marking& start) {
   Locations always;
   mark(program, LocationId(0), always);
   std::vector<std::vector<std::size_t>> branches;
@@ -187,10 +187,10 @@ std::optional<Draws> draws_of_start(const ModelProgram& program, const Marking& 
       if (fits && draw.branches[b].probability > 0) own.push_back(b);
     }
   }
-  std::optional<Draws> best;
+  std::optional<ImprobableDraws> best;
   base::for_each_combination(branches, [&](const std::vector<std::size_t>& taken) {
     Locations marked = always;
-    Draws draws;
+    ImprobableDraws draws;
     for (std::size_t d = 0; d < taken.size(); ++d) {
       const automata::InitialDraw& draw = program.initial[d];
       const automata::InitialBranch& branch = draw.branches[taken[d]];
@@ -232,7 +232,7 @@ std::optional<std::string> replay(const ModelProgram& program, const MarkingQues
   for (std::size_t e = 0; e < events.size(); ++e) {
     const std::string at = "step " + std::to_string(e) + ": ";
     if (!store_of(program, events[e].marking).consistent({})) return at + "the marking contradicts itself";
-    std::optional<Draws> drawn;
+    std::optional<ImprobableDraws> drawn;
     if (e == 0) {
       drawn = draws_of_start(program, events[e].marking);
     } else {

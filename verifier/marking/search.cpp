@@ -23,12 +23,18 @@ class Search {
   using Number = MarkingStep::Number;
 
   Search(MarkingStep& step, const std::vector<automata::Command>& free, const MarkingTarget& target, Meter& meter)
-      : step_(step), free_(free), target_(target), meter_(meter) {}
+      : step_(step), free_(free), target_(target), meter_(meter) {
+    const auto& controls = step.program().controls;
+    for (const automata::Command& command : free) {
+      std::uint64_t& off = off_idle_.emplace_back(0);
+      for (std::size_t c = 0; c < command.size(); ++c) off += command[c] != controls[c].idle ? 1 : 0;
+    }
+  }
 
   MarkingFound run() {
     const MarkingMoves starts = step_.rules().initial();
     each_way(starts, target_.improbable, [&](Number marking, unsigned improbable) {
-      add(marking, {marking, none, 0, improbable});
+      add(marking, {marking, none, 0, improbable, 0});
       return false;
     });
     result_.startless = next_.empty() && !begins(starts);
@@ -57,6 +63,11 @@ class Search {
     std::uint32_t parent;
     std::uint32_t command;
     unsigned improbable;
+    std::uint64_t commanded;  ///< values off idle until then
+
+    [[nodiscard]] bool better(const Node& other) const {
+      return improbable != other.improbable ? improbable < other.improbable : commanded < other.commanded;
+    }
   };
 
   /// The consistent markings that some moves lead to with no more than so many improbable draws, up to one of which
@@ -100,7 +111,8 @@ class Search {
       if (!step_.permits(node.marking)) continue;
       each_way(step_.moves(node.marking), left, [&](Number marking, unsigned improbable) {
         goes_on = true;
-        add(marking, {marking, parent, static_cast<std::uint32_t>(c), node.improbable + improbable});
+        add(marking, {marking, parent, static_cast<std::uint32_t>(c), node.improbable + improbable,
+                      node.commanded + off_idle_[c]});
         return false;
       });
     }
@@ -116,7 +128,8 @@ class Search {
     });
   }
 
-  /// Into the next layer, where each marking stands once, with the fewest improbable draws.
+  /// Into the next layer, where each marking stands once, with the fewest improbable draws, then the fewest commands:
+  /// so a run holds no command that it does not need.
   void add(Number marking, const Node& node) {
     const auto known = least_.find(marking);
     if (known != least_.end() && (!target_.improbable || known->second <= node.improbable)) return;
@@ -125,7 +138,7 @@ class Search {
       meter_.count_state();
       next_.push_back(there->second);
       nodes_.push_back(node);
-    } else if (node.improbable < nodes_[there->second].improbable) {
+    } else if (node.better(nodes_[there->second])) {
       nodes_[there->second] = node;
     }
   }
@@ -140,7 +153,7 @@ class Search {
   std::optional<std::uint32_t> accepted() {
     std::optional<std::uint32_t> best;
     for (const std::uint32_t n : layer_) {
-      if (best && nodes_[n].improbable >= nodes_[*best].improbable) continue;
+      if (best && !nodes_[n].better(nodes_[*best])) continue;
       const auto [known, fresh] = accepts_.try_emplace(nodes_[n].marking, false);
       if (fresh) known->second = target_.accepts(step_[nodes_[n].marking]);
       if (known->second) best = n;
@@ -161,6 +174,7 @@ class Search {
   const MarkingTarget& target_;
   Meter& meter_;
   MarkingFound result_;
+  std::vector<std::uint64_t> off_idle_;  ///< by free command: how many of its values are
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> layer_, next_;
   // Looked up, never iterated.

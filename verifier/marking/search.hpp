@@ -25,7 +25,8 @@ struct MarkingFound {
     automata::Marking marking;
     std::size_t command = 0;  ///< of those that are free, the one that led here
   };
-  /// With fewest steps, and of such ways one with fewest improbable draws; empty where there is none.
+  /// With fewest steps, of such ways one with fewest improbable draws, and of these one with fewest values off idle;
+  /// empty where there is none.
   std::vector<State> path;
   unsigned improbable = 0;  ///< draws on it
   bool startless = false;   ///< no start is consistent

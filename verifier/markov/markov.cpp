@@ -101,7 +101,7 @@ std::optional<Units> settled_reading(const automata::Component& component, ModeI
   for (const automata::Transition& t : component.transitions) {
     if (t.from != mode || !t.timing) continue;
     const bool endless = t.timing->upper.is_infinite();
-    const bool changes = t.timing->density.kind == automata::Density::Kind::normal && !component.is_fault(t);
+    const bool changes = t.timing->density.kind != automata::Density::Kind::exponential && !component.is_fault(t);
     if (endless && changes) return std::nullopt;
     last = std::max(last, time.at_least(endless ? t.timing->lower : t.timing->upper));
   }

@@ -12,24 +12,24 @@ using automata::ModeId;
 
 namespace {
 
-using Row = std::pair<std::vector<ModeId>, std::size_t>;
+using ModeRow = std::pair<std::vector<ModeId>, std::size_t>;
 
 /// The rows without that column; nothing where it decides something.
-std::optional<std::vector<Row>> without(const std::vector<Row>& rows, std::size_t column) {
+std::optional<std::vector<ModeRow>> without(const std::vector<ModeRow>& rows, std::size_t column) {
   std::map<std::vector<ModeId>, std::size_t> rest;
   for (const auto& [modes, number] : rows) {
     std::vector<ModeId> others = modes;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(column));
     if (rest.emplace(std::move(others), number).first->second != number) return std::nullopt;
   }
-  return std::vector<Row>(rest.begin(), rest.end());
+  return std::vector<ModeRow>(rest.begin(), rest.end());
 }
 
 }  // namespace
 
 std::vector<Condition> ModeCases::conditions() const {
   std::vector<automata::ComponentId> components = components_;
-  std::vector<Row> rows = rows_;
+  std::vector<ModeRow> rows = rows_;
   for (std::size_t c = components.size(); c-- > 0;) {
     auto fewer = without(rows, c);
     if (!fewer) continue;

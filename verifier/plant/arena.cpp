@@ -22,7 +22,11 @@ Arena::Arena(std::unique_ptr<const Part> part, Modes rest, PlantStep* whole, con
       from_(part_ ? part_->into(terms.options.from) : terms.options.from),
       situations_(step_, terms.time, terms.options.commands, terms.faults, terms.meter),
       start_(situations_.initial(from_)) {
-  if (!terms.options.symmetry || terms.options.cut_sets) return;
+  // Runs without end are told in the plant's own names.
+  const auto* response = std::get_if<Response>(&wanted_);
+  const bool some_day = response != nullptr && response->within.is_infinite();
+  if (some_day) situations_.tell_exits();
+  if (!terms.options.symmetry || terms.options.cut_sets || some_day) return;
   symmetry_ = Symmetry(automorphisms(step_.plant(), formulas_of(wanted_), from_));
   situations_.up_to(symmetry_);
 }

@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/behaviour.hpp"
 
-#include <algorithm>
-
-#include "base/check.hpp"
+#include "verifier/plant/folds.hpp"
+#include "verifier/plant/reasons.hpp"
 
 namespace rmpl::verifier {
 
-using automata::Assignment;
 using automata::ComponentId;
 using automata::ControlAction;
 using automata::Enabled;
 using automata::ModeId;
 using automata::Modes;
-using automata::Theory;
-using automata::TransitionId;
 
 Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time)
     : step_(step),
@@ -58,6 +54,28 @@ BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled
   return number(mode, choices(automaton, mode, enabled, time_), waits(automaton, mode, enabled, time_));
 }
 
+BehaviourId Behaviours::folded(ModeId mode, BehaviourId id) {
+  if (const auto known = folded_.find(id); known != folded_.end()) return known->second;
+  const Behaviour& own = table_[id.index()];
+  BehaviourId result = id;
+  if (own.stays_until >= 0) {
+    // Nothing untimed is enabled: what is nominal is staying, and the exit that is not seen.
+    std::vector<Choice> choices;
+    for (const Choice& choice : own.choices) {
+      if (choice.faults == 0 && choice.mode != mode) continue;
+      choices.push_back(choice.faults == 0 ? Choice{mode, 0, {}} : choice);
+    }
+    result = number(mode, std::move(choices), {Interval{}});
+  }
+  folded_.emplace(id, result);
+  return result;
+}
+
+void Behaviours::fold(const Modes& modes, std::vector<BehaviourId>& result) {
+  if (folds_ == nullptr) return;
+  for (const ComponentId c : folds_->in(modes)) result[c.index()] = folded(modes[c.index()], result[c.index()]);
+}
+
 bool Behaviours::read(const Modes& modes, const ControlAction& action, std::vector<BehaviourId>& result) {
   result.resize(modes.size());
   like_.read(modes, seen_);
@@ -70,6 +88,7 @@ bool Behaviours::read(const Modes& modes, const ControlAction& action, std::vect
       result[c] = look_up(id, modes[c], action);
     }
   }
+  fold(modes, result);
   return all == nullptr;
 }
 
@@ -81,6 +100,11 @@ void Behaviours::read(const Known& elsewhere, const Modes& modes, const ControlA
     return;
   }
   result = elsewhere.behaviours;
+  if (folds_ != nullptr) {
+    for (const ComponentId c : folds_->in(elsewhere.modes)) {
+      result[c.index()] = look_up(c, modes[c.index()], action);
+    }
+  }
   const auto look_up_readers = [&](std::size_t position) {
     for (const ComponentId c : readers_[position]) result[c.index()] = look_up(c, modes[c.index()], action);
   };
@@ -92,6 +116,7 @@ void Behaviours::read(const Known& elsewhere, const Modes& modes, const ControlA
   for (std::size_t i = 0; i < action.size(); ++i) {
     if (action[i] != elsewhere.action[i]) look_up_readers(modes.size() + i);
   }
+  fold(modes, result);
 }
 
 BehaviourId Behaviours::look_up(ComponentId component, ModeId mode, const ControlAction& action) {
@@ -101,59 +126,10 @@ BehaviourId Behaviours::look_up(ComponentId component, ModeId mode, const Contro
     Modes modes = seen_;
     modes[component.index()] = mode;
     const BehaviourId behaviour = number(component, mode, step_.enabled(component, modes, action));
-    if (const auto why = reason(component, modes, action)) known.decided.add(seen_, action, *why, behaviour.value);
+    if (const auto why = reason(step_, component, modes, action))
+      known.decided.add(seen_, action, *why, behaviour.value);
     return behaviour;
   });
-}
-
-/// What is enough to imply, or to refute, each guard of the mode; nothing where one is left open.
-std::optional<std::vector<Premise>> Behaviours::reason(ComponentId component, const Modes& modes,
-                                                       const ControlAction& action) {
-  const automata::Plant& plant = step_.plant();
-  const ModeId mode = modes[component.index()];
-  const automata::Support& support = step_.support(component, mode);
-  std::vector<Assignment> store;
-  for (const ComponentId c : support.components) {
-    store.push_back({plant[c].mode, automata::ValueId(modes[c.index()].index())});
-  }
-  for (const std::size_t i : support.controls) store.push_back({plant.controls[i].variable, action[i]});
-
-  std::vector<Theory::Handle> guards;
-  for (std::size_t t = 0; t < plant[component].transitions.size(); ++t) {
-    if (plant[component].transitions[t].from == mode) guards.push_back(step_.guard(component, TransitionId(t)));
-  }
-  Theory& theory = step_.theory();
-  std::vector<Assignment> all;
-  while (true) {
-    // What decides one guard mostly decides others as well.
-    [[maybe_unused]] const bool consistent = theory.consistent(all);
-    CHECK(consistent && "what contradicts itself enables everything");
-    std::erase_if(guards, [&](Theory::Handle g) { return theory.known_to_follow(g) || theory.known_to_fail(g); });
-    if (guards.empty()) break;
-    if (!theory.entails(store, guards.front()) && theory.allows(store, guards.front())) return std::nullopt;
-    const std::vector<Assignment>& core = theory.conflict();
-    guards.erase(guards.begin());
-    all.insert(all.end(), core.begin(), core.end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-  }
-
-  // Controls first: what a command is not meant for is mostly decided by that alone.
-  std::vector<Premise> result;
-  std::vector<Premise> others;
-  for (const Assignment& a : all) {
-    if (const auto c = plant.component_of(a.variable)) {
-      // Its own mode is what the answers are filed under.
-      if (*c != component) others.push_back({c->value, a.value.value});
-      continue;
-    }
-    const auto control = std::find_if(plant.controls.begin(), plant.controls.end(),
-                                      [&](const automata::Control& one) { return one.variable == a.variable; });
-    const auto position = plant.components.size() + static_cast<std::size_t>(control - plant.controls.begin());
-    result.push_back({static_cast<std::uint32_t>(position), a.value.value});
-  }
-  result.insert(result.end(), others.begin(), others.end());
-  return result;
 }
 
 }  // namespace rmpl::verifier

@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
@@ -15,6 +16,8 @@
 #include "verifier/plant/like_modes.hpp"
 
 namespace rmpl::verifier {
+
+class Folds;
 
 /// What one component may do in one step, and how long it lets time pass. Numbered: equal numbers, equal behaviour.
 struct Behaviour {
@@ -39,6 +42,9 @@ class Behaviours {
  public:
   Behaviours(automata::PlantStep& step, const TimeModel& time);
 
+  /// From here on timers that are folded in the modes at hand stay in theirs. Keeps a reference. Before anything is
+  /// read.
+  void fold(Folds& folds) { folds_ = &folds; }
   [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return table_[id.index()]; }
   /// Per component, in possible modes under a control action; whether the store is consistent with it there.
   bool read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
@@ -63,9 +69,9 @@ class Behaviours {
   BehaviourId number(automata::ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses);
   BehaviourId number(automata::ComponentId component, automata::ModeId mode, const automata::Enabled& enabled);
   BehaviourId look_up(automata::ComponentId component, automata::ModeId mode, const automata::ControlAction& action);
-  [[nodiscard]] std::optional<std::vector<Premise>> reason(automata::ComponentId component,
-                                                           const automata::Modes& modes,
-                                                           const automata::ControlAction& action);
+  /// Those of timers that are folded in the modes take the places of their own.
+  void fold(const automata::Modes& modes, std::vector<BehaviourId>& result);
+  BehaviourId folded(automata::ModeId mode, BehaviourId id);
 
   automata::PlantStep& step_;
   TimeModel time_;
@@ -76,6 +82,8 @@ class Behaviours {
   std::vector<std::vector<Answers>> known_;  ///< per component, per mode
   /// Per component, then per control: the components whose guards, in some mode, could depend on it.
   std::vector<std::vector<automata::ComponentId>> readers_;
+  Folds* folds_ = nullptr;                               ///< none: timers are modes
+  std::unordered_map<BehaviourId, BehaviourId> folded_;  ///< looked up, never iterated
 };
 
 }  // namespace rmpl::verifier

@@ -17,20 +17,20 @@ using automata::Formula;
 namespace {
 
 /// What a property looks for, where it may be looked for together with others.
-struct Target {
+struct Sought {
   const Formula* formula;
   const Window* window;
   bool wanted;  ///< reachability: a witness makes it hold
 };
 
-std::optional<Target> target_of(const Question& question) {
+std::optional<Sought> target_of(const Question& question) {
   const CheckOptions& options = question.options;
   if (options.entailed || options.fewest_faults || options.cut_sets) return std::nullopt;
   if (const auto* p = std::get_if<Reachability>(&question.property)) {
-    if (!p->fastest) return Target{&p->target, &p->window, true};
+    if (!p->fastest) return Sought{&p->target, &p->window, true};
   }
   if (const auto* p = std::get_if<Safety>(&question.property)) {
-    if (!p->fastest) return Target{&p->never, &p->window, false};
+    if (!p->fastest) return Sought{&p->never, &p->window, false};
   }
   return std::nullopt;
 }
@@ -51,25 +51,12 @@ class CheckAll {
       : slices_(slices), questions_(questions), limits_(limits), answers_(questions.size()) {}
 
   std::vector<Answer> run() {
-    std::vector<std::optional<Cone>> cones;  // of those that may be looked for together
-    for (const Question& question : questions_) {
-      const auto target = target_of(question);
-      cones.push_back(target ? std::optional(slices_.cone(std::span(target->formula, 1))) : std::nullopt);
-    }
-    std::vector<bool> taken(questions_.size(), false);
-    for (std::size_t q = 0; q < questions_.size(); ++q) {
-      if (taken[q]) continue;
-      if (!cones[q]) {
-        ask_alone(q);
-        continue;
+    for (const std::vector<std::size_t>& group : explored_together(slices_, questions_)) {
+      if (target_of(questions_[group.front()])) {
+        look_for(group);
+      } else {
+        ask_alone(group.front());
       }
-      std::vector<std::size_t> group;
-      for (std::size_t other = q; other < questions_.size(); ++other) {
-        if (taken[other] || cones[other] != cones[q] || !alike(questions_[q], questions_[other])) continue;
-        taken[other] = true;
-        group.push_back(other);
-      }
-      look_for(group);
     }
     return std::move(answers_);
   }
@@ -128,6 +115,27 @@ class CheckAll {
 };
 
 }  // namespace
+
+std::vector<std::vector<std::size_t>> explored_together(Slices& slices, const std::vector<Question>& questions) {
+  std::vector<std::optional<Cone>> cones;  // of those that may be looked for together
+  for (const Question& question : questions) {
+    const auto target = target_of(question);
+    cones.push_back(target ? std::optional(slices.cone(std::span(target->formula, 1))) : std::nullopt);
+  }
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<bool> taken(questions.size(), false);
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    if (taken[q]) continue;
+    groups.push_back({q});
+    if (!cones[q]) continue;
+    for (std::size_t other = q + 1; other < questions.size(); ++other) {
+      if (taken[other] || cones[other] != cones[q] || !alike(questions[q], questions[other])) continue;
+      taken[other] = true;
+      groups.back().push_back(other);
+    }
+  }
+  return groups;
+}
 
 std::vector<Answer> check_all(Slices& slices, const std::vector<Question>& questions, const Limits& limits) {
   return CheckAll(slices, questions, limits).run();

@@ -7,12 +7,15 @@
 #include <memory>
 
 #include "base/check.hpp"
+#include "verifier/plant/apart.hpp"
 #include "verifier/plant/arena.hpp"
 #include "verifier/plant/cut_sets.hpp"
+#include "verifier/plant/endless_run.hpp"
 #include "verifier/plant/meeting.hpp"
 #include "verifier/plant/out_of_reach.hpp"
 #include "verifier/plant/planned_run.hpp"
 #include "verifier/plant/plant_system.hpp"
+#include "verifier/plant/proofs.hpp"
 #include "verifier/plant/sight.hpp"
 #include "verifier/plant/soonest.hpp"
 #include "verifier/plant/timetable.hpp"
@@ -111,7 +114,7 @@ class Check {
       const Wanted wanted = Target{part, target.window};
       Arena arena(slices_.part(cone, {&part, 1}), slices_.start(options_.from).value(), wanted, terms_);
       PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
-      const auto fewer = fewer_steps(arena);
+      const auto fewer = fewer_steps(arena, arena.situations(), terms_.time);
       const bool reached = options_.merge ? find_corridor(system, meter_).has_value()
                                           : find_path(system, SearchOrder::covering, meter_).has_value();
       if (reached) return false;
@@ -158,7 +161,7 @@ class Check {
       if (!witness_) witness_ = search_or_plan(target, any_time);
     } catch (const LimitReached& reached) {
       if (reached.limit == Limit::interrupt || options_.cut_sets) throw;
-      witness_ = planned(target, runtime::planning_trials);
+      witness_ = planned(target);
       if (!witness_) throw;
       limit_ = reached.limit;
       return;
@@ -175,7 +178,7 @@ class Check {
     if (few || target.fastest || options_.cut_sets || !target.window.is_all()) return search(observe);
     std::optional<Witness> plan;
     const Meter::Milestone many_states(meter_, options_.states_before_plan, [&] {
-      plan = planned(target, 0);
+      plan = planned(target);
       if (plan) throw AllowanceSpent{};
     });
     try {
@@ -188,46 +191,65 @@ class Check {
 
   /// What the plant's reconfiguration would do may lead there where a search does not, or not soon. It was made for
   /// plants that are too large to search.
-  std::optional<Witness> planned(const Target& target, std::size_t trials) {
+  std::optional<Witness> planned(const Target& target) {
     if (cone_) {
       const auto& wanted = std::get<Target>(cone_->wanted());
-      auto run = planned_run(cone_->step().plant(), cone_->start().front(), wanted.formula, target.window,
-                             options_.period, trials);
+      auto run =
+          planned_run(cone_->step().plant(), cone_->start().front(), wanted.formula, target.window, options_.period);
       std::optional<Witness> witness = run ? std::optional(cone_->out(std::move(*run))) : std::nullopt;
       if (witness && !failure_of(*witness)) return witness;
     }
     const Modes& start = slices_.start(options_.from).value();
-    auto run = planned_run(slices_.plant(), start, target.formula, target.window, options_.period, trials);
+    auto run = planned_run(slices_.plant(), start, target.formula, target.window, options_.period);
     return run && !failure_of(*run) ? std::move(run) : std::nullopt;
   }
 
   void look_for(const Response& response) {
-    if (response.within.is_infinite()) return;
     Arena& arena = cone_ ? *cone_ : whole();
     const Formula& asks = std::get<Response>(arena.wanted()).after;
     if (options_.slice && out_of_reach(arena.step(), asks, arena.from(), terms_.faults)) return;
-    const Units deadline = terms_.time.more_than(response.within);
+    if (options_.slice && !options_.cut_sets && comes_in_its_part(slices_, response, terms_)) return;
     owed_ = &response;
-    witness_ = search([this, deadline](Arena& searched) {
-      const auto& asked = std::get<Response>(searched.wanted());
-      PlantStep& step = searched.step();
-      return Observer::miss(holds(step, asked.after, options_.entailed), holds(step, asked.then, !options_.entailed),
-                            deadline);
+    const Observe miss = [this](Arena& searched) { return missed(searched, terms_); };
+    if (!response.within.is_infinite()) {
+      witness_ = search(miss);
+      return;
+    }
+    witness_ = search_with([this, &miss](Arena& searched) {
+      auto found = search_in(searched, miss);
+      return found ? std::move(found) : search_endless(searched, miss);
     });
   }
 
+  /// A run that goes round without the response that it owes.
+  std::optional<Witness> search_endless(Arena& arena, const Observe& observe) {
+    PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
+    system.watch_progress();
+    auto found = find_endless_run(system, meter_);
+    if (!found) return std::nullopt;
+    Witness witness = arena.out(std::move(*found));
+    witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
+    return witness;
+  }
+
   void look_for(const Stuck&) {
+    if (options_.slice && !options_.cut_sets && each_goes_on(slices_, terms_)) return;
     witness_ = search([](Arena&) { return Observer::end(); });
   }
 
   /// First the cone of influence alone: if it cannot reach the target, the plant cannot; and if the rest may stay as it
   /// is all the while, a path with fewest steps of the cone is one of the plant.
   std::optional<Witness> search(const Observe& observe) {
+    return search_with([&](Arena& searched) { return search_in(searched, observe); });
+  }
+
+  /// The same for any way to search.
+  std::optional<Witness> search_with(const std::function<std::optional<Witness>(Arena&)>& look) {
     if (cone_) {
-      std::optional<Witness> witness = search_in(*cone_, observe);
+      std::optional<Witness> witness = look(*cone_);
       if (!witness || !failure_of(*witness)) return witness;
     }
-    std::optional<Witness> witness = search_in(whole(), observe);
+    std::optional<Witness> witness = look(whole());
     if (!witness) return std::nullopt;
     if (const auto failure = failure_of(*witness)) throw base::InternalError("a witness fails: " + *failure);
     return witness;
@@ -249,27 +271,9 @@ class Check {
     return failure_to_show(judge(), property_, claim_terms(), witness);
   }
 
-  /// In dense time, for as long as it lives, the steps that nothing else makes up for.
-  [[nodiscard]] std::unique_ptr<const Situations::FewerSteps> fewer_steps(Arena& arena) {
-    if (!terms_.time.is_dense()) return nullptr;
-    automata::Support visible;  // what the observer reads on the way
-    if (const auto* response = std::get_if<Response>(&arena.wanted())) {
-      visible.join(support_of(arena.step(), response->after));
-      visible.join(support_of(arena.step(), response->then));
-    }
-    return std::make_unique<const Situations::FewerSteps>(arena.situations(), visible.components);
-  }
-
-  /// Where a target is to be reached by some time: how long it takes at least.
-  std::optional<TimeLeft> time_left_in(Arena& arena, const Observer& observer) {
-    const auto* target = std::get_if<Target>(&arena.wanted());
-    if (target == nullptr || !observer.accepted() || observer.accepted()->upper == unbounded) return std::nullopt;
-    return TimeLeft(arena.step(), terms_.time, target->formula, terms_.faults > 0, observer.accepted()->upper);
-  }
-
   std::optional<Witness> search_cut_sets(PlantSystem& system, Arena& arena) {
     if (terms_.time.is_dense()) {
-      const auto fewer = fewer_steps(arena);
+      const auto fewer = fewer_steps(arena, arena.situations(), terms_.time);
       const auto first = search_cut_sets(system, arena, true);
       if (!first.in_doubt) return first.witness;
     }
@@ -320,12 +324,18 @@ class Check {
   /// the fewest steps are looked for among all.
   std::optional<Witness> search_in(Arena& arena, const Observe& observe) {
     PlantSystem system(arena.situations(), observe(arena), arena.symmetry(), arena.start());
-    const auto time_left = time_left_in(arena, system.observer());
+    const auto time_left = time_left_in(arena, system.observer(), terms_);
     if (time_left) system.leave_out_late(*time_left);
     if (options_.cut_sets) return search_cut_sets(system, arena);
+    if (!system.observer().some_day()) {
+      if (const auto cut_off = refuted_folded(arena, observe(arena), terms_)) {
+        cut_off_ = *cut_off;
+        return std::nullopt;
+      }
+    }
     std::optional<Witness> any;
     if (terms_.time.is_dense() || options_.fewest_faults) {
-      const auto fewer = fewer_steps(arena);
+      const auto fewer = fewer_steps(arena, arena.situations(), terms_.time);
       const auto path = any_path(system, options_.merge, meter_);
       if (path) any = witness_of(*path, system, arena);
       cut_off_ = system.cut_off();
@@ -346,8 +356,12 @@ class Check {
   /// With how it is cut off, where that is what it shows.
   Witness witness_of(const std::vector<PathState>& path, PlantSystem& system, const Arena& arena) {
     Witness witness = arena.out(earliest_witness(path, system));
+    const bool end = is_end(PlantSystem::phase_of(path.back().discrete));
+    if (!end && system.observer().some_day()) {
+      witness = resting(std::move(witness), slices_.plant(), terms_.time.ticks(terms_.time.grain()));
+    }
     if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);
-    if (!is_end(PlantSystem::phase_of(path.back().discrete))) return witness;
+    if (!end) return witness;
     const auto failure = explain_stop(judge(), witness, options_.commands, options_.period);
     if (failure && arena.is_whole()) throw base::InternalError("a witness fails: it is cut off, but " + *failure);
     if (owed_ != nullptr) witness.owed_since = owed_since(judge(), *owed_, claim_terms(), witness);

@@ -23,11 +23,15 @@ std::vector<Choice> joined(std::vector<Choice> choices) {
   for (const Choice& choice : choices) {
     const bool joins = !result.empty() && result.back().mode == choice.mode && result.back().faults == choice.faults &&
                        choice.clock.lower <= result.back().clock.upper;
-    if (joins) {
-      result.back().clock.upper = std::max(result.back().clock.upper, choice.clock.upper);
-    } else {
+    if (!joins) {
       result.push_back(choice);
+      continue;
     }
+    Choice& all = result.back();
+    if (choice.clock.lower == all.clock.lower) all.sharp.lower = all.sharp.lower && choice.sharp.lower;
+    if (choice.clock.upper == all.clock.upper) all.sharp.upper = all.sharp.upper && choice.sharp.upper;
+    if (choice.clock.upper > all.clock.upper) all.sharp.upper = choice.sharp.upper;
+    all.clock.upper = std::max(all.clock.upper, choice.clock.upper);
   }
   return result;
 }
@@ -50,6 +54,14 @@ class Collector {
  private:
   void add(ModeId to, unsigned faults, const Interval& clock) {
     if (!clock.empty()) result_.push_back({to, faults, clock});
+  }
+
+  /// Those bounds of the interval are sharp that the share leaves as they are.
+  void add_within(const Interval& share, ModeId to, const Interval& clock, const Sharp& sharp) {
+    const Interval both = intersection(share, clock);
+    if (both.empty()) return;
+    result_.push_back(
+        {to, 0, both, {sharp.lower && both.lower == clock.lower, sharp.upper && both.upper == clock.upper}});
   }
 
   /// Where a fault transition is enabled.
@@ -94,12 +106,14 @@ class Collector {
       for (const TransitionId id : enabled_.timed) {
         certain = std::min(certain, time_.at_most(component_.transitions[id.index()].timing->upper));
       }
-      add(mode_, 0, intersection(share, {0, certain}));
+      const bool ends = certain != unbounded;
+      add_within(share, mode_, {0, certain}, {false, ends});
       for (const TransitionId id : enabled_.timed) {
         const Transition& t = component_.transitions[id.index()];
-        add(t.to, 0, intersection(share, {time_.at_least(t.timing->lower), certain}));
-        if (t.timing->upper.is_infinite()) continue;
-        add(t.to, 0, intersection(share, {time_.at_most(t.timing->upper), unbounded}));
+        const Units lower = time_.at_least(t.timing->lower);
+        const Units upper = time_.at_most(t.timing->upper);
+        add_within(share, t.to, {lower, certain}, {0 < lower && lower < upper, ends && certain < upper});
+        if (upper != unbounded) add_within(share, t.to, {upper, unbounded}, {});
       }
       return;
     }

@@ -10,12 +10,20 @@
 
 namespace rmpl::verifier {
 
+/// Which ends of an interval exist at that one instant only: in cycles, however short, nothing is left of them.
+struct Sharp {
+  bool lower = false;
+  bool upper = false;
+  auto operator<=>(const Sharp&) const = default;
+};
+
 /// Going to `mode` (staying is going to its own mode) while the component's clock is within `clock`: in dense time at
 /// the instant of the step, in sampled time at the end of its period.
 struct Choice {
   automata::ModeId mode;
   unsigned faults = 0;  ///< 1 for a fault transition
   Interval clock;
+  Sharp sharp = {};  ///< in dense time: an exit at its lower bound, staying at a bound that is reached
   auto operator<=>(const Choice&) const = default;
 };
 

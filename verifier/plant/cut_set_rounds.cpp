@@ -8,16 +8,6 @@
 
 namespace rmpl::verifier {
 
-namespace {
-
-bool holds_one_of(const CutSet& cut, const std::vector<CutSet>& others) {
-  return std::any_of(others.begin(), others.end(), [&](const CutSet& other) {
-    return std::includes(cut.faults.begin(), cut.faults.end(), other.faults.begin(), other.faults.end());
-  });
-}
-
-}  // namespace
-
 bool CutSetRounds::next(const std::vector<CutSet>& sets, unsigned used) {
   const bool none_needed = !sets.empty() && sets.front().faults.empty();
   if (faults_ == most_ || none_needed) return false;
@@ -53,17 +43,20 @@ void CutSetRounds::settle(Answer& answer) const {
   // In the last round minimal is minimal for good.
   if (faults_ < most_) std::erase_if(sets, [this](const CutSet& cut) { return !is_settled(cut); });
   answer.cut_sets_complete = before_faults_;
+  FaultSetTree minimal;
+  for (const CutSet& cut : sets) minimal.add(cut.faults);
   std::vector<const CutSet*> unsettled;
   for (const CutSet& cut : before_) {
-    if (holds_one_of(cut, sets)) continue;
+    if (minimal.holds_subset_of(cut.faults)) continue;
     if (is_settled(cut)) {
+      minimal.add(cut.faults);
       sets.push_back(cut);
     } else {
       unsettled.push_back(&cut);
     }
   }
   for (const CutSet* cut : unsettled) {
-    if (holds_one_of(*cut, sets)) continue;
+    if (minimal.holds_subset_of(cut->faults)) continue;
     answer.cut_sets_complete = std::min(*before_faults_, static_cast<unsigned>(cut->faults.size()) - 1);
     break;  // smallest first
   }

@@ -25,9 +25,12 @@ class Exploration {
     } catch (const LimitReached& reached) {
       result.limit = reached.limit;
     }
-    const std::vector<FaultSet> open = result.limit ? open_sets() : std::vector<FaultSet>{};
+    // Where a limit was hit a smaller set may be found yet, after a fault that comes twice. And a set found early can
+    // hold one that was found later, in a run on which a fault comes twice.
+    const FaultSetTree open = result.limit ? open_sets() : FaultSetTree();
     for (const FaultSet& cut : found_) {
-      if (!may_be_cut(cut, open) && !holds_one_of(cut, found_)) result.sets.push_back(cut);
+      if (open.holds_proper_subset_of(cut.faults) || known_.holds_proper_subset_of(cut.faults)) continue;
+      result.sets.push_back(cut);
     }
     std::sort(result.sets.begin(), result.sets.end(), told_before);
     return result;
@@ -72,6 +75,7 @@ class Exploration {
     if (system_.accepts(state)) {
       refused_ = !take_({sets_[state.faults], passed_.path(node), state});
       found_.push_back(sets_[state.faults]);
+      known_.add(found_.back().faults);
       return;
     }
     system_.successors(state, [&](SymbolicState&& next, const Label& label) {
@@ -79,12 +83,10 @@ class Exploration {
     });
   }
 
-  [[nodiscard]] bool superfluous(unsigned faults) const {
-    return std::any_of(found_.begin(), found_.end(), [&](const FaultSet& cut) { return subset(cut, sets_[faults]); });
-  }
+  [[nodiscard]] bool superfluous(unsigned faults) const { return known_.holds_subset_of(sets_[faults].faults); }
 
   /// The sets of the states that are yet to be explored, with that which a limit left half explored.
-  [[nodiscard]] std::vector<FaultSet> open_sets() const {
+  [[nodiscard]] FaultSetTree open_sets() const {
     std::set<unsigned> numbers;
     if (visited_ != Passed::none) numbers.insert(passed_[visited_].faults);
     for (const auto& [count, level] : levels_) {
@@ -92,22 +94,9 @@ class Exploration {
         if (!passed_[node].covered) numbers.insert(passed_[node].faults);
       }
     }
-    std::vector<FaultSet> result;
-    result.reserve(numbers.size());
-    for (const unsigned number : numbers) result.push_back(sets_[number]);
+    FaultSetTree result;
+    for (const unsigned number : numbers) result.add(sets_[number].faults);
     return result;
-  }
-
-  /// Whether a smaller set may be found yet: after a fault that comes twice.
-  [[nodiscard]] static bool may_be_cut(const FaultSet& cut, const std::vector<FaultSet>& open) {
-    return std::any_of(open.begin(), open.end(),
-                       [&](const FaultSet& set) { return set.faults.size() < cut.faults.size() && subset(set, cut); });
-  }
-
-  /// A set found early can hold one that was found later, in a run on which a fault comes twice.
-  [[nodiscard]] static bool holds_one_of(const FaultSet& cut, const std::vector<FaultSet>& others) {
-    return std::any_of(others.begin(), others.end(),
-                       [&](const FaultSet& other) { return other.faults != cut.faults && subset(other, cut); });
   }
 
   TransitionSystem& system_;
@@ -117,6 +106,7 @@ class Exploration {
   Passed passed_;
   std::map<unsigned, std::deque<std::uint32_t>> levels_;  ///< by number of faults
   std::vector<FaultSet> found_;
+  FaultSetTree known_;  ///< the same
   bool refused_ = false;
   std::uint32_t visited_ = Passed::none;  ///< the last one
 };

@@ -45,6 +45,15 @@ std::optional<ZoneBox> InstantClocks::translated(const Box& box, Units earlier, 
   return result;
 }
 
+std::optional<ZoneBox> InstantClocks::lasting(const Box& box, bool at_bound) const {
+  Box inner = box;
+  for (ClockBound& bound : inner) {
+    if (bound.sharp.upper) --bound.clock.upper;
+    if (bound.sharp.lower && at_bound) ++bound.clock.lower;
+  }
+  return translated(inner, 0, 0);
+}
+
 std::vector<ZoneBox> certain_faults(std::span<const ClockBound> faulty, const InstantClocks& clocks,
                                     const TimeModel& time) {
   const Units period = time.is_dense() ? 0 : 1;

@@ -24,6 +24,10 @@ class InstantClocks {
   /// The box, `earlier` units before it and ended so many before its end. Nothing where it is empty, or a clock that
   /// has started since is not within its bounds.
   [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, Units earlier, Units before_end) const;
+  /// The box of a step without what exists at one instant only. Where time stops at a bound (`at_bound`), that is the
+  /// end of a cycle: an exit whose lower bound is met there has not been possible in it. Later in the same instant it
+  /// is.
+  [[nodiscard]] std::optional<ZoneBox> lasting(const Box& box, bool at_bound) const;
   /// The clocks of those that change their modes.
   [[nodiscard]] std::vector<std::size_t> restarted(const automata::Modes& from, const automata::Modes& to) const;
 

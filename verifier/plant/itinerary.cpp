@@ -34,21 +34,22 @@ Late renamed_late(Late late, const Permutation& permutation) {
 
 /// The move from these modes that leads to the target in the same way.
 JointStep counterpart(const JointStep& move, const Permutation& names, const Modes& from, const Late& late,
-                      Situations& situations) {
+                      unsigned faults, Situations& situations) {
   const SituationId target = situations.number(renamed(situations.modes(move.target), names));
   const Box bounds = renamed_box(move.bounds, names);
-  const auto moves = situations.moves(situations.number(from), renamed_late(late, names));
+  const auto moves = situations.moves(situations.number(from), renamed_late(late, names), faults);
   const auto found = std::find_if(moves->begin(), moves->end(), [&](const JointStep& m) {
-    return m.target == target && m.faults == move.faults && m.hold == move.hold && m.bounds == bounds;
+    return m.target == target && m.faults == move.faults && m.hold == move.hold && m.bounds == bounds &&
+           m.exits == move.exits;
   });
   CHECK(found != moves->end() && "what a permutation keeps is a move on both sides");
   return *found;
 }
 
 /// What each live clock reads.
-Box ranges(const PlantSystem::Entered& entered, const Observer& observer) {
+Box ranges(const PlantSystem::Entered& entered, const PlantSystem& system) {
   Box result;
-  std::size_t clock = observer.timed(entered.phase) ? 1 : 0;
+  std::size_t clock = system.has_extra(entered.phase) ? 1 : 0;
   for (const ComponentId component : entered.situation->live) {
     ++clock;
     result.push_back({component, {entered.zone.lower(clock), entered.zone.upper(clock)}});
@@ -66,26 +67,30 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
     std::optional<PlantSystem::Entered> entered;
     const auto keep = [&](PlantSystem::Entered&& candidate) {
       const bool same = candidate.label.move == next.label.move && candidate.label.wait == next.label.wait &&
-                        candidate.phase == PlantSystem::phase_of(next.discrete);
+                        candidate.phase == PlantSystem::phase_of(next.discrete) &&
+                        candidate.progressed == PlantSystem::progressed(next.discrete);
       if (same) entered = std::move(candidate);
     };
     if (state) {
-      system.enumerate_successors(*state, keep);
+      system.enumerate_successors(*state, next.label.move, keep);
     } else {
       system.enumerate_initial(keep);
     }
     CHECK(entered && "a path that the search found cannot be followed");
 
     if (next.label.move == PlantSystem::no_move && is_end(entered->phase)) {
-      legs.back().end = renamed_box(ranges(*entered, system.observer()), names);
+      legs.back().end = renamed_box(ranges(*entered, system), names);
       legs.back().cut_off = entered->phase;
       break;
     }
     Leg leg{renamed(entered->situation->modes, names), entered->phase, std::nullopt, std::nullopt, std::nullopt};
+    leg.progressed = entered->progressed;
     if (state) {
       const Late late = system.late(*state);
-      const auto moves = system.situations().moves(PlantSystem::situation_of(state->discrete), late);
-      leg.move = counterpart((*moves)[next.label.move], names, legs.back().modes, late, system.situations());
+      const auto moves =
+          system.situations().moves(PlantSystem::situation_of(state->discrete), late, system.faults_left(*state));
+      leg.move = counterpart((*moves)[next.label.move], names, legs.back().modes, late, system.faults_left(*state),
+                             system.situations());
     }
     if (next.label.wait != PlantSystem::no_wait) {
       leg.wait = renamed_box(entered->situation->waits[next.label.wait], names);

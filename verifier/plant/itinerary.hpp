@@ -18,6 +18,7 @@ struct Leg {
   std::optional<Box> wait;           ///< within which time passes in it; none where it does not
   std::optional<Box> end;            ///< where a run is cut off in the last one: within which it is
   Phase cut_off = Phase::searching;  ///< and how
+  bool progressed = false;           ///< time passed before the move, where that is watched
 };
 
 /// The path without symmetry. Each state that was explored stands for one that a permutation leads to: the permutations

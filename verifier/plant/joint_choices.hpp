@@ -13,6 +13,7 @@ namespace rmpl::verifier {
 struct ClockBound {
   automata::ComponentId component;
   Interval clock;
+  Sharp sharp = {};  ///< see `Choice`
   auto operator<=>(const ClockBound&) const = default;
 };
 
@@ -38,7 +39,7 @@ void for_each_joint(const std::vector<std::vector<Choice>>& choices, unsigned fa
         if (joint.faults + choice.faults > faults) return false;
         joint.modes.push_back(choice.mode);
         joint.faults += choice.faults;
-        if (!choice.clock.is_trivial()) joint.bounds.push_back({automata::ComponentId(c), choice.clock});
+        if (!choice.clock.is_trivial()) joint.bounds.push_back({automata::ComponentId(c), choice.clock, choice.sharp});
         return true;
       },
       [&](std::size_t c, std::size_t i) {

@@ -30,20 +30,22 @@ void JointSteps::use(Steps steps, const std::vector<ComponentId>& visible) {
   for (const ComponentId c : visible) visible_[c.index()] = true;
 }
 
-void JointSteps::set_out(const Modes& modes, const Late& late, const std::vector<BehaviourId>& idling) {
+void JointSteps::set_out(const Modes& modes, const Late& late, const Late& due,
+                         const std::vector<BehaviourId>& idling) {
   modes_ = &modes;
   late_ = &late;
+  due_ = &due;
   idling_ = &idling;
   alone_.clear();
   calm_ = false;
-  calm_ = steps_ == Steps::irreducible && calm({modes, late, idle_, idling, idling}, modes);
+  calm_ = steps_ == Steps::irreducible && calm({modes, late, due, idle_, idling, idling}, modes);
 }
 
 void JointSteps::enumerate(const ControlAction& action, const std::vector<BehaviourId>& here, const Visit& visit) {
-  const At at{*modes_, *late_, action, *idling_, here};
+  const At at{*modes_, *late_, *due_, action, *idling_, here};
   ahead_.modes = *modes_;
   ahead_.decided.assign(modes_->size(), true);
-  return steps_ == Steps::all ? all(at, visit) : irreducible(at, visit);
+  return steps_ == Steps::irreducible ? irreducible(at, visit) : all(at, visit);
 }
 
 /// Equal options in equal modes that have no clock: where an automorphism exchanges the two components
@@ -126,10 +128,24 @@ void JointSteps::emit(const At& at, std::span<const Option> taken, const Visit& 
   if (after(at, taken) == at.modes || !nogoods_.possible(next_)) return;
   box_.clear();
   for (const Option& option : taken) {
-    if (!option.choice->clock.is_trivial()) box_.push_back({ComponentId(option.component), option.choice->clock});
+    const Choice& choice = *option.choice;
+    if (!choice.clock.is_trivial()) box_.push_back({ComponentId(option.component), choice.clock, choice.sharp});
   }
   std::sort(box_.begin(), box_.end());
   visit(next_, faults_of(taken), box_);
+}
+
+bool JointSteps::add_choices(const At& at, std::size_t component, Options& options) const {
+  const bool due = std::binary_search(at.due.begin(), at.due.end(), ComponentId(component));
+  const Units bound = behaviours_[at.idling[component]].stays_until;
+  bool some = false;
+  for (const Choice& choice : behaviours_[at.here[component]].choices) {
+    const bool stays_up_to_it = choice.mode == at.modes[component] && choice.clock.upper <= bound;
+    if (due && stays_up_to_it && choice.sharp.upper) continue;
+    options.add({component, &choice});
+    some = true;
+  }
+  return some;
 }
 
 void JointSteps::all(const At& at, const Visit& visit) {
@@ -138,12 +154,12 @@ void JointSteps::all(const At& at, const Visit& visit) {
     const Behaviour& behaviour = behaviours_[at.here[c]];
     const bool concerned = at.here[c] != at.idling[c];
     if (!concerned && !behaviour.changes && behaviour.free_to_stay()) continue;
-    options.add(c, behaviour.choices);
+    if (!add_choices(at, c, options)) return;
     ahead_.decided[c] = false;
   }
   std::vector<Option> taken;
   product(at, options, 0, taken, [&] {
-    if (at.action == idle_ || takes_action(at, taken)) emit(at, taken, visit);
+    if (steps_ == Steps::every_action || at.action == idle_ || takes_action(at, taken)) emit(at, taken, visit);
   });
 }
 
@@ -210,13 +226,13 @@ void JointSteps::irreducible(const At& at, const Visit& visit) {
     const Behaviour& behaviour = behaviours_[at.here[c]];
     const bool concerned = at.here[c] != at.idling[c];
     if (concerned || !may_stay(at, c, at.here[c], at.modes)) {
-      core_.add(c, behaviour.choices);
+      if (!add_choices(at, c, core_)) return;
       ahead_.decided[c] = false;
       continue;
     }
     for (const Choice& choice : behaviour.choices) {
       const Option option{c, &choice};
-      if (choice.mode == at.modes[c]) continue;
+      if (choice.mode == at.modes[c] || choice.faults > faults_) continue;
       if (calm_ && is_idle) emit(at, {&option, 1}, visit);
       if (calm_ && goes_first(at, option)) continue;
       free_.add(option);

@@ -27,6 +27,7 @@ using Late = std::vector<automata::ComponentId>;
 /// Which joint steps are of interest.
 enum class Steps {
   all,
+  every_action,  ///< all of them, and those of no command also under commands that change nothing of them
   /// Dense time only: a step is left out where the same state is reached by taking one of its components, or all of
   /// those that the command does not concern, a step earlier or later at the same instant.
   irreducible
@@ -45,13 +46,17 @@ class JointSteps {
   /// states that the others lead to are the same up to symmetry. Keeps a reference.
   void up_to(const Symmetry& symmetry) { symmetry_ = symmetry.trivial() ? nullptr : &symmetry; }
 
+  /// From here on steps have no more faults than these.
+  void allow(unsigned faults) { faults_ = faults; }
+
   /// A possible step: the modes that it leads to, the faults it costs, and where the clocks must be.
   using Visit = base::FunctionRef<void(const automata::Modes& next, unsigned faults, const Box& bounds)>;
 
   /// From here on steps are from the possible `modes`, where the behaviours with idle controls are `idling`. Where
   /// steps are left out, no component but those that are `late` is past the bound up to which it can stay with idle
-  /// controls. Keeps references.
-  void set_out(const automata::Modes& modes, const Late& late, const std::vector<BehaviourId>& idling);
+  /// controls. Those that are `due` are at that bound or beyond: steps in which they stay up to it are left out. Keeps
+  /// references.
+  void set_out(const automata::Modes& modes, const Late& late, const Late& due, const std::vector<BehaviourId>& idling);
   /// Every step under the action that changes a mode; the behaviours under it are `here`.
   void enumerate(const automata::ControlAction& action, const std::vector<BehaviourId>& here, const Visit& visit);
 
@@ -71,9 +76,6 @@ class JointSteps {
     void add(const Option& option) {
       if (options_.empty() || options_.back().component != option.component) begins_.push_back(options_.size());
       options_.push_back(option);
-    }
-    void add(std::size_t component, const std::vector<Choice>& choices) {
-      for (const Choice& choice : choices) add({component, &choice});
     }
     [[nodiscard]] std::size_t size() const { return begins_.size(); }
     [[nodiscard]] std::span<const Option> operator[](std::size_t list) const {
@@ -96,11 +98,14 @@ class JointSteps {
   struct At {
     const automata::Modes& modes;
     const Late& late;
+    const Late& due;
     const automata::ControlAction& action;
     const std::vector<BehaviourId>& idling;  ///< with idle controls
     const std::vector<BehaviourId>& here;    ///< under the action
   };
 
+  /// The choices of a component into a list of its own; false where it has none.
+  bool add_choices(const At& at, std::size_t component, Options& options) const;
   void all(const At& at, const Visit& visit);
   void irreducible(const At& at, const Visit& visit);
   void rest(const At& at, std::span<const Option> core, const Options& free, const Visit& visit);
@@ -136,6 +141,7 @@ class JointSteps {
 
   const automata::Modes* modes_ = nullptr;  ///< steps are from there
   const Late* late_ = nullptr;
+  const Late* due_ = nullptr;
   const std::vector<BehaviourId>* idling_ = nullptr;
   bool calm_ = false;  ///< whether every component may stay there
   std::vector<Alone> alone_;

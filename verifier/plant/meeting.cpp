@@ -21,7 +21,7 @@ using automata::Formula;
 namespace {
 
 /// Beyond so many rounds, or ways to share faults out, the parts are left to be searched as one.
-constexpr std::size_t most_rounds = 256;
+constexpr std::size_t most_meeting_rounds = 256;
 constexpr std::size_t most_shares = 64;
 
 constexpr unsigned any_number = std::numeric_limits<unsigned>::max();
@@ -84,12 +84,8 @@ Meeting::Meeting(Slices& slices, const Target& target, const Arena::Terms& terms
 }
 
 Meeting::Result Meeting::look(const Shows& shows) {
-  std::vector<Faults> shares;
-  if (terms_.faults == any_number) {
-    shares.emplace_back(groups_.size(), any_number);
-  } else {
-    each_share(shares, {}, terms_.faults);
-  }
+  const std::vector<Faults> shares =
+      terms_.faults == any_number ? std::vector<Faults>{Faults(groups_.size(), any_number)} : shares_of(terms_.faults);
   if (shares.size() > most_shares) return {};
   Result best{true, std::nullopt};
   for (const Faults& share : shares) {
@@ -104,20 +100,23 @@ Meeting::Result Meeting::look(const Shows& shows) {
   return best;
 }
 
-/// All ways to share so many faults out; one more than are looked at, at most.
-void Meeting::each_share(std::vector<Faults>& shares, Faults share, unsigned left) const {
-  if (shares.size() > most_shares) return;
-  if (share.size() + 1 == groups_.size()) {
-    share.push_back(left);
-    shares.push_back(std::move(share));
-    return;
+/// All ways to share so many faults out, the last group getting what is left; one more than are looked at, at most.
+std::vector<Meeting::Faults> Meeting::shares_of(unsigned faults) const {
+  std::vector<Faults> shares;
+  Faults share(groups_.size(), 0);
+  share.back() = faults;
+  while (shares.size() <= most_shares) {
+    shares.push_back(share);
+    // The last group but one that has something behind it gets one more; those behind it begin anew.
+    unsigned behind = share.back();
+    std::size_t next = share.size() - 1;
+    while (next > 0 && behind == 0) behind += share[--next];
+    if (next == 0) break;
+    std::fill(share.begin() + static_cast<std::ptrdiff_t>(next), share.end(), 0);
+    ++share[next - 1];
+    share.back() = behind - 1;
   }
-  for (unsigned own = 0;; ++own) {
-    Faults more = share;
-    more.push_back(own);
-    each_share(shares, std::move(more), left - own);
-    if (own == left) return;
-  }
+  return shares;
 }
 
 Meeting::Result Meeting::meet(const Faults& share, const Shows& shows) {
@@ -128,7 +127,7 @@ Meeting::Result Meeting::meet(const Faults& share, const Shows& shows) {
   const auto in_time = [&](const std::optional<Witness>& run) {
     return run && time.at_least(run->events.back().time) == window.lower;
   };
-  for (std::size_t round = 0; round < most_rounds; ++round) {
+  for (std::size_t round = 0; round < most_meeting_rounds; ++round) {
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       if (in_time(runs[g])) continue;
       runs[g] = earliest(g, share[g], window);

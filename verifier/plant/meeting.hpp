@@ -46,7 +46,7 @@ class Meeting {
   };
   using Faults = std::vector<unsigned>;  ///< by group: how many there may be
 
-  void each_share(std::vector<Faults>& shares, Faults share, unsigned left) const;
+  [[nodiscard]] std::vector<Faults> shares_of(unsigned faults) const;
   [[nodiscard]] Result meet(const Faults& share, const Shows& shows);
   [[nodiscard]] std::optional<Witness> earliest(std::size_t group, unsigned faults, Interval window);
   [[nodiscard]] Arena& arena(std::size_t group, unsigned faults);

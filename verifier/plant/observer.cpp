@@ -8,8 +8,9 @@ Observer Observer::reach(Test target, std::optional<Interval> window) {
   return {false, std::move(target), nullptr, window};
 }
 
-Observer Observer::miss(Test after, Test then, Units deadline) {
-  return {true, std::move(after), std::move(then), Interval{deadline, unbounded}};
+Observer Observer::miss(Test after, Test then, std::optional<Units> deadline) {
+  const auto too_late = deadline ? std::optional(Interval{*deadline, unbounded}) : std::nullopt;
+  return {true, std::move(after), std::move(then), too_late};
 }
 
 Observer Observer::end() {

@@ -33,8 +33,9 @@ class Observer {
   static Observer reach(Test target, std::optional<Interval> window);
   /// Accepts where, after some time at which `after` held, `then` has not held when `deadline` units have passed, the
   /// fewest that are too late; where nothing can follow, as soon as what did would be too late. What answers the first
-  /// of several such times that are open answers all.
-  static Observer miss(Test after, Test then, Units deadline);
+  /// of several such times that are open answers all. Without a deadline `then` may come some day: a wait that lasts
+  /// for ever, and a run that is cut off, are accepted, and a run that goes round is for `find_lasso`.
+  static Observer miss(Test after, Test then, std::optional<Units> deadline);
 
   /// Accepts where a run is cut off.
   static Observer end();
@@ -44,6 +45,8 @@ class Observer {
   [[nodiscard]] Interval last_chance(Units grain) const { return {stopwatch_->lower - grain, unbounded}; }
   /// Whether what cannot go on matters where it hides behind what can do more.
   [[nodiscard]] bool tells_ends_apart() const { return seeks_end_ || response_; }
+  /// Whether what is waited for may come some day.
+  [[nodiscard]] bool some_day() const { return response_ && !stopwatch_; }
   /// Whether a response is waited for.
   [[nodiscard]] bool owes(Phase phase) const { return response_ && phase == Phase::armed; }
 

@@ -25,12 +25,12 @@ constexpr std::size_t most_steps = 1024;
 class PlannedRun {
  public:
   PlannedRun(automata::PlantStep& step, const Modes& start, const automata::Formula& target,
-             std::optional<Ticks> period, std::size_t trials)
+             std::optional<Ticks> period)
       : step_(step),
         target_(target),
         period_(period),
         idle_(automata::idle_action(step.plant())),
-        reconfigurer_(runtime::make_reconfigurer(step, nullptr, trials)),
+        reconfigurer_(runtime::make_reconfigurer(step, nullptr, period.value_or(Ticks{0}))),
         state_{start, std::vector<Ticks>(start.size(), Ticks{0})} {
     witness_.events.push_back({now_, start, idle_});
   }
@@ -38,9 +38,10 @@ class PlannedRun {
   std::optional<Witness> run(const Window& window) {
     for (std::size_t steps = 0; !arrived(); ++steps) {
       if (steps == most_steps) return std::nullopt;
-      const Reconfiguration answer = reconfigurer_->next(state_.modes, target_);
+      const Reconfiguration answer = reconfigurer_->go_on(state_.modes, target_, position_);
       if (!answer.expected || *answer.expected == state_.modes) return std::nullopt;
       follow(answer.action, *answer.expected);
+      position_ = runtime::position_after(answer, state_.modes);
     }
     if (window.not_before && *window.not_before > now_) {
       now_ = period_ ? on_period(*window.not_before) : *window.not_before;
@@ -136,15 +137,16 @@ class PlannedRun {
   std::unique_ptr<runtime::Reconfigurer> reconfigurer_;
   Ticks now_{0};
   automata::SystemState state_;
+  runtime::StrategyPosition position_;
   Witness witness_;
 };
 
 }  // namespace
 
 std::optional<Witness> planned_run(const automata::Plant& plant, const Modes& start, const automata::Formula& target,
-                                   const Window& window, std::optional<Ticks> period, std::size_t trials) {
+                                   const Window& window, std::optional<Ticks> period) {
   automata::PlantStep step(plant);
-  return PlannedRun(step, start, target, period, trials).run(window);
+  return PlannedRun(step, start, target, period).run(window);
 }
 
 }  // namespace rmpl::verifier

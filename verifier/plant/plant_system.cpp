@@ -6,6 +6,7 @@
 
 #include "base/check.hpp"
 
+#include "verifier/plant/folds.hpp"
 #include "verifier/plant/plant_instants.hpp"
 
 namespace rmpl::verifier {
@@ -30,27 +31,32 @@ PlantSystem::PlantSystem(Situations& situations, Observer observer, const Symmet
 void PlantSystem::initial(const Visit& visit) {
   enumerate_initial([&](Entered&& entered) {
     const Label label = entered.label;
-    visit(sorted(std::move(entered), nullptr), label);
+    SymbolicState next = sorted(std::move(entered), nullptr);
+    if (progress_) abstract(next);
+    visit(std::move(next), label);
   });
 }
 
 void PlantSystem::successors(const SymbolicState& state, const Visit& visit) {
   enumerate_successors(state, [&](Entered&& entered) {
     const Label label = entered.label;
-    visit(sorted(std::move(entered), nullptr), label);
+    SymbolicState next = sorted(std::move(entered), nullptr);
+    if (progress_) abstract(next);
+    visit(std::move(next), label);
   });
 }
 
 SymbolicState PlantSystem::sorted(Entered&& entered, Permutation* applied) {
   if (symmetry_.trivial()) {
-    return {discrete_of(entered.id, entered.phase), entered.faults, std::move(entered.zone)};
+    return {discrete_of(entered.id, entered.phase, entered.progressed), entered.faults, std::move(entered.zone)};
   }
   Modes modes = entered.situation->modes;
   std::vector<ComponentId> live = entered.situation->live;
-  const std::size_t others = observer_.timed(entered.phase) ? 1 : 0;
+  const std::size_t others = has_extra(entered.phase) ? 1 : 0;
   Permutation permutation = symmetry_.sort(modes, live, others, entered.zone, applied != nullptr);
   if (applied != nullptr) *applied = std::move(permutation);
-  return {discrete_of(situations_.number(modes), entered.phase), entered.faults, std::move(entered.zone)};
+  return {discrete_of(situations_.number(modes), entered.phase, entered.progressed), entered.faults,
+          std::move(entered.zone)};
 }
 
 void PlantSystem::enumerate_initial(const VisitEntered& visit) {
@@ -58,7 +64,7 @@ void PlantSystem::enumerate_initial(const VisitEntered& visit) {
     const Phase phase = observer_.start(start_[s]);
     const SituationId id = situations_.number(start_[s]);
     auto situation = situations_[id];
-    const Zone zone(situation->live.size() + (observer_.timed(phase) ? 1 : 0));
+    const Zone zone(situation->live.size() + (has_extra(phase) ? 1 : 0));
     enter(id, std::move(situation), phase, 0, zone, {static_cast<std::uint32_t>(s), no_wait, false}, visit);
   }
 }
@@ -68,42 +74,70 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, const VisitEn
   const Phase phase = phase_of(state.discrete);
   if (is_end(phase)) return;
   const auto here = situations_[id];
-  const Place place{*here, observer_.timed(phase)};
-  const auto moves = situations_.moves(id, late(*here, place, state.zone));
-  std::vector<std::size_t> sources;
-  for (std::size_t m = 0; m < moves->size(); ++m) {
-    const JointStep& move = (*moves)[m];
-    if (fault_count(state.faults) + move.faults > situations_.faults()) continue;
-    Zone zone = state.zone;
-    if (move.hold) {
-      if (!wait(zone, move.bounds, place)) continue;
-    } else {
-      if (!situations_.time().is_dense()) zone.tick();
-      if (!within(zone, move.bounds, place)) continue;
-    }
-    const auto target = situations_[move.target];
-    const unsigned faults =
-        sets_ == nullptr ? state.faults + move.faults
-                         : sets_->after(state.faults, situations_.plant(), here->modes, target->modes, move.faults);
-    const auto step_into = [&](Phase next, const Zone& from) {
-      sources.clear();
-      if (observer_.timed(next)) sources.push_back(observer_.timed(phase) ? stopwatch : 0);
-      for (const ComponentId component : target->live) {
-        const bool kept = here->modes[component.index()] == target->modes[component.index()];
-        sources.push_back(kept ? place.clock_of(component) : 0);
-      }
-      enter(move.target, target, next, faults, from.select(sources),
-            {static_cast<std::uint32_t>(m), no_wait, move.hold}, visit);
-    };
-    const Phase next = this->next(phase, move.target, *target);
-    if (observer_.answers(phase, next)) {
-      // The period that brings the response may be the first one to end after the deadline: that is too late.
-      Zone late = zone;
-      if (late.constrain(stopwatch, *observer_.accepted())) step_into(Phase::armed, late);
-    }
-    step_into(next, zone);
-  }
+  const auto moves = situations_.moves(id, late(*here, {*here, has_extra(phase)}, state.zone), faults_left(state));
+  for (std::uint32_t m = 0; m < moves->size(); ++m) take(state, here, m, (*moves)[m], visit);
   enter_end(here, id, phase, state, *moves, visit);
+}
+
+void PlantSystem::enumerate_successors(const SymbolicState& state, std::uint32_t move, const VisitEntered& visit) {
+  const SituationId id = situation_of(state.discrete);
+  const Phase phase = phase_of(state.discrete);
+  if (is_end(phase)) return;
+  const auto here = situations_[id];
+  const auto moves = situations_.moves(id, late(*here, {*here, has_extra(phase)}, state.zone), faults_left(state));
+  if (move == no_move) return enter_end(here, id, phase, state, *moves, visit);
+  take(state, here, move, (*moves)[move], visit);
+}
+
+/// Where the clocks may be as the move ends.
+bool PlantSystem::pass(Zone& zone, const JointStep& move, const Place& place) const {
+  if (move.hold) {
+    if (!progress_) return wait(zone, move.bounds, place);
+    // One period at least: a run without end takes time in it.
+    if (!within(zone, move.bounds, place)) return false;
+    zone.tick();
+    return wait(zone, move.bounds, place);
+  }
+  if (!situations_.time().is_dense()) zone.tick();
+  return within(zone, move.bounds, place);
+}
+
+void PlantSystem::take(const SymbolicState& state, const std::shared_ptr<const Situation>& here, std::uint32_t number,
+                       const JointStep& move, const VisitEntered& visit) {
+  const Phase phase = phase_of(state.discrete);
+  const Place place{*here, has_extra(phase)};
+  const auto target = situations_[move.target];
+  const unsigned faults =
+      sets_ == nullptr ? state.faults + move.faults
+                       : sets_->after(state.faults, situations_.plant(), here->modes, target->modes, move.faults);
+  const auto step_into = [&](Phase next, const Zone& from, bool progressed) {
+    std::vector<std::size_t> sources;
+    if (has_extra(next)) sources.push_back(!progress_ && observer_.timed(phase) ? stopwatch : 0);
+    for (const ComponentId component : target->live) {
+      const bool kept = here->modes[component.index()] == target->modes[component.index()];
+      sources.push_back(kept ? place.clock_of(component) : 0);
+    }
+    const Label label{number, no_wait, move.hold};
+    if (progress_) return enter(move.target, target, next, faults, from.select(sources), label, visit, progressed);
+    enter_unfolded(*here, move.target, target, next, faults, from.select(sources), label, visit);
+  };
+  const Phase next = this->next(phase, move.target, *target);
+  if (progress_) {
+    for (const bool progressed : {false, true}) {
+      Zone zone = state.zone;
+      const Interval waited = progressed ? Interval{situations_.time().grain(), unbounded} : Interval{0, 0};
+      if (zone.constrain(stopwatch, waited) && pass(zone, move, place)) step_into(next, zone, progressed);
+    }
+    return;
+  }
+  Zone zone = state.zone;
+  if (!pass(zone, move, place)) return;
+  if (observer_.answers(phase, next) && observer_.accepted()) {
+    // The period that brings the response may be the first one to end after the deadline: that is too late.
+    Zone late = zone;
+    if (late.constrain(stopwatch, *observer_.accepted())) step_into(Phase::armed, late, false);
+  }
+  step_into(next, zone, false);
 }
 
 Phase PlantSystem::next(Phase phase, SituationId id, const Situation& situation) {
@@ -117,49 +151,106 @@ Phase PlantSystem::next(Phase phase, SituationId id, const Situation& situation)
 void PlantSystem::enter_end(const std::shared_ptr<const Situation>& here, SituationId id, Phase phase,
                             const SymbolicState& state, const std::vector<JointStep>& moves,
                             const VisitEntered& visit) {
-  if (plainly_goes_on({*here, observer_.timed(phase)}, state.zone, moves)) return;
-  const std::size_t others = observer_.timed(phase) ? 1 : 0;
-  PlantInstants instants(situations_, id, *here, others, state.zone);
-  const auto found = find_standstill(state.zone, id.value, instants);
-  if (!found) return;
-  const auto end_in = [&](Phase end, const Zone& zone) {
+  if (plainly_goes_on({*here, has_extra(phase)}, state.zone, moves)) return;
+  enter_end(id, phase, state.faults, state.zone, visit);
+}
+
+bool PlantSystem::enter_end(SituationId id, Phase phase, unsigned faults, const Zone& zone, const VisitEntered& visit) {
+  const auto here = situations_[id];
+  const std::size_t others = has_extra(phase) ? 1 : 0;
+  const Place place{*here, has_extra(phase)};
+  if (const auto bound = worth_a_cut(place, zone)) {
+    const auto ends_in = [&](const Interval& part) {
+      Zone where = zone;
+      return where.constrain(place.clock_of(bound->component), part) && enter_end(id, phase, faults, where, visit);
+    };
+    const bool before = ends_in({0, bound->clock.upper - 1});
+    // Where a response is owed, it matters in which part it comes too late.
+    if (before && !observer_.owes(phase)) return true;
+    return ends_in({bound->clock.upper, unbounded}) || before;
+  }
+  bool ended = false;  // in a part
+  const auto look = [&](const Zone& where, std::optional<Standstill>& found) {
+    PlantInstants instants(situations_, id, *here, others, where, folds_, goes_on_ == GoesOn::idle);
+    found = find_standstill(where, id.value, instants);
+    if (!instants.asked()) return true;
+    // Steps of the instant lead to where it matters whether a mode has ended: each part is looked at by itself.
+    folds_->cut(here->modes, others, where, *instants.asked(), [&](const Modes& modes, Zone&& part) {
+      ended = enter_end(situations_.number(modes), phase, faults, part, visit) || ended;
+    });
+    return false;
+  };
+  std::optional<Standstill> found;
+  if (!look(zone, found) || !found) return ended;
+  const auto end_in = [&](Phase end, const Zone& where) {
     std::vector<std::size_t> sources;
-    for (std::size_t clock = 1 + (observer_.timed(end) ? 0 : others); clock <= zone.clocks(); ++clock) {
+    for (std::size_t clock = 1 + (has_extra(end) ? 0 : others); clock <= where.clocks(); ++clock) {
       sources.push_back(clock);
     }
-    visit({id, here, end, state.faults, zone.select(sources), {no_move, no_wait, false}});
+    visit({id, here, end, faults, where.select(sources), {no_move, no_wait, false}});
+    return true;
   };
   const bool owed = observer_.owes(phase);
   if (!found->round.empty()) {
     return end_in(owed && !answered_in(*found, phase) ? Phase::still_armed : Phase::still, found->zone);
   }
-  if (Zone late = state.zone; owed && late.constrain(stopwatch, observer_.last_chance(situations_.time().grain()))) {
-    PlantInstants those(situations_, id, *here, others, late);
-    const auto too_late = find_standstill(late, id.value, those);
+  if (owed && observer_.some_day()) return end_in(Phase::stuck_late, found->zone);
+  if (Zone late = zone; owed && late.constrain(stopwatch, observer_.last_chance(situations_.time().grain()))) {
+    std::optional<Standstill> too_late;
+    if (!look(late, too_late)) return ended;
     if (too_late && too_late->round.empty()) return end_in(Phase::stuck_late, too_late->zone);
   }
-  end_in(Phase::stuck, found->zone);
+  return end_in(Phase::stuck, found->zone);
+}
+
+/// Where many components may be at their bounds or not, the first one to tell apart: mostly few are at one instant, but
+/// steps are told for each set of them that may be.
+std::optional<ClockBound> PlantSystem::worth_a_cut(const Place& place, const Zone& zone) {
+  constexpr std::size_t many = 7;
+  std::optional<ClockBound> result;
+  std::size_t count = 0;
+  const auto& live = place.situation.live;
+  for (std::size_t i = 0; i < live.size(); ++i) {
+    const Units bound = place.situation.stays_until[i];
+    const std::size_t clock = place.clock_of(live[i]);
+    if (bound <= 0 || bound == unbounded || zone.upper(clock) < bound || zone.lower(clock) >= bound) continue;
+    ++count;
+    if (!result) result = ClockBound{live[i], {0, bound}};
+  }
+  return count >= many ? result : std::nullopt;
 }
 
 /// Whether, in dense time, at each reading time passes or a component whose exit is due can take it: what mostly is so,
 /// seen without following any step. Its clock starts anew then, so that steps cannot go round with no time between.
 bool PlantSystem::plainly_goes_on(const Place& place, const Zone& zone, const std::vector<JointStep>& moves) const {
   if (!situations_.time().is_dense()) return false;
-  const auto reads = [&](const ClockBound& bound) {
+  const auto reads_in = [&](const Zone& some, const ClockBound& bound) {
     const std::size_t clock = place.clock_of(bound.component);
-    return Interval{zone.lower(clock), zone.upper(clock)};
+    return Interval{some.lower(clock), some.upper(clock)};
   };
+  const auto reads = [&](const ClockBound& bound) { return reads_in(zone, bound); };
   const auto left_at = [&](const ClockBound& due) {
+    Zone then = zone;
+    if (!then.constrain(place.clock_of(due.component), {due.clock.upper, due.clock.upper})) return true;
+    // Steps are told without those that only stay: what is due as well has to move, too.
+    const Late all_due = due_in(place.situation, place, then);
     return std::any_of(moves.begin(), moves.end(), [&](const JointStep& move) {
       const std::size_t c = due.component.index();
-      return move.faults == 0 &&
+      return move.faults == 0 && (goes_on_ == GoesOn::somehow || situations_.is_idle(move)) &&
              std::all_of(move.bounds.begin(), move.bounds.end(),
                          [&](const ClockBound& bound) {
-                           if (bound.component == due.component) return bound.clock.contains(due.clock.upper);
-                           const Interval range = reads(bound);
-                           return bound.clock.contains(range.lower) && bound.clock.contains(range.upper);
+                           // Nothing that exists at this instant only counts.
+                           Interval lasting = bound.clock;
+                           if (bound.sharp.lower) ++lasting.lower;
+                           if (bound.sharp.upper) --lasting.upper;
+                           const Interval range = reads_in(then, bound);
+                           return lasting.contains(range.lower) && lasting.contains(range.upper);
                          }) &&
-             situations_[move.target]->modes[c] != place.situation.modes[c];
+             situations_[move.target]->modes[c] != place.situation.modes[c] &&
+             std::all_of(all_due.begin(), all_due.end(), [&](ComponentId other) {
+               const std::size_t o = other.index();
+               return situations_[move.target]->modes[o] != place.situation.modes[o];
+             });
     });
   };
   return std::any_of(place.situation.waits.begin(), place.situation.waits.end(), [&](const Box& box) {
@@ -172,10 +263,21 @@ bool PlantSystem::plainly_goes_on(const Place& place, const Zone& zone, const st
   });
 }
 
-bool PlantSystem::answered_in(const Standstill& found, Phase phase) {
+bool PlantSystem::answered_in(const Standstill& found, Phase phase) const {
   return std::any_of(found.round.begin(), found.round.end(), [&](const Instant& step) {
     return !observer_.owes(observer_.next(phase, situations_.modes(SituationId(step.target))));
   });
+}
+
+Late PlantSystem::due_in(const Situation& situation, const Place& place, const Zone& zone) {
+  Late result;
+  for (std::size_t i = 0; i < situation.live.size(); ++i) {
+    const Units bound = situation.stays_until[i];
+    if (bound != unbounded && zone.upper(place.clock_of(situation.live[i])) >= bound) {
+      result.push_back(situation.live[i]);
+    }
+  }
+  return result;
 }
 
 Late PlantSystem::late(const Situation& situation, const Place& place, const Zone& zone) const {
@@ -190,24 +292,37 @@ Late PlantSystem::late(const Situation& situation, const Place& place, const Zon
 
 Late PlantSystem::late(const SymbolicState& state) {
   const auto here = situations_[situation_of(state.discrete)];
-  return late(*here, {*here, observer_.timed(phase_of(state.discrete))}, state.zone);
+  return late(*here, {*here, has_extra(phase_of(state.discrete))}, state.zone);
+}
+
+void PlantSystem::enter_unfolded(const Situation& from, SituationId id, std::shared_ptr<const Situation> situation,
+                                 Phase phase, unsigned faults, Zone zone, Label label,
+                                 const VisitEntered& visit) const {
+  const std::vector<ComponentId>* open = folds_ == nullptr ? nullptr : &folds_->in(from.modes);
+  if (open == nullptr || open->empty()) {
+    return enter(id, std::move(situation), phase, faults, std::move(zone), label, visit);
+  }
+  folds_->unfold(situation->modes, has_extra(phase) ? 1 : 0, zone, *open, [&](const Modes& modes, Zone&& part) {
+    const SituationId in = situations_.number(modes);
+    enter(in, situations_[in], phase, faults, std::move(part), label, visit);
+  });
 }
 
 void PlantSystem::enter(SituationId id, std::shared_ptr<const Situation> situation, Phase phase, unsigned faults,
-                        Zone now, Label label, const VisitEntered& visit) const {
+                        Zone now, Label label, const VisitEntered& visit, bool progressed) const {
   if (!in_time(now, phase, *situation)) return;
-  const Place place{*situation, observer_.timed(phase)};
+  const Place place{*situation, has_extra(phase)};
   bool whole = false;
   for (std::size_t w = 0; w < situation->waits.size(); ++w) {
     Zone later = now;
     if (!wait(later, situation->waits[w], place) || !in_time(later, phase, *situation)) continue;
     whole = whole || later.includes(now);
     label.wait = static_cast<std::uint32_t>(w);
-    visit({id, situation, phase, faults, std::move(later), label});
+    visit({id, situation, phase, faults, std::move(later), label, progressed});
   }
   if (whole) return;
   label.wait = no_wait;
-  visit({id, std::move(situation), phase, faults, std::move(now), label});
+  visit({id, std::move(situation), phase, faults, std::move(now), label, progressed});
 }
 
 bool PlantSystem::accepts(const SymbolicState& state) const {
@@ -218,6 +333,7 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
   if (phase == Phase::still_armed || phase == Phase::stuck_late) return true;
   if (is_end(phase) && observer_.seeks_end()) return true;
   if (phase != Phase::armed) return false;
+  if (observer_.some_day()) return may_wait_for_ever(state);
   if (!observer_.timed(phase)) return true;
   const Interval& accepted = *observer_.accepted();
   return state.zone.upper(stopwatch) >= accepted.lower && state.zone.lower(stopwatch) <= accepted.upper;
@@ -226,12 +342,40 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
 /// Whether at some reading more faults are certain, with idle controls, than there may still be.
 bool PlantSystem::is_spent(const SymbolicState& state) const {
   const auto here = situations_[situation_of(state.discrete)];
-  const std::size_t others = observer_.timed(phase_of(state.discrete)) ? 1 : 0;
-  return more_certain(state.zone, here->faulty, situations_.faults() - fault_count(state.faults), here->live, others,
-                      situations_.time());
+  const std::size_t others = has_extra(phase_of(state.discrete)) ? 1 : 0;
+  return more_certain(state.zone, here->faulty, faults_left(state), here->live, others, situations_.time());
+}
+
+unsigned PlantSystem::faults_left(const SymbolicState& state) const {
+  return situations_.faults() - fault_count(state.faults);
+}
+
+/// Whether time may pass without end from each reading, with all controls idle and no exit that chance would take.
+bool PlantSystem::may_wait_for_ever(const SymbolicState& state) const {
+  const SituationId id = situation_of(state.discrete);
+  const auto here = situations_[id];
+  const Place place{*here, has_extra(phase_of(state.discrete))};
+  const bool endless = std::any_of(here->waits.begin(), here->waits.end(), [&](const Box& box) {
+    return std::all_of(box.begin(), box.end(), [&](const ClockBound& bound) {
+      return bound.clock.upper == unbounded && state.zone.lower(place.clock_of(bound.component)) >= bound.clock.lower;
+    });
+  });
+  if (!endless) return false;
+  const Exits& exits = situations_.idle_exits(id);
+  return std::all_of(exits.open.begin(), exits.open.end(), [](const auto& open) { return open.empty(); });
+}
+
+void PlantSystem::abstract(SymbolicState& state) {
+  std::vector<ClockLimits> bounds;
+  limits(state.discrete, bounds);
+  state.zone.extrapolate(bounds);
 }
 
 unsigned PlantSystem::fault_count(unsigned faults) const { return sets_ == nullptr ? faults : (*sets_)[faults].count; }
+
+TransitionSystem::FaultMeasures PlantSystem::fault_measures(unsigned faults) const {
+  return sets_ == nullptr ? TransitionSystem::fault_measures(faults) : sets_->measures(faults);
+}
 
 bool PlantSystem::no_more_faults(unsigned a, unsigned b) const {
   return fault_count(a) <= fault_count(b) && (sets_ == nullptr || subset((*sets_)[a], (*sets_)[b]));
@@ -264,6 +408,7 @@ std::uint32_t PlantSystem::rank(std::uint64_t discrete) {
 
 void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& result) {
   result.clear();
+  if (progress_) result.push_back({situations_.time().grain(), 0});
   if (observer_.timed(phase_of(discrete))) {
     const Interval& accepted = *observer_.accepted();
     result.push_back({accepted.lower, accepted.upper == unbounded ? -1 : accepted.upper});
@@ -272,7 +417,7 @@ void PlantSystem::limits(std::uint64_t discrete, std::vector<ClockLimits>& resul
   result.insert(result.end(), situation->limits.begin(), situation->limits.end());
   if (!observer_.tells_ends_apart()) return;
   // What cannot go on is not to be covered by what can do more: readings are told apart by all limits alike.
-  const std::size_t first = observer_.timed(phase_of(discrete)) ? 1 : 0;
+  const std::size_t first = has_extra(phase_of(discrete)) ? 1 : 0;
   for (std::size_t clock = first; clock < result.size(); ++clock) {
     result[clock].lower = result[clock].upper = std::max(result[clock].lower, result[clock].upper);
   }

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "verifier/plant/folds.hpp"
 #include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {
@@ -21,7 +22,7 @@ namespace {
 
 /// Situations whose moves are remembered: those of one are wanted again when it is reached with other clocks. What else
 /// is told of one is wanted wherever a step leads there.
-constexpr std::size_t remembered = 1u << 12;
+constexpr std::size_t remembered = 1u << 14;
 
 void add_bound(Box& box, ComponentId component, const Interval& clock) {
   if (!clock.is_trivial()) box.push_back({component, clock});
@@ -62,8 +63,17 @@ std::uint32_t Situations::position_of(const ControlAction& action) {
 }
 
 void Situations::use(Steps steps, const std::vector<ComponentId>& visible) {
-  joint_steps_.use(steps, visible);
+  joint_steps_.use(steps == Steps::all && tells_exits_ ? Steps::every_action : steps, visible);
   moves_.clear();
+}
+
+void Situations::fold(Folds& folds) {
+  behaviours_.fold(folds);
+  for (std::size_t c = 0; c < limits_.size(); ++c) {
+    for (std::size_t m = 0; m < limits_[c].size(); ++m) {
+      if (const auto limits = folds.limits(ComponentId(c), ModeId(m))) limits_[c][m] = limits;
+    }
+  }
 }
 
 void Situations::up_to(const Symmetry& symmetry) {
@@ -119,21 +129,24 @@ std::vector<Box> Situations::waits(const std::vector<BehaviourId>& behaviours) c
   return boxes;
 }
 
-std::shared_ptr<const std::vector<JointStep>> Situations::moves(SituationId id, const Late& late) {
-  const std::pair key(id, late);
+std::shared_ptr<const std::vector<JointStep>> Situations::moves(SituationId id, const Late& late, unsigned faults,
+                                                                const Late& due) {
+  const std::tuple key(id, late, faults, due);
   if (const auto known = moves_.find(key); known != moves_.end()) return known->second;
   if (moves_.size() >= remembered) moves_.clear();
-  auto worked_out = std::make_shared<const std::vector<JointStep>>(work_out(modes(id), late));
+  auto worked_out = std::make_shared<const std::vector<JointStep>>(work_out(modes(id), late, faults, due));
   moves_.emplace(key, worked_out);
   return worked_out;
 }
 
-std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late) {
+std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late, unsigned faults, const Late& due) {
   std::vector<JointStep> result;
+  joint_steps_.allow(faults);
   std::vector<BehaviourId> idling;
   const bool may_idle = behaviours_.read(modes, actions_.front(), idling);
   const std::vector<Box> idle_waits = waits(idling);
-  joint_steps_.set_out(modes, late, idling);
+  const std::uint32_t idle_exits = tells_exits_ ? exits_in(modes, idling) : 0;
+  joint_steps_.set_out(modes, late, due, idling);
   // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a
   // step that two actions lead to is listed with the first.
   std::vector<BehaviourId> behaviours;  // of one action after the other
@@ -144,8 +157,8 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   };
   std::set<std::size_t, decltype(sooner)> seen_behaviours(sooner);  // where they begin
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(result[a].target, result[a].faults, result[a].bounds) <
-           std::tie(result[b].target, result[b].faults, result[b].bounds);
+    return std::tie(result[a].target, result[a].faults, result[a].bounds, result[a].exits) <
+           std::tie(result[b].target, result[b].faults, result[b].bounds, result[b].exits);
   };
   std::set<std::uint32_t, decltype(before)> seen_moves(before);  // positions in the result
   for_each_action(plant(), commands_, [&](const ControlAction& action) {
@@ -160,21 +173,50 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
       behaviours.resize(behaviours.size() - width);
       return;
     }
-    const auto add = [&](const Modes& target, unsigned faults, bool hold, const Box& bounds) {
-      result.push_back({number(target), position_of(action), faults, hold, bounds});
+    const std::uint32_t exits = tells_exits_ ? exits_in(modes, behaviours_here_) : 0;
+    const auto add = [&](const Modes& target, unsigned taken, bool hold, const Box& bounds) {
+      result.push_back({number(target), position_of(action), taken, hold, bounds, exits});
       if (!seen_moves.insert(static_cast<std::uint32_t>(result.size() - 1)).second) result.pop_back();
     };
     if (!time().is_dense()) {
       for (const Box& box : waits(behaviours_here_)) {
         // What waiting under idle controls allows needs no command.
-        if (std::count(idle_waits.begin(), idle_waits.end(), box) == 0) add(modes, 0, true, box);
+        const bool idle = std::count(idle_waits.begin(), idle_waits.end(), box) > 0;
+        if (!idle || exits != idle_exits) add(modes, 0, true, box);
       }
     }
     joint_steps_.enumerate(action, behaviours_here_,
-                           [&](const Modes& next, unsigned faults, const Box& box) { add(next, faults, false, box); });
+                           [&](const Modes& next, unsigned taken, const Box& box) { add(next, taken, false, box); });
   });
   std::stable_partition(result.begin(), result.end(), [](const JointStep& m) { return m.hold; });
   return result;
+}
+
+std::uint32_t Situations::exits_in(const Modes& modes, const std::vector<BehaviourId>& behaviours) {
+  Exits result;
+  std::vector<std::vector<Choice>> all;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    all.push_back(behaviours_[behaviours[c]].choices);
+    add_enabled(result, all.back(), modes[c]);
+  }
+  for_each_joint(all, 0, [&](const JointChoice& joint) {
+    meter_.poll();
+    if (joint.modes != modes && step_.possible(joint.modes)) add_open(result, modes, joint.modes, joint.bounds, time());
+  });
+  const auto [at, fresh] = exits_positions_.try_emplace(std::move(result), static_cast<std::uint32_t>(exits_.size()));
+  if (fresh) exits_.push_back(&at->first);
+  return at->second;
+}
+
+const Exits& Situations::idle_exits(SituationId id) {
+  const auto [at, fresh] = idle_exits_.try_emplace(id);
+  if (fresh) {
+    const Modes here = modes(id);
+    std::vector<BehaviourId> behaviours;
+    behaviours_.read(here, actions_.front(), behaviours);
+    at->second = exits_in(here, behaviours);
+  }
+  return *exits_[at->second];
 }
 
 std::vector<Modes> Situations::initial(const std::vector<Assignment>& from) {

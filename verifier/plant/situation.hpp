@@ -6,9 +6,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "verifier/plant/exits.hpp"
 #include "verifier/plant/joint_steps.hpp"
 #include "verifier/plant/modes_table.hpp"
 
@@ -25,6 +27,7 @@ struct JointStep {
   unsigned faults = 0;
   bool hold = false;  ///< `bounds` is then like a wait's
   Box bounds;
+  std::uint32_t exits = 0;  ///< a position in `Situations::exits`, where exits are told
 };
 
 /// What may happen in given modes. The clocks that matter are those of components whose mode has a timed exit.
@@ -49,6 +52,8 @@ class Situations {
   [[nodiscard]] unsigned faults() const { return faults_; }
   [[nodiscard]] const TimeModel& time() const { return behaviours_.time(); }
   [[nodiscard]] const automata::ControlAction& action(std::uint32_t position) const { return actions_[position]; }
+  /// Whether the step takes no command.
+  [[nodiscard]] static bool is_idle(const JointStep& step) { return step.action == 0; }
   /// While it lives, only the irreducible joint steps are moves (JointSteps); else all are.
   class [[nodiscard]] FewerSteps {
    public:
@@ -62,16 +67,31 @@ class Situations {
    private:
     Situations& situations_;
   };
+  /// From here on timers are folded: those that are in their modes stay there whatever their clocks read. Keeps a
+  /// reference. Before anything is asked.
+  void fold(Folds& folds);
   /// From here on moves are told up to the symmetry (JointSteps::up_to). Keeps a reference.
   void up_to(const Symmetry& symmetry);
+
+  /// From here on steps are told apart by what else is enabled in them, and never left out for what another command
+  /// leads to. For runs without end.
+  void tell_exits() {
+    tells_exits_ = true;
+    use(Steps::all, {});
+  }
+  /// What is enabled under the command of a step; where exits are told.
+  [[nodiscard]] const Exits& exits(std::uint32_t position) const { return *exits_[position]; }
+  /// What is enabled while time passes with all controls idle.
+  const Exits& idle_exits(SituationId id);
 
   /// The number of possible modes.
   SituationId number(const automata::Modes& modes) { return SituationId(table_.intern(modes)); }
   [[nodiscard]] automata::Modes modes(SituationId id) const;
   [[nodiscard]] std::shared_ptr<const Situation> operator[](SituationId id);
-  /// Every joint step that changes a mode with no more faults than `faults`; holds first. Always in the same order.
-  /// `late` matters only where steps are left out.
-  std::shared_ptr<const std::vector<JointStep>> moves(SituationId id, const Late& late);
+  /// Every joint step that changes a mode with no more faults than these; holds first. Always in the same order. `late`
+  /// matters only where steps are left out; those that are `due` stay no longer (JointSteps::set_out).
+  std::shared_ptr<const std::vector<JointStep>> moves(SituationId id, const Late& late, unsigned faults,
+                                                      const Late& due = {});
 
   /// The possible modes of the initial distribution, or with the given modes in its place for their components.
   std::vector<automata::Modes> initial(const std::vector<automata::Assignment>& from);
@@ -81,7 +101,9 @@ class Situations {
   std::uint32_t position_of(const automata::ControlAction& action);
   [[nodiscard]] Situation describe(const automata::Modes& modes);
   [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
-  [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes, const Late& late);
+  std::uint32_t exits_in(const automata::Modes& modes, const std::vector<BehaviourId>& behaviours);
+  [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes, const Late& late, unsigned faults,
+                                                const Late& due);
 
   automata::PlantStep& step_;
   Behaviours behaviours_;
@@ -93,9 +115,14 @@ class Situations {
   std::vector<std::vector<std::optional<ClockLimits>>> limits_;  ///< per component, per mode: of its clock, if live
   std::vector<automata::ControlAction> actions_;                 ///< those of moves, in the order in which they came up
   std::map<automata::ControlAction, std::uint32_t> action_positions_;
+  bool tells_exits_ = false;
+  std::map<Exits, std::uint32_t> exits_positions_;
+  std::vector<const Exits*> exits_;
+  std::map<SituationId, std::uint32_t> idle_exits_;
   std::vector<BehaviourId> behaviours_here_;
   base::BoundedCache<std::uint32_t, std::shared_ptr<const Situation>, std::hash<std::uint32_t>> described_;
-  std::map<std::pair<SituationId, Late>, std::shared_ptr<const std::vector<JointStep>>> moves_;  ///< a few of the last
+  std::map<std::tuple<SituationId, Late, unsigned, Late>, std::shared_ptr<const std::vector<JointStep>>>
+      moves_;  ///< a few of the last
 };
 
 }  // namespace rmpl::verifier

@@ -14,15 +14,20 @@ namespace {
 class Timetable {
  public:
   Timetable(std::vector<Leg> legs, PlantSystem& system)
-      : legs_(std::move(legs)), situations_(system.situations()), observer_(system.observer()) {}
+      : legs_(std::move(legs)),
+        situations_(system.situations()),
+        observer_(system.observer()),
+        progress_(system.watches_progress()) {}
 
-  Witness witness() {
+  TimedPath path() {
     begin();
     for (std::size_t i = 1; i < legs_.size(); ++i) step(i);
     accept();
     const auto times = schedule_.solve();
     CHECK(times && "a path that the search found has no times");
-    return events(*times);
+    TimedPath result;
+    result.witness = events(*times, result.entered);
+    return result;
   }
 
  private:
@@ -37,8 +42,13 @@ class Timetable {
     const JointStep& taken = *legs_[i].move;
     const Schedule::Point left = left_.back();
     const Schedule::Point entered = schedule_.add_point();
+    if (progress_) {
+      const Interval waited = legs_[i].progressed ? Interval{situations_.time().grain(), unbounded} : Interval{0, 0};
+      schedule_.constrain(entered_.back(), left, waited);
+    }
     if (taken.hold) {
       pass(taken.bounds, left, entered);
+      if (progress_) schedule_.constrain(left, entered, {1, unbounded});
     } else {
       schedule_.fix(left, entered, situations_.time().is_dense() ? 0 : 1);
       for (const ClockBound& b : taken.bounds) schedule_.constrain(restarted(b), entered, b.clock);
@@ -86,11 +96,12 @@ class Timetable {
 
   [[nodiscard]] Schedule::Point restarted(const ClockBound& bound) const { return restarted_[bound.component.index()]; }
 
-  [[nodiscard]] Witness events(const std::vector<Units>& times) const {
+  [[nodiscard]] Witness events(const std::vector<Units>& times, std::vector<std::size_t>& entered) const {
     const TimeModel& time = situations_.time();
     Witness witness;
     std::vector<Event>& result = witness.events;
     result.push_back({automata::Ticks{0}, legs_[0].modes, automata::idle_action(situations_.plant())});
+    entered.push_back(0);
     for (std::size_t i = 1; i < legs_.size(); ++i) {
       const JointStep& taken = *legs_[i].move;
       // A hold is as many steps as it has periods.
@@ -98,6 +109,7 @@ class Timetable {
       for (Units at = first; at <= times[entered_[i]]; ++at) {
         result.push_back({time.ticks(at), legs_[i].modes, situations_.action(taken.action)});
       }
+      entered.push_back(result.size() - 1);
     }
     const automata::Ticks end = time.ticks(times[left_.back()]);
     if (end > result.back().time) {
@@ -109,6 +121,7 @@ class Timetable {
   std::vector<Leg> legs_;
   Situations& situations_;
   const Observer& observer_;
+  bool progress_;
   Schedule schedule_;
   std::vector<Schedule::Point> entered_;    ///< per state
   std::vector<Schedule::Point> left_;       ///< per state
@@ -118,8 +131,12 @@ class Timetable {
 
 }  // namespace
 
+TimedPath earliest_path(const std::vector<PathState>& path, PlantSystem& system) {
+  return Timetable(itinerary(path, system), system).path();
+}
+
 Witness earliest_witness(const std::vector<PathState>& path, PlantSystem& system) {
-  return Timetable(itinerary(path, system), system).witness();
+  return earliest_path(path, system).witness;
 }
 
 }  // namespace rmpl::verifier

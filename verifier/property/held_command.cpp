@@ -44,6 +44,7 @@ Truth truth_under(const Formula& formula, Assignment known) {
       return std::binary_search(formula.values.begin(), formula.values.end(), known.value);
     case Formula::Kind::equality:
     case Formula::Kind::clock:
+    case Formula::Kind::knowledge:
       return std::nullopt;
     case Formula::Kind::negation:
       return opposite(truth_under(formula.operands[0], known));

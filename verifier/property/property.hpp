@@ -116,6 +116,8 @@ struct CheckOptions {
   std::size_t components_for_plan = 32;
   /// States are put together where they are one set cut in pieces. No verdict depends on it.
   bool merge = true;
+  /// States that differ only in what time alone has led timers to are one (plant/folds.hpp). No verdict depends on it.
+  bool fold = true;
   /// Modes to start in, all clocks 0, in place of the initial distribution of their components.
   std::vector<automata::Assignment> from;
 };

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/search/limits.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
+
+#include "base/peak_memory.hpp"
 
 namespace rmpl::verifier {
 namespace {
@@ -15,11 +15,7 @@ constexpr double seconds_between_reports = 0.5;
 
 }  // namespace
 
-std::size_t peak_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts it in kilobytes
-}
+std::size_t peak_bytes() { return base::peak_memory(); }
 
 Limits remaining(Limits limits, const Progress& spent) {
   if (limits.time) {

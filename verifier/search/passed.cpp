@@ -16,6 +16,8 @@ namespace {
 /// A node grows by what is among so many others, cut into so many pieces.
 constexpr std::size_t most_parts = 32;
 constexpr std::size_t most_pieces = 256;
+/// Longer lists are put into a forest.
+constexpr std::size_t most_in_list = 64;
 
 template <class Entry>
 bool fits(std::span<const Units> matrix) {
@@ -109,21 +111,86 @@ std::uint32_t& Passed::first(std::uint64_t discrete) {
   return slots_[slot_of(discrete)];
 }
 
-std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
-  system_.limits(state.discrete, limits_);
-  std::uint32_t& head = first(state.discrete);
-  for (std::uint32_t n = head; n != none; n = nodes_[n].next) {
-    if (!nodes_[n].covered && covered_by(nodes_[n], state, steps)) return none;
-  }
-  // What is covered leaves the list, but for its first node, which the slot is found by.
-  std::uint32_t* link = &head;
-  for (std::uint32_t n = head; n != none; n = nodes_[n].next) {
+std::size_t Passed::mark_covered(std::uint32_t head, const SymbolicState& state) {
+  std::size_t length = 0;
+  std::uint32_t* link = nullptr;
+  for (std::uint32_t n = head; n != none; n = nodes_[n].next, ++length) {
     if (!nodes_[n].covered && covers(state, nodes_[n])) nodes_[n].covered = true;
     if (nodes_[n].covered && n != head) {
       *link = nodes_[n].next;
     } else {
       link = &nodes_[n].next;
     }
+  }
+  return length;
+}
+
+bool Passed::row_of(std::uint32_t number, std::span<Units> row) const {
+  const Node& node = nodes_[number];
+  if (node.covered) return false;
+  const std::size_t entries = std::size_t{node.dimension} * node.dimension;
+  with_matrix(node, [&]<class Entry>(const Entry* matrix) {
+    std::transform(matrix, matrix + entries, row.begin(),
+                   [](Entry bound) { return bound == std::numeric_limits<Entry>::max() ? unbounded : Units{bound}; });
+  });
+  const auto measures = system_.fault_measures(node.faults);
+  std::copy(measures.begin(), measures.end(), row.begin() + static_cast<std::ptrdiff_t>(entries));
+  row.back() = steps_counted_ ? -Units{node.steps} : 0;
+  return true;
+}
+
+void Passed::index(std::uint64_t discrete, std::uint32_t head) {
+  const std::size_t entries = std::size_t{nodes_[head].dimension} * nodes_[head].dimension;
+  BoundingForest& forest =
+      forests_.try_emplace(discrete, entries + std::tuple_size_v<TransitionSystem::FaultMeasures> + 1).first->second;
+  for (std::uint32_t n = head; n != none; n = nodes_[n].next) {
+    forest.add(n, [this](std::uint32_t node, std::span<Units> row) { return row_of(node, row); });
+  }
+  nodes_[head].indexed = true;
+}
+
+bool Passed::forest_covers(const BoundingForest& forest, const SymbolicState& state, std::uint32_t steps) const {
+  const std::size_t n = state.zone.clocks() + 1;
+  const auto measures = system_.fault_measures(state.faults);
+  const Units* own = state.zone.matrix().data();
+  const auto may = [&](const Units* greatest) {
+    const Units* rest = greatest + n * n;
+    if (!std::equal(measures.begin(), measures.end(), rest, std::less_equal<>())) return false;
+    if (steps_counted_ && rest[measures.size()] < -Units{steps}) return false;
+    return limits_.empty() ? verifier::includes(greatest, own, n) : verifier::covers(greatest, own, n, limits_);
+  };
+  return forest.above(
+      may, [&](std::uint32_t node) { return !nodes_[node].covered && covered_by(nodes_[node], state, steps); });
+}
+
+void Passed::mark_covered(const BoundingForest& forest, const SymbolicState& state) {
+  const std::size_t n = state.zone.clocks() + 1;
+  const auto measures = system_.fault_measures(state.faults);
+  const Units* own = state.zone.matrix().data();
+  const auto may = [&](const Units* least) {
+    if (!std::equal(measures.begin(), measures.end(), least + n * n, std::greater_equal<>())) return false;
+    return limits_.empty() ? verifier::includes(own, least, n) : verifier::covers(own, least, n, limits_);
+  };
+  forest.below(may, [&](std::uint32_t node) {
+    if (!nodes_[node].covered && covers(state, nodes_[node])) nodes_[node].covered = true;
+    return false;
+  });
+}
+
+std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::uint32_t parent, std::uint32_t steps) {
+  system_.limits(state.discrete, limits_);
+  std::uint32_t& head = first(state.discrete);
+  BoundingForest* const forest =
+      head != none && nodes_[head].indexed ? &forests_.find(state.discrete)->second : nullptr;
+  std::size_t length = 0;
+  if (forest != nullptr) {
+    if (forest_covers(*forest, state, steps)) return none;
+    mark_covered(*forest, state);
+  } else {
+    for (std::uint32_t n = head; n != none; n = nodes_[n].next) {
+      if (!nodes_[n].covered && covered_by(nodes_[n], state, steps)) return none;
+    }
+    length = mark_covered(head, state);
   }
   CHECK(nodes_.size() < none && "more states than there are numbers");
   const auto number = static_cast<std::uint32_t>(nodes_.size());
@@ -139,6 +206,11 @@ std::uint32_t Passed::add(const SymbolicState& state, const Label& label, std::u
     nodes_[head].next = number;
   }
   nodes_.push_back(node);
+  if (forest != nullptr) {
+    forest->add(number, [this](std::uint32_t one, std::span<Units> row) { return row_of(one, row); });
+  } else if (length >= most_in_list) {
+    index(state.discrete, head);
+  }
   return number;
 }
 
@@ -150,7 +222,14 @@ std::uint32_t Passed::grown(std::uint32_t number) {
   const Node node = nodes_[number];
   std::vector<std::uint32_t> others;
   bool some_wait = false;
-  for (std::uint32_t n = first(node.discrete); n != none && others.size() < most_parts; n = nodes_[n].next) {
+  const std::uint32_t head = first(node.discrete);
+  std::uint32_t* link = nullptr;
+  for (std::uint32_t n = head; n != none && others.size() < most_parts; n = nodes_[n].next) {
+    if (nodes_[n].covered && n != head) {
+      *link = nodes_[n].next;
+      continue;
+    }
+    link = &nodes_[n].next;
     if (nodes_[n].covered || n == number || !system_.no_more_faults(nodes_[n].faults, node.faults)) continue;
     others.push_back(n);
     some_wait = some_wait || may_join(nodes_[n], node);

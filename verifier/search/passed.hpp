@@ -5,9 +5,12 @@
 #include <cstdint>
 #include <memory>
 #include <set>
+#include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "verifier/search/bounding_forest.hpp"
 #include "verifier/search/system.hpp"
 
 namespace rmpl::verifier {
@@ -43,6 +46,7 @@ class Passed {
     bool covered = false;   ///< by a later one
     bool explored = false;  ///< its successors have been asked for, or are about to be
     bool merged = false;    ///< its zone is one of several nodes with this discrete part together
+    bool indexed = false;   ///< of the first node of a discrete part: there are so many that a forest holds them
   };
 
   /// Where steps are counted, a state with more steps does not cover one with fewer.
@@ -84,6 +88,16 @@ class Passed {
   [[nodiscard]] bool covered_by(const Node& node, const SymbolicState& state, std::uint32_t steps) const;
   [[nodiscard]] bool covers(const SymbolicState& state, const Node& node) const;
   std::uint32_t& first(std::uint64_t discrete);
+  /// Marks the nodes of a list that the state covers, and takes them out of it; its first node stays, which the slot is
+  /// found by. How many it looks at.
+  std::size_t mark_covered(std::uint32_t head, const SymbolicState& state);
+  /// The same by the discrete part's forest, for lists that are long. Covered nodes stay in the list.
+  [[nodiscard]] bool forest_covers(const BoundingForest& forest, const SymbolicState& state, std::uint32_t steps) const;
+  void mark_covered(const BoundingForest& forest, const SymbolicState& state);
+  /// What a forest knows of a node: its zone, its faults, and its steps where these count. What covers a node is no
+  /// less in any entry. False where the node is covered.
+  bool row_of(std::uint32_t node, std::span<Units> row) const;
+  void index(std::uint64_t discrete, std::uint32_t head);
 
   TransitionSystem& system_;
   bool steps_counted_;
@@ -93,7 +107,8 @@ class Passed {
   Arena<Units> eights_;
   std::vector<std::uint32_t> slots_;  ///< the first node of a discrete part, by open addressing
   std::size_t discretes_ = 0;
-  std::vector<ClockLimits> limits_;  ///< of the state at hand
+  std::vector<ClockLimits> limits_;                            ///< of the state at hand
+  std::unordered_map<std::uint64_t, BoundingForest> forests_;  ///< by discrete part
 };
 
 }  // namespace rmpl::verifier

@@ -28,6 +28,7 @@ class Guided : public TransitionSystem {
   [[nodiscard]] bool accepts(const SymbolicState& state) const override { return system_.accepts(state); }
   [[nodiscard]] bool no_more_faults(unsigned a, unsigned b) const override { return system_.no_more_faults(a, b); }
   [[nodiscard]] unsigned fault_count(unsigned faults) const override { return system_.fault_count(faults); }
+  [[nodiscard]] FaultMeasures fault_measures(unsigned faults) const override { return system_.fault_measures(faults); }
   [[nodiscard]] std::uint32_t rank(std::uint64_t discrete) override { return system_.rank(discrete); }
   void limits(std::uint64_t discrete, std::vector<ClockLimits>& result) override { system_.limits(discrete, result); }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/function_ref.hpp"
+#include "base/hash.hpp"
 #include "verifier/search/limits.hpp"
 #include "verifier/zone/zone.hpp"
 
@@ -18,6 +20,12 @@ struct SymbolicState {
                     ///< do all that the other can
   Zone zone;
 };
+
+inline std::uint64_t hash_of(const SymbolicState& state) {
+  std::uint64_t hash = base::mix(base::mix(base::hash_seed, state.discrete), state.faults);
+  for (const Units bound : state.zone.matrix()) hash = base::mix(hash, static_cast<std::uint64_t>(bound));
+  return hash;
+}
 
 /// How a state came about: numbers that mean something to its system alone.
 struct Label {
@@ -41,6 +49,9 @@ class TransitionSystem {
   [[nodiscard]] virtual bool no_more_faults(unsigned a, unsigned b) const { return a <= b; }
   /// How many faults that is.
   [[nodiscard]] virtual unsigned fault_count(unsigned faults) const { return faults; }
+  /// Numbers none of which is less for faults `a` than for `b` where `no_more_faults(a, b)`: a quick look before it.
+  using FaultMeasures = std::array<Units, 3>;
+  [[nodiscard]] virtual FaultMeasures fault_measures(unsigned faults) const { return {-Units{faults}, 0, 0}; }
   /// How far from the start: states with as many faults are explored by this, the least first.
   [[nodiscard]] virtual std::uint32_t rank(std::uint64_t /*discrete*/) { return 0; }
   /// The greatest constants that the clocks of states with this discrete part are compared with from there on. A search

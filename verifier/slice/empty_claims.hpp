@@ -12,22 +12,21 @@
 
 namespace rmpl::verifier {
 
-/// Whether some state satisfies the formula whose components are in modes that they come to, from those given by `from`
-/// or the initial ones, whatever guards say, but none in which they come there without a fault. Cost: two questions to
-/// the solver.
+/// Whether the formula needs a fault: some state satisfies it if components may take faults from the modes of `from`,
+/// or the initial ones, and no state does if they may not. Guards are taken to hold. Cost: two questions to the solver.
 bool takes_a_fault(Slices& slices, const automata::Formula& formula, const std::vector<automata::Assignment>& from);
 
-/// What the property asks whether it happens, where that takes a fault and none is permitted. Nothing of responses:
-/// their verdict tells that nothing asks.
+/// The formula of the property that needs a fault while none is permitted. Nothing for responses: their verdict says
+/// that the trigger never holds.
 std::optional<automata::Formula> out_of_reach(Slices& slices, const Property& property, const CheckOptions& options);
 
-/// Whether nothing in the model can ever satisfy what is never to hold, or imply it, where that is what counts.
+/// Why the model can never satisfy the forbidden formula, or, with `entailed`, never imply it.
 std::optional<Vacuity> vacuity_of_never(Slices& slices, const automata::Formula& never, bool entailed);
 
-/// What the property asks to come, where every state satisfies it.
+/// The promise of the property, if every state satisfies it.
 std::optional<automata::Formula> there_anyway(Slices& slices, const Property& property);
 
-/// Whether a response asks of modes alone, and whatever asks for it is its answer.
+/// Whether the trigger of a response is about modes alone and always satisfies the answer.
 bool answers_itself(Slices& slices, const Property& property);
 
 }  // namespace rmpl::verifier

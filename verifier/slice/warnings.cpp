@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/slice/warnings.hpp"
 
+#include <algorithm>
 #include <set>
+#include <string>
 
 #include "automata/assignment_text.hpp"
 #include "automata/controls.hpp"
@@ -13,39 +15,76 @@ namespace rmpl::verifier {
 
 namespace {
 
-void add_commands(std::vector<std::string>& warnings, const Property& property, const automata::Plant& plant) {
+void add_commands(std::vector<QuestionWarning>& warnings, const Property& property, const automata::Plant& plant) {
   std::set<automata::VariableId> told;
   for (const automata::Formula& formula : formulas_of(property)) {
     for (const automata::VariableId variable : automata::variables_of(formula)) {
       if (!automata::is_control(plant, variable) || !told.insert(variable).second) continue;
-      warnings.push_back("'" + plant.variables.name(variable) +
-                         "' is commanded: what is asked is about states, which allow any value of it and imply none; a "
-                         "flight sees the command in force");
+      warnings.push_back(
+          {"'" + plant.variables.name(variable) +
+           "' is a control: a question about states allows any value of it and implies none; a flight sees "
+           "the command in force"});
     }
   }
 }
 
-void add_empty_claim(std::vector<std::string>& warnings, const Question& question, Slices& slices) {
+std::optional<std::string> warning_of_knowledge(const std::vector<automata::Formula>& atoms,
+                                                const automata::Plant& plant) {
+  std::string text;
+  std::set<automata::Knowing> kinds;
+  for (const automata::Formula& atom : atoms) {
+    if (atom.knowing == automata::Knowing::no_plan) continue;
+    text += (text.empty() ? "'" : ", '") + to_text(atom, plant.variables) + "'";
+    kinds.insert(atom.knowing);
+  }
+  if (text.empty()) return std::nullopt;
+  text += kinds.size() == 1 && text.find(", ") == std::string::npos ? " is" : " are";
+  text += " read with the estimate taken as the truth: ";
+  std::string readings;
+  const auto add = [&](automata::Knowing kind, const char* reading) {
+    if (kinds.contains(kind)) readings += (readings.empty() ? "" : ", ") + std::string(reading);
+  };
+  add(automata::Knowing::surprise, "nothing is a surprise");
+  add(automata::Knowing::possible, "possible is what the state allows");
+  add(automata::Knowing::likely, "likely is what the state implies");
+  return text + readings;
+}
+
+/// What conditions ask of the executive's knowledge is judged by the truth.
+void add_knowledge(std::vector<QuestionWarning>& warnings, const Property& property, const automata::Plant& plant,
+                   const automata::Program* program) {
+  std::vector<automata::Formula> atoms;
+  if (program != nullptr && std::holds_alternative<ProgramProperty>(property)) atoms = knowledge_asked_by(*program);
+  for (const automata::Formula& formula : formulas_of(property)) collect_knowledge(formula, atoms);
+  if (const auto warning = warning_of_knowledge(atoms, plant)) warnings.push_back({*warning});
+}
+
+void add_empty_claim(std::vector<QuestionWarning>& warnings, const Question& question, Slices& slices) {
   const Property& property = question.property;
   const automata::Variables& variables = slices.plant().variables;
   if (const auto event = out_of_reach(slices, property, question.options)) {
-    warnings.push_back("'" + automata::to_text(*event, variables) +
-                       "' takes a fault, and none is permitted: --faults K, or 'faults K' in a property file, permits "
-                       "up to K");
+    warnings.push_back(
+        {"'" + automata::to_text(*event, variables) +
+             "' needs a fault, and none is permitted: --faults K, or 'faults K' in a property file, permits "
+             "up to K",
+         true});
   }
   if (const auto* reachability = std::get_if<Reachability>(&property)) {
     if (const auto why = vacuity_of_never(slices, reachability->target, question.options.entailed)) {
-      warnings.push_back("no state whatever " + std::string(*why == Vacuity::unsatisfiable ? "satisfies" : "implies") +
-                         " '" + automata::to_text(reachability->target, variables) +
-                         "': that it is not reached says nothing of the plant");
+      warnings.push_back({"no state whatever " + std::string(*why == Vacuity::unsatisfiable ? "satisfies" : "implies") +
+                              " '" + automata::to_text(reachability->target, variables) +
+                              "': its unreachability says nothing about the plant",
+                          true});
     }
   }
   if (const auto promise = there_anyway(slices, property)) {
-    warnings.push_back("every state satisfies '" + automata::to_text(*promise, variables) +
-                       "': that it comes says nothing of the plant");
+    warnings.push_back({"every state satisfies '" + automata::to_text(*promise, variables) +
+                            "': the claim says nothing about the plant",
+                        true});
   } else if (answers_itself(slices, property)) {
-    warnings.push_back("whatever satisfies '" + automata::to_text(formulas_of(property).front(), variables) +
-                       "' is its own answer: the response says nothing of the plant");
+    warnings.push_back({"whatever satisfies '" + automata::to_text(formulas_of(property).front(), variables) +
+                            "' is its own answer: the response says nothing about the plant",
+                        true});
   }
 }
 
@@ -61,14 +100,17 @@ std::optional<std::string> held_command(const Question& question, const Answer& 
   return "in dense time commands are given at an instant, and time passes with all controls idle: that '" +
          component.name + "' stays in '" + component.modes[held->mode.index()].name + "' while " +
          to_text(plant.variables, held->command) +
-         " is held was not looked at; --time T looks at it, and a program where it holds it";
+         " is held was not checked; --time T checks it, and so does a program that holds it";
 }
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const Question& question, Slices& slices) {
-  std::vector<std::string> warnings;
+std::vector<QuestionWarning> warnings_of(const Question& question, Slices& slices, const automata::Program* program) {
+  std::vector<QuestionWarning> warnings;
   add_commands(warnings, question.property, slices.plant());
+  add_knowledge(warnings, question.property, slices.plant(), program);
+  const std::vector<automata::Formula> asked = formulas_of(question.property);
+  if (std::any_of(asked.begin(), asked.end(), automata::has_knowledge)) return warnings;
   // Where nothing starts that is to be told, and no more.
   if (slices.start(question.options.from)) add_empty_claim(warnings, question, slices);
   return warnings;

@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "base/check.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Assignment;
@@ -127,7 +129,9 @@ class PlantGraph {
         return self;
       }
       case Formula::Kind::clock:
-        return vertex("clock");
+      case Formula::Kind::knowledge:
+        CHECK(false && "a plant has atoms of neither clocks nor knowledge");
+        return vertex("");
       case Formula::Kind::negation:
         return node("not", formula);
       case Formula::Kind::conjunction:

@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "automata/assignment_text.hpp"
+#include "automata/time/checked_ticks.hpp"
 #include "verifier/verdict/trace.hpp"
 #include "verifier/witness/hindrance.hpp"
 
 namespace rmpl::verifier {
 
 using automata::Assignment;
+using automata::Formula;
 using automata::LocationId;
 
 namespace {
@@ -18,12 +20,13 @@ namespace {
 /// So many components are named where a wait is explained.
 constexpr std::size_t most_hindrances = 3;
 
-/// ` (main.rmpl:3:5)`: the marked location that asserts a goal.
-std::string place_of(const Subject& subject, const automata::Marking& marking, const Assignment& goal) {
+/// ` (main.rmpl:3:5)`: the marked location that asserts a conjunct of a goal.
+std::string place_of(const Subject& subject, const automata::Marking& marking, const Formula& conjunct) {
   for (const LocationId id : marking) {
     const automata::Location& location = subject.program->locations[id.index()];
-    const bool asserts = std::find(location.goal.begin(), location.goal.end(), goal) != location.goal.end();
-    if (asserts) return in_brackets(location.origin);
+    if (!location.has_goal()) continue;
+    const std::vector<Formula> own = conjuncts_of(goal_of(location));
+    if (std::find(own.begin(), own.end(), conjunct) != own.end()) return in_brackets(location.origin);
   }
   return "";
 }
@@ -38,23 +41,28 @@ std::string barrier_text(const Subject& subject, const runtime::Reason& why, con
 
 std::string no_plan_text(const Subject& subject, const Witness& witness) {
   const Cycle& cycle = *witness.events.back().cycle;
-  std::string goal;
-  const std::size_t conjunct = cycle.why.conjunct.value_or(0);
-  if (conjunct < cycle.goal.size() && (cycle.why.conjunct || cycle.goal.size() == 1)) {
-    const Assignment& asked = cycle.goal[conjunct];
-    goal = "for " + to_text(subject.plant.variables, asked) + place_of(subject, cycle.marking, asked) + ": ";
+  const automata::Variables& variables = subject.plant.variables;
+  const auto asked = [&](const Formula& goal) {
+    return to_text(goal, variables) + place_of(subject, cycle.marking, conjuncts_of(goal).front()) + ": ";
+  };
+  std::string text;
+  if (cycle.outcome == runtime::Reconfiguration::Outcome::no_plan) {
+    const std::vector<Formula> goal = conjuncts_of(cycle.goals.formula());
+    const std::size_t conjunct = cycle.why.conjunct.value_or(0);
+    const bool one = conjunct < goal.size() && (cycle.why.conjunct || goal.size() == 1) && !cycle.goals.empty();
+    text = "no plan" + (one ? " for " + asked(goal[conjunct]) : ": ") + barrier_text(subject, cycle.why, cycle.reason);
   }
-  std::string text = "no plan" + (goal.empty() ? ": " : " " + goal) + barrier_text(subject, cycle.why, cycle.reason);
   for (const Refusal& other : witness.refused) {
-    text += "; nor for " + to_text(subject.plant.variables, other.goal) + place_of(subject, cycle.marking, other.goal) +
-            ": " + barrier_text(subject, other.why, other.reason);
+    text += (text.empty() ? "no plan for " : "; nor for ") + asked(other.goal) +
+            barrier_text(subject, other.why, other.reason);
   }
   return text;
 }
 
 std::string waiting_text(const Subject& subject, const Witness& witness) {
   const Cycle& last = *witness.events.back().cycle;
-  std::string text = "nothing but a fault would change anything any more; the program waits";
+  std::string text = "only a fault can change anything from here on; the program ";
+  text += last.marking.empty() ? "has ended" : "waits";
   bool first = true;
   for (const LocationId id : last.marking) {
     const automata::Location& location = subject.program->locations[id.index()];
@@ -63,11 +71,19 @@ std::string waiting_text(const Subject& subject, const Witness& witness) {
     first = false;
   }
   if (!last.conflicts.empty()) return text + ": goals that contradict each other are not acted on";
-  if (last.outcome == runtime::Reconfiguration::Outcome::no_plan) return text + ": " + no_plan_text(subject, witness);
+  if (lacks_a_plan(last)) return text + ": " + no_plan_text(subject, witness);
   for (std::size_t h = 0; h < witness.hindrances.size() && h < most_hindrances; ++h) {
     text += (h == 0 ? ": " : "; ") + to_text(subject.plant, witness.hindrances[h]);
   }
   return text;
+}
+
+std::string endless_text(const Subject& subject, const Witness& witness) {
+  if (witness.waits_for_ever) return waiting_text(subject, witness);
+  const std::vector<Event>& events = witness.events;
+  const bool rests = witness.repeats_from && !events.back().cycle && *witness.repeats_from + 1 == events.size() &&
+                     events[events.size() - 2].modes == events.back().modes;
+  return rests ? "nothing has to change from here on" : "this repeats for ever";
 }
 
 std::string undone_text(const Subject& subject, const Witness& witness) {
@@ -75,17 +91,22 @@ std::string undone_text(const Subject& subject, const Witness& witness) {
   const Assignment lost{subject.plant[undone.component].mode, automata::ValueId(undone.mode.index())};
   const Event& event = witness.events[witness.events.size() - 2];
   return "`" + to_text(subject.plant.variables, lost) + "`" +
-         place_of(subject, witness.events[undone.asked].cycle->marking, lost) +
+         place_of(subject, witness.events[undone.asked].cycle->marking, automata::is(lost.variable, lost.value)) +
          " is undone, and no goal asks for that: the command is " +
-         to_text(event.cycle->why, subject.plant, automata::conjunction_of(event.cycle->goal)) +
+         to_text(event.cycle->why, subject.plant, event.cycle->goals.formula()) +
          "; a goal that goes on asking for it would keep it";
 }
 
 std::string owed_text(const Subject& subject, const Response& response, const Witness& witness) {
   const automata::Ticks since = witness.events[*witness.owed_since].time;
-  return "'" + to_text(response.then, subject.plant.variables) + "' is owed since " + automata::format_seconds(since) +
-         " s, and was to come by " + automata::format_seconds(since + response.within) + " s" +
-         (witness.stop ? "; " + to_text(subject.plant, *witness.stop) : "");
+  const std::string owed = "'" + to_text(response.then, subject.plant.variables) + "' is owed since " +
+                           automata::format_seconds(since) + " s, and ";
+  const std::string stop = witness.stop ? to_text(subject.plant, *witness.stop) : "";
+  if (response.within.is_infinite()) {
+    return owed + "never comes: " + (stop.empty() ? endless_text(subject, witness) : stop);
+  }
+  const auto deadline = automata::checked_sum(since, response.within).value_or(automata::Ticks::infinite());
+  return owed + "was to come by " + automata::format_seconds(deadline) + " s" + (stop.empty() ? "" : "; " + stop);
 }
 
 }  // namespace rmpl::verifier

@@ -17,6 +17,9 @@ std::string no_plan_text(const Subject& subject, const Witness& witness);
 /// The locations that wait, and what keeps the components that they wait for where they are.
 std::string waiting_text(const Subject& subject, const Witness& witness);
 
+/// How a run goes on without end: what waits, or that it goes round.
+std::string endless_text(const Subject& subject, const Witness& witness);
+
 /// What is taken away, for which reward, and what would keep it.
 std::string undone_text(const Subject& subject, const Witness& witness);
 

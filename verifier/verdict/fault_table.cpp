@@ -30,12 +30,16 @@ std::string name_of(const Subject& subject, const FaultOutcome& row) {
          component.modes[row.fault->to.index()].name;
 }
 
-/// What can come of a fault, in words, best first; where a limit was hit, what was found until then and `undecided`.
+bool cannot_happen(const FaultOutcome& row) { return row.decided && row.fault && !row.happens; }
+
+}  // namespace
+
 std::vector<std::string> outcomes_of(const FaultOutcome& row) {
-  if (row.decided && row.fault && !row.happens) return {"cannot happen"};
+  if (cannot_happen(row)) return {"cannot happen"};
   std::vector<std::string> result;
   if (row.success) result.emplace_back(row.fault ? "recovered" : "success");
   if (row.spoils()) result.emplace_back("never recovered");
+  if (row.unrepaired) result.emplace_back("never repaired");
   const auto add = [&](bool comes, bool anyway, const std::string& words) {
     if (comes) result.push_back(words + (anyway && row.fault ? " anyway" : ""));
   };
@@ -50,10 +54,23 @@ std::vector<std::string> outcomes_of(const FaultOutcome& row) {
   return result;
 }
 
+namespace {
+
 std::string outcome_text(const FaultOutcome& row) {
   std::string result;
   for (const std::string& outcome : outcomes_of(row)) result += (result.empty() ? "" : ", ") + outcome;
   return result;
+}
+
+/// ` (no plan: …)`, where a goal is without one.
+std::string no_plan_text(const FaultOutcome& row) {
+  return row.no_plan ? " (no plan: " + row.no_plan->events.back().cycle->reason + ")" : "";
+}
+
+/// When the fault may happen at the earliest.
+std::optional<std::string> earliest_of(const FaultOutcome& row) {
+  if (!row.happens) return std::nullopt;
+  return automata::format_seconds(row.happens->events.back().time) + " s";
 }
 
 /// The run on which the mission is lost, or else the program does not end; empty where there is none.
@@ -110,11 +127,8 @@ ordered_json to_json(const Subject& subject, const ProgramQuestion& question, co
 std::string to_text(const Subject& subject, const FaultTable& table) {
   std::vector<std::array<std::string, 3>> rows = {{"fault", "earliest", "what can come of it"}};
   for (const FaultOutcome& row : table.rows) {
-    std::string outcome = outcome_text(row);
-    if (row.no_plan) outcome += " (no plan: " + row.no_plan->events.back().cycle->reason + ")";
-    const std::string earliest =
-        row.happens ? automata::format_seconds(row.happens->events.back().time) + " s" : std::string("-");
-    rows.push_back({name_of(subject, row), earliest, std::move(outcome)});
+    const auto earliest = earliest_of(row);
+    rows.push_back({name_of(subject, row), earliest ? *earliest : "-", outcome_text(row) + no_plan_text(row)});
   }
   std::array<std::size_t, 2> widths{};
   for (const auto& row : rows) {
@@ -133,14 +147,21 @@ std::string to_junit(const Subject& subject, const FaultTable& table) {
   using enum base::TestCase::Outcome;
   std::vector<base::TestCase> cases;
   for (const FaultOutcome& row : table.rows) {
+    const std::string outcome = outcome_text(row) + no_plan_text(row);
+    const auto earliest = earliest_of(row);
+    std::string notes = earliest ? "the fault happens at " + *earliest + " at the earliest\n" : "";
+    // Of a failure the message says it.
+    if (row.decided && !row.fails()) notes += outcome + "\n";
     cases.push_back({.name = name_of(subject, row),
                      .classname = subject.plant.name + "." + subject.program->name,
                      .seconds = cases.empty() ? table.progress.seconds : 0.0,
-                     .outcome = row.fails()    ? failure
-                                : !row.decided ? error
-                                               : success,
-                     .message = outcome_text(row),
-                     .text = failure_text(subject, row)});
+                     .outcome = row.fails()          ? failure
+                                : !row.decided       ? error
+                                : cannot_happen(row) ? skipped
+                                                     : success,
+                     .message = outcome,
+                     .text = failure_text(subject, row),
+                     .notes = cannot_happen(row) ? "" : std::move(notes)});
   }
   for (const std::string& warning : table.warnings) cases.front().notes += "warning: " + warning + "\n";
   return base::to_junit(title(subject), cases);

@@ -27,17 +27,25 @@ struct FaultOutcome {
   std::optional<Witness> stops = std::nullopt;    ///< nothing can follow, or time stands still
   std::optional<Witness> another = std::nullopt;  ///< another fault is certain: what would follow is not told
   bool decided = false;
-  /// Which of them come without the fault too, so that they are not the fault's: the same property is violated, the
-  /// program waits at the same locations. Where no run without a fault ends: that it goes on, or rests with a plan.
+  /// Which of them come without the fault too, so that they are not the fault's: the same property is violated; the
+  /// program waits at the same locations, and is not short of a plan there only now.
   struct Anyway {
     bool lost = false, waits = false, goes_on = false, stops = false, another = false;
   };
   Anyway anyway = {};
-  bool costs_success = false;  ///< without the fault there is success, and with it there is none
+  /// No run without a fault ends, so the end is not what the program is for: that it goes on or waits is no failure by
+  /// itself.
+  bool unending = false;
+  bool waits_without_plan = false;  ///< the wait is for a goal without a plan
+  bool costs_success = false;       ///< without the fault there is success, and with it there is none
+  /// Of a program without end: nominal transitions lead from the fault to modes that are no fault, and no run takes
+  /// them.
+  bool unrepaired = false;
 
-  /// Whether one of them is the fault's own.
+  /// Whether one of them is the fault's own, and a failure.
   [[nodiscard]] bool adds() const {
-    return (lost && !anyway.lost) || (waits && !anyway.waits) || (goes_on && !anyway.goes_on) ||
+    const bool hangs = !unending || waits_without_plan || unrepaired;
+    return (lost && !anyway.lost) || (waits && !anyway.waits && hangs) || (goes_on && !anyway.goes_on && !unending) ||
            (stops && !anyway.stops) || (another && !anyway.another);
   }
   /// Whether all that comes of it comes anyway, but success does not come any more.
@@ -54,6 +62,9 @@ struct FaultTable {
   Progress progress = {};
   std::vector<std::string> warnings = {};  ///< of the mission: what is most likely meant otherwise
 };
+
+/// What can come of a fault, in words, best first; where a limit was hit, what was found until then and `undecided`.
+std::vector<std::string> outcomes_of(const FaultOutcome& row);
 
 /// One row a fault: what may come of it. The properties of the question are the mission.
 nlohmann::ordered_json to_json(const Subject& subject, const ProgramQuestion& question, const FaultTable& table);

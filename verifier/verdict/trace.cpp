@@ -34,19 +34,14 @@ std::vector<Taken> taken(const Plant& plant, const Event& before, const Event& e
 }
 
 /// The goals with the lines that assert them.
-std::string goal_text(const Subject& subject, const Cycle& cycle) {
+std::string goal_text(const Subject& subject, const automata::Goals& goals) {
   std::string result;
-  for (const Assignment& goal : cycle.goal) {
-    const auto asserts = [&](LocationId id) {
-      const auto& own = subject.program->locations[id.index()].goal;
-      return std::find(own.begin(), own.end(), goal) != own.end();
-    };
-    const auto at = std::find_if(cycle.marking.begin(), cycle.marking.end(), asserts);
-    const std::string text = to_text(subject.plant.variables, goal);
-    const bool known = at != cycle.marking.end();
-    result += result.empty() ? "" : ", ";
-    result += known ? text + in_brackets(subject.program->locations[at->index()].origin) : text;
-  }
+  const auto add = [&](const std::string& text, LocationId by) {
+    result += (result.empty() ? "" : ", ") + text + in_brackets(subject.program->locations[by.index()].origin);
+  };
+  for (std::size_t g = 0; g < goals.goal.size(); ++g) add(to_text(subject.plant.variables, goals.goal[g]), goals.by[g]);
+  for (const automata::GoalConstraint& constraint : goals.constraints)
+    add(to_text(constraint.formula, subject.plant.variables), constraint.by);
   return result;
 }
 
@@ -112,9 +107,10 @@ class Story {
 
   /// `since`: the end of the cycle before. All from there on assert the same.
   void tell_goal(const Cycle& cycle, Ticks since) {
-    if (cycle.goal == goal_) return;
-    goal_ = cycle.goal;
-    if (!goal_.empty()) line(since, "goal " + goal_text(subject_, cycle));
+    const std::string goal = to_text(cycle.goals.formula(), subject_.plant.variables);
+    if (goal == goal_) return;
+    goal_ = goal;
+    if (!cycle.goals.empty()) line(since, "goal " + goal_text(subject_, cycle.goals));
   }
 
   /// Runs go on after the program has ended, where what is owed may still come.
@@ -136,7 +132,7 @@ class Story {
 
   const Subject& subject_;
   const Witness& witness_;
-  std::vector<Assignment> goal_;
+  std::string goal_ = "true";
   bool ended_ = false;
   automata::ControlAction command_;
   std::vector<std::pair<std::string, std::string>> lines_;
@@ -183,7 +179,17 @@ ordered_json json_of(const Subject& subject, const Witness& witness) {
       const Cycle& cycle = *events[std::max<std::size_t>(e, 1)].cycle;
       event["start"] = e == 0 ? 0.0 : cycle.begin.seconds();
       event["marking"] = json_of(*subject.program, cycle.marking);
-      event["goal"] = e == 0 ? ordered_json::object() : json_of(plant, cycle.goal);
+      event["goal"] = e == 0 ? ordered_json::object() : json_of(plant, cycle.goals.goal);
+      if (e > 0 && !cycle.goals.constraints.empty()) {
+        event["goal_constraints"] = ordered_json::array();
+        for (const automata::GoalConstraint& constraint : cycle.goals.constraints)
+          event["goal_constraints"].push_back(to_text(constraint.formula, plant.variables));
+      }
+      if (e > 0 && !cycle.left_out.empty()) {
+        event["left_out"] = ordered_json::array();
+        for (const runtime::LeftOut& left_out : cycle.left_out)
+          event["left_out"].push_back(to_text(left_out.goals.formula(), plant.variables));
+      }
     }
     result.push_back(std::move(event));
   }

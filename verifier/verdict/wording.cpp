@@ -62,9 +62,16 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
     case Kind::never:
       return "'" + property.text + "' " + (violated ? "can hold" : "never holds") + text_of(property.window);
     case Kind::response:
+      if (property.within.is_infinite()) {
+        return "after '" + property.text + "', '" + property.then_text + "' " +
+               (violated ? "need not ever come" : "always comes, some day");
+      }
       return "'" + property.then_text + "' " + (violated ? "can be missed" : "always comes") + " within " +
              automata::format_seconds(property.within) + " s of '" + property.text + "'";
     case Kind::eventually:
+      if (property.within.is_infinite()) {
+        return "'" + property.text + "' " + (violated ? "need not ever come" : "always comes, some day");
+      }
       return "'" + property.text + "' " + (violated ? "can come too late, or never" : "always comes") + " within " +
              automata::format_seconds(property.within) + " s";
     case Kind::finally:
@@ -77,19 +84,22 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
 /// What it means that a witness of the property was found, or none.
 std::string meaning_of(const Property& property, bool found) {
   using std::string;
-  return std::visit(base::Overloaded{[&](const Reachability&) -> string {
-                                       return found ? "the target is reachable" : "the target is unreachable";
-                                     },
-                                     [&](const Safety&) -> string {
-                                       return found ? "what is never to hold can hold"
-                                                    : "what is never to hold cannot hold";
-                                     },
-                                     [&](const Response&) -> string {
-                                       return found ? "the response can be missed" : "the response is never missed";
-                                     },
-                                     [&](const Stuck&) -> string { return stuck_text(found); },
-                                     [&](const ProgramProperty& p) { return meaning_of(p, found); }},
-                    property);
+  return std::visit(
+      base::Overloaded{[&](const Reachability&) -> string {
+                         return found ? "the target is reachable" : "the target is unreachable";
+                       },
+                       [&](const Safety&) -> string {
+                         return found ? "the forbidden formula can hold" : "the forbidden formula cannot hold";
+                       },
+                       [&](const Response& r) -> string {
+                         if (r.within.is_infinite()) {
+                           return found ? "the response may never come" : "the response always comes in the end";
+                         }
+                         return found ? "the response can be missed" : "the response is never missed";
+                       },
+                       [&](const Stuck&) -> string { return stuck_text(found); },
+                       [&](const ProgramProperty& p) { return meaning_of(p, found); }},
+      property);
 }
 
 }  // namespace
@@ -125,6 +135,7 @@ std::string painted(Verdict verdict, bool color, bool warning) {
 
 std::string reason(std::optional<Limit> limit, const Progress& p) {
   if (!limit) return "";
+  if (p.states == 0 && limit != Limit::plan) return "not begun: " + std::string(limit_text(*limit)) + " before";
   std::string text = std::string(limit_text(*limit)) + " after " + std::to_string(p.states) + " states" +
                      (p.waiting > 0 ? ", " + std::to_string(p.waiting) + " of them unexplored" : "");
   if (p.steps) text += "; everything within " + std::to_string(*p.steps) + " steps was seen";
@@ -148,7 +159,7 @@ std::string vacuity(const Answer& answer) {
     case Vacuity::over:
       return "the program has ended by then on every run";
     case Vacuity::unasked:
-      return "what asks for it never happens";
+      return "the trigger never holds";
     case Vacuity::endless:
       return "it never ends";
   }
@@ -158,10 +169,12 @@ std::string vacuity(const Answer& answer) {
 std::string partly(const Answer& answer) {
   if (answer.witness) return "";
   const bool spent = answer.cut_off.spent;
-  if (!answer.cut_off.stuck)
-    return spent ? "on runs on which more faults are certain than permitted, only up to there" : "";
-  return spent ? "on runs that get stuck, or on which more faults are certain than permitted, only up to there"
-               : "on runs that get stuck, only up to there";
+  if (!answer.cut_off.stuck) {
+    return spent ? "runs on which more faults are certain than permitted were checked only up to that moment" : "";
+  }
+  return spent ? "deadlocked runs, and runs on which more faults are certain than permitted, were checked only up "
+                 "to that moment"
+               : "deadlocked runs were checked only up to the deadlock";
 }
 
 std::string notes(const Answer& answer) {
@@ -204,6 +217,8 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
       return "'" + property.text + "' can hold";
     case Kind::eventually:
       if (witness.stop) return "'" + property.text + "' has not held, and " + to_text(subject.plant, *witness.stop);
+      if (property.within.is_infinite())
+        return "'" + property.text + "' never comes to hold: " + endless_text(subject, witness);
       return "'" + property.text + "' has not held in time";
     case Kind::response:
       return owed_text(subject, Response{property.formula, property.then, property.within}, witness);
@@ -211,6 +226,12 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
       return "the program has ended, and '" + property.text + "' need not hold";
   }
   return "";
+}
+
+std::string number_text(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
 }
 
 std::string statistics_text(const Progress& progress) {

@@ -34,6 +34,9 @@ std::string notes(const Answer& answer);
 /// What a program's run has come to where it violates the property: the goals, the reason, the locations that wait.
 std::string finding(const Subject& subject, const ProgramProperty& property, const Witness& witness);
 
+/// A probability or an importance, with nine digits.
+std::string number_text(double value);
+
 /// `12 states, 0.003 s, 6.5 MiB`.
 std::string statistics_text(const Progress& progress);
 

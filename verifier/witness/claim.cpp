@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/claim.hpp"
 
+#include "automata/time/checked_ticks.hpp"
+#include "verifier/witness/known.hpp"
 #include "verifier/witness/undone.hpp"
 
 namespace rmpl::verifier {
@@ -12,9 +14,9 @@ using Kind = ProgramProperty::Kind;
 
 namespace {
 
-class Claim {
+class ClaimRules {
  public:
-  Claim(automata::PlainStep& rules, const ClaimTerms& terms, const Witness& witness)
+  ClaimRules(automata::PlainStep& rules, const ClaimTerms& terms, const Witness& witness)
       : rules_(rules),
         store_(rules.store()),
         entailed_(terms.entailed),
@@ -35,12 +37,14 @@ class Claim {
 
   /// The event that asks for a response which does not come; where time stands still, never comes.
   std::optional<std::size_t> owed_since(const Response& p) {
-    const bool still = stop_ && stop_->still;
+    const bool never = goes_on_without_end(p.within);
     for (std::size_t e = 0; e < events_.size(); ++e) {
       // Under a program: asked for up to its end, the state that it ends in included.
       if (events_[e].cycle && events_[e].cycle->marking.empty()) return std::nullopt;
-      if (!holds(p.after, e, entailed_) || (!still && !is_past(events_[e].time + p.within))) continue;
-      if (never_before(p.then, e, still ? Ticks::infinite() : events_[e].time + p.within)) return e;
+      const Ticks deadline =
+          never ? Ticks::infinite() : automata::checked_sum(events_[e].time, p.within).value_or(Ticks::infinite());
+      if (!holds(p.after, e, entailed_) || (!never && !is_past(deadline))) continue;
+      if (never_before(p.then, e, deadline)) return e;
     }
     return std::nullopt;
   }
@@ -52,8 +56,7 @@ class Claim {
       case Kind::goal_conflict:
         return last.conflicts.empty() ? std::optional("its goals agree") : std::nullopt;
       case Kind::no_plan:
-        return last.outcome != runtime::Reconfiguration::Outcome::no_plan ? std::optional("there is a plan")
-                                                                          : std::nullopt;
+        return lacks_a_plan(last) ? std::nullopt : std::optional("there is a plan");
       case Kind::endless_wait:
         return ended ? std::optional("the program has ended") : std::nullopt;
       case Kind::stuck:
@@ -71,7 +74,7 @@ class Claim {
       case Kind::response:
         return failure(Response{p.formula, p.then, p.within});
       case Kind::eventually:
-        if (stop_ && stop_->still) {
+        if (goes_on_without_end(p.within)) {
           return never_before(p.formula, 0, Ticks::infinite()) ? std::nullopt
                                                                : std::optional("the formula comes to hold");
         }
@@ -94,6 +97,14 @@ class Claim {
                                                         : std::optional("the target does not hold at its end");
   }
 
+  /// Whether no more of the run need be seen than is there: time stands still, or, where any time will do, the run is
+  /// cut off, goes round or waits for ever.
+  [[nodiscard]] bool goes_on_without_end(Ticks within) const {
+    if (stop_ && stop_->still) return true;
+    const bool round = repeats_from_ && comes_round();
+    return within.is_infinite() && (stop_ || round || witness_.waits_for_ever);
+  }
+
   /// Whether all of the run up to that time is there: nothing follows that could come by then.
   [[nodiscard]] bool is_past(Ticks time) const {
     const Ticks end = events_.back().time;
@@ -111,13 +122,24 @@ class Claim {
 
   [[nodiscard]] bool comes_round() const {
     return events_[*repeats_from_ - 1].modes == events_.back().modes &&
-           events_[*repeats_from_].cycle->marking == events_.back().cycle->marking;
+           (!events_.back().cycle || events_[*repeats_from_].cycle->marking == events_.back().cycle->marking);
   }
 
   /// The store of an event implies the formula, or (not `certain`) allows it.
   bool holds(const Formula& formula, std::size_t event, bool certain) {
     const automata::Modes& modes = events_[event].modes;
-    return certain ? store_.implies(formula, modes) : store_.allows(formula, modes);
+    const Formula known = with_knowledge(
+        formula, [&](const Formula& atom) { return is_known_after(store_, atom, modes, before(event)); });
+    return certain ? store_.implies(known, modes) : store_.allows(known, modes);
+  }
+
+  /// What the cycle that led to an event has answered; of the last one, under a program, only its begin is known.
+  const Answered* before(std::size_t event) {
+    const bool begun = event + 1 == events_.size() && events_[event].cycle;
+    const std::size_t at = begun ? event - 1 : event;
+    if (!events_[at].cycle) return nullptr;
+    const Cycle& cycle = *events_[at].cycle;
+    return &answered_.emplace(Answered{cycle.goals, cycle.outcome, cycle.left_out});
   }
 
   automata::PlainStep& rules_;
@@ -128,18 +150,19 @@ class Claim {
   const std::vector<Event>& events_;
   std::optional<std::size_t> repeats_from_;
   const std::optional<Stop>& stop_;
+  std::optional<Answered> answered_;
 };
 
 }  // namespace
 
 std::optional<std::size_t> owed_since(automata::PlainStep& rules, const Response& response, const ClaimTerms& terms,
                                       const Witness& witness) {
-  return Claim(rules, terms, witness).owed_since(response);
+  return ClaimRules(rules, terms, witness).owed_since(response);
 }
 
 std::optional<std::string> failure_to_show(automata::PlainStep& rules, const Property& property,
                                            const ClaimTerms& terms, const Witness& witness) {
-  Claim claim(rules, terms, witness);
+  ClaimRules claim(rules, terms, witness);
   return std::visit([&](const auto& asked) { return claim.failure(asked); }, property);
 }
 

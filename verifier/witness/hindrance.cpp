@@ -25,12 +25,34 @@ std::set<ComponentId> awaited(const automata::PlantStep& step, const automata::P
       const auto component = step.plant().component_of(asked.variable);
       if (component && modes[component->index()].index() != asked.value.index()) result.insert(*component);
     }
+    for (const automata::Formula& constraint : location.goal_constraints) {
+      const auto support = step.locality().support_of(constraint);
+      result.insert(support.components.begin(), support.components.end());
+    }
     for (const automata::Arc& arc : location.arcs) {
       const auto support = step.locality().support_of(arc.guard.constraint);
-      if (location.goal.empty()) result.insert(support.components.begin(), support.components.end());
+      if (!location.has_goal()) result.insert(support.components.begin(), support.components.end());
     }
   }
   return result;
+}
+
+/// The self-transition that leaves an enabled transition no share of any step, once all bounds have passed (semantics
+/// 3): an untimed one takes all that timed ones would have, and one that is overdue all that those without an upper
+/// bound would.
+std::optional<TransitionId> overtakes(const automata::Component& automaton, const automata::Enabled& enabled,
+                                      const Transition& transition) {
+  const auto first_self = [&](const std::vector<TransitionId>& ids, auto suits) -> std::optional<TransitionId> {
+    const auto at = std::find_if(ids.begin(), ids.end(), [&](TransitionId id) {
+      const Transition& t = automaton.transitions[id.index()];
+      return t.from == t.to && suits(t);
+    });
+    return at == ids.end() ? std::nullopt : std::optional(*at);
+  };
+  if (!transition.timing) return std::nullopt;
+  if (!enabled.untimed.empty()) return first_self(enabled.untimed, [](const Transition&) { return true; });
+  if (!transition.timing->upper.is_infinite()) return std::nullopt;
+  return first_self(enabled.timed, [](const Transition& t) { return !t.timing->upper.is_infinite(); });
 }
 
 Hindrance hindrance_of(automata::PlantStep& step, ComponentId component, const Modes& modes,
@@ -46,7 +68,10 @@ Hindrance hindrance_of(automata::PlantStep& step, ComponentId component, const M
     const bool open = std::any_of(enabled.untimed.begin(), enabled.untimed.end(), is_this) ||
                       std::any_of(enabled.timed.begin(), enabled.timed.end(), is_this);
     // An enabled one is taken at last where some step lets it be: here none does.
-    if (open) return {Hindrance::Kind::excluded, component, mode, TransitionId(t)};
+    if (open) {
+      const auto by = overtakes(automaton, enabled, transition);
+      return {by ? Hindrance::Kind::overtaken : Hindrance::Kind::excluded, component, mode, TransitionId(t), by};
+    }
     if (!result.transition) result = {Hindrance::Kind::disabled, component, mode, TransitionId(t)};
   }
   return result;
@@ -73,9 +98,22 @@ std::string to_text(const automata::Plant& plant, const Hindrance& hindrance) {
   const Transition& t = component.transitions[hindrance.transition->index()];
   const std::string step = "the transition of '" + component.name + "' from '" + mode.name + "' to '" +
                            component.modes[t.to.index()].name + "'" + in_brackets(t.origin);
-  return hindrance.kind == Hindrance::Kind::excluded
-             ? step + " leads where the constraints contradict each other"
-             : step + " is not enabled, and no goal asks for what would enable it";
+  switch (hindrance.kind) {
+    case Hindrance::Kind::excluded:
+      return step + " leads where the constraints contradict each other";
+    case Hindrance::Kind::overtaken: {
+      const Transition& by = component.transitions[hindrance.by->index()];
+      const std::string self = "the transition from '" + mode.name + "' to itself" + in_brackets(by.origin);
+      return step + " is never taken: " +
+             (by.timing ? "from " + automata::format_seconds(by.timing->upper) + " s on " + self + " is overdue, and"
+                        : self + " has no time bounds, and") +
+             " takes the whole of each step";
+    }
+    case Hindrance::Kind::missing:
+    case Hindrance::Kind::disabled:
+      break;
+  }
+  return step + " is not enabled, and no goal asks for what would enable it";
 }
 
 }  // namespace rmpl::verifier

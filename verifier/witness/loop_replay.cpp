@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "verifier/witness/known.hpp"
 #include "verifier/witness/plant_run.hpp"
 #include "verifier/witness/steps_at.hpp"
 
@@ -67,12 +68,14 @@ class LoopReplay {
     if (auto failure = wait(now, last.time)) return failure;
     if (marking_ != last.cycle->marking) return "another marking" + at(last.time);
     begin_as(last, last.time);
-    if (goal_ != last.cycle->goal || action_ != last.action) return "another goal" + at(last.time);
+    if (goals_ != last.cycle->goals || left_out_ != last.cycle->left_out || action_ != last.action)
+      return "another goal" + at(last.time);
     if (conflict_ == last.cycle->conflicts.empty()) return "no such conflict" + at(last.time);
     if (outcome_ != last.cycle->outcome) return "another plan" + at(last.time);
-    if (rules_.endless) {
+    if (witness_.waits_for_ever) {
       if (auto failure = wait(last.time, settled(last.time))) return failure;
     }
+    if (witness_.repeats_from && !witness_.stop && !takes_time()) return "it goes round in no time" + at(last.time);
     if (witness_.stop && !witness_.stop->still && !is_stuck()) return "something can follow" + at(last.time);
     if (witness_.stop && witness_.stop->still && !stands_still_) return "time passes" + at(last.time);
     if (faults_in(plant(), witness_) > rules_.faults) return "it has more faults than the budget";
@@ -83,20 +86,36 @@ class LoopReplay {
   [[nodiscard]] const automata::Plant& plant() const { return plant_.plant(); }
   [[nodiscard]] const Modes& modes() const { return plant_.state().modes; }
 
-  /// The first half of a cycle; leaves what it says in `goal_`, `conflict_`, `outcome_` and `action_`.
+  /// Whether time passes as it goes round.
+  [[nodiscard]] bool takes_time() const {
+    const std::vector<Event>& events = witness_.events;
+    return events[*witness_.repeats_from - 1].time < events[events.size() - 2].time;
+  }
+
+  /// What the sequencer knows in these modes, which the cycle before led to.
+  [[nodiscard]] automata::Knowledge knowledge(const Modes& modes) {
+    automata::Knowledge result{automata::assignments_of(plant(), modes)};
+    for (const automata::Formula& atom : sequencer_.asked())
+      result.answers.push_back(is_known_after(plant_.rules().store(), atom, modes, before_ ? &*before_ : nullptr));
+    return result;
+  }
+
+  /// The first half of a cycle; leaves what it says in `goals_`, `conflict_`, `outcome_` and `action_`.
   void begin(Ticks now, const Readings& seen) {
     Readings starts = started_;
     for (std::size_t c = 0; c < starts.size(); ++c) {
       if (seen[c]) starts[c] = now - *seen[c];
     }
     sequencer_.resume(marking_, starts);
-    const automata::Asserted& asserted = sequencer_.begin({automata::assignments_of(plant(), modes())}, now);
+    const automata::Asserted& asserted = sequencer_.begin(knowledge(modes()), now);
     conflict_ = !asserted.conflicts.empty();
-    goal_ = conflict_ ? std::vector<automata::Assignment>{} : asserted.goal;
-    const auto answer = planner_.next(modes(), automata::conjunction_of(goal_));
-    outcome_ = answer.outcome;
-    purpose_ = answer.why.purpose;
-    action_ = answer.action;
+    const std::vector<automata::Goals> goals = conflict_ ? std::vector<automata::Goals>() : runtime::goals_of(asserted);
+    pursued_ = runtime::pursue(planner_, {&modes(), 1}, goals, position_);
+    goals_ = pursued_.goals;
+    left_out_ = pursued_.left_out;
+    outcome_ = pursued_.answer.outcome;
+    purpose_ = pursued_.answer.why.purpose;
+    action_ = pursued_.answer.action;
   }
 
   /// The first half of the cycle of an event. In dense time the marking may go round at this instant, so that a clock
@@ -104,18 +123,22 @@ class LoopReplay {
   void begin_as(const Event& event, Ticks now) {
     const Cycle& cycle = *event.cycle;
     begin(now, cycle.readings);
-    if (rules_.period || (goal_ == cycle.goal && conflict_ != cycle.conflicts.empty() && action_ == event.action))
+    if (rules_.period || (goals_ == cycle.goals && conflict_ != cycle.conflicts.empty() && action_ == event.action))
       return;
     const Marking marking = marking_;
     const Readings started = started_;
+    const auto answered = before_;
+    const runtime::StrategyPosition position = position_;
     const bool comes_again = !go_round(now, now) && reads(cycle);
-    if (!comes_again) std::tie(marking_, started_) = std::tie(marking, started);
+    if (!comes_again) std::tie(marking_, started_, before_, position_) = std::tie(marking, started, answered, position);
     begin(now, cycle.readings);
   }
 
   /// The second half, with the plant in `modes`.
   void finish(Ticks now, const Modes& modes) {
-    sequencer_.finish({automata::assignments_of(plant(), modes)});
+    before_ = Answered{pursued_.goals, pursued_.answer.outcome, pursued_.left_out};
+    position_ = runtime::position_after(pursued_.answer, modes);
+    sequencer_.finish(knowledge(modes));
     marking_ = sequencer_.marking();
     for (std::size_t c = 0; c < started_.size(); ++c) {
       const bool runs = sequencer_.started()[c].has_value();
@@ -142,7 +165,8 @@ class LoopReplay {
     }
     if (!reads(cycle)) return "a clock reads otherwise" + at(cycle.begin);
     begin_as(event, cycle.begin);
-    if (goal_ != cycle.goal || conflict_ == cycle.conflicts.empty()) return "another goal" + at(cycle.begin);
+    if (goals_ != cycle.goals || left_out_ != cycle.left_out || conflict_ == cycle.conflicts.empty())
+      return "another goal" + at(cycle.begin);
     if (action_ != event.action || outcome_ != cycle.outcome) return "another command" + at(cycle.begin);
     if (purpose_ != cycle.why.purpose) return "another purpose" + at(cycle.begin);
     if (event.time != cycle.begin + rules_.period.value_or(Ticks{0}))
@@ -280,11 +304,15 @@ class LoopReplay {
   automata::ProgramStep& sequencer_;
   Marking marking_;
   Readings started_;
-  std::vector<std::size_t> renewed_;  ///< by clock: rounds of the wait, up to the last one, that forgot or started it
-  bool round_ = false;                ///< the cycle at hand is one of those that go round
-  bool stands_still_ = false;         ///< no time passes in one of them
+  std::vector<std::size_t> renewed_;    ///< by clock: rounds of the wait, up to the last one, that forgot or started it
+  bool round_ = false;                  ///< the cycle at hand is one of those that go round
+  bool stands_still_ = false;           ///< no time passes in one of them
+  std::optional<Answered> before_;      ///< by the cycle that led to the state at hand
+  runtime::StrategyPosition position_;  ///< that it led to
   // What the first half of the last cycle said:
-  std::vector<automata::Assignment> goal_;
+  runtime::Pursued pursued_;
+  automata::Goals goals_;
+  std::vector<runtime::LeftOut> left_out_;
   bool conflict_ = false;
   runtime::Reconfiguration::Outcome outcome_ = runtime::Reconfiguration::Outcome::nothing_to_do;
   runtime::Reason::Purpose purpose_ = runtime::Reason::Purpose::none;
@@ -294,11 +322,11 @@ class LoopReplay {
 }  // namespace
 
 LoopJudge::LoopJudge(const automata::Program& program, const automata::Plant& plant,
-                     std::shared_ptr<const runtime::NominalGraph> graph)
+                     std::shared_ptr<const runtime::NominalGraph> graph, Ticks cycle)
     : program_(program),
       rules_(plant),
       asked_(plant),
-      planner_(runtime::make_reconfigurer(asked_, std::move(graph))),
+      planner_(runtime::make_reconfigurer(asked_, std::move(graph), cycle)),
       sequencer_(program, plant) {}
 
 std::optional<std::string> LoopJudge::replay(const Witness& witness, const ReplayRules& replay_rules) {

@@ -16,9 +16,10 @@ namespace rmpl::verifier {
 /// What runs of a program are replayed on: rules, a sequencer and a planner that no search asks. Keeps references.
 class LoopJudge {
  public:
-  /// `graph` is what planning in the plant computes before the first question.
+  /// `graph` is what planning in the plant computes before the first question; `cycle` is that of the executive, 0 in
+  /// dense time.
   LoopJudge(const automata::Program& program, const automata::Plant& plant,
-            std::shared_ptr<const runtime::NominalGraph> graph);
+            std::shared_ptr<const runtime::NominalGraph> graph, automata::Ticks cycle = {});
 
   [[nodiscard]] automata::PlainStep& rules() { return rules_; }
   /// Why the run is not possible; nothing where it is. Every cycle is run: sequencer, planner, plant. Of the cycles of

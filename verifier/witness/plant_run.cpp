@@ -68,6 +68,14 @@ bool PlantRun::may_wait(const ControlAction& action, Ticks before, Ticks now) {
                          [&](const Rules& rules, std::size_t c) { return rules.allows_time(state_.modes[c]); });
 }
 
+void PlantRun::age(const std::vector<Event>& events, std::size_t first, Ticks by) {
+  for (std::size_t c = 0; c < state_.modes.size(); ++c) {
+    const bool moves = std::any_of(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(),
+                                   [&](const Event& event) { return event.modes[c] != state_.modes[c]; });
+    if (!moves) state_.clock_starts[c] = state_.clock_starts[c] - by;
+  }
+}
+
 void PlantRun::advance(const Modes& next, Ticks now) {
   if (next != state_.modes) commanded_.reset();
   state_ = automata::advance(state_, next, now);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "automata/step/plain_step.hpp"
+#include "verifier/witness/witness.hpp"
 
 namespace rmpl::verifier {
 
@@ -33,6 +34,8 @@ class PlantRun {
                 const automata::Modes& next);
   /// Dense time: whether time may have passed from `before` up to `now` with nothing changing.
   bool may_wait(const automata::ControlAction& action, automata::Ticks before, automata::Ticks now);
+  /// The components that do not move between the events of a part of a run have been where they are for so much longer.
+  void age(const std::vector<Event>& events, std::size_t first, automata::Ticks by);
   /// Takes the step.
   void advance(const automata::Modes& next, automata::Ticks now);
 

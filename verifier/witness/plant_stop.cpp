@@ -37,7 +37,7 @@ class Stops {
     const SystemState end = end_of_run();
     if (!step_from(end)) return blame(end);
     if (period_) return "a step is possible";
-    for (SystemState state = end; !met_.contains(state);) {
+    for (SystemState state = end; !met_.contains(state); first_ = false) {
       if (fault_is_certain(state)) return "a fault is certain";
       if (StepsAt(rules_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
       const auto next = step_from(state);
@@ -69,7 +69,7 @@ class Stops {
     const Ticks at = now_ + period_.value_or(Ticks{0});
     for_each_action(rules_.plant(), commands_, [&](const ControlAction& action) {
       if (result) return;
-      StepsAt(rules_, state, at, period_).any(action, [&](const Modes& modes) {
+      StepsAt(rules_, state, at, period_, !first_).any(action, [&](const Modes& modes) {
         result = Event{at, modes, action};
         return true;
       });
@@ -93,6 +93,7 @@ class Stops {
   std::optional<Ticks> period_;
   Ticks now_;
   ControlAction idle_;
+  bool first_ = true;                                ///< nothing has been taken after the end of the run
   std::map<SystemState, std::size_t, ByParts> met_;  ///< with the event that leads out of each
 };
 

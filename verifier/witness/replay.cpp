@@ -25,10 +25,11 @@ class Replay {
     if (auto failure = plant_.start(witness_.events.front().modes, rules_.from)) return failure;
     if (witness_.events.front().time != Ticks{0}) return "it does not start at time 0";
     for (std::size_t e = 1; e < witness_.events.size(); ++e) {
+      if (witness_.repeats_from == e) begun_ = plant_.state();
       if (auto failure = event(witness_.events[e - 1].time, witness_.events[e])) return failure;
     }
     if (faults_in(plant_.plant(), witness_) > rules_.faults) return "it has more faults than the budget";
-    return std::nullopt;
+    return witness_.repeats_from && !witness_.stop ? goes_round() : std::nullopt;
   }
 
  private:
@@ -39,6 +40,36 @@ class Replay {
     auto failure = rules_.period ? sampled(before, event) : dense(before, event);
     plant_.advance(event.modes, event.time);
     return failure;
+  }
+
+  /// Why the last part of the run cannot go on for ever. Where those that move in it have come back to the same
+  /// readings, it is gone through once more, the others having been in their modes for longer than any bound counts.
+  std::optional<std::string> goes_round() {
+    const std::vector<Event>& events = witness_.events;
+    const std::size_t first = *witness_.repeats_from;
+    const Ticks round = events.back().time - events[first - 1].time;
+    if (events[first - 1].modes != events.back().modes) return "it does not come back to where it repeats";
+    if (round <= Ticks{0}) return "it goes round in no time" + at(events.back().time);
+    Ticks longest{0};
+    for (const automata::Component& component : plant_.plant().components) {
+      for (const automata::Transition& t : component.transitions) {
+        if (!t.timing) continue;
+        longest = std::max(longest, t.timing->lower);
+        if (!t.timing->upper.is_infinite()) longest = std::max(longest, t.timing->upper);
+      }
+    }
+    plant_.age(events, first, longest + longest + round);
+    for (std::size_t c = 0; c < begun_.modes.size(); ++c) {
+      const bool same = plant_.state().clock_starts[c] == begun_.clock_starts[c] + round;
+      const bool moves = plant_.state().clock_starts[c] > begun_.clock_starts[c];
+      if (moves && !same) return std::nullopt;
+    }
+    for (std::size_t e = first; e < events.size(); ++e) {
+      Event again = events[e];
+      again.time = again.time + round;
+      if (auto failure = event(events[e - 1].time + round, again)) return failure;
+    }
+    return std::nullopt;
   }
 
   std::optional<std::string> dense(Ticks before, const Event& event) {
@@ -84,6 +115,7 @@ class Replay {
   }
 
   PlantRun plant_;
+  automata::SystemState begun_;  ///< where the part begins that repeats
   const Witness& witness_;
   const ReplayRules& rules_;
   automata::ControlAction idle_;

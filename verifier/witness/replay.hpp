@@ -18,7 +18,6 @@ struct ReplayRules {
   Commands commands = Commands::one;      ///< of a plant alone
   unsigned faults = 0;
   std::vector<automata::Assignment> from = {};  ///< modes to start in, in place of the initial distribution
-  bool endless = false;                         ///< under a program: the wait at the end is to last for ever
 };
 
 /// Why the run is not possible; nothing where it is. No search has a part in `rules`, which remember nothing.

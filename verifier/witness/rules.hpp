@@ -45,6 +45,25 @@ class Rules {
            });
   }
 
+  /// The same but for what exists at one instant only, in dense time: at its bound an exit is taken, and at its lower
+  /// bound none is where that is the end of a cycle (`at_bound`).
+  [[nodiscard]] bool allows_lastingly(automata::ModeId from, automata::ModeId to, bool at_bound) const {
+    if (period_ || !enabled_.untimed.empty() || !allows_without_fault(from, to)) return allows_without_fault(from, to);
+    const auto due = [&](const automata::Transition& t) { return now_ >= t.timing->upper; };
+    const bool some_due = std::any_of(enabled_.timed.begin(), enabled_.timed.end(),
+                                      [&](automata::TransitionId id) { return due(transition(id)); });
+    if (some_due) return leads(enabled_.timed, to, due);
+    return from == to || leads(enabled_.timed, to, [&](const automata::Transition& t) {
+             const bool met = at_bound && automata::Ticks{0} < now_;
+             return met ? t.timing->lower < now_ : t.timing->lower <= now_;
+           });
+  }
+  /// In dense time: whether the component lets time pass at some reading of its clock.
+  [[nodiscard]] bool may_rest(automata::ModeId mode) const {
+    return std::all_of(enabled_.untimed.begin(), enabled_.untimed.end(),
+                       [&](automata::TransitionId id) { return transition(id).to == mode; });
+  }
+
   /// In dense time: whether time may have passed from the reading before up to this one in `mode`. Transitions to
   /// itself are staying.
   [[nodiscard]] bool allows_time(automata::ModeId mode) const {

@@ -18,13 +18,18 @@ using automata::Ticks;
 std::vector<std::vector<ModeId>> StepsAt::options(const ControlAction& action) {
   const automata::Plant& plant = rules_.plant();
   const std::vector<automata::Enabled> enabled = rules_.enabled(state_.modes, action);
-  std::vector<std::vector<ModeId>> result;
+  std::vector<Rules> all;
+  bool at_bound = !later_;
   for (std::size_t c = 0; c < state_.modes.size(); ++c) {
     const Ticks clock = now_ - state_.clock_starts[c];
-    const Rules rules(plant.components[c], enabled[c], clock - period_.value_or(Ticks{0}), clock, period_);
+    all.emplace_back(plant.components[c], enabled[c], clock - period_.value_or(Ticks{0}), clock, period_);
+    at_bound = at_bound && all.back().may_rest(state_.modes[c]);
+  }
+  std::vector<std::vector<ModeId>> result;
+  for (std::size_t c = 0; c < state_.modes.size(); ++c) {
     auto& own = result.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
-      if (rules.allows_without_fault(state_.modes[c], ModeId(m))) own.emplace_back(m);
+      if (all[c].allows_lastingly(state_.modes[c], ModeId(m), at_bound)) own.emplace_back(m);
     }
   }
   return result;

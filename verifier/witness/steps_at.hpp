@@ -14,12 +14,14 @@ namespace rmpl::verifier {
 class StepsAt {
  public:
   /// `period`: sampled time, the step ends at `now`.
+  /// `later`: in dense time, another step has been taken at this instant.
   StepsAt(automata::PlainStep& rules, const automata::SystemState& state, automata::Ticks now,
-          std::optional<automata::Ticks> period)
-      : rules_(rules), state_(state), now_(now), period_(period) {}
+          std::optional<automata::Ticks> period, bool later = false)
+      : rules_(rules), state_(state), now_(now), period_(period), later_(later) {}
 
   /// Visits what each step leads to until `visit` returns true; then that is the answer. In dense time a step changes a
-  /// mode. What contradicts the constraints is no step: of such modes, those with the fewest changes are kept.
+  /// mode, what is due moves in it, and what exists at one instant only does not count (semantics 7, "an instant saves
+  /// no run"). What contradicts the constraints is no step: of such modes, those with the fewest changes are kept.
   bool any(const automata::ControlAction& action, base::FunctionRef<bool(const automata::Modes&)> visit);
   /// Modes that no step leads to as they are impossible; empty where there are none.
   [[nodiscard]] const automata::Modes& refused() const { return refused_; }
@@ -35,6 +37,7 @@ class StepsAt {
   const automata::SystemState& state_;
   automata::Ticks now_;
   std::optional<automata::Ticks> period_;
+  bool later_;
   automata::Modes refused_;
   std::size_t changes_ = 0;
 };

@@ -75,18 +75,19 @@ std::optional<Undone> undone_at_end(automata::PlainStep& rules, const Witness& w
   if (events.size() < 3) return std::nullopt;
   Achieved achieved;
   for (std::size_t e = 1; e + 2 < events.size(); ++e) {
-    achieved = achieved_after(rules.plant(), achieved, events[e].cycle->goal, events[e - 1].modes, events[e].modes);
+    achieved =
+        achieved_after(rules.plant(), achieved, events[e].cycle->goals.goal, events[e - 1].modes, events[e].modes);
   }
   const std::size_t last = events.size() - 2;
   const Cycle& cycle = *events[last].cycle;
   const Modes& from = events[last - 1].modes;
   const Achieved taken =
-      taken_away(rules, achieved, {cycle.goal, cycle.why.purpose, events[last].action, from, events[last].modes});
+      taken_away(rules, achieved, {cycle.goals.goal, cycle.why.purpose, events[last].action, from, events[last].modes});
   if (taken.empty()) return std::nullopt;
   const ComponentId component = taken.front();
   const ModeId mode = from[component.index()];
   std::size_t asked = last - 1;
-  while (asked_of(rules.plant()[component], events[asked].cycle->goal) != mode) --asked;
+  while (asked_of(rules.plant()[component], events[asked].cycle->goals.goal) != mode) --asked;
   return Undone{component, mode, asked};
 }
 

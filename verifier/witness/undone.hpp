@@ -12,7 +12,7 @@
 
 namespace rmpl::verifier {
 
-/// The components in a mode that a goal asked for in some cycle in whose end they were in it, and that they have not
+/// The components in a mode that a goal assigned in some cycle in whose end they were in it, and that they have not
 /// left since; ascending.
 using Achieved = std::vector<automata::ComponentId>;
 

@@ -4,6 +4,10 @@
 
 namespace rmpl::verifier {
 
+bool lacks_a_plan(const Cycle& cycle) {
+  return cycle.outcome == runtime::Reconfiguration::Outcome::no_plan || !cycle.left_out.empty();
+}
+
 std::size_t faults_in(const automata::Plant& plant, const Witness& witness) {
   std::size_t faults = 0;
   for (std::size_t e = 1; e < witness.events.size(); ++e) {

@@ -9,6 +9,7 @@
 #include "automata/state.hpp"
 #include "automata/step/program_step.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
+#include "runtime/reasoning/reconfigure/several_goals.hpp"
 #include "verifier/witness/conflict.hpp"
 
 namespace rmpl::verifier {
@@ -19,7 +20,8 @@ struct Cycle {
   automata::Marking marking;                             ///< at its start
   std::vector<std::optional<automata::Ticks>> readings;  ///< of the program clocks, as this cycle sees them; nothing
                                                          ///< where a clock is not active or not read any more
-  std::vector<automata::Assignment> goal;                ///< that is acted on
+  automata::Goals goals;                                 ///< that are acted on
+  std::vector<runtime::LeftOut> left_out;                ///< that have no plan together with these
   std::vector<automata::GoalConflict> conflicts;
   runtime::Reconfiguration::Outcome outcome = runtime::Reconfiguration::Outcome::nothing_to_do;
   runtime::Reason why;     ///< of a command, a wait or a missing plan
@@ -46,19 +48,21 @@ struct Undone {
 /// What keeps a component where it is.
 struct Hindrance {
   enum class Kind {
-    missing,   ///< no nominal transition leads out of its mode
-    disabled,  ///< `transition` is not enabled, nor is any other
-    excluded   ///< `transition` is enabled, and leads to impossible states only
+    missing,    ///< no nominal transition leads out of its mode
+    disabled,   ///< `transition` is not enabled, nor is any other
+    excluded,   ///< `transition` is enabled, and leads to impossible states only
+    overtaken,  ///< `transition` is enabled, and `by`, which leads to the same mode, takes the whole of each step
   };
   Kind kind;
   automata::ComponentId component;
   automata::ModeId mode;
   std::optional<automata::TransitionId> transition;
+  std::optional<automata::TransitionId> by = std::nullopt;
 };
 
-/// Another goal of a cycle without a plan, which has none by itself either.
+/// Another goal of a cycle without a plan, which has none by itself either; or one that is left out.
 struct Refusal {
-  automata::Assignment goal;
+  automata::Formula goal;
   runtime::Reason why;
   std::string reason;  ///< in words
 };
@@ -73,13 +77,18 @@ struct Refusal {
 /// time is its begin.
 struct Witness {
   std::vector<Event> events;
-  std::optional<std::size_t> repeats_from;  ///< from this event to the last but one it goes round for ever
-  std::optional<Stop> stop;                 ///< it is cut off at its last event, or that round takes no time
-  std::vector<Refusal> refused = {};        ///< of a missing plan at the end
-  std::vector<Hindrance> hindrances = {};   ///< of a wait that lasts for ever
+  /// From this event on it goes round for ever: under a program up to the last event but one, else up to the last.
+  std::optional<std::size_t> repeats_from;
+  std::optional<Stop> stop;                ///< it is cut off at its last event, or that round takes no time
+  std::vector<Refusal> refused = {};       ///< of a missing plan at the end
+  std::vector<Hindrance> hindrances = {};  ///< of a wait that lasts for ever
   std::optional<std::size_t> owed_since = std::nullopt;  ///< of a response that is missed: the event that asked for it
   std::optional<Undone> undone = std::nullopt;           ///< of the event before the last, where that was asked
+  bool waits_for_ever = false;  ///< under a program: the cycles of its last event go on for ever, and change nothing
 };
+
+/// Whether some goal of the cycle has no plan.
+bool lacks_a_plan(const Cycle& cycle);
 
 /// How many components went into a fault mode along the run.
 std::size_t faults_in(const automata::Plant& plant, const Witness& witness);

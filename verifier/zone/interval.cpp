@@ -24,4 +24,16 @@ std::vector<Interval> merged(std::vector<Interval> intervals) {
   return result;
 }
 
+std::vector<Interval> gaps(const std::vector<Interval>& intervals) {
+  std::vector<Interval> result;
+  Units end = 0;
+  for (const Interval& next : intervals) {
+    if (next.lower > end) result.push_back({end, next.lower});
+    if (next.upper == unbounded) return result;
+    end = next.upper;
+  }
+  result.push_back({end, unbounded});
+  return result;
+}
+
 }  // namespace rmpl::verifier

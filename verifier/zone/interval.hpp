@@ -31,4 +31,8 @@ Interval intersection(const Interval& a, const Interval& b);
 /// The same readings as fewest intervals, ascending: those that overlap or follow each other unit on unit become one.
 std::vector<Interval> merged(std::vector<Interval> intervals);
 
+/// The readings before, between and after the intervals, which ascend and are apart. The ends are included: those of a
+/// gap are those of its neighbours.
+std::vector<Interval> gaps(const std::vector<Interval>& intervals);
+
 }  // namespace rmpl::verifier

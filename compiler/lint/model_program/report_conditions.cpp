@@ -42,7 +42,7 @@ bool is_reached(ModelReport& report, Span condition) {
 }
 
 /// The first variable of a formula that nothing is told of.
-std::optional<automata::VariableId> untold(ModelReport& report, const Formula& formula) {
+std::optional<automata::VariableId> untold_variable(ModelReport& report, const Formula& formula) {
   for (const automata::VariableId v : variables_of(formula)) {
     if (!report.stores().is_spoken_of(v)) return v;
   }
@@ -57,7 +57,7 @@ bool is_seen(const ModelReport& report, automata::VariableId variable) {
 /// Says why nothing entails it; a note, where a plant that holds the program may be what is to tell. Asks of what is
 /// never marked, too: for the report of a judgement that stands.
 void explain_never(ModelReport& report, const Formula& formula, grammar::Diagnostic& finding) {
-  if (const auto variable = untold(report, formula)) {
+  if (const auto variable = untold_variable(report, formula)) {
     std::string reason = "nothing is told of " + backquoted(report.program().variables.name(*variable));
     const bool is_plant = report.places().locations.empty();
     if (is_seen(report, *variable)) {

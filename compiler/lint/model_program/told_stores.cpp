@@ -18,7 +18,7 @@ using automata::VariableId;
 
 namespace {
 
-constexpr ValueId is_told{1};  // of a selector
+constexpr ValueId told_here{1};  // of a selector
 
 bool tells(const automata::ModelLocation& location) { return !location.composite && !location.told.is_true(); }
 
@@ -42,7 +42,7 @@ automata::Variables with_selectors(const ModelProgram& program, std::vector<std:
     if (tells(program.locations[l])) selector = add("location " + std::to_string(l + 1));
   }
   for (std::size_t c = 0; c < program.constraints.size(); ++c) {
-    standing.push_back({add("constraint " + std::to_string(c + 1)), is_told});
+    standing.push_back({add("constraint " + std::to_string(c + 1)), told_here});
   }
   return variables;
 }
@@ -70,7 +70,7 @@ ToldStores::ToldStores(const ModelProgram& program)
   for (std::size_t l = 0; l < program.locations.size(); ++l) {
     if (!selectors_[l]) continue;
     join(program.locations[l].told);
-    together_.tell_if({*selectors_[l], is_told}, program.locations[l].told);
+    together_.tell_if({*selectors_[l], told_here}, program.locations[l].told);
   }
   list_members();
 }
@@ -100,7 +100,7 @@ std::optional<ToldContradiction> ToldStores::contradiction(const std::vector<Loc
   std::vector<Assignment> told;
   for (const LocationId l : together) {
     if (!selectors_[l.index()]) continue;
-    told.push_back({*selectors_[l.index()], is_told});
+    told.push_back({*selectors_[l.index()], told_here});
     for (const VariableId v : variables_of(program_.locations[l.index()].told)) {
       const auto& standing = members_[parts_.root(v.index())].standing;
       beside.insert(standing.begin(), standing.end());

@@ -16,7 +16,7 @@ using automata::VariableId;
 namespace {
 
 /// Attributes up to which an island is copied.
-constexpr std::size_t size_limit = 48;
+constexpr std::size_t island_limit = 48;
 
 }  // namespace
 
@@ -27,27 +27,35 @@ AlikeQuestions::AlikeQuestions(PlantAnalysis& analysis, ComponentId component)
     return islands[a].attributes.size() < islands[b].attributes.size();
   });
   copies_.resize(islands_.size());
+  for (std::size_t i = 0; i < islands_.size(); ++i) written_.push_back(written(i));
+}
+
+AlikeQuestions::Written AlikeQuestions::written(std::size_t number) const {
+  const automata::Component& component = analysis_.plant()[component_];
+  Written result;
+  result.under.resize(component.modes.size());
+  for (const automata::Constraint& constraint : island(number).constraints) {
+    const std::vector<VariableId> variables = variables_of(constraint.formula);
+    if (std::binary_search(variables.begin(), variables.end(), component.mode)) result.reads_mode = true;
+    if (constraint.under && constraint.under->variable == component.mode) {
+      result.under[constraint.under->value.index()].push_back(&constraint.formula);
+    }
+  }
+  return result;
 }
 
 const Island& AlikeQuestions::island(std::size_t number) const {
   return analysis_.locality().islands()[islands_[number]];
 }
 
-bool AlikeQuestions::is_large(std::size_t number) const { return island(number).attributes.size() > size_limit; }
+bool AlikeQuestions::is_large(std::size_t number) const { return island(number).attributes.size() > island_limit; }
 
 /// Whether the island has the same constraints of both modes, as they are written, and no other reads the mode.
 bool AlikeQuestions::reads_alike(std::size_t number, ModeId a, ModeId b) const {
-  const VariableId mode = analysis_.plant()[component_].mode;
-  std::vector<Formula> first, second;
-  for (const automata::Constraint& constraint : island(number).constraints) {
-    const std::vector<VariableId> variables = variables_of(constraint.formula);
-    if (std::binary_search(variables.begin(), variables.end(), mode)) return false;
-    if (constraint.under == automata::Assignment{mode, automata::ValueId(a.index())})
-      first.push_back(constraint.formula);
-    if (constraint.under == automata::Assignment{mode, automata::ValueId(b.index())})
-      second.push_back(constraint.formula);
-  }
-  return first == second;
+  const auto& [under, reads_mode] = written_[number];
+  const auto same = [](const Formula* x, const Formula* y) { return *x == *y; };
+  return !reads_mode && std::equal(under[a.index()].begin(), under[a.index()].end(), under[b.index()].begin(),
+                                   under[b.index()].end(), same);
 }
 
 PlantCopies& AlikeQuestions::copies(std::size_t number) {

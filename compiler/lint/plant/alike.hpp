@@ -31,12 +31,19 @@ class AlikeQuestions {
   [[nodiscard]] const automata::Island& island(std::size_t number) const;
   [[nodiscard]] bool is_large(std::size_t number) const;
   [[nodiscard]] bool reads_alike(std::size_t number, automata::ModeId a, automata::ModeId b) const;
+  /// Of an island: its constraints by the mode that they stand under, and whether any reads the mode besides.
+  struct Written {
+    std::vector<std::vector<const automata::Formula*>> under;
+    bool reads_mode = false;
+  };
+  [[nodiscard]] Written written(std::size_t number) const;
   PlantCopies& copies(std::size_t number);
   PlantCopies& whole();
 
   PlantAnalysis& analysis_;
   automata::ComponentId component_;
   std::vector<std::size_t> islands_;                  ///< by size
+  std::vector<Written> written_;                      ///< by island
   std::vector<std::unique_ptr<PlantCopies>> copies_;  ///< by island, where it was asked
   std::unique_ptr<PlantCopies> whole_;                ///< of all that guards of others read, with these guards
 };

@@ -139,7 +139,37 @@ bool PlantCopies::equal_constraints(ModeId a, ModeId b) {
   return !read_by_interconnections_ && implies(a, b) && implies(b, a);
 }
 
+const PlantCopies::Told& PlantCopies::told_by(ModeId mode) {
+  told_.resize(plant_[component_].modes.size());
+  std::optional<Told>& known = told_[mode.index()];
+  if (known) return *known;
+  known.emplace(observed_.size());
+  const Assignment own{plant_[component_].mode, ValueId(mode.index())};
+  if (!analysis_.questions().possible(std::span(&own, 1))) return *known;
+  const Assignment copied{map(own.variable, false), own.value};
+  if (!theory_->consistent({&copied, 1})) return *known;
+  Told values(observed_.size());
+  for (std::size_t v = 0; v < observed_.size(); ++v) values[v] = theory_->value(map(observed_[v], false));
+  for (std::size_t v = 0; v < observed_.size(); ++v) {
+    const bool open = theory_->allows_other({&copied, 1}, {map(observed_[v], false), *values[v]});
+    if (!open) (*known)[v] = values[v];
+  }
+  return *known;
+}
+
+bool PlantCopies::told_apart(ModeId a, ModeId b) {
+  if (!others_.empty() || !controls_.empty() || !beside_.components.empty() || !beside_.controls.empty()) return false;
+  const Told& first = told_by(a);
+  const Told& second = told_by(b);
+  for (std::size_t v = 0; v < observed_.size(); ++v) {
+    if (first[v] && second[v] && *first[v] != *second[v]) return true;
+  }
+  return false;
+}
+
 std::optional<bool> PlantCopies::look_alike(ModeId a, ModeId b) {
+  // Of many modes most pairs are seen to differ without a question.
+  if (told_apart(a, b)) return false;
   if (observed_.empty() || equal_constraints(a, b) || !allows(in(a, b), differ())) return true;
   if (value_tells(a, b) || value_tells(b, a)) return false;
   const std::optional<bool> one_way = explains_all(a, b);

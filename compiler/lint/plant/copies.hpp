@@ -49,6 +49,12 @@ class PlantCopies {
   [[nodiscard]] Formula constraint(automata::ModeId mode) const;
   bool equal_constraints(automata::ModeId a, automata::ModeId b);
   bool value_tells(automata::ModeId a, automata::ModeId b);
+  /// What the mode makes of each observed attribute; nothing of one that it leaves open, or where the mode is
+  /// impossible.
+  using Told = std::vector<std::optional<automata::ValueId>>;
+  const Told& told_by(automata::ModeId mode);
+  /// Whether nothing but the mode decides what is seen, and the modes make a reading differ.
+  bool told_apart(automata::ModeId a, automata::ModeId b);
   std::optional<bool> explains_all(automata::ModeId a, automata::ModeId b);
   [[nodiscard]] std::vector<automata::Assignment> context() const;
   std::optional<bool> is_state(automata::ModeId a, automata::ModeId b, std::vector<automata::Assignment> context);
@@ -64,6 +70,7 @@ class PlantCopies {
   std::vector<const Formula*> guards_;
   bool read_by_interconnections_ = false;  ///< the component's mode is
   std::optional<automata::Theory> theory_;
+  std::vector<std::optional<Told>> told_;  ///< by mode, where it was asked
 };
 
 }  // namespace rmpl::compiler

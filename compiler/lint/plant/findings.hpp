@@ -88,6 +88,15 @@ struct Indistinguishable {
 };
 Indistinguishable find_indistinguishable(PlantAnalysis& analysis);
 
+/// A fault that is reached, and a goal to which nothing leads any more once it has happened, whatever is commanded and
+/// whatever modes the other components are in.
+struct BlockedGoal {
+  PlantMode fault;
+  PlantMode goal;
+};
+/// Of these goals, in order of fault, then goal. Asks so many questions and no more: what they leave open is not told.
+std::vector<BlockedGoal> find_blocked_goals(PlantAnalysis& analysis, const std::vector<PlantMode>& goals);
+
 /// A state that is reached, and cannot be left (semantics 7), of one part of the plant.
 struct StuckState {
   std::vector<automata::ComponentId> components;

@@ -20,11 +20,14 @@ void lint_plant(const LintInput& input, const automata::Plant& plant, grammar::D
   report_modes(report);
   if (!report.analysis().reach().has_initial_state) return report_initial_state(report);
   report_guards(report);
+  report_timers(report);
   report_duplicates(report);
   report_timed_faults(report);
   report_commands(report);
   report_sensing(report);
+  report_readings(report);
   report_stuck(report);
+  report_blocked_goals(report);
 }
 
 void lint_plants(const LintInput& input, grammar::Diagnostics& found) {
@@ -62,6 +65,9 @@ std::span<const LintCode> plant_lint_codes() {
       LintCode{Code::unused_attribute, LintGroup::unused, Severity::warning},
       LintCode{Code::timed_fault, LintGroup::timing, Severity::warning},
       LintCode{Code::late_guard, LintGroup::timing, Severity::warning},
+      LintCode{Code::timer_goes_on, LintGroup::timing, Severity::note},
+      LintCode{Code::unexplained_reading, LintGroup::observability, Severity::note},
+      LintCode{Code::fault_blocks_goal, LintGroup::suspicious, Severity::note},
       LintCode{Code::idle_transition, LintGroup::suspicious, Severity::warning},
       LintCode{Code::unused_weight, LintGroup::suspicious, Severity::warning},
       LintCode{Code::unobserved_plant, LintGroup::observability, Severity::note},

@@ -81,6 +81,9 @@ void report_commands(PlantReport& report);
 void report_sensing(PlantReport& report);
 void report_attributes(PlantReport& report);
 void report_stuck(PlantReport& report);
+void report_timers(PlantReport& report);
+void report_readings(PlantReport& report);
+void report_blocked_goals(PlantReport& report);
 /// Of a plant without an initial state; of what it reaches nothing is told.
 void report_initial_state(PlantReport& report);
 /// Of a plant without any possible state; nothing else is told of it.

@@ -181,8 +181,8 @@ void report_unused_weights(PlantReport& report) {
     auto& finding = report.add(
         Code::unused_weight, report.at(written.first),
         "the weight of the transition from " + ends(report, written.first) + " of " + report.name(written.instances) +
-            (timed ? " is of no account: what takes time by itself competes by its times alone"
-                   : " is of no account: no other transition is ever enabled beside it, and it is taken for certain"));
+            (timed ? " has no effect: a timed transition competes by its times alone"
+                   : " has no effect: no other transition is ever enabled beside it, and it is taken for certain"));
     if (!report.all(written.instances)) finding.severity = grammar::Severity::note;
     finding.suggestion = timed ? "outcomes of one transition share its time: `-> { … with 0.9, … with 0.1 } in [ … ]`"
                                : "say what else may come of it: `-> { … with 0.9, … with 0.1 }`";

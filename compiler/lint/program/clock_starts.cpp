@@ -8,79 +8,15 @@
 
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/lint/program/bound_programs.hpp"
+#include "compiler/lint/program/onward.hpp"
 #include "compiler/lint/program/passes.hpp"
-#include "compiler/lint/program/reachable_locations.hpp"
 
 namespace rmpl::compiler {
 
-using automata::ClockId;
 using automata::Location;
 using automata::LocationId;
 
 namespace {
-
-/// Where a run can get to behind a location, without entering what has the clock as its own.
-class Onward {
- public:
-  Onward(const automata::Program& program, const ReachableLocations& reach, ClockId clock)
-      : program_(program), reach_(reach), clock_(clock), seen_(program.locations.size(), false) {}
-
-  /// The locations that can be marked after this one, this one only where a run leads back to it.
-  const std::vector<bool>& behind(LocationId location) {
-    leave(location.index());
-    return followed();
-  }
-  /// The same after what a location that repeats for ever starts each time. What the location is in ends once, and it
-  /// with that.
-  const std::vector<bool>& started_by(LocationId repeating) {
-    for (auto in = program_.locations[repeating.index()].parent; in; in = program_.locations[in->index()].parent) {
-      left_.insert(in->index());
-    }
-    for (const automata::Arc& arc : program_.locations[repeating.index()].arcs) {
-      if (arc.target != repeating) enter(arc.target.index());
-    }
-    return followed();
-  }
-
- private:
-  const std::vector<bool>& followed() {
-    while (!pending_.empty()) {
-      const std::size_t next = pending_.back();
-      pending_.pop_back();
-      leave(next);
-    }
-    return seen_;
-  }
-  void leave(std::size_t l) {
-    for (const automata::Arc& arc : program_.locations[l].arcs) enter(arc.target.index());
-    // Its end may be the end of what it is in.
-    const auto parent = program_.locations[l].parent;
-    if (parent && !left_.count(parent->index()) && reach_.may_end(*parent)) {
-      left_.insert(parent->index());
-      leave(parent->index());
-    }
-  }
-  void enter(std::size_t l) {
-    const Location& location = program_.locations[l];
-    const auto& own = location.own_clocks;
-    if (seen_[l] || std::find(own.begin(), own.end(), clock_) != own.end()) return;
-    seen_[l] = true;
-    pending_.push_back(l);
-    if (!location.composite) return;
-    for (std::size_t child = l + 1; child < program_.locations.size(); ++child) {
-      const auto& parent = program_.locations[child].parent;
-      if (!parent || parent->index() < l) break;
-      if (parent->index() == l && program_.locations[child].start) enter(child);
-    }
-  }
-
-  const automata::Program& program_;
-  const ReachableLocations& reach_;
-  const ClockId clock_;
-  std::vector<bool> seen_;
-  std::set<std::size_t> left_;
-  std::vector<std::size_t> pending_;
-};
 
 void report(const LintInput& input, const BoundProgram& bound, LocationId first, LocationId second,
             std::set<grammar::Span>& told, grammar::Diagnostics& found) {
@@ -95,18 +31,13 @@ void report(const LintInput& input, const BoundProgram& bound, LocationId first,
       "clock " + backquoted(written) + " may run already: then this changes nothing, and waits do not start anew");
   if (before == span) {
     finding.suggestion =
-        "declare it at the start of the definition, `clock " + written + ";`: then each call has a clock of its own";
+        "declare it at the start of a definition, `clock " + written +
+        ";`: then each call has a clock of its own. Let it be called by one that calls itself, and not by `whenever`";
   } else {
     finding.notes.push_back({before, "it may have been started here"});
     finding.suggestion = "take another clock for the second wait, or put the wait into a definition with `clock " +
                          written + ";` at its start";
   }
-}
-
-/// Whether a location stays marked for ever, as `always` and `whenever` do.
-bool repeats(const Location& location, LocationId id) {
-  return std::any_of(location.arcs.begin(), location.arcs.end(),
-                     [&](const automata::Arc& arc) { return arc.target == id && arc.guard.is_trivial(); });
 }
 
 void check(const LintInput& input, const BoundProgram& bound, std::set<grammar::Span>& told,

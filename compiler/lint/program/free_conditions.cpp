@@ -3,7 +3,11 @@
 #include "compiler/lint/program/free_conditions.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <utility>
+
+#include "base/product.hpp"
 
 #include "compiler/check/vocabulary.hpp"
 
@@ -45,19 +49,20 @@ bool FreeConditions::holds(const Formula& formula, const Truths& truths) {
 void FreeConditions::for_each(const std::vector<std::size_t>& questions, const Truths& given, std::size_t stage,
                               const std::function<bool(const Truths&)>& visit) {
   Truths truths = given;
-  answer(questions, 0, truths, stage, visit);
-}
-
-bool FreeConditions::answer(const std::vector<std::size_t>& questions, std::size_t next, Truths& truths,
-                            std::size_t stage, const std::function<bool(const Truths&)>& visit) {
-  if (next == questions.size()) return visit(truths);
-  if (truths.count(questions[next]) > 0) return answer(questions, next + 1, truths, stage, visit);
-  for (const bool truth : {true, false}) {
-    truths[questions[next]] = truth;
-    if (possible(truths, stage) && !answer(questions, next + 1, truths, stage, visit)) return false;
+  std::vector<std::size_t> open;
+  for (std::set<std::size_t> asked; const std::size_t question : questions) {
+    if (!given.contains(question) && asked.insert(question).second) open.push_back(question);
   }
-  truths.erase(questions[next]);
-  return true;
+  const std::vector<std::array<bool, 2>> answers(open.size(), {true, false});
+  base::multiply_out(
+      answers,
+      [&](std::size_t q, std::size_t a) {
+        truths[open[q]] = answers[q][a];
+        const bool together = possible(truths, stage);
+        if (!together) truths.erase(open[q]);
+        return together;
+      },
+      [&](std::size_t q, std::size_t) { truths.erase(open[q]); }, [&] { return !visit(truths); });
 }
 
 bool FreeConditions::possible(const Truths& truths, std::size_t stage) {

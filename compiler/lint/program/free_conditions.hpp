@@ -48,8 +48,6 @@ class FreeConditions {
   };
 
   bool possible(const Truths& truths, std::size_t stage);
-  bool answer(const std::vector<std::size_t>& questions, std::size_t next, Truths& truths, std::size_t stage,
-              const std::function<bool(const Truths&)>& visit);
 
   const automata::Variables& variables_;
   std::vector<bool> visible_;  ///< per variable

@@ -96,6 +96,7 @@ void lint_irreversible_goals(const LintInput& input, grammar::Diagnostics& found
   for (const BoundProgram& bound : bound_programs(input)) {
     std::map<Assignment, std::optional<automata::Transition>> known;
     for_each_goal(bound, [&](automata::LocationId location, const Assignment& goal, const Component& component) {
+      if (component.progress) return;  // it is meant to
       auto step = known.find(goal);
       if (step == known.end()) {
         step = known.emplace(goal, point_of_no_return(component, ModeId(goal.value.index()))).first;

@@ -58,9 +58,7 @@ class Chosen final : public automata::ProgramAnswers {
   bool guard_holds(LocationId location, std::size_t arc) override {
     return judge_(program_.locations[location.index()].arcs[arc].guard);
   }
-  bool achieved(LocationId location) override {
-    return judge_({true, conjunction_of(program_.locations[location.index()].goal)});
-  }
+  bool achieved(LocationId location) override { return judge_({true, goal_of(program_.locations[location.index()])}); }
 
  private:
   const Program& program_;
@@ -172,7 +170,7 @@ class Search {
     for (std::size_t l = 0; l < program_.locations.size(); ++l) {
       if (!half.working[l]) continue;
       const Location& location = program_.locations[l];
-      if (!location.goal.empty()) ask(conjunction_of(location.goal));
+      if (location.has_goal()) ask(goal_of(location));
       for (const automata::Arc& arc : location.arcs) ask(arc.guard.constraint);
     }
     if (open.size() > limits_.questions) return std::nullopt;

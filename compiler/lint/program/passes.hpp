@@ -17,6 +17,10 @@ void lint_fault_goals(const LintInput& input, grammar::Diagnostics& found);
 void lint_irreversible_goals(const LintInput& input, grammar::Diagnostics& found);
 /// Clocks started where a path may have started them.
 void lint_clock_starts(const LintInput& input, grammar::Diagnostics& found);
+/// Waits within what `whenever` or `always` starts anew while they last.
+void lint_restarted_waits(const LintInput& input, grammar::Diagnostics& found);
+/// What is asked of the executive's knowledge and can never be so, and surprises that nothing answers.
+void lint_knowledge(const LintInput& input, grammar::Diagnostics& found);
 /// What is there for nothing. Libraries, files without a plant or a start of a program, need not be used in whole.
 void lint_unused_definitions(const LintInput& input, grammar::Diagnostics& found);
 void lint_unused_parameters(const LintInput& input, grammar::Diagnostics& found);

@@ -62,8 +62,30 @@ automata::Variables open_table(const automata::Variables& variables, const autom
   return table;
 }
 
+namespace {
+
+/// Calls `visit` for each way to answer what is asked of the executive's knowledge, until it returns true: lint knows
+/// no estimate, so that any answers may come together.
+bool for_some_knowledge(const Formula& formula, const std::function<bool(const Formula&)>& visit) {
+  std::vector<Formula> atoms;
+  collect_knowledge(formula, atoms);
+  if (atoms.empty()) return visit(formula);
+  constexpr std::size_t most_atoms = 10;
+  if (atoms.size() > most_atoms) return true;
+  for (std::size_t way = 0; way < std::size_t{1} << atoms.size(); ++way) {
+    const auto answer = [&](const Formula& atom) {
+      const auto at = std::find(atoms.begin(), atoms.end(), atom);
+      return ((way >> static_cast<std::size_t>(at - atoms.begin())) & 1) != 0;
+    };
+    if (visit(with_knowledge(formula, answer))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool for_some_reading(const Formula& formula, const std::function<bool(const Formula&)>& visit) {
-  if (!has_clock(formula)) return visit(formula);
+  if (!has_clock(formula)) return for_some_knowledge(formula, visit);
   constexpr std::size_t limit = 4096;
   const ClockCuts cuts = cuts_of({&formula});
   std::size_t ways = 1;
@@ -83,7 +105,7 @@ bool for_some_reading(const Formula& formula, const std::function<bool(const For
       const auto found = now.find(clock);
       return found == now.end() ? nullptr : &found->second;
     };
-    if (visit(with_clocks(formula, reading))) return true;
+    if (for_some_knowledge(with_clocks(formula, reading), visit)) return true;
   }
   return false;
 }

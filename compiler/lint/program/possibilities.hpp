@@ -54,8 +54,9 @@ class Possibilities {
   std::vector<std::vector<automata::ValueId>> worlds_;  ///< states that the solver found; most questions are about one
 };
 
-/// Calls `visit` with the formula for each way that its clocks can read, until it returns true. Whether it did. A
-/// formula that reads its clocks in too many ways counts as one where it did.
+/// Calls `visit` with the formula for each way that its clocks can read and what it asks of the executive's knowledge
+/// can be answered, until it returns true. Whether it did. A formula with too many such ways counts as one where it
+/// did.
 bool for_some_reading(const automata::Formula& formula, const std::function<bool(const automata::Formula&)>& visit);
 
 }  // namespace rmpl::compiler

@@ -17,8 +17,7 @@ Flow flow_of(const automata::Program& program, const FreedomOf& freedom) {
     made.start = location.start;
     made.parent = location.parent;
     made.may_be_left = freedom(location.maintenance).may_fail;
-    made.may_go_on =
-        location.goal.empty() || made.may_be_left || freedom({true, conjunction_of(location.goal)}).may_hold;
+    made.may_go_on = !location.has_goal() || made.may_be_left || freedom({true, goal_of(location)}).may_hold;
     auto& arcs = made.draws.emplace_back();
     for (const automata::Arc& arc : location.arcs) arcs.push_back({arc.target, freedom(arc.guard), &arc.guard});
   }

@@ -54,6 +54,9 @@ class FineTimes {
     for (const automata::SensorOverride& o : scenario.overrides) {
       check(o.duration, scenario.cycle, o.origin, "the reading may be over before it is looked at");
     }
+    for (const automata::GivenCommand& c : scenario.commands) {
+      check(c.duration, scenario.cycle, c.origin, "the command may be over before a cycle begins with it");
+    }
     for (const automata::Rule& rule : scenario.rules) {
       check(rule.duration, scenario.cycle, rule.origin, "the reading may be over before it is looked at");
       if (rule.delay) check(*rule.delay, scenario.cycle, rule.origin, "it comes in the next cycle, as without it");

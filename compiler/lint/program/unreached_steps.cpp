@@ -31,6 +31,7 @@ Reached reached_within(const MarkedSpans& marked, Span span) {
 std::string reason(const grammar::Step& step) {
   if (std::holds_alternative<grammar::Always>(step.node)) return "`always` never ends";
   if (std::holds_alternative<grammar::Whenever>(step.node)) return "`whenever` never ends";
+  if (std::holds_alternative<grammar::Repeat>(step.node)) return "`repeat` never ends";
   return "this never ends";
 }
 

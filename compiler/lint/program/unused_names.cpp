@@ -73,6 +73,9 @@ ClockUse clocks_in(const Definition& definition) {
                                   }
                                 },
                                 [](const grammar::Block&) {},
+                                [](const grammar::Nothing&) {},
+                                [](const grammar::Each&) {},
+                                [](const grammar::Repeat&) {},
                                 [](const grammar::Always&) {},
                                 [](const grammar::Next&) {},
                                 [](const grammar::Choose&) {},

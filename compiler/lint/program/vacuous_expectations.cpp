@@ -38,6 +38,9 @@ Vacuity vacuity_of(const Expectation& expectation, const Scenario& scenario, con
     case Expectation::Kind::finished:
       if (possible.can_hold(expectation.condition)) return {};
       return {"no state satisfies what it expects at the end", expectation.condition};
+    case Expectation::Kind::never_finished:
+      if (possible.can_hold(expectation.condition)) return {};
+      return {"no state satisfies what it excludes at the end", expectation.condition};
     case Expectation::Kind::goal_conflict:
     case Expectation::Kind::no_plan:
       return {};

@@ -1,6 +1,10 @@
 // Properties that hold or fail whatever the plant does.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "compiler/lint/program/passes.hpp"
 #include "compiler/lint/program/possibilities.hpp"
@@ -26,8 +30,16 @@ class Judge {
     if (property.claim == PlantProperty::Claim::response) return response(property);
     // Other claims are about runs, or about more than the plant.
     if (property.claim != PlantProperty::Claim::never && property.claim != PlantProperty::Claim::reach) return {};
-    const bool never = property.claim == PlantProperty::Claim::never;
-    return decided(possible_, property.formula, never ? "what it excludes" : "what it claims to be reached");
+    const std::string what =
+        property.claim == PlantProperty::Claim::never ? "what it excludes" : "what it claims to be reached";
+    const Vacuity vacuity = decided(possible_, property.formula, what);
+    if (!vacuity.why.empty() || property.faults > 0) return vacuity;
+    const auto may_come = [&](bool faults) {
+      const ReachableModes reach(plant_, property.from, {faults, true});
+      return possible_.can_hold(automata::conjunction({property.formula, reach.formula()}));
+    };
+    if (may_come(false) || !may_come(true)) return {};
+    return {what + " needs a fault, and none is permitted: `faults K` permits up to K", automata::constant(true)};
   }
 
  private:
@@ -55,13 +67,31 @@ class Judge {
 }  // namespace
 
 void lint_vacuous_properties(const LintInput& input, grammar::Diagnostics& found) {
-  if (input.properties.empty() || input.document.plants.empty()) return;
-  Judge judge(input.document.plants.front());
-  if (!judge.possible().consistent()) return;
+  const auto& plants = input.document.plants;
+  std::map<std::size_t, Judge> judges;
+  const auto judge_of = [&](const PlantProperty& property) -> Judge* {
+    if (property.plant >= plants.size()) return nullptr;
+    Judge& judge = judges.try_emplace(property.plant, plants[property.plant]).first->second;
+    return judge.possible().consistent() ? &judge : nullptr;
+  };
+  // One that speaks of several plants says something where it does of one of them.
+  std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, std::vector<const PlantProperty*>> by_place;
   for (const PlantProperty& property : input.properties) {
-    tell(judge(property), grammar::Code::vacuous_property, input.places.at(property.origin),
+    by_place[{property.origin.file, property.origin.line, property.origin.column}].push_back(&property);
+  }
+  for (const auto& [place, same] : by_place) {
+    Judge* judge = nullptr;
+    const bool says_nothing = std::all_of(same.begin(), same.end(), [&](const PlantProperty* property) {
+      Judge* const own = judge_of(*property);
+      if (own == nullptr || (*own)(*property).why.empty()) return false;
+      if (judge == nullptr) judge = own;
+      return true;
+    });
+    if (!says_nothing) continue;
+    const PlantProperty& property = *same.front();
+    tell((*judge)(property), grammar::Code::vacuous_property, input.places.at(property.origin),
          "property \"" + property.name + "\" says nothing of what the plant does",
-         property.claim == PlantProperty::Claim::never ? &property.formula : nullptr, judge.possible(), input, found);
+         property.claim == PlantProperty::Claim::never ? &property.formula : nullptr, judge->possible(), input, found);
   }
 }
 

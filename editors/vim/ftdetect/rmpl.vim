@@ -4,3 +4,4 @@ autocmd BufRead,BufNewFile *.rmpl setfiletype rmpl
 autocmd BufRead,BufNewFile *.tcca setfiletype tcca
 autocmd BufRead,BufNewFile *.scn setfiletype scn
 autocmd BufRead,BufNewFile *.props setfiletype props
+autocmd BufRead,BufNewFile *.mon setfiletype mon

@@ -9,11 +9,12 @@ syntax case match
 syntax iskeyword @,48-57,_,-,.
 
 syntax keyword rmplConstant false true
-syntax keyword rmplControl always choose do donext elsenext if maintaining next thennext unless watching when whenever with
+syntax keyword rmplControl always choose do donext each elsenext if maintaining next repeat thennext unless watching when whenever with
 syntax keyword rmplDeclaration clock constraint control domain import observe variable
+syntax keyword rmplFunction likely noplan possible surprise
 syntax keyword rmplModifier any default model
 syntax keyword rmplOperator and in not or
-syntax match rmplNumber "\<\d\+\(\.\d\+\)\?\([eE][+-]\?\d\+\)\?\(\s*\(d\|h\|min\|mins\|ms\|s\|us\)\>\)\?"
+syntax match rmplNumber "\<\d\+\(\.\d\+\)\?\([eE][+-]\?\d\+\)\?\(\s*\(d\|h\|min\|mins\|ms\|ns\|s\|us\|w\|weeks\)\>\)\?"
 syntax region rmplString start=+"+ skip=+\\["\\]+ end=+"+ oneline
 syntax match rmplComment "//.*$" contains=@Spell
 syntax region rmplComment start="/\*" end="\*/" contains=@Spell
@@ -22,6 +23,7 @@ highlight default link rmplDefinition Identifier
 highlight default link rmplConstant Constant
 highlight default link rmplControl Statement
 highlight default link rmplDeclaration Structure
+highlight default link rmplFunction Function
 highlight default link rmplModifier StorageClass
 highlight default link rmplOperator Operator
 highlight default link rmplNumber Number

@@ -11,10 +11,10 @@ syntax iskeyword @,48-57,_,-,.
 syntax keyword tccaConstant false inf true
 syntax keyword tccaControl after when with
 syntax keyword tccaDeclaration component control domain fault import mode module observe plant
-syntax keyword tccaFunction exponential normal uniform
-syntax keyword tccaModifier any default initial input internal model nominal output rate reward
+syntax keyword tccaFunction erlang exponential likely noplan normal possible surprise uniform weibull
+syntax keyword tccaModifier any default initial input internal model nominal output progress rate reward
 syntax keyword tccaOperator and in not or
-syntax match tccaNumber "\<\d\+\(\.\d\+\)\?\([eE][+-]\?\d\+\)\?\(\s*\(d\|h\|min\|mins\|ms\|s\|us\)\>\)\?"
+syntax match tccaNumber "\<\d\+\(\.\d\+\)\?\([eE][+-]\?\d\+\)\?\(\s*\(d\|h\|min\|mins\|ms\|ns\|s\|us\|w\|weeks\)\>\)\?"
 syntax region tccaString start=+"+ skip=+\\["\\]+ end=+"+ oneline
 syntax match tccaComment "//.*$" contains=@Spell
 syntax region tccaComment start="/\*" end="\*/" contains=@Spell

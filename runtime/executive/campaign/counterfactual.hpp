@@ -32,6 +32,8 @@ class Counterfactual {
 
   /// Follows one step. Whether its readings contradict the twin; or the twin can go nowhere, which counts as much.
   bool contradicted_by(const FlownStep& flown);
+  /// Where the twin is.
+  [[nodiscard]] const automata::SystemState& state() const { return state_; }
 
  private:
   automata::PlantStep& step_;

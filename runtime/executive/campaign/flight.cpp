@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/campaign/flight.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "base/check.hpp"
 #include "base/error.hpp"
 
@@ -37,8 +40,31 @@ std::string_view name_of(CampaignRun::Verdict verdict) {
   return {};
 }
 
+void expect_faults(const automata::Document& document, const automata::Scenario& scenario, std::size_t faults) {
+  if (scenario.model) {
+    throw base::InputError("scenario '" + scenario.name + "': '" + document.plant_of(scenario).name +
+                           "' is, or holds, a model program, which does not say what its faults are");
+  }
+  if (scenario.rules_only) {
+    throw base::InputError("scenario '" + scenario.name +
+                           "': its plant follows the rules only, and has no faults to inject");
+  }
+  const automata::Plant& plant = document.plants[scenario.plant];
+  const std::size_t fallible = fallible_components(plant);
+  if (faults > fallible) {
+    throw base::InputError("--faults: only " + std::to_string(fallible) + " components of plant '" + plant.name +
+                           "' have faults");
+  }
+}
+
+std::uint64_t cycles_without_faults(const automata::Document& document, const automata::Scenario& scenario,
+                                    const ScenarioOptions& options) {
+  return std::max<std::uint64_t>(run_scenario(document, scenario, options, {}).cycles, 1);
+}
+
 std::optional<CampaignRun> fly_run(const automata::Document& document, const automata::Scenario& scenario,
-                                   const CampaignPlan& plan, std::uint64_t run, ScenarioOptions options) {
+                                   const CampaignPlan& plan, std::uint64_t run, ScenarioOptions options,
+                                   const std::vector<CycleObserver*>& observers, ScenarioResult* whole) {
   const automata::Plant& plant = document.plants[scenario.plant];
   CampaignRun result;
   result.run = run;
@@ -49,8 +75,11 @@ std::optional<CampaignRun> fly_run(const automata::Document& document, const aut
   happening.insert(happening.end(), faults.begin(), faults.end());
   options.seed = result.seed;
   CampaignWatch watch(plant, faults);
+  std::vector<CycleObserver*> all = observers;
+  all.push_back(&watch);
   try {
-    const ScenarioResult flight = run_scenario(document, flown, options, {&watch});
+    const ScenarioResult flight = run_scenario(document, flown, options, all);
+    if (whole != nullptr) *whole = flight;
     if (flight.interrupted) return std::nullopt;
     result.verdict = verdict_of(flight.verdict());
     result.ended = flight.ended;

@@ -35,8 +35,18 @@ struct CampaignRun {
 /// `met`, `failed`, `undecided`, `impossible`.
 std::string_view name_of(CampaignRun::Verdict verdict);
 
+/// Whether so many faults can be injected into the flights of a scenario. Throws base::InputError where not: its plant
+/// is a model program, follows rules only, or has fewer components with faults.
+void expect_faults(const automata::Document& document, const automata::Scenario& scenario, std::size_t faults);
+
+/// How long the flight is without injections, at least 1, which also shows what is wrong with the scenario itself.
+std::uint64_t cycles_without_faults(const automata::Document& document, const automata::Scenario& scenario,
+                                    const ScenarioOptions& options);
+
 /// Flies a run; nothing where it was interrupted. The scenario's plant is drawn, and its own faults happen as well.
+/// `observers` look on, and `whole`, where it is not null, gets how the flight ended.
 std::optional<CampaignRun> fly_run(const automata::Document& document, const automata::Scenario& scenario,
-                                   const CampaignPlan& plan, std::uint64_t run, ScenarioOptions options);
+                                   const CampaignPlan& plan, std::uint64_t run, ScenarioOptions options,
+                                   const std::vector<CycleObserver*>& observers = {}, ScenarioResult* whole = nullptr);
 
 }  // namespace rmpl::runtime

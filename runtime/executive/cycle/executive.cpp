@@ -4,10 +4,13 @@
 
 #include <string>
 
+#include "automata/assignment_text.hpp"
 #include "automata/time/checked_ticks.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/cycle/stopwatch.hpp"
 #include "runtime/executive/sequence/goal_conflict.hpp"
+#include "runtime/executive/trace/surprise.hpp"
+#include "runtime/reasoning/estimate/set_aside.hpp"
 
 namespace rmpl::runtime {
 
@@ -24,7 +27,8 @@ Executive::Executive(const automata::Program& program, const automata::Plant& mo
       monitor_(plant, to_estimation_),
       reconfiguration_(model, reconfigurer, clock, to_reconfiguration_, control_),
       estimation_(model, estimator, clock, to_estimation_, to_reconfiguration_),
-      explainer_(model) {
+      explainer_(model),
+      insight_(model, sequencer_.asked()) {
   record_.marking = sequencer_.marking();
   record_.command = automata::idle_action(model);
   read_back({});
@@ -50,6 +54,11 @@ double Executive::timed(const Work& work) const {
 }
 
 const CycleRecord& Executive::run_cycle() {
+  decide();
+  return carry_out();
+}
+
+const CycleRecord& Executive::decide() {
   ++record_.cycle;
   record_.events.clear();
   record_.marking = sequencer_.marking();
@@ -57,6 +66,10 @@ const CycleRecord& Executive::run_cycle() {
   record_.reconfiguration_seconds = timed([this] { reconfiguration_.dispatch(); });  // 4 to 8: MR's command is issued,
                                                                                      // and ME is told
   note_reconfiguration();
+  return record_;
+}
+
+const CycleRecord& Executive::carry_out() {
   clock_.wait_until(end_of(record_.cycle));
   const automata::Observation& observations = monitor_.sample(clock_.now());  // 9
   control_.request_estimate();                                                // 10
@@ -71,24 +84,23 @@ void Executive::assert_goals() {
   // 1. The sequencer queries the clock, checks maintenance constraints and establishes the goals.
   record_.start = clock_.now();
   const automata::Asserted& asserted = sequencer_.begin(knowledge_, record_.start);
-  record_.goal.clear();
-  record_.asserted_by.clear();
+  asserted_.clear();
   for (const automata::GoalConflict& conflict : asserted.conflicts) {
     record_.events.push_back(describe(conflict, program_, model_.variables));
   }
   // Goals that contradict each other are not acted on (semantics 2): MR is asked with none, and stays idle.
-  if (asserted.conflicts.empty()) {
-    record_.goal = asserted.goal;
-    record_.asserted_by = asserted.by;
-  }
-  // 2. It pushes the goals, one at a time, 3. and then the request.
-  for (const automata::Assignment& goal : record_.goal) to_reconfiguration_.push(GoalAsserted{goal});
+  if (asserted.conflicts.empty()) asserted_ = goals_of(asserted);
+  // 2. It pushes the goals, 3. and then the request.
+  for (const automata::Goals& goals : asserted_) to_reconfiguration_.push(GoalAsserted{&goals});
   to_reconfiguration_.push(ReconfigurationRequested{});
 }
 
 void Executive::note_reconfiguration() {
-  const Reconfiguration& answer = reconfiguration_.answer();
-  record_.command = answer.action;
+  const Pursued& pursued = reconfiguration_.pursued();
+  const Reconfiguration& answer = pursued.answer;
+  record_.goals = pursued.goals;
+  record_.left_out = pursued.left_out;
+  record_.command = reconfiguration_.issued();
   record_.considered = reconfiguration_.checked();
   record_.outcome = answer.outcome;
   record_.why = answer.why;
@@ -106,13 +118,42 @@ void Executive::note_reconfiguration() {
     case Reconfiguration::Outcome::nothing_to_do:
       break;
   }
+  if (record_.command != answer.action) note_commanded(answer);
+  for (const LeftOut& left_out : pursued.left_out) {
+    record_.events.push_back({Event::Kind::no_plan, left_out.reason, left_out.component, std::nullopt});
+  }
+}
+
+/// What the scenario commands has no reason that the executive knows.
+void Executive::note_commanded(const Reconfiguration& answer) {
+  const auto told = [&](const automata::ControlAction& action) {
+    const std::string text = to_text(model_.variables, automata::commanded(model_, action));
+    return text.empty() ? std::string("nothing") : text;
+  };
+  record_.events.push_back({Event::Kind::commanded,
+                            told(record_.command) + " is commanded in place of " + told(answer.action), std::nullopt,
+                            std::nullopt});
+  if (record_.outcome == Reconfiguration::Outcome::no_plan) return;
+  record_.outcome = automata::commanded(model_, record_.command).empty() ? Reconfiguration::Outcome::nothing_to_do
+                                                                         : Reconfiguration::Outcome::command;
+  record_.why = {};
 }
 
 void Executive::read_back(const automata::Observation& observations) {
   const Estimate& estimate = estimation_.estimate();
+  // Readings that contradict the estimate would make every constraint entailed: they explain nothing, and are not
+  // handed on.
+  const automata::Observation counted = without(observations, estimate.set_aside);
   record_.time = estimation_.time();
   record_.observations = observations;
-  record_.evidence = explainer_.evidence_of_new(record_.estimate, estimator_, observations);
+  const auto samples = plant_.samples();
+  record_.samples.assign(samples.begin(), samples.end());
+  if (const Monitors* monitors = plant_.monitors()) {
+    record_.channels = &monitors->channels();
+    record_.monitors = &monitors->monitors();
+  }
+  record_.set_aside = estimate.set_aside;
+  record_.evidence = explainer_.evidence_of_new(record_.estimate, estimator_, counted);
   record_.estimate = estimate.modes;
   record_.probability = estimate.probability;
   record_.consistent = estimate.consistent;
@@ -121,19 +162,29 @@ void Executive::read_back(const automata::Observation& observations) {
   record_.truth = plant_.truth();
   const auto& happenings = plant_.happenings();
   record_.events.insert(record_.events.end(), happenings.begin(), happenings.end());
-  if (!estimate.consistent) {
-    record_.events.push_back(
-        {Event::Kind::inconsistent, "no state that is tracked explains the observations", std::nullopt, std::nullopt});
-  }
+  if (auto surprise = surprise_of(estimate, model_.variables)) record_.events.push_back(*std::move(surprise));
   if (estimate.cut) {
     record_.events.push_back(
         {Event::Kind::cut, "the search ended early; the belief may lack states", std::nullopt, std::nullopt});
   }
   knowledge_.assignments.clear();
   automata::append_known(model_, estimate.modes, knowledge_.assignments);
-  // Observations that contradict the estimate would make every constraint entailed, so they are not handed on.
-  if (estimate.consistent) {
-    knowledge_.assignments.insert(knowledge_.assignments.end(), observations.begin(), observations.end());
+  knowledge_.assignments.insert(knowledge_.assignments.end(), counted.begin(), counted.end());
+  know_itself(counted);
+}
+
+/// What the conditions ask of the executive, as of this cycle.
+void Executive::know_itself(const automata::Observation& counted) {
+  const std::vector<automata::Formula>& asked = sequencer_.asked();
+  if (asked.empty()) return;
+  knowledge_.answers.clear();
+  record_.known.clear();
+  for (const automata::Formula& atom : asked) {
+    const bool so = atom.knowing == automata::Knowing::no_plan
+                        ? no_plan(record_.goals, record_.outcome, record_.left_out, about(model_, atom), model_)
+                        : insight_.answer(atom, estimator_, counted);
+    knowledge_.answers.push_back(so);
+    if (so) record_.known.push_back(to_text(atom, model_.variables));
   }
 }
 

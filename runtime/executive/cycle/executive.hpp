@@ -14,6 +14,7 @@
 #include "runtime/executive/plant/plant_interface.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/estimate/insight.hpp"
 #include "runtime/reasoning/explain/explainer.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 
@@ -33,6 +34,14 @@ class Executive {
   /// Runs one cycle. After the end of the program cycles go on, with no goal. Throws base::InputError where it would
   /// last beyond the end of time, some 292 years.
   const CycleRecord& run_cycle();
+  // The same in two parts.
+  /// Begins a cycle: asserts goals, and puts MR's command in force. The record then has the number, marking, goals and
+  /// command of the cycle that has begun; the rest of it is still what was read back in the cycle before.
+  const CycleRecord& decide();
+  /// Goes on to the end of that cycle, and reads back. Throws as `run_cycle` does.
+  const CycleRecord& carry_out();
+  /// From now on what a scenario commands takes the place of MR's command. Before the first cycle; keeps a reference.
+  void obey(const CommandScript& script) { reconfiguration_.obey(script); }
   /// From now on records tell what each engine takes; reading the processor's time costs a sixth of a quick cycle.
   void measure() { measured_ = true; }
   /// Whether the program has ended: no location is marked.
@@ -45,7 +54,9 @@ class Executive {
   [[nodiscard]] automata::Ticks end_of(std::uint64_t cycle) const;
   void assert_goals();
   void note_reconfiguration();
+  void note_commanded(const Reconfiguration& answer);
   void read_back(const automata::Observation& observations);
+  void know_itself(const automata::Observation& counted);
 
   const automata::Plant& model_;
   const automata::Program& program_;
@@ -61,7 +72,9 @@ class Executive {
   ReconfigurationDispatcher reconfiguration_;
   EstimationDispatcher estimation_;
   Explainer explainer_;
+  Insight insight_;
   automata::Knowledge knowledge_;  ///< of the sequencer: the last estimate, and the observations that it explains
+  std::vector<automata::Goals> asserted_;  ///< of the cycle at hand
   CycleRecord record_;
   bool measured_ = false;
 };

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "automata/state.hpp"
+#include "automata/step/program_rules.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 namespace rmpl::runtime {
@@ -25,9 +26,9 @@ struct EstimateRequested {};
 
 using EstimationMessage = std::variant<CommandIssued, ObservationArrived, EstimateRequested>;
 
-/// Sequencer to MR: one goal (step 2).
+/// Sequencer to MR: goals that are asked for together (step 2).
 struct GoalAsserted {
-  automata::Assignment goal;
+  const automata::Goals* goals;
 };
 /// Sequencer to MR: compute a command for the goals received to date (step 3).
 struct ReconfigurationRequested {};

@@ -3,6 +3,7 @@
 #include "runtime/executive/cycle/reconfiguration_dispatcher.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rmpl::runtime {
 
@@ -10,7 +11,8 @@ ReconfigurationDispatcher::ReconfigurationDispatcher(const automata::Plant& plan
                                                      const Clock& clock, MessageQueue<ReconfigurationMessage>& queue,
                                                      ControlAdapter& control)
     : reconfigurer_(reconfigurer), clock_(clock), queue_(queue), control_(control) {
-  answer_.action = automata::idle_action(plant);
+  pursued_.answer.action = automata::idle_action(plant);
+  issued_ = pursued_.answer.action;
 }
 
 void ReconfigurationDispatcher::dispatch() {
@@ -19,21 +21,30 @@ void ReconfigurationDispatcher::dispatch() {
   }
 }
 
-// 4. Goals are dequeued and conjoined.
-void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.push_back(message.goal); }
+// 4. Goals are dequeued.
+void ReconfigurationDispatcher::handle(const GoalAsserted& message) { goals_.push_back(*message.goals); }
 
 void ReconfigurationDispatcher::handle(const ReconfigurationRequested&) {
   // 5. The request invokes MR with the configuration goal, 6. which returns the next command of a sequence.
   checked_ = 0;
-  if (tracked_ != asked_states_ || goals_ != asked_goals_) {
-    answer_ = reconfigurer_.next_of_all(tracked_, automata::conjunction_of(goals_));
+  StrategyPosition position = tracked_.empty() ? StrategyPosition() : position_after(pursued_.answer, tracked_.front());
+  if (tracked_ != asked_states_ || goals_ != asked_goals_ || position != position_) {
+    pursued_ = pursue(reconfigurer_, tracked_, goals_, position);
+    position_ = std::move(position);
     asked_states_ = tracked_;
-    checked_ = answer_.checked;
+    checked_ = pursued_.answer.checked;
     asked_goals_ = goals_;
   }
   goals_.clear();
+  issued_ = pursued_.answer.action;
+  if (script_ != nullptr) script_->command(issued_, clock_.now());
+  if (issued_ != pursued_.answer.action) {
+    // What would follow the answer says nothing of what follows another command.
+    pursued_.answer.edges = nullptr;
+    asked_states_.clear();
+  }
   // 7. It goes to the control adapter.
-  control_.issue(answer_.action, clock_.now());
+  control_.issue(issued_, clock_.now());
 }
 
 void ReconfigurationDispatcher::handle(const StateEstimated& message) {

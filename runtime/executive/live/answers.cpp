@@ -23,8 +23,10 @@ std::string bounded(const std::string& message) {
 
 }  // namespace
 
-Answers::Answers(const automata::Plant& plant, std::uint64_t connection)
-    : name_("plant " + std::to_string(connection)), reader_(text_, name_, plant) {}
+Answers::Answers(const automata::Plant& plant, std::uint64_t connection, const Monitors* monitors)
+    : name_("plant " + std::to_string(connection)), reader_(text_, name_, plant) {
+  if (monitors != nullptr) reader_.read_channels(*monitors);
+}
 
 std::string Answers::next_place() const { return name_ + ":" + std::to_string(lines_ + 1); }
 
@@ -45,7 +47,7 @@ Answer Answers::read(const Inbox::Line& line) {
   }
   if (!read) throw base::InputError(place + ": expected a JSON object, found nothing");
   if (!read->cycle) throw base::InputError(place + ": expected 'cycle', the one that is answered");
-  return {*read->cycle, std::move(read->observations)};
+  return {*read->cycle, std::move(read->observations), std::move(read->samples)};
 }
 
 }  // namespace rmpl::runtime

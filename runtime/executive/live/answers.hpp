@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "automata/state.hpp"
 #include "runtime/executive/live/inbox.hpp"
@@ -16,14 +17,16 @@ namespace rmpl::runtime {
 struct Answer {
   std::uint64_t cycle = 0;  ///< to which it belongs
   automata::Observation observations;
+  std::vector<Sample> samples;
 };
 
 /// Reads the lines of one connection: `{"cycle": 7, "observations": {"engine.temp": "low"}}`; the other keys of a trace
 /// are legal and not looked at (grammar/schema/live_answer.schema.json).
 class Answers {
  public:
-  /// Messages name the connection: `plant 2:17: …`. Keeps a reference to the plant.
-  Answers(const automata::Plant& plant, std::uint64_t connection);
+  /// Messages name the connection: `plant 2:17: …`. With monitors, an answer may
+  /// have samples of their channels. Keeps references.
+  Answers(const automata::Plant& plant, std::uint64_t connection, const Monitors* monitors);
   Answers(const Answers&) = delete;
   Answers& operator=(const Answers&) = delete;
 

@@ -18,7 +18,7 @@ constexpr std::uint64_t many_lines = 1000;
 using automata::Ticks;
 
 LivePlant::LivePlant(const automata::Plant& model, Channel& channel, Ticks period, LiveOptions options)
-    : model_(model), channel_(channel), period_(period), options_(std::move(options)) {}
+    : model_(model), channel_(channel), period_(period), options_(std::move(options)), monitors_(options_.monitors) {}
 
 void LivePlant::Several::add(const std::string& message) {
   if (count++ == 0) first = message;
@@ -36,6 +36,7 @@ void LivePlant::issue(const automata::ControlAction& action, Ticks now) {
   answered_ = parted_ = false;
   lines_ = 0;
   observations_.clear();
+  samples_.clear();
   compose(action, now);
   if (!channel_.connected()) {
     const bool waits = options_.time == LiveOptions::Time::lock_step;
@@ -51,7 +52,7 @@ void LivePlant::issue(const automata::ControlAction& action, Ticks now) {
 
 /// A plant has come: it gets the command that is in force, whatever the one before got.
 void LivePlant::meet() {
-  answers_ = std::make_unique<Answers>(model_, ++connections_);
+  answers_ = std::make_unique<Answers>(model_, ++connections_, options_.monitors.empty() ? nullptr : &monitors_);
   tell(Event::Kind::connected, "plant " + std::to_string(connections_) + " is connected");
   outbox_.put(line_.text() + "\n");
   outbox_.send(channel_);
@@ -134,6 +135,7 @@ void LivePlant::read(const Inbox::Line& line) {
 /// Of two readings of one sensor in a cycle the later one is kept.
 void LivePlant::keep(const Answer& answer) {
   answered_ = true;
+  samples_.insert(samples_.end(), answer.samples.begin(), answer.samples.end());
   for (const automata::Assignment& reading : answer.observations) {
     const auto at =
         std::lower_bound(observations_.begin(), observations_.end(), reading.variable,
@@ -162,7 +164,7 @@ std::string LivePlant::why_unacknowledged() const {
   return outbox_.empty() ? "no answer came in time" : "the plant does not read";
 }
 
-const automata::Observation& LivePlant::sense(Ticks /*now*/) {
+const automata::Observation& LivePlant::sense(Ticks now) {
   tell(Event::Kind::refused, refused_, " more");
   tell(Event::Kind::late, late_, " more");
   if (lines_ > many_lines) {
@@ -174,8 +176,14 @@ const automata::Observation& LivePlant::sense(Ticks /*now*/) {
   } else {
     tell(Event::Kind::unacknowledged, "the command of this cycle is not acknowledged: " + why_unacknowledged());
   }
+  monitors_.take(samples_, now);
+  for (std::string& remark : monitors_.take_remarks()) tell(Event::Kind::refused, std::move(remark));
+  read_back_ = monitors_.readings(now);
+  for (const automata::Assignment& reading : observations_) {
+    std::erase_if(read_back_, [&](const automata::Assignment& known) { return known.variable == reading.variable; });
+    read_back_.insert(std::lower_bound(read_back_.begin(), read_back_.end(), reading), reading);
+  }
   happenings_ = std::exchange(events_, {});
-  read_back_ = observations_;
   return read_back_;
 }
 

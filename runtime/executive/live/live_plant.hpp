@@ -27,6 +27,7 @@ struct LiveOptions {
   Time time = Time::wall;
   automata::Ticks patience = automata::Ticks::of_seconds(10);  ///< in lock-step: for an answer, or a plant; above 0
   std::function<bool()> interrupted = [] { return false; };    ///< asked while waiting
+  std::vector<automata::Monitor> monitors = {};                ///< what makes readings of the plant's numbers
 };
 
 /// Each cycle, one line to the plant: `{"cycle":7,"time":3,"until":3.5,"command":{…}}`, with all control variables; and
@@ -43,6 +44,8 @@ class LivePlant final : public PlantInterface, public Clock {
   void overhear(const automata::Modes& /*estimate*/, automata::Ticks /*now*/) override {}
   [[nodiscard]] const automata::Modes* truth() const override { return nullptr; }
   [[nodiscard]] const std::vector<Event>& happenings() const override { return happenings_; }
+  [[nodiscard]] std::span<const Sample> samples() const override { return samples_; }
+  [[nodiscard]] const Monitors* monitors() const override { return options_.monitors.empty() ? nullptr : &monitors_; }
   [[nodiscard]] bool more_to_come() const override { return false; }
 
   [[nodiscard]] automata::Ticks now() const override;
@@ -91,8 +94,10 @@ class LivePlant final : public PlantInterface, public Clock {
   std::uint64_t lines_ = 0;
   Several refused_, late_;
   automata::Observation observations_;
+  std::vector<Sample> samples_;
   std::vector<Event> events_;
 
+  Monitors monitors_;
   automata::Observation read_back_;
   std::vector<Event> happenings_;
 };

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "automata/state.hpp"
 #include "runtime/executive/trace/event.hpp"
+#include "runtime/telemetry/monitors.hpp"
+#include "runtime/telemetry/sample.hpp"
 
 namespace rmpl::runtime {
 
@@ -23,6 +26,10 @@ class PlantInterface {
   [[nodiscard]] virtual const automata::Modes* truth() const = 0;
   /// What happened to the plant in the last `sense` that the executive is not told, for the trace.
   [[nodiscard]] virtual const std::vector<Event>& happenings() const = 0;
+  /// The samples of channels that came with the last `sense`, in order of time; empty where there are no channels.
+  [[nodiscard]] virtual std::span<const Sample> samples() const { return {}; }
+  /// What makes readings of them; null where there are no channels.
+  [[nodiscard]] virtual const Monitors* monitors() const { return nullptr; }
   /// Whether something that was scripted still lies ahead.
   [[nodiscard]] virtual bool more_to_come() const = 0;
   /// Whether something whose time has come waits for an occasion.

@@ -16,17 +16,21 @@ class ScriptedPlant final : public PlantInterface {
   const automata::Observation& sense(automata::Ticks now) override {
     readings_.clear();
     script_.apply(readings_, now);
+    happenings_.clear();
+    script_.add_remarks(happenings_);
     return readings_;
   }
   void overhear(const automata::Modes& estimate, automata::Ticks now) override { script_.hear_estimate(estimate, now); }
   [[nodiscard]] const automata::Modes* truth() const override { return nullptr; }
   [[nodiscard]] const std::vector<Event>& happenings() const override { return happenings_; }
+  [[nodiscard]] std::span<const Sample> samples() const override { return script_.samples(); }
+  [[nodiscard]] const Monitors* monitors() const override { return script_.monitors(); }
   [[nodiscard]] bool more_to_come() const override { return script_.pending(); }
 
  private:
   SensorScript script_;
   automata::Observation readings_;
-  const std::vector<Event> happenings_;
+  std::vector<Event> happenings_;
 };
 
 }  // namespace rmpl::runtime

@@ -3,9 +3,14 @@
 #include "runtime/executive/plant/sensor_script.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <tuple>
+#include <utility>
 
+#include "automata/controls.hpp"
 #include "automata/time/checked_ticks.hpp"
+#include "base/error.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -26,12 +31,21 @@ Ticks delay_of(const automata::Rule& rule, Ticks cycle) {
 }  // namespace
 
 SensorScript::SensorScript(const automata::Plant& plant, const automata::Scenario& scenario)
-    : plant_(plant), cycle_(scenario.cycle) {
+    : plant_(plant), cycle_(scenario.cycle), monitors_(scenario.monitors) {
   std::size_t order = 0;
   for (const automata::SensorOverride& dictated : scenario.overrides) {
     schedule({dictated.at, later(dictated.at, dictated.duration), order++, dictated.reading});
   }
   for (const automata::Rule& rule : scenario.rules) triggers_.push_back({&rule, order++});
+  for (const automata::ChannelSample& given : scenario.samples) {
+    const auto channel = monitors_.find(given.channel);
+    if (!channel) {
+      throw base::InputError(to_text(given.origin) + ": no monitor reads channel \"" + given.channel + "\"");
+    }
+    samples_.push_back({given.at, given.number ? Sample::of_number(*channel, *given.number, given.text)
+                                               : Sample::of_text(*channel, given.text)});
+  }
+  std::stable_sort(samples_.begin(), samples_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
 }
 
 void SensorScript::schedule(Reading reading) {
@@ -60,12 +74,7 @@ void SensorScript::hear_command(const automata::ControlAction& action, Ticks now
   last_action_ = action;
   fire(
       automata::Rule::Stream::command,
-      [&](automata::VariableId variable) {
-        const auto at = std::find_if(plant_.controls.begin(), plant_.controls.end(),
-                                     [&](const automata::Control& control) { return control.variable == variable; });
-        return action[static_cast<std::size_t>(at - plant_.controls.begin())];
-      },
-      now);
+      [&](automata::VariableId variable) { return action[*automata::control_of(plant_, variable)]; }, now);
 }
 
 void SensorScript::hear_estimate(const automata::Modes& modes, Ticks now) {
@@ -87,7 +96,34 @@ void SensorScript::begin(const Reading& reading) {
   active_.push_back(reading);
 }
 
+/// Each sample counts at its own time, those of one time together.
+void SensorScript::take_samples(Ticks now) {
+  heard_.clear();
+  while (next_sample_ < samples_.size() && samples_[next_sample_].at <= now) {
+    const Ticks time = samples_[next_sample_].at;
+    const std::size_t first = heard_.size();
+    for (; next_sample_ < samples_.size() && samples_[next_sample_].at == time; ++next_sample_)
+      heard_.push_back(samples_[next_sample_].sample);
+    monitors_.take(std::span(heard_).subspan(first), time);
+  }
+}
+
+void SensorScript::apply_monitors(automata::Observation& observation, Ticks now) const {
+  if (next_sample_ == 0) return;
+  std::erase_if(observation, [&](const automata::Assignment& read) { return monitors_.speak_of(read.variable); });
+  const automata::Observation readings = monitors_.readings(now);
+  observation.insert(observation.end(), readings.begin(), readings.end());
+  std::sort(observation.begin(), observation.end());
+}
+
+void SensorScript::add_remarks(std::vector<Event>& happenings) {
+  for (std::string& remark : monitors_.take_remarks())
+    happenings.push_back({Event::Kind::refused, std::move(remark), std::nullopt, std::nullopt});
+}
+
 void SensorScript::apply(automata::Observation& observation, Ticks now) {
+  take_samples(now);
+  apply_monitors(observation, now);
   for (; !pending_.empty() && pending_.back().from <= now; pending_.pop_back()) begin(pending_.back());
   std::erase_if(active_, [now](const Reading& known) { return known.until <= now; });
   for (const Reading& known : active_) {

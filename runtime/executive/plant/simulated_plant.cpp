@@ -123,6 +123,7 @@ const automata::Observation& SimulatedPlant::sense(automata::Ticks now) {
   time_ = now;
   readings_ = sensors_.read(state_.modes);
   script_.apply(readings_, now);
+  script_.add_remarks(happenings_);
   return readings_;
 }
 

@@ -65,6 +65,7 @@ const automata::Observation& SimulatedSoftware::sense(automata::Ticks now) {
   truth_ = plant_.modes(model_.marking(), model_.values());
   readings_ = model_.read();
   script_.apply(readings_, now);
+  script_.add_remarks(happenings_);
   return readings_;
 }
 

@@ -29,6 +29,8 @@ class SimulatedSoftware final : public PlantInterface {
   void overhear(const automata::Modes& estimate, automata::Ticks now) override { script_.hear_estimate(estimate, now); }
   [[nodiscard]] const automata::Modes* truth() const override { return &truth_; }
   [[nodiscard]] const std::vector<Event>& happenings() const override { return happenings_; }
+  [[nodiscard]] std::span<const Sample> samples() const override { return script_.samples(); }
+  [[nodiscard]] const Monitors* monitors() const override { return script_.monitors(); }
   [[nodiscard]] bool more_to_come() const override { return !forced_.empty() || script_.pending(); }
   [[nodiscard]] bool waits_for_occasion() const override { return !forced_.empty() && forced_.front().at <= time_; }
   void finish(automata::Ticks now) const override;

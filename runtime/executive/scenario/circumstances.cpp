@@ -58,7 +58,7 @@ std::string deed(const CycleRecord& record, const automata::Plant& plant) {
   std::string what = to_text(plant.variables, automata::commanded(plant, record.command));
   if (what.empty() && record.outcome == Reconfiguration::Outcome::wait) what = "a wait";
   if (what.empty() && record.outcome == Reconfiguration::Outcome::no_plan) what = "no plan";
-  const std::string why = what.empty() ? "" : to_text(record.why, plant, automata::conjunction_of(record.goal));
+  const std::string why = what.empty() ? "" : to_text(record.why, plant, record.goals.formula());
   return "cycle " + std::to_string(record.cycle) + (what.empty() ? "" : ": ") + what + (why.empty() ? "" : " ") + why;
 }
 

@@ -27,10 +27,11 @@ std::unique_ptr<Estimator> make_estimator(automata::PlantStep& step, const Scena
   return nullptr;
 }
 
-std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const ScenarioOptions& options) {
+std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const ScenarioOptions& options,
+                                            automata::Ticks cycle) {
   switch (options.recovery) {
     case ScenarioOptions::Recovery::planner:
-      return make_reconfigurer(step, options.graph);
+      return make_reconfigurer(step, options.graph, cycle);
     case ScenarioOptions::Recovery::one_step:
       return make_one_step_reconfigurer(step, options.graph);
   }
@@ -39,10 +40,10 @@ std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const Sce
 
 class PlantEngines final : public Engines {
  public:
-  PlantEngines(const automata::Plant& plant, const ScenarioOptions& options)
+  PlantEngines(const automata::Plant& plant, const ScenarioOptions& options, automata::Ticks cycle)
       : plant_(plant), awaited_(options.awaited), step_(plant) {
     estimator_ = make_estimator(step_, options);
-    reconfigurer_ = make_recovery(step_, options);
+    reconfigurer_ = make_recovery(step_, options, cycle);
   }
 
   [[nodiscard]] const automata::Plant& model() const override { return plant_; }
@@ -90,8 +91,9 @@ class SoftwareEngines final : public Engines {
 
 }  // namespace
 
-std::unique_ptr<Engines> make_engines(const automata::Plant& plant, const ScenarioOptions& options) {
-  return std::make_unique<PlantEngines>(plant, options);
+std::unique_ptr<Engines> make_engines(const automata::Plant& plant, const ScenarioOptions& options,
+                                      automata::Ticks cycle) {
+  return std::make_unique<PlantEngines>(plant, options, cycle);
 }
 
 std::unique_ptr<Engines> make_engines(const automata::ModelProgram& program, const ScenarioOptions& options) {

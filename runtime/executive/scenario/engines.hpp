@@ -33,8 +33,9 @@ class Engines {
 };
 
 /// Both keep a reference to what they are of. The second throws base::InputError where no start is consistent, or the
-/// options ask for what model programs have not.
-std::unique_ptr<Engines> make_engines(const automata::Plant& plant, const ScenarioOptions& options);
+/// options ask for what model programs have not. `cycle`: of the executive.
+std::unique_ptr<Engines> make_engines(const automata::Plant& plant, const ScenarioOptions& options,
+                                      automata::Ticks cycle);
 std::unique_ptr<Engines> make_engines(const automata::ModelProgram& program, const ScenarioOptions& options);
 
 }  // namespace rmpl::runtime

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "runtime/executive/scenario/circumstances.hpp"
 #include "runtime/executive/scenario/moment.hpp"
+#include "runtime/reasoning/estimate/set_aside.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -38,6 +39,7 @@ const Event* find(const CycleRecord& record, Event::Kind kind) {
 bool lasts_to_the_end(const Expectation& expectation) {
   switch (expectation.kind) {
     case Expectation::Kind::never:
+    case Expectation::Kind::never_finished:
     case Expectation::Kind::goal_conflict:
     case Expectation::Kind::no_plan:
       return true;
@@ -61,9 +63,26 @@ std::string_view name_of(Verdict verdict) {
   return {};
 }
 
+namespace {
+
+std::vector<automata::Formula> knowledge_asked_by(const automata::Scenario& scenario) {
+  std::vector<automata::Formula> atoms;
+  for (const Expectation& expectation : scenario.expectations) {
+    collect_knowledge(expectation.condition, atoms);
+    if (expectation.after) collect_knowledge(*expectation.after, atoms);
+  }
+  return atoms;
+}
+
+}  // namespace
+
 Expectations::Expectations(const automata::Plant& plant, automata::Theory& theory, const automata::Program& program,
                            const automata::Scenario& scenario)
-    : plant_(plant), theory_(theory), program_(program), judgements_(scenario.expectations.size()) {
+    : plant_(plant),
+      theory_(theory),
+      program_(program),
+      insight_(plant, knowledge_asked_by(scenario)),
+      judgements_(scenario.expectations.size()) {
   for (const Expectation& expectation : scenario.expectations) {
     if (expectation.truth && scenario.rules_only) {
       throw base::InputError(to_text(expectation.origin) + ": 'expect " + expectation.text +
@@ -80,10 +99,24 @@ Expectations::Expectations(const automata::Plant& plant, automata::Theory& theor
 }
 
 Expectations::Question Expectations::ask(const automata::Formula& formula) {
-  return {&formula, theory_.encode(formula), {}, automata::speaks_of_control(plant_, formula)};
+  if (has_knowledge(formula)) return {.formula = &formula, .handle = {}, .by_command = {}, .knows = true};
+  return {.formula = &formula,
+          .handle = theory_.encode(formula),
+          .by_command = {},
+          .commanded = automata::speaks_of_control(plant_, formula)};
+}
+
+bool Expectations::holds_as_known(const automata::Formula& formula) {
+  const automata::Formula known = with_knowledge(formula, [&](const automata::Formula& atom) {
+    if (atom.knowing != automata::Knowing::no_plan) return insight_.answer(atom, *record_->estimator, counted_);
+    return no_plan(record_->goals, record_->outcome, record_->left_out, about(plant_, atom), plant_);
+  });
+  const auto given = automata::assignments_of(plant_, command_);
+  return theory_.entails(estimate_.known, theory_.encode(automata::with_values(known, given)));
 }
 
 bool Expectations::holds(Question& question, const Side& side) {
+  if (question.knows) return holds_as_known(*question.formula);
   const bool commanded_anew = question.commanded && commanded_anew_;
   if (commanded_anew) {
     const auto [at, fresh] = question.by_command.try_emplace(command_);
@@ -109,9 +142,9 @@ void Expectations::know(const CycleRecord& record) {
     automata::append_known(plant_, modes, side.next);
   };
   add_modes(estimate_, record.estimate);
-  if (record.consistent) {
-    estimate_.next.insert(estimate_.next.end(), record.observations.begin(), record.observations.end());
-  }
+  record_ = &record;
+  counted_ = without(record.observations, record.set_aside);
+  estimate_.next.insert(estimate_.next.end(), counted_.begin(), counted_.end());
   renew(estimate_);
   if (record.truth == nullptr) return;
   add_modes(truth_, *record.truth);
@@ -162,6 +195,13 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
         judgement = {Verdict::met, now, {}, {}};
       }
       break;
+    case Expectation::Kind::never_finished:
+      if (ended && condition && !late) {
+        judgement = {Verdict::failed, now, "the program ended", evidence(expectation, record)};
+      } else if (ended || late || (due && now == *due)) {
+        judgement = {Verdict::met, now, {}, {}};  // it ends once only
+      }
+      break;
     case Expectation::Kind::goal_conflict:
       if (const Event* event = find(record, Event::Kind::goal_conflict)) {
         judgement = {Verdict::failed, record.start, "there was one", event->message};
@@ -179,7 +219,8 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
 Judgement Expectations::at_the_end(const Watch& watch, const CycleRecord& last) const {
   switch (watch.expectation->kind) {
     case Expectation::Kind::never:
-      return {Verdict::met, last.time, watch.since ? "" : "what it waits for after 'after' never came true", {}};
+      return {Verdict::met, last.time, watch.since ? "" : "the condition after 'after' never came true", {}};
+    case Expectation::Kind::never_finished:
     case Expectation::Kind::goal_conflict:
     case Expectation::Kind::no_plan:
       return {Verdict::met, last.time, {}, {}};
@@ -187,7 +228,7 @@ Judgement Expectations::at_the_end(const Watch& watch, const CycleRecord& last) 
       return {Verdict::failed, last.time, "the program had not ended when the run was over",
               places(last.marking, program_)};
     case Expectation::Kind::eventually:
-      if (!watch.since) return {Verdict::failed, last.time, "what it waits for after 'after' never came true", {}};
+      if (!watch.since) return {Verdict::failed, last.time, "the condition after 'after' never came true", {}};
       return {Verdict::failed, last.time, "it did not come true before the run was over",
               evidence(*watch.expectation, last)};
   }

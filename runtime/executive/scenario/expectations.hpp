@@ -11,6 +11,7 @@
 #include "automata/plant.hpp"
 #include "automata/scenario.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
+#include "runtime/reasoning/estimate/insight.hpp"
 
 namespace rmpl::runtime {
 
@@ -31,7 +32,7 @@ std::string_view name_of(Judgement::Verdict verdict);
 
 /// A condition holds when it is entailed by the model and what is known at the end of a cycle: the estimate and the
 /// observations that it explains, or the true modes. What it says of controls is so or not by the command that was in
-/// force in that cycle.
+/// force in that cycle, and what it asks of the executive's knowledge by that at the end of the cycle.
 class Expectations {
  public:
   /// `theory`: of the plant's model. Keeps references to all. Throws base::InputError where an expectation speaks of
@@ -59,6 +60,7 @@ class Expectations {
     /// Where it speaks of controls: what is known of it, by command.
     std::map<automata::ControlAction, automata::Theory::Handle> by_command;
     bool commanded = false;
+    bool knows = false;  ///< it asks of the executive's knowledge: then its answers are never remembered
     bool answer = false;
   };
   /// What is known on one side, the estimate's or the truth's.
@@ -76,6 +78,7 @@ class Expectations {
   };
 
   Question ask(const automata::Formula& formula);
+  bool holds_as_known(const automata::Formula& formula);
   void know(const CycleRecord& record);
   bool holds(Question& question, const Side& side);
   void judge(Watch& watch, Judgement& judgement, const CycleRecord& record, bool ended);
@@ -88,6 +91,9 @@ class Expectations {
   Side estimate_, truth_;
   automata::ControlAction command_;  ///< in force in the cycle that ends
   bool commanded_anew_ = false;
+  Insight insight_;
+  const CycleRecord* record_ = nullptr;  ///< that is looked at
+  automata::Observation counted_;        ///< its readings that count
   std::vector<Watch> watches_;
   std::vector<Judgement> judgements_;
 };

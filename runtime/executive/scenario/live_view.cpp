@@ -58,17 +58,20 @@ void LiveView::observe(const CycleRecord& record) {
   now_.time = record.time;
   now_.estimate = record.estimate;
   now_.probability = record.probability;
-  now_.consistent = record.consistent;
+  now_.set_aside = to_text(plant_.variables, record.set_aside);
   now_.goals.clear();
-  for (std::size_t i = 0; i < record.goal.size(); ++i) {
-    const automata::Assignment goal = record.goal[i];
-    now_.goals.push_back(to_text(plant_.variables, goal) +
-                         in_parentheses(program_.locations[record.asserted_by[i].index()].origin));
+  const automata::Goals& goals = record.goals;
+  for (std::size_t i = 0; i < goals.goal.size(); ++i) {
+    now_.goals.push_back(to_text(plant_.variables, goals.goal[i]) +
+                         in_parentheses(program_.locations[goals.by[i].index()].origin));
+  }
+  for (const automata::GoalConstraint& constraint : goals.constraints) {
+    now_.goals.push_back(to_text(constraint.formula, plant_.variables) +
+                         in_parentheses(program_.locations[constraint.by.index()].origin));
   }
   now_.command = to_text(plant_.variables, automata::commanded(plant_, record.command));
-  now_.why = record.outcome == Reconfiguration::Outcome::nothing_to_do
-                 ? ""
-                 : to_text(record.why, plant_, automata::conjunction_of(record.goal));
+  now_.why =
+      record.outcome == Reconfiguration::Outcome::nothing_to_do ? "" : to_text(record.why, plant_, goals.formula());
   if (now_.command.empty() && record.outcome == Reconfiguration::Outcome::wait) now_.command = "waits";
   if (record.outcome == Reconfiguration::Outcome::no_plan) now_.command = "no plan";
 }
@@ -131,9 +134,10 @@ std::vector<std::string> LiveView::lines(std::size_t width, std::size_t height) 
   result.push_back(word("") + painter_.quiet(cut(now_.why, room)));
   char share[32];
   std::snprintf(share, sizeof share, "%.3g", std::floor(now_.probability * 1000) / 1000);
-  result.push_back(painter_.note(word("believes")) + (now_.consistent
-                                                          ? painter_.quiet(std::string("with probability ") + share)
-                                                          : painter_.bad("nothing explains what is seen")));
+  const std::string unexplained = now_.set_aside.empty() ? "" : "; nothing explains " + now_.set_aside;
+  const std::string believes = std::string("with probability ") + share;
+  result.push_back(painter_.note(word("believes")) + painter_.quiet(believes) +
+                   painter_.bad(cut(unexplained, room - std::min(room - 1, believes.size()))));
   const std::size_t rows = height >= 24 ? 5 : 3;
   for (const std::string& row : believed(width, rows)) result.push_back(word("") + row);
   result.emplace_back();

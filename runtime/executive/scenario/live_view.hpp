@@ -33,7 +33,7 @@ class LiveView final : public CycleObserver {
     std::string command, why;
     automata::Modes estimate;
     double probability = 0;
-    bool consistent = true;
+    std::string set_aside;  ///< readings that nothing explains
   };
 
   [[nodiscard]] std::string progress(std::size_t width) const;

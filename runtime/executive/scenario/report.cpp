@@ -53,10 +53,22 @@ std::string summary(const automata::Scenario& scenario, const ScenarioResult& re
   return text;
 }
 
+namespace {
+
+void write_requirements(JsonLine& json, const std::vector<std::string>& requirements) {
+  if (requirements.empty()) return;
+  json.key("requirements").open('[');
+  for (const std::string& one : requirements) json.string(one);
+  json.close(']');
+}
+
+}  // namespace
+
 void write_result(JsonLine& json, const automata::Scenario& scenario, const ScenarioResult& result) {
   json.open('{').key("scenario").string(scenario.name).key("verdict").string(name_of(result.verdict()));
   json.key("seed").number(result.seed).key("cycles").number(result.cycles).key("time").seconds(result.time);
   if (result.ended) json.key("ended").seconds(*result.ended);
+  write_requirements(json, scenario.requirements);
   json.key("expectations").open('[');
   for (std::size_t i = 0; i < result.judgements.size(); ++i) {
     const automata::Expectation& expectation = scenario.expectations[i];
@@ -65,6 +77,7 @@ void write_result(JsonLine& json, const automata::Scenario& scenario, const Scen
     if (judgement.time) json.key("time").seconds(*judgement.time);
     if (!judgement.reason.empty()) json.key("reason").string(judgement.reason);
     if (!judgement.evidence.empty()) json.key("evidence").string(judgement.evidence);
+    write_requirements(json, expectation.requirements);
     json.key("file").string(expectation.origin.file).key("line").number(expectation.origin.line);
     json.close('}');
   }

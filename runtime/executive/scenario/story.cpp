@@ -3,14 +3,14 @@
 #include "runtime/executive/scenario/story.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <utility>
 
 #include "automata/assignment_text.hpp"
+#include "automata/owner.hpp"
 #include "automata/place.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/executive/trace/forced.hpp"
+#include "runtime/executive/trace/three_digits.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -34,15 +34,6 @@ double probability_of(const Estimator& estimator, automata::ComponentId componen
   return sum;
 }
 
-/// A probability with three significant digits; `1` only where it is 1.
-std::string three_digits(double probability) {
-  if (probability < 1 && probability > 0.9995) return ">0.999";
-  std::array<char, 32> digits{};
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), probability, std::chars_format::general, 3);
-  return {digits.data(), end.ptr};
-}
-
 }  // namespace
 
 Story::Story(const automata::Plant& plant, const automata::Program& program, MomentColumn column, base::Painter painter,
@@ -53,6 +44,7 @@ Story::Story(const automata::Plant& plant, const automata::Program& program, Mom
       painter_(painter),
       focus_(std::move(focus)),
       tell_(std::move(tell)),
+      samples_(plant),
       command_(automata::idle_action(plant)) {}
 
 bool Story::is_told(Component about) const {
@@ -67,13 +59,6 @@ void Story::line(automata::Ticks time, std::string_view what, const std::string&
 
 std::string Story::text_of(Assignment assignment) const { return to_text(plant_.variables, assignment); }
 
-/// The component that a variable belongs to by its name, `component.attribute`, if it belongs to one.
-Story::Component Story::component_of(automata::VariableId variable) const {
-  if (const auto component = plant_.component_of(variable)) return component;
-  const std::string& name = plant_.variables.name(variable);
-  return plant_.find_component(name.substr(0, name.rfind('.')));
-}
-
 void Story::observe(const CycleRecord& record) {
   if (record.cycle == 0) {
     estimate_ = record.estimate;
@@ -82,27 +67,45 @@ void Story::observe(const CycleRecord& record) {
     tell_action(record);
   }
   tell_events(record);
+  tell_samples(record);
   tell_estimate(record);
 }
 
 void Story::tell_goals(const CycleRecord& record) {
-  if (record.goal == goal_) return;
-  const auto stands_in = [](const std::vector<Assignment>& goals, Assignment goal) {
-    return std::find(goals.begin(), goals.end(), goal) != goals.end();
+  const automata::Goals& goals = record.goals;
+  if (goals == goals_) return;
+  const auto stands_in = [](const std::vector<Assignment>& modes, Assignment goal) {
+    return std::find(modes.begin(), modes.end(), goal) != modes.end();
   };
-  for (const Assignment& goal : goal_) {
-    if (stands_in(record.goal, goal)) continue;
-    line(record.start, "goal", painter_.quiet("- " + text_of(goal)), component_of(goal.variable));
+  const auto stands_among = [](const std::vector<automata::GoalConstraint>& constraints,
+                               const automata::GoalConstraint& constraint) {
+    return std::any_of(constraints.begin(), constraints.end(),
+                       [&](const automata::GoalConstraint& other) { return other.formula == constraint.formula; });
+  };
+  for (const Assignment& goal : goals_.goal) {
+    if (stands_in(goals.goal, goal)) continue;
+    line(record.start, "goal", painter_.quiet("- " + text_of(goal)), automata::owner_of(plant_, goal.variable));
   }
-  for (std::size_t i = 0; i < record.goal.size(); ++i) {
-    const Assignment goal = record.goal[i];
-    if (stands_in(goal_, goal)) continue;
+  for (const automata::GoalConstraint& gone : goals_.constraints) {
+    if (stands_among(goals.constraints, gone)) continue;
+    line(record.start, "goal", painter_.quiet("- " + to_text(gone.formula, plant_.variables)), std::nullopt);
+  }
+  for (std::size_t i = 0; i < goals.goal.size(); ++i) {
+    const Assignment goal = goals.goal[i];
+    if (stands_in(goals_.goal, goal)) continue;
     line(record.start, "goal",
          "+ " + painter_.strong(text_of(goal)) +
-             painter_.quiet(in_parentheses(program_.locations[record.asserted_by[i].index()].origin)),
-         component_of(goal.variable));
+             painter_.quiet(in_parentheses(program_.locations[goals.by[i].index()].origin)),
+         automata::owner_of(plant_, goal.variable));
   }
-  goal_ = record.goal;
+  for (const automata::GoalConstraint& constraint : goals.constraints) {
+    if (stands_among(goals_.constraints, constraint)) continue;
+    line(record.start, "goal",
+         "+ " + painter_.strong(to_text(constraint.formula, plant_.variables)) +
+             painter_.quiet(in_parentheses(program_.locations[constraint.by.index()].origin)),
+         std::nullopt);
+  }
+  goals_ = goals;
 }
 
 /// Whether what a cycle does is about a component that is told: by its controls, by its goal, or by what it is for.
@@ -110,9 +113,10 @@ bool Story::is_action_told(const CycleRecord& record) const {
   const Reason& why = record.why;
   const auto parts = automata::commanded(plant_, record.command);
   return std::any_of(parts.begin(), parts.end(),
-                     [&](Assignment part) { return is_told(component_of(part.variable)); }) ||
+                     [&](Assignment part) { return is_told(automata::owner_of(plant_, part.variable)); }) ||
          (why.component && is_told(why.component)) || (why.step && is_told(why.step->component)) ||
-         (why.conjunct && is_told(component_of(record.goal[*why.conjunct].variable)));
+         (why.conjunct && *why.conjunct < record.goals.goal.size() &&
+          is_told(automata::owner_of(plant_, record.goals.goal[*why.conjunct].variable)));
 }
 
 void Story::tell_action(const CycleRecord& record) {
@@ -120,7 +124,7 @@ void Story::tell_action(const CycleRecord& record) {
   command_ = record.command;
   const bool waits = record.outcome == Reconfiguration::Outcome::wait;
   const bool told = is_action_told(record);
-  const std::string why = to_text(record.why, plant_, automata::conjunction_of(record.goal));
+  const std::string why = to_text(record.why, plant_, record.goals.formula());
   if (waits && record.why != waits_ && told) line(record.start, "wait", painter_.quiet(why), std::nullopt);
   waits_ = waits ? record.why : Reason{};
   if (again && told_again_) return;
@@ -134,18 +138,32 @@ void Story::tell_action(const CycleRecord& record) {
        std::nullopt);
 }
 
+/// `for a = on (main.rmpl:3): `: the conjunct that has no plan, where one can be named.
+std::string Story::goal_without_plan(const automata::Goals& goals, const Reason& why) const {
+  const std::size_t modes = goals.goal.size();
+  const std::size_t all = modes + goals.constraints.size();
+  const std::size_t conjunct = why.conjunct.value_or(0);
+  if (conjunct >= all || (!why.conjunct && all != 1)) return {};
+  const bool mode = conjunct < modes;
+  const automata::LocationId by = mode ? goals.by[conjunct] : goals.constraints[conjunct - modes].by;
+  return "for " +
+         (mode ? text_of(goals.goal[conjunct])
+               : to_text(goals.constraints[conjunct - modes].formula, plant_.variables)) +
+         in_parentheses(program_.locations[by.index()].origin) + ": ";
+}
+
 /// The goal that a cycle is without a plan for, with its line, what bars the way, and what would open it.
 std::string Story::impasse(const CycleRecord& record, const Event& event) const {
-  std::string text;
-  const std::size_t goal = record.why.conjunct.value_or(0);
-  if (goal < record.goal.size() && (record.why.conjunct || record.goal.size() == 1)) {
-    text = "for " + text_of(record.goal[goal]) +
-           in_parentheses(program_.locations[record.asserted_by[goal].index()].origin) + ": ";
-  } else if (event.component) {
-    text = plant_[*event.component].name + ": ";
-  }
-  const std::string way_out = remedy(record.why, plant_);
-  return text + event.message + in_parentheses(origin_of(plant_, record.why)) + (way_out.empty() ? "" : "; " + way_out);
+  // One of several goals that are asked for by themselves, or all that are asked for.
+  const auto left_out = std::find_if(record.left_out.begin(), record.left_out.end(), [&](const LeftOut& other) {
+    return other.reason == event.message && other.component == event.component;
+  });
+  const bool one = left_out != record.left_out.end();
+  const Reason& why = one ? left_out->why : record.why;
+  std::string text = goal_without_plan(one ? left_out->goals : record.goals, why);
+  if (text.empty() && event.component) text = plant_[*event.component].name + ": ";
+  const std::string way_out = remedy(why, plant_);
+  return text + event.message + in_parentheses(origin_of(plant_, why)) + (way_out.empty() ? "" : "; " + way_out);
 }
 
 void Story::tell_events(const CycleRecord& record) {
@@ -157,6 +175,9 @@ void Story::tell_events(const CycleRecord& record) {
              (is_forced_as_nominal(event, record, plant_) ? event.message : painter_.bad(event.message)) +
                  " (the executive is not told)",
              event.component);
+        break;
+      case Event::Kind::commanded:
+        line(record.start, "operator", event.message, event.component);
         break;
       case Event::Kind::goal_conflict:
         line(record.start, "conflict", painter_.bad(event.message), event.component);
@@ -182,7 +203,18 @@ void Story::tell_events(const CycleRecord& record) {
         break;  // the command itself is told; that it is final is for the trace
     }
   }
+  const auto surprised = [](const std::vector<Event>& events) {
+    return std::any_of(events.begin(), events.end(),
+                       [](const Event& e) { return e.kind == Event::Kind::inconsistent; });
+  };
+  if (surprised(events_) && !surprised(record.events)) {
+    line(record.time, "surprise", painter_.quiet("over: every reading counts again"), std::nullopt);
+  }
   events_ = record.events;
+}
+
+void Story::tell_samples(const CycleRecord& record) {
+  for (const SampleStory::Line& told : samples_.lines(record)) line(record.time, "sample", told.text, told.about);
 }
 
 /// What made a diagnosis, behind a colon; nothing where no state explains what is seen, which is told by itself.

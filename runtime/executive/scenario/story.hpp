@@ -11,6 +11,7 @@
 #include "automata/scenario.hpp"
 #include "base/painter.hpp"
 #include "runtime/executive/scenario/moment.hpp"
+#include "runtime/executive/scenario/sample_story.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 
 namespace rmpl::runtime {
@@ -22,9 +23,9 @@ struct StoryFocus {
   automata::Ticks to = automata::Ticks::infinite();
 };
 
-/// Goals that come and go with the lines that assert them, commands and waits with their reasons, changes of the
-/// estimated modes with faults as such, what happens to the plant, and events. What repeats in the next cycle is not
-/// told again, but for a command that goes on: once.
+/// Goals that come and go with the lines that assert them, commands and waits with their reasons, samples of channels
+/// with what is read of them, changes of the estimated modes with faults as such, what happens to the plant, and
+/// events. What repeats in the next cycle is not told again, but for a command that goes on: once.
 class Story final : public CycleObserver {
  public:
   using Tell = std::function<void(const std::string& line)>;
@@ -41,14 +42,15 @@ class Story final : public CycleObserver {
   void tell_goals(const CycleRecord& record);
   void tell_action(const CycleRecord& record);
   void tell_events(const CycleRecord& record);
+  void tell_samples(const CycleRecord& record);
   void tell_estimate(const CycleRecord& record);
   void line(automata::Ticks time, std::string_view what, const std::string& text, Component about);
   [[nodiscard]] std::string why_diagnosed(const CycleRecord& record, automata::ComponentId component) const;
+  [[nodiscard]] std::string goal_without_plan(const automata::Goals& goals, const Reason& why) const;
   [[nodiscard]] std::string impasse(const CycleRecord& record, const Event& event) const;
   [[nodiscard]] bool is_told(Component about) const;
   [[nodiscard]] bool is_action_told(const CycleRecord& record) const;
   [[nodiscard]] std::string text_of(automata::Assignment assignment) const;
-  [[nodiscard]] Component component_of(automata::VariableId variable) const;
 
   const automata::Plant& plant_;
   const automata::Program& program_;
@@ -56,8 +58,9 @@ class Story final : public CycleObserver {
   base::Painter painter_;
   StoryFocus focus_;
   Tell tell_;
+  SampleStory samples_;
   // As of the cycle before:
-  std::vector<automata::Assignment> goal_;
+  automata::Goals goals_;
   automata::ControlAction command_;
   bool told_again_ = false;  ///< that the command goes on
   Reason waits_;             ///< of the wait that was told, if the cycle before waited

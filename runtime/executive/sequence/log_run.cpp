@@ -12,6 +12,7 @@
 #include "runtime/executive/sequence/goal_conflict.hpp"
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/executive/trace/trace_writer.hpp"
+#include "runtime/reasoning/estimate/set_aside.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -48,7 +49,8 @@ class Readings {
     Reading reading;
     auto& known = reading.knowledge.assignments;
     known = estimate_;
-    known.insert(known.end(), text->observations.begin(), text->observations.end());
+    const automata::Observation counted = without(text->observations, text->set_aside);
+    known.insert(known.end(), counted.begin(), counted.end());
     reading.consistent = consistent_(known);
     if (!reading.consistent) known = estimate_;
     return Line{*std::move(text), std::move(reading)};
@@ -78,6 +80,7 @@ class LogRun {
         if (const auto known = understand(told)) understood.push_back(*known);
       }
       line->reading.knowledge.assignments = std::move(understood);
+      line->reading.knowledge.answers = answers(line->text);
       return line;
     };
     auto line = read();
@@ -95,6 +98,22 @@ class LogRun {
   }
 
  private:
+  /// What a line says of the atoms that the program asks: white space does not matter, and what a line does not name is
+  /// not so. It may name what the program does not ask.
+  [[nodiscard]] std::vector<bool> answers(const LogLine& line) const {
+    const auto bare = [](std::string text) {
+      std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
+      return text;
+    };
+    std::vector<bool> result;
+    for (const automata::Formula& atom : step_.asked()) {
+      const std::string wanted = bare(to_text(atom, variables_));
+      result.push_back(std::any_of(line.known.begin(), line.known.end(),
+                                   [&](const std::string& known) { return bare(known) == wanted; }));
+    }
+    return result;
+  }
+
   /// The first half of a cycle, and its line.
   void cycle(std::uint64_t number, automata::Ticks now, const Reading& reading) {
     line_.clear();
@@ -110,8 +129,7 @@ class LogRun {
     for (const automata::GoalConflict& conflict : asserted.conflicts) {
       events.push_back(describe(conflict, program_, variables_));
     }
-    const std::vector<Assignment> none;
-    line_.key("goal").assignments(asserted.conflicts.empty() ? asserted.goal : none, variables_);
+    write_goals(asserted);
     line_.key("clocks").open('{');
     for (std::size_t c = 0; c < program_.clocks.size(); ++c) {
       if (const auto& reading_of_clock = step_.clocks()[c]) line_.key(program_.clocks[c]).seconds(*reading_of_clock);
@@ -122,6 +140,33 @@ class LogRun {
       write_events(line_, events, nullptr);
     }
     line_.close('}');
+  }
+
+  /// Without a planner all are pursued; those of branches are told apart.
+  void write_goals(const automata::Asserted& asserted) {
+    const automata::Goals none;
+    const bool acts = asserted.conflicts.empty();
+    const automata::Goals& own = acts ? asserted : none;
+    line_.key("goal").assignments(own.goal, variables_);
+    write_constraints(own);
+    if (!acts || asserted.branches.empty()) return;
+    line_.key("each").open('[');
+    for (const automata::Goals& branch : asserted.branches) {
+      line_.open('{').key("goal").assignments(branch.goal, variables_);
+      write_constraints(branch);
+      line_.close('}');
+    }
+    line_.close(']');
+  }
+
+  void write_constraints(const automata::Goals& goals) {
+    if (goals.constraints.empty()) return;
+    line_.key("goal_constraints").open('[');
+    for (const automata::GoalConstraint& constraint : goals.constraints) {
+      line_.open('{').key("constraint").string(to_text(constraint.formula, variables_));
+      line_.key("location").number(constraint.by.index() + 1).close('}');
+    }
+    line_.close(']');
   }
 
   const automata::Program& program_;

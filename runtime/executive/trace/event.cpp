@@ -20,6 +20,8 @@ std::string_view name_of(Event::Kind kind) {
       return "cut";
     case Event::Kind::forced:
       return "forced";
+    case Event::Kind::commanded:
+      return "commanded";
     case Event::Kind::connected:
       return "connected";
     case Event::Kind::gone:

@@ -17,13 +17,14 @@ struct Event {
     goal_conflict,  ///< two locations assert different modes of one component; the command is idle (semantics 2)
     no_plan,        ///< no commands lead to the goal; the command is idle (semantics 5)
     irreversible,   ///< the command leads where no nominal sequence leads back from
-    inconsistent,   ///< no extension explains the observations (semantics 4); the sequencer does not see them
+    inconsistent,   ///< readings that nothing explains were set aside (semantics 4); the sequencer does not see them
     cut,            ///< estimation ended early, by a deadline or its limit of candidates
     forced,         ///< the scenario forced a mode in the simulated plant
+    commanded,      ///< the scenario commanded in place of the executive, which is told
     // Of a plant outside the process (docs/execute.md):
     connected,      ///< it is there, or there again
     gone,           ///< it ended, broke the connection or was replaced
-    refused,        ///< something that it sent is no answer
+    refused,        ///< something that it sent is no answer, or a sample that no monitor reads
     late,           ///< it answered an earlier cycle
     flood,          ///< it sent far more than one answer in a cycle
     unacknowledged  ///< it did not answer the command of this cycle while the cycle lasted
@@ -35,7 +36,7 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
-/// The name in traces: `goal-conflict`, `no-plan`, `irreversible`, `inconsistent`, `cut`, `forced`,
+/// The name in traces: `goal-conflict`, `no-plan`, `irreversible`, `inconsistent`, `cut`, `forced`, `commanded`,
 /// `connected`, `gone`, `refused`, `late`, `flood`, `unacknowledged`.
 std::string_view name_of(Event::Kind kind);
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <string_view>
 
 #include "automata/assignment_text.hpp"
@@ -79,7 +78,7 @@ std::string interconnections_of(const Evidence& evidence, const Plant& plant) {
     if (origin.file == file) {
       text += ",";
     } else {
-      text += (text.empty() ? "" : ", ") + std::filesystem::path(origin.file).filename().string() + ":";
+      text += (text.empty() ? "" : ", ") + origin.file + ":";
     }
     file = origin.file;
     text += std::to_string(origin.line);
@@ -113,6 +112,13 @@ std::string text_of_outweighed(const Evidence& evidence, const automata::Modes& 
 }
 
 }  // namespace
+
+Evidence::Kind evidence_named(std::string_view name) {
+  for (const auto one : {Evidence::Kind::refuted, Evidence::Kind::unavoidable}) {
+    if (name_of(one) == name) return one;
+  }
+  return Evidence::Kind::outweighed;
+}
 
 void write_evidence(JsonLine& line, const std::vector<Evidence>& evidence, const automata::Modes& estimate,
                     const Plant& plant) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "automata/plant.hpp"
@@ -14,6 +15,9 @@ namespace rmpl::runtime {
 /// The key `evidence` and its array; nothing where there is none. `estimate` is the one that has the diagnoses.
 void write_evidence(JsonLine& line, const std::vector<Evidence>& evidence, const automata::Modes& estimate,
                     const automata::Plant& plant);
+
+/// The kind of a name in such an array; `outweighed` where it is none.
+Evidence::Kind evidence_named(std::string_view name);
 
 /// `temp = low contradicts engine = heating (lander.tcca:12)`: part of a sentence, on one line.
 std::string to_text(const Evidence& evidence, const automata::Modes& estimate, const automata::Plant& plant);

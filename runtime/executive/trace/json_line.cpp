@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include "automata/clock_use.hpp"
 
 #include "automata/facade.hpp"
 #include "base/check.hpp"
@@ -18,7 +19,7 @@ ClockTable live_clocks(const automata::Plant& plant) {
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     auto& live = table.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
-      live.push_back(plant.has_timed_exit(automata::ComponentId(c), automata::ModeId(m)));
+      live.push_back(automata::needs_clock(plant.components[c], automata::ModeId(m)));
     }
   }
   return table;
@@ -132,9 +133,10 @@ JsonLine& JsonLine::modes(const automata::Modes& modes, const automata::Plant& p
 }
 
 JsonLine& JsonLine::belief(const Belief& belief, const automata::Plant& plant, automata::Ticks now,
-                           const ClockTable* clocks, const std::uint64_t* rank) {
+                           const ClockTable* clocks, const std::uint64_t* rank, base::FunctionRef<void()> go_on) {
   open('[');
   for (const BeliefEntry& entry : belief) {
+    go_on();
     open('{');
     if (rank != nullptr) {
       key("rank").number(*rank + rank_of(entry.probability));

@@ -12,6 +12,7 @@
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
 #include "automata/time/time.hpp"
+#include "base/function_ref.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 namespace rmpl::runtime {
@@ -19,7 +20,7 @@ namespace rmpl::runtime {
 /// Per component, per mode: whether its clock counts.
 using ClockTable = std::vector<std::vector<bool>>;
 
-/// The clocks that a transition with time bounds reads: the executive forgets the others.
+/// The clocks that make a difference (automata/clock_use.hpp): the estimators forget the others.
 ClockTable live_clocks(const automata::Plant& plant);
 
 /// A JSON text under construction. Commas come by themselves; the caller opens, closes and names in a legal order.
@@ -50,9 +51,10 @@ class JsonLine {
   JsonLine& modes(const automata::Modes& modes, const automata::Plant& plant);
   /// `[{"probability":…,"modes":{…},"clocks":{…}},…]`, clocks in seconds since they started; with `clocks`, only
   /// those that the table has for their component and mode. With `rank`, that of the best, each has a `rank` in place
-  /// of the probability.
-  JsonLine& belief(const Belief& belief, const automata::Plant& plant, automata::Ticks now,
-                   const ClockTable* clocks = nullptr, const std::uint64_t* rank = nullptr);
+  /// of the probability. `go_on` is called for each, and may throw.
+  JsonLine& belief(
+      const Belief& belief, const automata::Plant& plant, automata::Ticks now, const ClockTable* clocks = nullptr,
+      const std::uint64_t* rank = nullptr, base::FunctionRef<void()> go_on = [] {});
 
  private:
   void separate();

@@ -54,19 +54,9 @@ std::string written(const std::string& text, const std::string& key) {
   return text.substr(place.begin, place.end - place.begin);
 }
 
-Ticks time_of(const std::string& text, const Json& json) {
-  const bool readable = json.is_number() || json.is_string();
-  const std::string duration = json.is_string()   ? json.get<std::string>()
-                               : json.is_number() ? written(text, "time")
-                                                  : std::string();
-  const auto time = readable ? automata::parse_duration(duration) : std::nullopt;
-  if (!time || time->is_infinite()) {
-    throw base::InputError(" 'time': expected seconds from 0 to 9.2e9 in whole nanoseconds, or a duration with a unit" +
-                           (json.is_number() ? ", not " + duration
-                            : readable       ? std::string()
-                                             : ", not " + name_of(json)));
-  }
-  return *time;
+/// The text of a time; `json` is the value of the key `time` in `text`.
+std::string text_of_time(const std::string& text, const Json& json) {
+  return json.is_string() ? json.get<std::string>() : json.is_number() ? written(text, "time") : std::string();
 }
 
 }  // namespace
@@ -78,32 +68,55 @@ Ticks LogLine::time_of_unchanged(std::uint64_t cycle_left_out) const {
 }
 
 LogReader::LogReader(std::istream& in, std::string name, const automata::Plant& plant)
-    : in_(in), name_(std::move(name)), resolve_([&plant](Role role, const std::string& variable, const auto& value) {
+    : in_(in),
+      name_(std::move(name)),
+      resolve_([&plant](Role role, const std::string& variable, const auto& value) {
         return resolve(plant, role, variable, value);
-      }) {}
+      }),
+      find_([&plant](const std::string& variable) { return plant.variables.find(variable); }) {}
 
 LogReader::LogReader(std::istream& in, std::string name, const automata::ModelProgram& program)
-    : in_(in), name_(std::move(name)), resolve_([&program](Role role, const std::string& variable, const auto& value) {
+    : in_(in),
+      name_(std::move(name)),
+      resolve_([&program](Role role, const std::string& variable, const auto& value) {
         return resolve(program, role, variable, value);
-      }) {}
+      }),
+      find_([&program](const std::string& variable) { return program.variables.find(variable); }) {}
 
 LogReader::LogReader(std::istream& in, std::string name, automata::Variables& variables)
-    : in_(in), name_(std::move(name)), resolve_([&variables](Role, const std::string& variable, const auto& value) {
+    : in_(in),
+      name_(std::move(name)),
+      resolve_([&variables](Role, const std::string& variable, const auto& value) {
         const auto known = variables.find(variable);
         const automata::VariableId id = known ? *known : variables.add({variable, {}});
         return Assignment{id, variables.add_value(id, value)};
-      }) {}
+      }),
+      find_([&variables](const std::string& variable) { return variables.find(variable); }) {}
+
+void LogReader::read_times(LogTimeOptions options, OddSamples odd) {
+  times_ = LogTimes(std::move(options));
+  odd_ = odd;
+}
+
+bool LogReader::get_line(std::string& text) {
+  if (ahead_) {
+    text = *std::exchange(ahead_, std::nullopt);
+    return true;
+  }
+  return static_cast<bool>(std::getline(in_, text));
+}
 
 std::optional<LogLine> LogReader::next() {
-  for (std::string text; std::getline(in_, text);) {
+  for (std::string text; get_line(text);) {
     ++number_;
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
       LogLine line;
       line.number = number_;
       line.time = line.before = last_time_;
-      interpret(text, line);
+      if (!interpret(text, line)) continue;
       place(line, !begun_);
+      last_ = line;
       begun_ = true;
       last_time_ = line.time;
       last_cycle_ = line.cycle;
@@ -116,12 +129,50 @@ std::optional<LogLine> LogReader::next() {
   return std::nullopt;
 }
 
+/// The time of the next line, if it has one that can be read; whatever else it is, is told when its turn comes.
+std::optional<TimeText> LogReader::time_ahead() {
+  std::string text;
+  if (odd_ == OddSamples::refused || !get_line(text)) return std::nullopt;
+  ahead_ = text;
+  try {
+    const Json json = parse_object(text);
+    const auto time = json.find("time");
+    return time == json.end() ? std::nullopt : read_time_text(text_of_time(text, *time));
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether the line counts: an odd sample may be left out.
+bool LogReader::read_time(const std::string& text, const Json& json, bool sample, LogLine& line) {
+  const std::string written_time = text_of_time(text, json);
+  const auto time = read_time_text(written_time);
+  if (!time) {
+    throw base::InputError(" 'time': expected seconds, a duration with a unit, a date or a mission time, not " +
+                           (written_time.empty() ? name_of(json) : written_time));
+  }
+  const auto place = times_.place(*time, [this] { return time_ahead(); });
+  if (!place) throw base::InputError(" 'time': expected at most 292 years from the start, not " + written_time);
+  line.time = place->time;
+  line.timed = true;
+  if (place->fate == TimeFate::follows) return true;
+  if (sample && odd_ == OddSamples::left_out) {
+    times_.leave_out(place->fate, line.number);
+    return false;
+  }
+  switch (place->fate) {
+    case TimeFate::before_origin:
+      throw base::InputError(" 'time': " + written_time + " lies before the start, time 0");
+    case TimeFate::wrong_unit:
+      throw base::InputError(" 'time': " + written_time + " is in another unit than the times before it");
+    default:
+      throw base::InputError(" the time " + automata::format_seconds(line.time) +
+                             " s lies before that of an earlier line, " + automata::format_seconds(line.before) + " s");
+  }
+}
+
 /// Whether the line can follow the one before it.
 void LogReader::place(LogLine& line, bool first) const {
-  if (line.time < line.before) {
-    throw base::InputError(" the time " + automata::format_seconds(line.time) +
-                           " s lies before that of an earlier line, " + automata::format_seconds(line.before) + " s");
-  }
   if (line.unchanged == 0) return;
   if (first) throw base::InputError(" 'unchanged': expected a line before it that the cycles left out are like");
   if (last_cycle_ && line.cycle && (*line.cycle <= *last_cycle_ || *line.cycle - *last_cycle_ - 1 != line.unchanged)) {
@@ -137,52 +188,125 @@ void LogReader::place(LogLine& line, bool first) const {
   }
 }
 
-void LogReader::interpret(const std::string& text, LogLine& line) const {
+bool LogReader::interpret(const std::string& text, LogLine& line) {
   static const std::vector<std::string_view> keys{
-      "cycle",  "time",         "unchanged", "marking",      "goal",    "asserted_by", "command",
-      "reason", "observations", "estimate",  "evidence",     "belief",  "truth",       "events",
-      "clocks", "cut",          "checked",   "missing_mass", "dropped", "history",     "revised"};
+      "cycle",   "time",         "unchanged", "marking",  "goal",         "asserted_by",     "command",
+      "reason",  "observations", "set_aside", "estimate", "evidence",     "belief",          "truth",
+      "events",  "clocks",       "cut",       "checked",  "missing_mass", "dropped",         "history",
+      "revised", "channels",     "delta",     "known",    "left_out",     "goal_constraints"};
   const Json json = parse_object(text);
+  const bool delta = is_delta(json, line);
+  if (delta && !begun_) return false;  // it begins with the next whole line
+  const Json* time = nullptr;
   for (const auto& [key, value] : json.items()) {
     if (key == "cycle") {
       line.cycle = count_of(key, value);
     } else if (key == "unchanged") {
       line.unchanged = count_of(key, value);
     } else if (key == "time") {
-      line.time = time_of(text, value);
-      line.timed = true;
+      time = &value;
+    } else if (key == "delta" || (delta && key == "reason" && value.is_null())) {
+      continue;
     } else if (key == "command") {
-      line.command = assignments(Role::command, key, value);
+      assign(Role::command, key, value, delta, line.command);
       line.commanded = true;
     } else if (key == "observations") {
-      line.observations = assignments(Role::observations, key, value);
+      assign(Role::observations, key, value, delta, line.observations, &line);
+    } else if (key == "set_aside") {
+      assign(Role::observations, key, value, delta, line.set_aside);
+    } else if (key == "channels") {
+      expect(value.is_object(), key, "an object of channels and samples", value);
+      for (const auto& [name, sample] : value.items()) add_sample(name, sample, line);
     } else if (key == "estimate") {
-      line.estimate = assignments(Role::estimate, key, value);
+      if (!line.estimate) line.estimate.emplace();
+      assign(Role::estimate, key, value, delta, *line.estimate);
     } else if (key == "goal" || key == "asserted_by" || key == "reason" || key == "truth" || key == "clocks") {
       expect(value.is_object(), key, "an object", value);
-    } else if (key == "marking" || key == "evidence" || key == "belief" || key == "events" || key == "history" ||
-               key == "revised") {
+    } else if (key == "known") {
+      line.known = names(key, value);
+    } else if (key == "left_out" || key == "goal_constraints" || key == "marking" || key == "evidence" ||
+               key == "belief" || key == "events" || key == "history" || key == "revised") {
       expect(value.is_array(), key, "an array", value);
     } else if (key == "cut") {
       expect(value.is_boolean(), key, "true or false", value);
     } else if (key == "checked" || key == "dropped" || key == "missing_mass") {
       expect(value.is_number(), key, "a number", value);
     } else {
+      const bool passed_over = monitors_ != nullptr && value.is_primitive();
+      if (add_sample(key, value, line) || passed_over) continue;
       throw base::InputError(" unknown key '" + key + "'" + base::suggestion(key, keys));
     }
   }
+  if (delta && line.cycle && last_cycle_ && *line.cycle > *last_cycle_) {
+    line.unchanged = *line.cycle - *last_cycle_ - 1;
+  }
+  const bool sample =
+      !line.commanded && !line.cycle && !line.estimate && !(line.observations.empty() && line.samples.empty());
+  if (time != nullptr && !read_time(text, *time, sample, line)) return false;
+  if (sample && odd_ == OddSamples::left_out && begun_ && line.time == line.before &&
+      std::pair(line.observations, line.samples) == last_sample_) {
+    times_.leave_out(TimeFate::repeated, line.number);
+    return false;
+  }
+  last_sample_ = {};
+  if (sample && odd_ == OddSamples::left_out) last_sample_ = {line.observations, line.samples};
+  return true;
 }
 
-std::vector<Assignment> LogReader::assignments(Role role, const std::string& key, const Json& json) const {
+std::vector<std::string> LogReader::names(const std::string& key, const Json& json) {
+  expect(json.is_array(), key, "an array", json);
+  std::vector<std::string> result;
+  for (const Json& item : json) {
+    expect(item.is_string(), key, "texts", item);
+    result.push_back(item.get<std::string>());
+  }
+  return result;
+}
+
+/// Whether the name is that of a channel. Null is no sample.
+bool LogReader::add_sample(const std::string& name, const Json& json, LogLine& line) const {
+  const auto channel = monitors_ == nullptr ? std::nullopt : monitors_->find(name);
+  if (!channel || json.is_null()) return channel.has_value();
+  if (json.is_number()) {
+    line.samples.push_back(Sample::of_number(*channel, json.get<double>(), json.dump()));
+  } else if (json.is_string()) {
+    line.samples.push_back(Sample::of_text(*channel, json.get_ref<const std::string&>()));
+  } else {
+    expect(json.is_boolean(), name, "a number or a text", json);
+    line.samples.push_back(Sample::of_text(*channel, json.dump()));
+  }
+  return true;
+}
+
+bool LogReader::is_delta(const Json& json, LogLine& line) const {
+  const auto delta = json.find("delta");
+  if (delta == json.end()) return false;
+  expect(delta->is_boolean(), "delta", "true or false", *delta);
+  if (!delta->get<bool>()) return false;
+  line.command = last_.command;
+  line.commanded = last_.commanded;
+  line.observations = last_.observations;
+  line.set_aside = last_.set_aside;
+  line.estimate = last_.estimate;
+  line.known = last_.known;
+  return true;
+}
+
+/// With a line, names of channels are samples of it. Of changes, null is what is there no longer.
+void LogReader::assign(Role role, const std::string& key, const Json& json, bool delta, std::vector<Assignment>& into,
+                       LogLine* line) const {
   expect(json.is_object(), key, "an object of names and values", json);
-  std::vector<Assignment> result;
   const std::string prefix = key + ".";
   for (const auto& [name, value] : json.items()) {
-    expect(value.is_string(), prefix + name, "a value as a string", value);
-    result.push_back(resolve_(role, name, value.get_ref<const std::string&>()));
+    if (line != nullptr && add_sample(name, value, *line)) continue;
+    const bool gone = delta && value.is_null();
+    if (!gone) expect(value.is_string(), prefix + name, "a value as a string", value);
+    const auto known = delta ? find_(name) : std::nullopt;
+    std::erase_if(into, [&](const Assignment& before) { return before.variable == known; });
+    if (gone && !known) throw base::InputError(" '" + key + "': there is no '" + name + "' that could be gone");
+    if (!gone) into.push_back(resolve_(role, name, value.get_ref<const std::string&>()));
   }
-  std::sort(result.begin(), result.end());
-  return result;
+  std::sort(into.begin(), into.end());
 }
 
 namespace {

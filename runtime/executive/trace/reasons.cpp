@@ -46,12 +46,35 @@ std::string_view name_of(Reason::Obstacle obstacle) {
 
 }  // namespace
 
-void write_reason(JsonLine& line, Reconfiguration::Outcome outcome, const Reason& why,
-                  const std::vector<automata::Assignment>& goal, const automata::Plant& plant) {
+Reason::Purpose purpose_named(std::string_view name) {
+  for (const auto one : {Reason::Purpose::goal, Reason::Purpose::reward, Reason::Purpose::model}) {
+    if (name_of(one) == name) return one;
+  }
+  return Reason::Purpose::none;
+}
+
+Reason::Obstacle obstacle_named(std::string_view name) {
+  using Obstacle = Reason::Obstacle;
+  for (const auto one : {Obstacle::missing, Obstacle::forbidden, Obstacle::unsupported, Obstacle::side_effect,
+                         Obstacle::excluded, Obstacle::not_found}) {
+    if (name_of(one) == name) return one;
+  }
+  return Obstacle::none;
+}
+
+void write_reason(JsonLine& line, Reconfiguration::Outcome outcome, const Reason& why, const automata::Goals& goals,
+                  const automata::Plant& plant) {
   if (outcome == Reconfiguration::Outcome::nothing_to_do) return;
   line.key("reason").open('{').key("outcome").string(name_of(outcome));
+  if (!why.proved_best) line.key("solved").boolean(false);
   if (why.purpose != Reason::Purpose::none) line.key("purpose").string(name_of(why.purpose));
-  if (why.conjunct) line.key("goal").assignments({&goal[*why.conjunct], 1}, plant.variables);
+  if (why.conjunct) {
+    const std::size_t conjunct = *why.conjunct;
+    const std::size_t modes = goals.goal.size();
+    if (conjunct < modes) line.key("goal").assignments({&goals.goal[conjunct], 1}, plant.variables);
+    if (conjunct >= modes && conjunct - modes < goals.constraints.size())
+      line.key("goal_constraint").string(to_text(goals.constraints[conjunct - modes].formula, plant.variables));
+  }
   if (why.component) {
     line.key("component").string(plant[*why.component].name);
     if (why.aim) line.key("aim").string(plant[*why.component].modes[why.aim->index()].name);

@@ -120,6 +120,7 @@ class Recogniser {
         return true;
       }
       case Formula::Kind::clock:
+      case Formula::Kind::knowledge:
         return false;
       case Formula::Kind::negation:
         if (!compile(formula.operands[0], gate)) return false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/product.hpp"
 #include "runtime/reasoning/diagnose/core_guided.hpp"
 #include "runtime/reasoning/diagnose/expand.hpp"
 
@@ -24,17 +25,18 @@ std::vector<std::size_t> faulty_places(const Encoding& encoding) {
 
 /// Calls `report` with each way to take one member of each list, joined to `taken`.
 template <class List, class Report>
-void product(const std::vector<List>& lists, std::size_t position, FaultSet& taken, const Report& report) {
-  if (position == lists.size()) {
-    report(taken);
-    return;
-  }
-  const std::size_t before = taken.size();
-  for (const FaultSet& member : lists[position]) {
-    taken.insert(taken.end(), member.begin(), member.end());
-    product(lists, position + 1, taken, report);
-    taken.resize(before);
-  }
+void product(const std::vector<List>& lists, FaultSet& taken, const Report& report) {
+  base::multiply_out(
+      lists,
+      [&](std::size_t list, std::size_t i) {
+        taken.insert(taken.end(), lists[list][i].begin(), lists[list][i].end());
+        return true;
+      },
+      [&](std::size_t list, std::size_t i) { taken.resize(taken.size() - lists[list][i].size()); },
+      [&] {
+        report(taken);
+        return false;
+      });
 }
 
 }  // namespace
@@ -82,7 +84,7 @@ cpp_int Enumeration::run(Encoding& encoding, const Report& report) {
   }
   if (!list_) return count;
   FaultSet faults;
-  product(sets, 0, faults, [&](const FaultSet& taken) {
+  product(sets, faults, [&](const FaultSet& taken) {
     FaultSet sorted = taken;
     std::sort(sorted.begin(), sorted.end());
     report(sorted);
@@ -130,7 +132,7 @@ void Enumeration::keep(const std::vector<Gates>& choices, std::vector<FaultSet>&
     for (const std::size_t gate : choice) single.push_back({circuit_.gates[gate].component});
   }
   FaultSet faults;
-  product(components, 0, faults, [&](const FaultSet& taken) { sets.push_back(taken); });
+  product(components, faults, [&](const FaultSet& taken) { sets.push_back(taken); });
 }
 
 }  // namespace rmpl::runtime

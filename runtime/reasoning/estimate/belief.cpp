@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "automata/clock_use.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
 
 namespace rmpl::runtime {
@@ -25,13 +26,14 @@ void normalise(Belief& belief) {
   for (BeliefEntry& entry : belief) entry.probability /= sum;
 }
 
-void tell_most_likely(const Belief& belief, Estimate& estimate) {
+void tell_most_likely(const Belief& belief, Estimate& estimate, base::FunctionRef<void()> go_on) {
   const double sum = total(belief);
   if (!(sum > 0)) return;
   // Entries of one plant state side by side, each group summed in the order of the belief.
   std::vector<std::uint32_t> order(belief.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    go_on();
     const auto by_modes = belief[a].state.modes <=> belief[b].state.modes;
     return by_modes != 0 ? by_modes < 0 : a < b;
   });
@@ -61,7 +63,7 @@ Clocks::Clocks(const automata::Plant& plant, bool live_only) : live_only_(live_o
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     auto& modes = live_.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
-      modes.push_back(plant.has_timed_exit(automata::ComponentId(c), automata::ModeId(m)));
+      modes.push_back(automata::needs_clock(plant.components[c], automata::ModeId(m)));
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
+#include "base/function_ref.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 namespace rmpl::runtime {
@@ -21,8 +22,12 @@ double total(const Belief& belief);
 void normalise(Belief& belief);
 
 /// The most likely plant state, summed over clocks, with its share of the belief: `modes` and `probability` of an
-/// estimate. Ties go to the state first in declaration order; an empty belief leaves the estimate as it is.
-void tell_most_likely(const Belief& belief, Estimate& estimate);
+/// estimate. Ties go to the state first in declaration order; an empty belief leaves the estimate as it is. `go_on` is
+/// called often, and may throw: a belief of millions takes seconds to sort.
+void tell_most_likely(const Belief& belief, Estimate& estimate, base::FunctionRef<void()> go_on);
+inline void tell_most_likely(const Belief& belief, Estimate& estimate) {
+  tell_most_likely(belief, estimate, [] {});
+}
 
 /// The likeliest initial mode of each component, taken by itself: what an estimate says where no initial state is
 /// possible.
@@ -31,7 +36,8 @@ automata::Modes likeliest_initial_modes(const automata::Plant& plant);
 /// When the clock of a component starts anew, and whether it is kept at all.
 class Clocks {
  public:
-  /// With `live_only`, the clock start of a component in a mode without timed exit is 0 whatever happened.
+  /// With `live_only`, the clock start of a component in a mode that needs no clock (clock_use.hpp) is 0 whatever
+  /// happened.
   Clocks(const automata::Plant& plant, bool live_only);
 
   /// The clock start of `component` after the step that ends at `now` and takes it from a mode entered at `start` to
@@ -41,7 +47,7 @@ class Clocks {
     if (from == to) return start;
     return live_only_ && !live(component, to) ? automata::Ticks{} : now;
   }
-  /// Whether some transition with time bounds leaves the mode.
+  /// Whether the clock makes a difference in the mode.
   [[nodiscard]] bool live(std::size_t component, automata::ModeId mode) const { return live_[component][mode.index()]; }
 
  private:

@@ -51,12 +51,16 @@ const WeightedDomain& ComponentMoves::weighted(std::span<const double> factors) 
   for (const auto& known : weighted_) {
     if (std::equal(factors.begin(), factors.end(), known->factors.begin(), known->factors.end())) return *known;
   }
-  return *weighted_.emplace_back(std::make_unique<const WeightedDomain>(domain_, factors));
+  return *weighted_.emplace_back(std::make_unique<const WeightedDomain>(domain(), factors));
 }
 
-ComponentMoves::ComponentMoves(const std::vector<automata::Move>& moves)
-    : priors_(priors_of(moves)), domain_(costs_of(priors_)) {
+ComponentMoves::ComponentMoves(const std::vector<automata::Move>& moves) : moves_(moves), priors_(priors_of(moves)) {
   for (const double prior : priors_) greatest_ = std::max(greatest_, prior);
+}
+
+const OptimalSearch::Domain& ComponentMoves::domain() const {
+  if (!domain_) domain_.emplace(costs_of(priors_));
+  return *domain_;
 }
 
 std::size_t MoveTable::KeyHash::operator()(const Key& key) const noexcept {
@@ -66,27 +70,40 @@ std::size_t MoveTable::KeyHash::operator()(const Key& key) const noexcept {
   return hash ^ (hash >> 32);
 }
 
-void MoveTable::look_up(automata::PlantStep& step, const automata::SystemState& state,
-                        const automata::ControlAction& action, automata::Ticks before, automata::Ticks now,
-                        Passing& passing, Moves& moves) {
-  const automata::AllEnabled& enabled = step.enabled(state.modes, action);
+void MoveTable::look_up(automata::PlantStep& step, const automata::Modes& modes,
+                        std::span<const automata::Ticks> clock_starts, const automata::ControlAction& action,
+                        automata::Ticks before, automata::Ticks now, Passing& passing, Moves& moves) {
+  enabled_ = step.enabled(modes, action);
+  modes_ = modes;
   moves.clear();
-  timed_ = false;
+  timed_.clear();
   constexpr int let_go = 4;
   for (int i = 0; i < let_go && !retired_.empty(); ++i) retired_.erase(retired_.begin());
-  for (std::size_t c = 0; c < enabled.size(); ++c) {
-    const bool timed = automata::clock_matters(plant_.components[c], enabled[c]);
-    timed_ = timed_ || timed;
-    Table& table = timed ? passing : lasting_;
-    const Key key{&enabled[c], timed ? state.clock_starts[c].count : 0, (now - before).count};
-    auto at = table.find(key);
-    if (at == table.end()) {
-      auto own = step.moves(automata::ComponentId(c), state.modes[c], enabled[c], state.clock_starts[c], before, now);
-      if (ranks_) rank(own);
-      at = table.try_emplace(key, own).first;
-    }
-    moves.push_back(&at->second);
+  for (std::size_t c = 0; c < enabled_.size(); ++c) {
+    const bool timed = automata::clock_matters(plant_.components[c], enabled_[c]);
+    if (timed) timed_.push_back(c);
+    moves.push_back(entry(step, timed ? passing : lasting_, c, clock_starts[c], timed, before, now));
   }
+}
+
+const ComponentMoves* MoveTable::look_up_timed(automata::PlantStep& step, std::size_t component,
+                                               automata::Ticks clock_start, automata::Ticks before,
+                                               automata::Ticks now) {
+  return entry(step, passing_, component, clock_start, true, before, now);
+}
+
+const ComponentMoves* MoveTable::entry(automata::PlantStep& step, Table& table, std::size_t component,
+                                       automata::Ticks clock_start, bool timed, automata::Ticks before,
+                                       automata::Ticks now) {
+  const automata::Enabled& enabled = enabled_[component];
+  const Key key{&enabled, timed ? clock_start.count : 0, (now - before).count};
+  auto at = table.find(key);
+  if (at == table.end()) {
+    auto own = step.moves(automata::ComponentId(component), modes_[component], enabled, clock_start, before, now);
+    if (ranks_) rank(own);
+    at = table.try_emplace(key, own).first;
+  }
+  return &at->second;
 }
 
 }  // namespace rmpl::runtime

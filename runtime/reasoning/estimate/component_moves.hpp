@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -32,15 +33,21 @@ class ComponentMoves {
     return mode.index() < priors_.size() ? priors_[mode.index()] : 0.0;
   }
   [[nodiscard]] double greatest() const { return greatest_; }
-  /// Its modes as the values of a decision variable, which cost -ln of their priors.
-  [[nodiscard]] const OptimalSearch::Domain& domain() const { return domain_; }
+  /// As they were given.
+  [[nodiscard]] std::span<const automata::Move> moves() const { return moves_; }
+  /// By mode; modes after the last possible one left out.
+  [[nodiscard]] const std::vector<double>& priors() const { return priors_; }
+  /// Its modes as the values of a decision variable, which cost -ln of their priors. Built when it is first asked for:
+  /// of most readings of a clock nobody asks.
+  [[nodiscard]] const OptimalSearch::Domain& domain() const;
   /// The same with factors. Remembered: there are as many as there are ways to see what one component leaves open.
   [[nodiscard]] const WeightedDomain& weighted(std::span<const double> factors) const;
 
  private:
+  std::vector<automata::Move> moves_;
   std::vector<double> priors_;  ///< by mode; modes after the last possible one left out
   double greatest_ = 0;
-  OptimalSearch::Domain domain_;
+  mutable std::optional<OptimalSearch::Domain> domain_;
   mutable std::vector<std::unique_ptr<const WeightedDomain>> weighted_;
 };
 
@@ -68,15 +75,19 @@ class MoveTable {
   explicit MoveTable(const automata::Plant& plant, bool ranks = false) : plant_(plant), ranks_(ranks) {}
 
   /// For each component; valid until what it rests on is forgotten.
-  void look_up(automata::PlantStep& step, const automata::SystemState& state, const automata::ControlAction& action,
-               automata::Ticks before, automata::Ticks now, Moves& moves) {
-    look_up(step, state, action, before, now, passing_, moves);
+  void look_up(automata::PlantStep& step, const automata::Modes& modes, std::span<const automata::Ticks> clock_starts,
+               const automata::ControlAction& action, automata::Ticks before, automata::Ticks now, Moves& moves) {
+    look_up(step, modes, clock_starts, action, before, now, passing_, moves);
   }
   /// The same, where what rests on readings of clocks belongs to the caller: to be asked about one update alone.
-  void look_up(automata::PlantStep& step, const automata::SystemState& state, const automata::ControlAction& action,
-               automata::Ticks before, automata::Ticks now, Passing& passing, Moves& moves);
-  /// Whether clocks took part in the last answer.
-  [[nodiscard]] bool timed() const { return timed_; }
+  void look_up(automata::PlantStep& step, const automata::Modes& modes, std::span<const automata::Ticks> clock_starts,
+               const automata::ControlAction& action, automata::Ticks before, automata::Ticks now, Passing& passing,
+               Moves& moves);
+  /// The components whose clocks took part in the last answer, ascending.
+  [[nodiscard]] const std::vector<std::size_t>& timed() const { return timed_; }
+  /// Of one of these, with another clock, beside what the last answer was about.
+  const ComponentMoves* look_up_timed(automata::PlantStep& step, std::size_t component, automata::Ticks clock_start,
+                                      automata::Ticks before, automata::Ticks now);
 
   /// Forgets what rests on readings of clocks: no reading comes twice.
   void forget_timed() { passing_.clear(); }
@@ -88,12 +99,17 @@ class MoveTable {
   [[nodiscard]] std::size_t size() const { return lasting_.size(); }
 
  private:
+  const ComponentMoves* entry(automata::PlantStep& step, Table& table, std::size_t component,
+                              automata::Ticks clock_start, bool timed, automata::Ticks before, automata::Ticks now);
+
   const automata::Plant& plant_;
   const bool ranks_;
   Table lasting_;
   Table retired_;  ///< of what was forgotten: what is still to be let go of
   Table passing_;
-  bool timed_ = false;
+  std::vector<std::size_t> timed_;
+  automata::Modes modes_;         ///< of the last answer,
+  automata::AllEnabled enabled_;  ///< and what they enable
 };
 
 }  // namespace rmpl::runtime

@@ -8,6 +8,7 @@
 
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
+#include "runtime/reasoning/estimate/conditioning.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
 #include "runtime/reasoning/estimate/groups.hpp"
 #include "runtime/reasoning/estimate/product.hpp"
@@ -27,10 +28,11 @@ using MakeFilter = std::unique_ptr<Filter> (*)(PlantStep&, const EstimatorOption
 /// group, for then the guards of all groups hold: from there on one filter keeps the belief of all.
 class FactoredEstimator final : public Estimator {
  public:
-  /// `listed`: of a product; `carried`: of the belief that one filter takes over from all, at most.
+  /// `listed`: of a product; `carried`: of the belief that one filter takes over from all, at most; `by_modes`: mode
+  /// combinations, not states.
   FactoredEstimator(PlantStep& step, const EstimatorOptions& options, MakeFilter make, std::size_t listed,
-                    std::size_t carried)
-      : step_(step), options_(options), make_(make), listed_(listed), carried_(carried) {
+                    std::size_t carried, bool by_modes)
+      : step_(step), options_(options), make_(make), listed_(listed), carried_(carried), by_modes_(by_modes) {
     // Without merging or normalisation numbers of different groups do not multiply to what Fig. 6-11 has.
     if (options.factored && options.merge_trajectories && options.normalise) {
       for (const Group& group : groups_.emplace(step.plant())) {
@@ -39,6 +41,7 @@ class FactoredEstimator final : public Estimator {
         part.own_step = std::make_unique<PlantStep>(group.plant);
         part.step = part.own_step.get();
         part.filter = make(*part.step, options);
+        part.conditioning = std::make_unique<Conditioning>(*part.step);
         part.group = &group;
       }
     }
@@ -49,11 +52,12 @@ class FactoredEstimator final : public Estimator {
   const Estimate& start(const Observation& observation) override {
     CHECK(!updated_);
     const auto seen = parts_.size() > 1 ? groups_->divide(observation) : std::vector<Observation>{observation};
-    bool explained = true;
-    for (std::size_t p = 0; p < parts_.size(); ++p) explained = parts_[p].filter->start(seen[p]) && explained;
-    // What one group cannot explain is left out of account in all.
-    for (std::size_t p = 0; !explained && p < parts_.size(); ++p) parts_[p].filter->start({});
-    summarise(explained);
+    forget_set_aside();
+    bool consistent = true;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      consistent = note(parts_[p], parts_[p].conditioning->start(*parts_[p].filter, seen[p])) && consistent;
+    }
+    summarise(consistent);
     return estimate_;
   }
 
@@ -74,41 +78,49 @@ class FactoredEstimator final : public Estimator {
       actions_.assign(1, action);
       observations_.assign(1, observation);
     }
-    bool explained = true;
+    forget_set_aside();
+    bool consistent = true;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      explained = parts_[p].filter->condition(input(p, now, deadline)) && explained;
-    }
-    const bool doubtful = std::any_of(parts_.begin(), parts_.end(), [](const Part& part) {
-      return part.filter->estimate().cut || part.filter->estimate().missing_total > 0;
-    });
-    // Where nothing explains the observations the belief is carried forward; where that is impossible too, it stays.
-    bool goes_on = explained;
-    if (!explained) {
-      goes_on = true;
-      for (std::size_t p = 0; p < parts_.size(); ++p) {
-        goes_on = parts_[p].filter->predict(input(p, now, deadline), doubtful) && goes_on;
-      }
-    }
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      if (goes_on) {
-        parts_[p].filter->adopt(input(p, now, deadline), explained);
-      } else {
-        parts_[p].filter->stay(input(p, now, deadline));
-      }
+      Part& part = parts_[p];
+      consistent = note(part, part.conditioning->update(*part.filter, input(p, now, deadline), last_)) && consistent;
     }
     before_ = std::exchange(last_, now);
     updated_ = true;
-    summarise(explained);
+    summarise(consistent);
     return estimate_;
   }
 
   [[nodiscard]] const Belief& belief() const override {
     if (parts_.size() == 1) return parts_.front().filter->belief();
     if (!multiplied_) {
-      joint_ = product(factors(), step_.plant().components.size(), listed_);
+      joint_ = head_of_product(listed_);
       multiplied_ = true;
     }
     return joint_;
+  }
+  [[nodiscard]] Belief belief_about(std::span<const automata::ComponentId> components) const override {
+    constexpr std::size_t most = 4096;
+    std::vector<Factor> factors;
+    for (const Part& part : parts_) {
+      const bool asked = std::any_of(components.begin(), components.end(), [&](automata::ComponentId c) {
+        return std::binary_search(part.components.begin(), part.components.end(), c);
+      });
+      if (asked) factors.push_back({&part.filter->belief(), part.components});
+    }
+    if (factors.empty()) return {{{estimate_.modes, {}}, 1}};
+    Belief result = product(factors, step_.plant().components.size(), most);
+    const double whole = options_.normalise ? 1 : total(result);
+    std::vector<bool> decided(estimate_.modes.size(), false);
+    for (const Factor& factor : factors) {
+      for (const automata::ComponentId c : factor.components) decided[c.index()] = true;
+    }
+    for (BeliefEntry& entry : result) {
+      if (whole > 0) entry.probability /= whole;
+      for (std::size_t c = 0; c < decided.size(); ++c) {
+        if (!decided[c]) entry.state.modes[c] = estimate_.modes[c];
+      }
+    }
+    return result;
   }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
   [[nodiscard]] std::optional<automata::Modes> likeliest_without(
@@ -161,7 +173,28 @@ class FactoredEstimator final : public Estimator {
     std::unique_ptr<PlantStep> own_step;  ///< likewise
     PlantStep* step = nullptr;
     std::unique_ptr<Filter> filter;
+    std::unique_ptr<Conditioning> conditioning;
   };
+
+  void forget_set_aside() {
+    estimate_.follows = true;
+    estimate_.set_aside.clear();
+    estimate_.surprised.clear();
+  }
+
+  /// Takes down what a part did not count; whether that is nothing.
+  bool note(const Part& part, const Conditioned& conditioned) {
+    estimate_.follows = estimate_.follows && conditioned.follows;
+    if (conditioned.set_aside.empty()) return conditioned.follows;
+    estimate_.surprised.resize(step_.plant().components.size(), false);
+    for (const automata::ComponentId c : part.components) estimate_.surprised[c.index()] = true;
+    for (automata::Assignment reading : conditioned.set_aside) {
+      if (part.group != nullptr) reading.variable = part.group->variables[reading.variable.index()];
+      estimate_.set_aside.push_back(reading);
+    }
+    std::sort(estimate_.set_aside.begin(), estimate_.set_aside.end());
+    return false;
+  }
 
   /// Modes as decisions of a part; nothing where not all of them are its own.
   static std::optional<Conflict> decisions_of(const Part& part, const RefutedModes& modes) {
@@ -180,6 +213,7 @@ class FactoredEstimator final : public Estimator {
     Part& part = parts_.emplace_back(std::move(all));
     part.step = &step_;
     part.filter = make_(step_, options_);
+    part.conditioning = std::make_unique<Conditioning>(step_);
   }
 
   [[nodiscard]] StepInput input(std::size_t part, Ticks now, const Deadline& deadline) const {
@@ -192,27 +226,32 @@ class FactoredEstimator final : public Estimator {
     return result;
   }
 
+  [[nodiscard]] Belief head_of_product(std::size_t most) const {
+    const std::size_t components = step_.plant().components.size();
+    return by_modes_ ? product_by_modes(factors(), components, most, options_.clocks)
+                     : product(factors(), components, most);
+  }
+
   /// Whether the control action is consistent with all that each group may be in.
   bool all_permit() {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const Part& part = parts_[p];
       if (!part.group->constrains_controls) continue;
-      for (const BeliefEntry& entry : part.filter->belief()) {
-        if (!part.step->permits(entry.state.modes, actions_[p])) return false;
-      }
+      const auto permits = [&](const automata::Modes& modes) { return part.step->permits(modes, actions_[p]); };
+      if (!part.filter->all_modes(permits)) return false;
     }
     return true;
   }
 
   void fuse() {
     const std::vector<Factor> parts = factors();
-    Belief joint = product(parts, step_.plant().components.size(), carried_);
+    Belief joint = head_of_product(carried_);
     // A sum that is rounded must not make what is whole look as if some of it were missing.
     const bool whole = joint.size() == product_size(parts);
     retired_questions_ = questions() - step_.questions();
     retired_calls_ = solver_calls() - step_.solver_calls();
     const double missing =
-        whole ? estimate_.missing_total : 1 - (1 - estimate_.missing_total) * std::min(1.0, total(joint));
+        whole ? estimate_.missing_total : std::min(1.0, estimate_.missing_total + 1 - std::min(1.0, total(joint)));
     parts_.clear();
     take_as_one();
     parts_.front().filter->resume(std::move(joint), missing, last_);
@@ -249,6 +288,7 @@ class FactoredEstimator final : public Estimator {
   const MakeFilter make_;
   const std::size_t listed_;
   const std::size_t carried_;
+  const bool by_modes_;
   std::optional<Groups> groups_;
   std::vector<Part> parts_;
   std::vector<ControlAction> actions_;     ///< per part
@@ -267,11 +307,11 @@ class FactoredEstimator final : public Estimator {
 
 std::unique_ptr<Estimator> make_exact_estimator(PlantStep& step, const EstimatorOptions& options) {
   return std::make_unique<FactoredEstimator>(step, options, make_exact_filter, options.listed,
-                                             std::numeric_limits<std::size_t>::max());
+                                             std::numeric_limits<std::size_t>::max(), false);
 }
 
 std::unique_ptr<Estimator> make_k_best_estimator(PlantStep& step, const EstimatorOptions& options) {
-  return std::make_unique<FactoredEstimator>(step, options, make_k_best_filter, options.k, options.k);
+  return std::make_unique<FactoredEstimator>(step, options, make_k_best_filter, options.k, options.k, true);
 }
 
 }  // namespace rmpl::runtime

@@ -42,6 +42,14 @@ const OpeningFactors& ReadingEvidence::opening_factors() {
   return *opening_factors_;
 }
 
+const FactorBound& ReadingEvidence::factor_bound(const automata::Modes& base) {
+  constexpr std::size_t most = 64;
+  const auto known = bounds_.find(base);
+  if (known != bounds_.end()) return known->second;
+  if (bounds_.size() >= most) bounds_.clear();
+  return bounds_.emplace(base, factor_bound(base, &opening_factors())).first->second;
+}
+
 /// Each reading that the base leaves open stays open until one of the components that this rests on changes. What a
 /// component opens by itself is counted where it is: in the base it is left out here, and in another mode taken back.
 FactorBound ReadingEvidence::factor_bound(const automata::Modes& base, const OpeningFactors* counted) const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "automata/state.hpp"
@@ -48,8 +49,8 @@ class ReadingEvidence {
   Conflict blame(const automata::Modes& modes);
   /// What is known of components by themselves, in whatever modes the others are.
   const OpeningFactors& opening_factors();
-  /// Of modes near `base`, beside these.
-  [[nodiscard]] FactorBound factor_bound(const automata::Modes& base) { return factor_bound(base, &opening_factors()); }
+  /// Of modes near `base`, beside these. Remembered: sources with a running clock ask in each cycle.
+  [[nodiscard]] const FactorBound& factor_bound(const automata::Modes& base);
   [[nodiscard]] NearbyFactors nearby_factors(const automata::Modes& base) const;
   /// What the factor of any modes is at most: each reading that no modes imply costs them its 1/m.
   [[nodiscard]] double greatest_factor() const;
@@ -72,6 +73,8 @@ class ReadingEvidence {
   OpenReadings* open_;
   std::shared_ptr<ConflictSet> conflicts_;
   std::optional<OpeningFactors> opening_factors_;
+  std::unordered_map<automata::Modes, FactorBound, automata::ModesHash>
+      bounds_;  ///< by base; looked up, never iterated
 };
 
 /// One target of a step. `prior` is P_T, the product of the moves' probabilities in order of component; `factor` the
@@ -108,12 +111,20 @@ class Extensions {
   /// An upper bound of prior times factor summed over all extensions; and what of it is the share of one, once the mass
   /// was asked for.
   double mass();
+  /// Whether anything is known of the factors, once it was asked to tighten or for the mass; else each is 1 at most.
+  [[nodiscard]] bool informed() const { return openings_ != nullptr; }
   [[nodiscard]] double share(const automata::Modes& modes, double prior) const;
   /// Prior times factor of an extension are at most the product of the greatest factor and of what each of its modes
   /// promises. In these terms `share` is that product.
   [[nodiscard]] double greatest_factor() const { return factors_.most; }
   [[nodiscard]] double promise(std::size_t component, automata::ModeId mode) const {
     return prior(component, mode) * gain(component, mode);
+  }
+  /// What the factor gains by the mode, at most, or loses, at least.
+  [[nodiscard]] double gain(std::size_t component, automata::ModeId mode) const {
+    if (!informed()) return 1;
+    const double gain = mode == base_[component] ? 1 : factors_.gains[component];
+    return gain * openings_->of(component, mode);
   }
   /// Whether a component may move as in the other, and promises the same by it; false also where telling takes longer.
   [[nodiscard]] bool moves_as(const Extensions& other, std::size_t component) const {
@@ -133,6 +144,7 @@ class Extensions {
   [[nodiscard]] double prior(std::size_t component, automata::ModeId mode) const {
     return moves_[component]->prior(mode);
   }
+  [[nodiscard]] const ComponentMoves& moves(std::size_t component) const { return *moves_[component]; }
   /// What is known to be inconsistent.
   [[nodiscard]] const std::vector<Conflict>& conflicts() const { return evidence_->conflicts()->conflicts(); }
   /// How many candidates were checked.
@@ -141,15 +153,7 @@ class Extensions {
  private:
   void start();
   void look_at_factors();
-  /// Whether anything is known of the factors.
-  [[nodiscard]] bool informed() const { return openings_ != nullptr; }
   [[nodiscard]] bool adjusts() const { return tight_ && informed(); }
-  /// What the factor gains by the mode, at most, or loses, at least.
-  [[nodiscard]] double gain(std::size_t component, automata::ModeId mode) const {
-    if (!informed()) return 1;
-    const double gain = mode == base_[component] ? 1 : factors_.gains[component];
-    return gain * openings_->of(component, mode);
-  }
   void adjust(std::vector<const OptimalSearch::Domain*>& domains);
   [[nodiscard]] double bound_of(double cost) const;
 

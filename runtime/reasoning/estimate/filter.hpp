@@ -1,5 +1,4 @@
-// What keeps the belief of one group of components: the two halves of an update, so that several groups can agree on
-// it.
+// What keeps the belief of one group of components: the parts of an update (conditioning.hpp).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/function_ref.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 namespace rmpl::runtime {
@@ -30,20 +30,22 @@ class Filter {
   /// Before the first step; `estimate().consistent` tells whether there is an initial state at all.
   virtual bool start(const automata::Observation& observation) = 0;
   /// Works out the belief after a step; false where nothing explains the observation. The belief stays as it was until
-  /// `adopt` or `stay`, one of which follows each step, with the same input.
+  /// `adopt` or `stay`, one of which follows each step, with the readings that counted.
   virtual bool condition(const StepInput& input) = 0;
-  /// After `condition`: works out the last belief carried forward without the observation, wider where `condition`
-  /// failed; false where no state is possible at all. `doubtful`: what was not kept earlier, here or in another group,
-  /// might have explained the observation.
-  virtual bool predict(const StepInput& input, bool doubtful) = 0;
-  /// Takes what was worked out last as the belief.
+  /// After `condition` failed: works out the belief after the step given what is left of the observation, the rest
+  /// being `set_aside`; wider as long as that goes on. False where nothing explains what is left. `doubtful`: what was
+  /// not kept earlier might have explained the observation. May be called again, with less.
+  virtual bool widen(const StepInput& rest, const automata::Observation& set_aside, bool doubtful) = 0;
+  /// Takes what was worked out last as the belief; `consistent`: all readings counted.
   virtual void adopt(const StepInput& input, bool consistent) = 0;
-  /// Keeps the belief; only time goes on.
+  /// Keeps the belief, where no state follows; only time goes on.
   virtual void stay(const StepInput& input) = 0;
   /// Goes on from another belief, normalised, as of `now`; `missing` as in `Estimate::missing_total`.
   virtual void resume(Belief belief, double missing, automata::Ticks now) = 0;
 
   [[nodiscard]] virtual const Belief& belief() const = 0;
+  /// Whether a test of modes holds for all that are tracked.
+  [[nodiscard]] virtual bool all_modes(base::FunctionRef<bool(const automata::Modes&)> test) const = 0;
   /// The belief that the last step, which `adopt` or `stay` ended, started from.
   [[nodiscard]] virtual const Belief& before() const = 0;
   /// Of the last step; `consistent` tells of the initial belief alone.

@@ -25,14 +25,18 @@ class Extract {
 
   VariableId variable(VariableId id) {
     const auto [known, fresh] = numbers_.try_emplace(id, VariableId(to_.variables.size()));
-    if (fresh) to_.variables.add(from_.variables[id]);
+    if (fresh) {
+      to_.variables.add(from_.variables[id]);
+      met_.push_back(id);
+    }
     return known->second;
   }
   Formula formula(const Formula& formula) {
     return renamed(
         formula, [this](VariableId id) { return variable(id); }, [](VariableId, automata::ValueId v) { return v; });
   }
-  [[nodiscard]] bool has(VariableId id) const { return numbers_.contains(id); }
+  /// Of the whole plant, as they were met.
+  [[nodiscard]] const std::vector<VariableId>& variables() const { return met_; }
   void component(const Component& original) {
     Component copy = original;
     copy.mode = variable(original.mode);
@@ -45,6 +49,7 @@ class Extract {
   const Plant& from_;
   Plant& to_;
   std::unordered_map<VariableId, VariableId> numbers_;
+  std::vector<VariableId> met_;
 };
 
 }  // namespace
@@ -70,29 +75,36 @@ Groups::Groups(const Plant& plant) {
   extracts.reserve(groups_.size());
   for (Group& group : groups_) {
     group.plant.name = plant.name;
-    Extract& extract = extracts.emplace_back(plant, group.plant);
-    for (const ComponentId c : group.components) extract.component(plant[c]);
-  }
-  for (const automata::Interconnection& q : plant.interconnections) {
-    const auto read = variables_of(q.constraint);
-    const std::size_t g = read.empty() ? 0 : group_of(*classes[read.front()]);
-    groups_[g].plant.interconnections.emplace_back(extracts[g].formula(q.constraint), q.origin);
+    extracts.emplace_back(plant, group.plant);
   }
   homes_.resize(plant.variables.size());
   for (std::size_t v = 0; v < plant.variables.size(); ++v) {
     if (!classes.of[v]) continue;
     const std::size_t g = group_of(*classes.of[v]);
     homes_[v] = Home{g, extracts[g].variable(VariableId(v))};
+    groups_[g].variables.emplace_back(v);
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (const ComponentId c : groups_[g].components) extracts[g].component(plant[c]);
+  }
+  for (const automata::Interconnection& q : plant.interconnections) {
+    const auto read = variables_of(q.constraint);
+    const std::size_t g = read.empty() ? 0 : group_of(*classes[read.front()]);
+    groups_[g].plant.interconnections.emplace_back(extracts[g].formula(q.constraint), q.origin);
   }
   for (const VariableId observed : plant.observables) {
     const Home& home = *homes_[observed.index()];
     groups_[home.group].plant.observables.push_back(home.variable);
   }
+  std::vector<std::optional<std::size_t>> control_of(plant.variables.size());
+  for (std::size_t i = 0; i < plant.controls.size(); ++i) control_of[plant.controls[i].variable.index()] = i;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    for (std::size_t i = 0; i < plant.controls.size(); ++i) {
+    for (const VariableId own : extracts[g].variables()) {
+      if (const auto& control = control_of[own.index()]) groups_[g].controls.push_back(*control);
+    }
+    std::sort(groups_[g].controls.begin(), groups_[g].controls.end());
+    for (const std::size_t i : groups_[g].controls) {
       const automata::Control& control = plant.controls[i];
-      if (!extracts[g].has(control.variable)) continue;
-      groups_[g].controls.push_back(i);
       groups_[g].plant.controls.push_back({extracts[g].variable(control.variable), control.idle});
       if (dependencies.read_by_store(control.variable)) groups_[g].constrains_controls = true;
     }

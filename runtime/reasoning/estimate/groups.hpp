@@ -11,11 +11,13 @@
 
 namespace rmpl::runtime {
 
-/// A part of a plant as a plant of its own, with its own numbering of variables.
+/// A part of a plant as a plant of its own, with its own numbering of variables; those that may be read come first, in
+/// the order of the whole.
 struct Group {
   automata::Plant plant;
   std::vector<automata::ComponentId> components;  ///< in the whole plant, ascending; at least one
   std::vector<std::size_t> controls;              ///< positions in the whole plant's `controls`, ascending
+  std::vector<automata::VariableId> variables;    ///< in the whole plant, ascending: those that readings may be of
   /// Whether a constraint of the store reads a control variable, so that a control action may contradict it.
   bool constrains_controls = false;
 };

@@ -8,7 +8,7 @@ namespace rmpl::runtime {
 
 using automata::ModeId;
 
-void JointBound::look_at(std::span<const Source> sources, const Clocks& clocks, automata::Ticks now) {
+void JointBound::look_at(std::span<const Source> sources) {
   contested_.clear();
   promise_.assign(1, {});
   excluded_.clear();
@@ -20,19 +20,13 @@ void JointBound::look_at(std::span<const Source> sources, const Clocks& clocks, 
   for (const Source& source : sources) {
     promise_.front().push_back(source.weight * source.extensions->greatest_factor());
   }
-  const std::size_t components = sources.front().state->modes.size();
-  for (std::size_t c = 0; c < components; ++c) {
-    contest(sources, c, [&](const Source& source, ModeId mode) {
-      return Place{mode, clocks.advance(c, source.state->modes[c], source.state->clock_starts[c], mode, now)};
-    });
-  }
+  for (std::size_t c = 0; c < sources.front().modes->size(); ++c) contest(sources, c);
   std::stable_sort(contested_.begin(), contested_.end(),
                    [](const Contested& a, const Contested& b) { return a.dissent > b.dissent; });
   promise_.resize(contested_.size() + 1, std::vector<double>(sources.size()));
 }
 
-template <class PlaceOf>
-JointBound::Best JointBound::best(const Source& source, std::size_t component, const PlaceOf& place) {
+JointBound::Best JointBound::best(const Source& source, std::size_t component) {
   ModeId mode(0u);
   double greatest = -1;
   for (const OptimalSearch::PricedValue& choice : source.extensions->choices(component)) {
@@ -41,28 +35,25 @@ JointBound::Best JointBound::best(const Source& source, std::size_t component, c
     greatest = promise;
     mode = ModeId(choice.value);
   }
-  return {place(source, mode), std::max(greatest, 0.0)};
+  return {mode, std::max(greatest, 0.0)};
 }
 
-/// Adds the component where the sources do not agree on its best place. Places that are best in none count as one, in
+/// Adds the component where the sources do not agree on its best mode. Modes that are best in none count as one, in
 /// which each source has the best of them. Most components are in most sources as they are in the first.
-template <class PlaceOf>
-void JointBound::contest(std::span<const Source> sources, std::size_t component, const PlaceOf& place) {
+void JointBound::contest(std::span<const Source> sources, std::size_t component) {
   const Source& first = sources.front();
   const auto as_in_first = [&](const Source& source) {
-    return source.extensions->moves_as(*first.extensions, component) &&
-           source.state->modes[component] == first.state->modes[component] &&
-           source.state->clock_starts[component] == first.state->clock_starts[component];
+    return source.extensions->moves_as(*first.extensions, component);
   };
-  bests_.assign(1, best(first, component, place));
-  std::vector<Place> places{bests_.front().place};
+  bests_.assign(1, best(first, component));
+  std::vector<ModeId> places{bests_.front().mode};
   Contested contested;
   for (std::size_t s = 0; s < sources.size(); ++s) {
-    if (s > 0) bests_.push_back(as_in_first(sources[s]) ? bests_.front() : best(sources[s], component, place));
+    if (s > 0) bests_.push_back(as_in_first(sources[s]) ? bests_.front() : best(sources[s], component));
     promise_.front()[s] *= bests_[s].promise;
-    if (bests_[s].place == places.front()) continue;
+    if (bests_[s].mode == places.front()) continue;
     contested.dissent += sources[s].weight;
-    if (std::find(places.begin(), places.end(), bests_[s].place) == places.end()) places.push_back(bests_[s].place);
+    if (std::find(places.begin(), places.end(), bests_[s].mode) == places.end()) places.push_back(bests_[s].mode);
   }
   if (places.size() < 2) return;
   contested.options.assign(places.size() + 1, std::vector<double>(sources.size(), 0.0));
@@ -78,7 +69,7 @@ void JointBound::contest(std::span<const Source> sources, std::size_t component,
       if (std::binary_search(excluded_.begin(), excluded_.end(), decision)) continue;
       const double most = bests_[s].promise;
       const double share = most > 0 ? sources[s].extensions->promise(component, mode) / most : 0.0;
-      const auto own = std::find(places.begin(), places.end(), place(sources[s], mode)) - places.begin();
+      const auto own = std::find(places.begin(), places.end(), mode) - places.begin();
       double& option = contested.options[static_cast<std::size_t>(own)][s];
       option = std::max(option, share);
     }

@@ -13,9 +13,9 @@ class ListedFilter : public Filter {
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
 
  protected:
-  automata::Ticks last_;  ///< as of which `belief_` is
-  Belief belief_;
-  Belief before_;
+  automata::Ticks last_;   ///< as of which `belief_` is
+  mutable Belief belief_;  ///< may be listed when it is asked for, as `before_`
+  mutable Belief before_;
   Estimate estimate_;
 };
 

@@ -55,8 +55,17 @@ class MarkedEstimator final : public Estimator {
     estimate_.modes = belief_.front().state.modes;
     estimate_.probability = belief_.front().probability;
     estimate_.consistent = update.explained;
+    estimate_.follows = update.possible;
+    estimate_.set_aside = update.set_aside;
+    estimate_.surprised.assign(update.set_aside.empty() ? 0 : plant_.plant().components.size(), false);
+    for (std::size_t c = 0; c < estimate_.surprised.size(); ++c) {
+      const std::size_t variable = plant_.plant().components[c].mode.index();
+      estimate_.surprised[c] = variable < update.surprised.size() && update.surprised[variable];
+    }
     estimate_.cut = update.cut;
     estimate_.checked = update.checked;
+    estimate_.missing_mass = update.missing_mass;
+    estimate_.missing_total = update.missing_total;
     return estimate_;
   }
 

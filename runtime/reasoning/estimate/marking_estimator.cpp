@@ -9,7 +9,6 @@
 #include "automata/dependencies/marking_groups.hpp"
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/best_tuples.hpp"
-#include "runtime/reasoning/estimate/marking_beam.hpp"
 #include "runtime/reasoning/estimate/marking_filter.hpp"
 #include "runtime/reasoning/estimate/marking_parts.hpp"
 #include "runtime/reasoning/estimate/marking_window.hpp"
@@ -25,24 +24,26 @@ using automata::Observation;
 class FactoredMarkingEstimator final : public MarkingEstimator {
  public:
   FactoredMarkingEstimator(const automata::ModelProgram& program, const MarkingOptions& options)
-      : options_(options), groups_(program) {
-    for (std::size_t g = 0; g < groups_.size(); ++g) filters_.emplace_back(groups_[g].program, options);
-    if (options.window > 0) window_.emplace(groups_, options.window, options.k);
+      : options_(options), variables_(program.variables.size()) {
+    if (options.kind == MarkingOptions::Kind::beam) {
+      filters_.emplace_back(program, options);
+    } else {
+      groups_.emplace(program);
+      for (std::size_t g = 0; g < groups_->size(); ++g) filters_.emplace_back((*groups_)[g].program, options);
+      if (options.window > 0) window_.emplace(*groups_, options);
+    }
     FactoredMarkingEstimator::start({});
   }
 
   const MarkingEstimate& start(const Observation& observation) override {
     CHECK(!updated_);
     estimate_ = {};
-    const auto seen = groups_.divide(observation);
+    const auto seen = divided(observation);
     for (std::size_t g = 0; g < filters_.size(); ++g) {
-      estimate_.explained = filters_[g].start(seen[g]) && estimate_.explained;
+      note(g, filters_[g].start(seen[g]));
+      estimate_.possible = estimate_.possible && !filters_[g].belief().empty();
     }
-    // What one group cannot explain is left out of account in all.
-    for (MarkingFilter& filter : filters_) {
-      if (!estimate_.explained) filter.start({});
-      estimate_.possible = estimate_.possible && !filter.belief().empty();
-    }
+    tell_missing();
     if (window_) window_->start(by_group());
     return estimate_;
   }
@@ -50,25 +51,27 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
   const MarkingEstimate& update(const Command& command, const Observation& observation) override {
     updated_ = true;
     estimate_ = {};
-    const auto commands = groups_.divide(command);
-    const auto seen = groups_.divide(observation);
+    const auto commands = divided(command);
+    const auto seen = divided(observation);
+    std::vector<std::size_t> set_aside;
     for (std::size_t g = 0; g < filters_.size(); ++g) {
-      estimate_.explained = filters_[g].condition(commands[g], seen[g]) && estimate_.explained;
+      const Conditioned conditioned = filters_[g].update(commands[g], seen[g]);
+      set_aside.push_back(conditioned.set_aside.size());
+      note(g, conditioned);
+      estimate_.cut = estimate_.cut || filters_[g].cut();
+      estimate_.checked += filters_[g].checked();
     }
-    if (!estimate_.explained) {
-      for (MarkingFilter& filter : filters_) estimate_.possible = filter.predict() && estimate_.possible;
-    }
-    for (MarkingFilter& filter : filters_) {
-      if (estimate_.possible) filter.adopt();
-      estimate_.cut = estimate_.cut || filter.cut();
-      estimate_.checked += filter.checked();
-    }
-    if (window_) window_->update(commands, seen, by_group());
+    tell_missing();
+    if (window_) window_->update(commands, seen, by_group(), set_aside);
     return estimate_;
   }
 
   [[nodiscard]] std::vector<MarkingTrajectory> history() override {
     return window_ ? window_->trajectories() : std::vector<MarkingTrajectory>{};
+  }
+
+  [[nodiscard]] std::vector<Observation> set_aside_by_history() const override {
+    return window_ ? window_->set_aside() : std::vector<Observation>{};
   }
 
   [[nodiscard]] MarkingBelief belief() override {
@@ -88,7 +91,8 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
         parts[g] = &filters_[g].step().whole(number);
         values[g] = &filters_[g].step().values(number);
       }
-      result.push_back({joined(groups_, parts), tuple.probability, joined(groups_, values)});
+      if (groups_) result.push_back({joined(*groups_, parts), tuple.probability, joined(*groups_, values)});
+      if (!groups_) result.push_back({*parts.front(), tuple.probability, *values.front()});
     }
     put_in_order(result, [](const MarkingEntry& a, const MarkingEntry& b) { return a.marking < b.marking; });
     if (result.size() > most) result.resize(most);
@@ -108,20 +112,51 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
   }
 
  private:
+  template <class Told>
+  [[nodiscard]] std::vector<Told> divided(const Told& told) const {
+    return groups_ ? groups_->divide(told) : std::vector<Told>{told};
+  }
+
+  /// Takes down how an update of a group went.
+  void note(std::size_t group, const Conditioned& conditioned) {
+    estimate_.possible = estimate_.possible && conditioned.follows;
+    estimate_.explained = estimate_.explained && conditioned.follows && conditioned.set_aside.empty();
+    if (conditioned.set_aside.empty()) return;
+    if (!groups_) {
+      estimate_.set_aside = conditioned.set_aside;
+      estimate_.surprised.assign(filters_[group].step().program().variables.size(), true);
+      return;
+    }
+    estimate_.surprised.resize(variables_, false);
+    const std::vector<automata::VariableId>& variables = (*groups_)[group].variables;
+    for (const automata::VariableId v : variables) estimate_.surprised[v.index()] = true;
+    for (const automata::Assignment& reading : conditioned.set_aside) {
+      estimate_.set_aside.push_back({variables[reading.variable.index()], reading.value});
+    }
+    std::sort(estimate_.set_aside.begin(), estimate_.set_aside.end());
+  }
+
+  void tell_missing() {
+    double kept = 1, kept_of_all = 1;
+    for (const MarkingFilter& filter : filters_) {
+      kept *= 1 - filter.missing_mass();
+      kept_of_all *= 1 - filter.missing_total();
+    }
+    const bool one = filters_.size() == 1;
+    estimate_.missing_mass = one ? filters_.front().missing_mass() : 1 - kept;
+    estimate_.missing_total = one ? filters_.front().missing_total() : 1 - kept_of_all;
+  }
+
   std::vector<GroupBelief> by_group() {
     std::vector<GroupBelief> result;
-    for (MarkingFilter& filter : filters_) {
-      GroupBelief& belief = result.emplace_back();
-      for (const NumberedEntry& entry : filter.belief()) {
-        belief.emplace_back(filter.step()[entry.marking], entry.probability);
-      }
-    }
+    for (const MarkingFilter& filter : filters_) result.push_back(filter.by_marking());
     return result;
   }
 
   MarkingOptions options_;
-  automata::MarkingGroups groups_;
-  std::deque<MarkingFilter> filters_;  ///< a filter stays where it is
+  std::size_t variables_;                          ///< of the program
+  std::optional<automata::MarkingGroups> groups_;  ///< none of the beam, which is one of whole markings
+  std::deque<MarkingFilter> filters_;              ///< a filter stays where it is
   std::optional<MarkingWindow> window_;
   MarkingEstimate estimate_;
   bool updated_ = false;
@@ -131,7 +166,6 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
 
 std::unique_ptr<MarkingEstimator> make_marking_estimator(const automata::ModelProgram& program,
                                                          const MarkingOptions& options) {
-  if (options.kind == MarkingOptions::Kind::beam) return make_marking_beam(program, options);
   return std::make_unique<FactoredMarkingEstimator>(program, options);
 }
 

@@ -32,10 +32,20 @@ using MarkingBelief = std::vector<MarkingEntry>;
 
 /// How an update went.
 struct MarkingEstimate {
-  bool explained = true;  ///< false: nothing explains the readings; the belief is the last one predicted forward
-  bool possible = true;   ///< false: no step is possible at all; the belief is the last one
-  bool cut = false;       ///< the limit of candidates ended the search early
+  bool explained = true;  ///< false: some readings were set aside, or no step is possible
+  bool possible = true;   ///< false: in some group no step is possible at all; its belief is the last one
+  /// The readings that did not count, by variable: of each group a smallest set that nothing explains, as of
+  /// `Estimate`.
+  automata::Observation set_aside;
+  /// By variable: whether a reading of its group was set aside. Empty where none was.
+  std::vector<bool> surprised;
+  bool cut = false;  ///< the limit of candidates ended the search early
   std::size_t checked = 0;
+  /// k-best and beam: an upper bound of the probability that this update did not keep, as a share of the whole
+  /// posterior that follows from the belief before.
+  double missing_mass = 0;
+  /// The same of all that the belief leaves out, in the posterior of the exact estimator (compare `Estimate`).
+  double missing_total = 0;
 };
 
 struct MarkingOptions {
@@ -47,9 +57,11 @@ struct MarkingOptions {
   Kind kind = Kind::k_best;
   std::size_t k = 16;
   std::size_t listed = std::numeric_limits<std::size_t>::max();  ///< how many markings `belief` lists
-  std::size_t candidates = 100'000;  ///< k-best: how many an update may check before it is cut
+  std::size_t candidates = 100'000;  ///< k-best and beam: how many a search of an update may check before it is cut
   std::size_t window = 0;            ///< exact and k-best: how many updates `history` goes back
-  std::size_t most_summed = 256;     ///< k-best: ways out of one marking that are still summed; beyond, it searches
+  /// k-best and beam: ways out of one marking that are still summed; beyond, it searches. 0: 64 `k`, between
+  /// 256 and 2^14.
+  std::size_t most_summed = 0;
 };
 
 /// Starts at time 0 with the initial distribution.
@@ -65,6 +77,9 @@ class MarkingEstimator {
   /// With `MarkingOptions::window`: the `k` most likely trajectories of that many updates, best first, normalised over
   /// all there are (marking_window.hpp). None without a window. Throws TooManyStates.
   [[nodiscard]] virtual std::vector<MarkingTrajectory> history() = 0;
+  /// Of what `history` told last: by update, by place in a trajectory from 1 on, the readings that no trajectory
+  /// explains, so that they do not count.
+  [[nodiscard]] virtual std::vector<automata::Observation> set_aside_by_history() const = 0;
   /// Of the last update, or of the start: `possible` tells whether there is an initial marking at all.
   [[nodiscard]] virtual const MarkingEstimate& estimate() const = 0;
   /// How many independent groups there are.

@@ -54,6 +54,15 @@ OptimalSearch::Costs costs_of(const MarkingMoves& moves) {
   return costs;
 }
 
+/// By how much more each possible outcome is worth, as the others cannot happen; 1 where they are too many to be
+/// listed. What is worth less than it should be is missing then.
+double scale_of(const MarkingStep::Ways& ways) {
+  if (!ways) return 1;
+  double possible = 0;
+  for (const MarkingStep::Way& way : *ways) possible += way.probability;
+  return possible > 0 ? 1 / possible : 0;
+}
+
 struct Source {
   Source(const MarkingMoves& from, double probability) : moves(&from), weight(probability), search(costs_of(from)) {}
   [[nodiscard]] double bound() const { return weight * std::exp(-search.bound()); }
@@ -65,11 +74,12 @@ struct Source {
 
 class Search {
  public:
-  Search(MarkingStep& step, const NumberedBelief& sources, bool seen, std::size_t candidates)
-      : step_(step), seen_(seen), candidates_(candidates) {
+  Search(MarkingStep& step, const NumberedBelief& sources, Worth worth, std::size_t candidates)
+      : step_(step), worth_(worth), candidates_(candidates) {
     for (const NumberedEntry& entry : sources) {
       if (!step.permits(entry.marking)) continue;
-      sources_.emplace_back(step.moves(entry.marking), entry.probability);
+      sources_.emplace_back(step.moves(entry.marking), entry.probability * scale_of(step.ways(entry.marking)));
+      result_.unfound += entry.probability;
     }
   }
 
@@ -84,6 +94,9 @@ class Search {
       }
       advance(*next);
     }
+    const bool exhausted =
+        std::none_of(sources_.begin(), sources_.end(), [](const Source& s) { return s.bound() > 0; });
+    result_.unfound = exhausted ? 0 : std::max(result_.unfound, 0.0);
     return std::move(result_);
   }
 
@@ -101,9 +114,8 @@ class Search {
   /// Nothing where the marking is possible, and explains what is seen; else the outcomes that mark what contradicts.
   std::optional<Conflict> check(const Source& source, std::span<const std::uint32_t> candidate) {
     const MarkingStep::Number number = step_.number(target(source, candidate));
-    const bool fits = step_.possible(number) && (!seen_ || step_.factor(number) > 0);
-    if (fits) return std::nullopt;
-    const Marking blamed = step_.conflict(number, seen_);
+    if (step_.possible(number) && step_.factor(number) > 0) return std::nullopt;
+    const Marking blamed = step_.conflict(number, true);
     Conflict conflict;
     for (std::size_t p = 0; p < candidate.size(); ++p) {
       const Marking& marked = source.moves->parts[p][candidate[p]].marked;
@@ -125,7 +137,8 @@ class Search {
     if (!known_.insert(number).second) return;
     double prior = 0;
     for (const Source& from : sources_) prior += from.weight * probability_of(*from.moves, step_[number]);
-    const double worth = seen_ ? prior * step_.factor(number) : prior;
+    result_.unfound -= prior;
+    const double worth = worth_ == Worth::posterior ? prior * step_.factor(number) : prior;
     if (worth > 0) result_.found.push_back({number, worth});
   }
 
@@ -145,7 +158,7 @@ class Search {
   }
 
   MarkingStep& step_;
-  bool seen_;
+  Worth worth_;
   std::size_t candidates_;
   std::vector<Source> sources_;
   std::set<MarkingStep::Number> known_;
@@ -156,9 +169,9 @@ class Search {
 
 }  // namespace
 
-BestMarkings best_markings(MarkingStep& step, const NumberedBelief& sources, bool seen, std::size_t k,
+BestMarkings best_markings(MarkingStep& step, const NumberedBelief& sources, Worth worth, std::size_t k,
                            std::size_t candidates) {
-  return Search(step, sources, seen, candidates).run(k);
+  return Search(step, sources, worth, candidates).run(k);
 }
 
 }  // namespace rmpl::runtime

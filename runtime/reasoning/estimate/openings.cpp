@@ -55,14 +55,16 @@ struct Openings::Analysis {
     }
   }
 
-  [[nodiscard]] std::optional<Opening> opening(Assignment value, const std::vector<ComponentId>& components) const {
+  /// Of a component, by mode, by value of the attribute: whether the mode leaves it another value.
+  using Leaves = std::vector<std::vector<bool>>;
+
+  [[nodiscard]] static std::optional<Opening> opening(std::size_t value, const std::vector<ComponentId>& components,
+                                                      const std::vector<Leaves>& leaves) {
     std::optional<Opening> best;
     std::ptrdiff_t most = 0;
-    for (const ComponentId c : components) {
-      Opening own{c, {}};
-      for (std::size_t m = 0; m < plant[c].modes.size(); ++m) {
-        own.modes.push_back(elimination.leaves_another(value, {plant[c].mode, ValueId(m)}));
-      }
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      Opening own{components[c], {}};
+      for (const std::vector<bool>& mode : leaves[c]) own.modes.push_back(mode[value]);
       const std::ptrdiff_t count = std::count(own.modes.begin(), own.modes.end(), true);
       if (count <= most) continue;
       most = count;
@@ -79,8 +81,12 @@ struct Openings::Analysis {
       read_modes(constraints[t], components);
     }
     result.components.assign(components.begin(), components.end());
+    std::vector<Leaves> of_components;
+    for (const ComponentId c : result.components) {
+      of_components.push_back(elimination.leaves_another(variable, plant[c].mode));
+    }
     for (std::size_t v = 0; v < plant.variables[variable].values.size(); ++v) {
-      result.openings.push_back(opening({variable, ValueId(v)}, result.components));
+      result.openings.push_back(opening(v, result.components, of_components));
     }
     return result;
   }

@@ -14,10 +14,9 @@
 #include "automata/plant.hpp"
 #include "automata/state.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/estimate/reading.hpp"
 
 namespace rmpl::runtime {
-
-enum class Reading : std::uint8_t;
 
 /// States: where it set out from, and one an update.
 struct PlantTrajectory {
@@ -25,7 +24,9 @@ struct PlantTrajectory {
   std::vector<automata::SystemState> states;
 };
 
-/// Keeps beliefs of its own, to set out from. Keeps a reference to the plant.
+/// Keeps beliefs of its own, to set out from. Where these set readings of a group aside, and the histories of the
+/// window fewer, the beliefs of the updates in the window become what its histories come to by then, and are kept from
+/// there on: so that no window sets out from what a reading has refuted. Keeps a reference to the plant.
 class PlantWindow {
  public:
   /// More ways to go on in one update than this are searched.
@@ -42,8 +43,11 @@ class PlantWindow {
   void update(const automata::ControlAction& action, const automata::Observation& observation, automata::Ticks now);
   /// The k most likely trajectories from the belief that many updates ago (or from time 0) until now, best first,
   /// normalised over all there are, where a group is searched over the k best of it; ties in order of states, the
-  /// earliest first. An update whose readings nothing explains counts without them. Throws TooManyStates.
+  /// earliest first. Of readings that no history explains a smallest set of each group is set aside. Throws
+  /// TooManyStates.
   std::vector<PlantTrajectory> trajectories();
+  /// By update, oldest first: the readings that did not count when trajectories were told last.
+  [[nodiscard]] std::vector<automata::Observation> set_aside() const;
   /// Whether a search ended early, so that the trajectories told last are the best, but fewer than k.
   [[nodiscard]] bool cut() const;
   /// Whether a group is searched.
@@ -53,11 +57,10 @@ class PlantWindow {
   class Part;
   struct Told;
 
-  void keep_trellises(std::vector<Reading>& readings);
-  void take_to_searching(std::size_t part);
-  bool search(std::vector<Reading>& readings);
+  void set_right(std::size_t part);
 
-  std::size_t updates_, k_, components_;
+  std::size_t updates_, k_;
+  std::size_t components_;
   std::unique_ptr<class Groups> groups_;  ///< none where the plant is one part
   std::vector<std::unique_ptr<Part>> parts_;
   std::deque<Told> told_;

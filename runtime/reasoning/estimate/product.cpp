@@ -8,6 +8,7 @@
 #include <string>
 
 #include "runtime/reasoning/estimate/belief.hpp"
+#include "runtime/reasoning/estimate/combination.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 
@@ -84,6 +85,42 @@ Belief product(std::span<const Factor> factors, std::size_t components, std::siz
   put_in_order(head);
   head.resize(std::min(head.size(), most));
   return head;
+}
+
+Belief product_by_modes(std::span<const Factor> factors, std::size_t components, std::size_t most, std::size_t clocks) {
+  // Each factor by its modes: beliefs over combinations without clocks, and behind them one for each of these.
+  std::vector<Combinations> combinations;
+  std::vector<Belief> modes;
+  bool one_each = true;
+  for (const Factor& factor : factors) {
+    const Combinations& own = combinations.emplace_back(combinations_of(*factor.belief));
+    Belief& belief = modes.emplace_back();
+    for (const Combination& combination : own) {
+      one_each = one_each && combination.clocks.size() == 1;
+      belief.push_back({{combination.modes, combination.clocks.front().starts}, combination.probability});
+    }
+  }
+  std::vector<Factor> by_modes;
+  for (std::size_t f = 0; f < factors.size(); ++f) by_modes.push_back({&modes[f], factors[f].components});
+  const Belief head = product(by_modes, components, most);
+  if (one_each) return head;
+  Belief result;
+  for (const BeliefEntry& best : head) {
+    std::vector<Belief> own(factors.size());
+    std::vector<Factor> with_clocks;
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+      automata::Modes part;
+      for (const automata::ComponentId c : factors[f].components) part.push_back(best.state.modes[c.index()]);
+      const auto at = std::find_if(combinations[f].begin(), combinations[f].end(),
+                                   [&](const Combination& combination) { return combination.modes == part; });
+      for (const Clocked& clocked : at->clocks) own[f].push_back({{part, clocked.starts}, clocked.probability});
+      with_clocks.push_back({&own[f], factors[f].components});
+    }
+    const Belief states = product(with_clocks, components, clocks);
+    result.insert(result.end(), states.begin(), states.end());
+  }
+  put_in_order(result);
+  return result;
 }
 
 }  // namespace rmpl::runtime

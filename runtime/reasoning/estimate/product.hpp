@@ -26,4 +26,7 @@ std::size_t product_size(std::span<const Factor> factors);
 /// of which this is the head. Throws TooManyStates where these are more than `most_states`.
 Belief product(std::span<const Factor> factors, std::size_t components, std::size_t most);
 
+/// The states of the `most` best mode combinations of the product; of each at most `clocks` sets of clocks, the best.
+Belief product_by_modes(std::span<const Factor> factors, std::size_t components, std::size_t most, std::size_t clocks);
+
 }  // namespace rmpl::runtime

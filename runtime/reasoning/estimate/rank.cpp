@@ -24,10 +24,12 @@ void rank(std::vector<std::vector<automata::Move>>& moves) {
   for (auto& component : moves) rank(component);
 }
 
-std::uint64_t count_from_best(Belief& belief) {
+std::uint64_t count_from_best(Combinations& belief) {
   if (belief.empty()) return 0;
   const std::uint64_t best = rank_of(belief.front().probability);
-  for (BeliefEntry& entry : belief) entry.probability = probability_of(rank_of(entry.probability) - best);
+  for (Combination& entry : belief) {
+    entry.probability = entry.clocks.front().probability = probability_of(rank_of(entry.probability) - best);
+  }
   return best;
 }
 

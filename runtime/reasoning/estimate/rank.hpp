@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
-#include "runtime/reasoning/estimate/estimator.hpp"
+#include "runtime/reasoning/estimate/combination.hpp"
 
 namespace rmpl::runtime {
 
@@ -18,7 +18,7 @@ void rank(std::vector<automata::Move>& moves);
 void rank(std::vector<std::vector<automata::Move>>& moves);
 
 /// Writes the probabilities of a belief in order anew as powers of ten, that of the best as 1; by how many powers the
-/// best was below 1.
-std::uint64_t count_from_best(Belief& belief);
+/// best was below 1. Each combination has one clock.
+std::uint64_t count_from_best(Combinations& belief);
 
 }  // namespace rmpl::runtime

@@ -3,6 +3,7 @@
 #include "runtime/reasoning/estimate/trajectories.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -39,7 +40,6 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
   std::size_t slots = least_index;
   while (slots < 4 * count_) slots *= 2;
   index_.assign(slots, 0);
-  indexed_ = true;
   count_ = 0;
   ways_.clear();
   cursors_.assign(sources.size(), 0);
@@ -65,7 +65,7 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
     }
     checked_ += source.extensions->checked();
   }
-  keep();
+  keep(sources);
 }
 
 void TrajectorySearch::run_again(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline) {
@@ -75,7 +75,7 @@ void TrajectorySearch::run_again(std::span<const Source> sources, automata::Tick
   line_up(sources);
   enumerate(sources, now, deadline);
   repeatable_ = !cut_ && tight_ != may_tighten() && count_ <= outgrown * (needed_ + k_);
-  keep();
+  keep(sources);
 }
 
 /// What every run begins with, whatever it knows of its targets.
@@ -91,17 +91,11 @@ void TrajectorySearch::begin(std::size_t k) {
   tight_ = !may_tighten();
 }
 
-/// Moves the known targets on to `now`, and weighs them. What was entered as the step ended then is entered as it ends
-/// now: clocks of the sources started earlier, so that no other two targets become one.
+/// Moves the known targets on to `now`, and weighs them.
 void TrajectorySearch::take_up(std::span<const Source> sources, automata::Ticks now) {
   auto ways = ways_.cbegin();
   for (std::uint32_t t = 0; t < count_; ++t) {
     Target& target = targets_[t];
-    for (automata::Ticks& start : target.state.clock_starts) {
-      if (start != now_) continue;
-      start = now;
-      indexed_ = false;
-    }
     auto end = ways;
     while (end != ways_.cend() && end->target == t) ++end;
     weigh(target, {ways, end}, sources);
@@ -169,13 +163,13 @@ bool TrajectorySearch::enough_found(std::span<const Source> sources) {
   if (sum < enough) return true;
   const std::uint32_t next = fronts_.front().source;
   if (checked_ < next_look_ || cursors_[next] < sources[next].extensions->found().size()) return false;
-  if (!joint_known_) joint_.look_at(sources, clocks_, now_);
+  if (!joint_known_) joint_.look_at(sources);
   joint_known_ = true;
   left_.assign(sources.size(), 0);
   for (const Front& front : fronts_) left_[front.source] = front.bound;
   const bool reaches = joint_.reaches(left_, enough, nodes_);
   const std::size_t spent = (nodes_ - joint_.nodes_left()) * sources.size();
-  next_look_ = checked_ + std::max(pace, spent / (terms_of_check * sources.front().state->modes.size()));
+  next_look_ = checked_ + std::max(pace, spent / (terms_of_check * sources.front().modes->size()));
   if (joint_.undecided()) nodes_ *= 2;
   return !reaches;
 }
@@ -204,14 +198,14 @@ void TrajectorySearch::tighten(std::span<const Source> sources) {
 double TrajectorySearch::unexplored(std::span<const Source> sources) {
   constexpr double rounding = 1e-14;
   double mass = 0;
-  for (const Source& source : sources) mass += source.weight;
+  for (const Source& source : sources) mass += following(source);
   if (!options_.merge_trajectories || !options_.observation_factor) {
     return std::max(0.0, mass - explored_) + rounding * mass;
   }
   const double found = std::accumulate(best_.begin(), best_.end(), 0.0);
   if (mass - explored_ <= noticeable * found) return std::max(0.0, mass - explored_) + rounding * mass;
   mass = 0;
-  for (const Source& source : sources) mass += source.weight * source.extensions->mass();
+  for (const Source& source : sources) mass += std::min(mass_of(source), following(source));
   double explored = 0;
   for (const Way& way : ways_) {
     const Source& source = sources[way.source];
@@ -220,19 +214,51 @@ double TrajectorySearch::unexplored(std::span<const Source> sources) {
   return std::max(0.0, mass - explored) + rounding * mass;
 }
 
+/// The probability of all that follows a source.
+double TrajectorySearch::following(const Source& source) {
+  double sum = 0;
+  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
+    if (source.weight_of(e) > 0) sum += source.clocks[e].probability;
+  }
+  return sum;
+}
+
+/// An upper bound of the worth of all that a source leads to. What holds for the best moves of all clocks is too much.
+double TrajectorySearch::mass_of(const Source& source) {
+  if (std::isinf(source.slack)) return source.slack;
+  const double most = source.extensions->mass() * source.slack;
+  if (source.varied.empty() || !source.extensions->informed()) return source.weight * most;
+  const auto promise = [&](std::size_t component, const std::vector<double>& priors) {
+    double sum = 0;
+    for (std::size_t m = 0; m < priors.size(); ++m) {
+      if (priors[m] > 0) sum += priors[m] * source.extensions->gain(component, automata::ModeId(m));
+    }
+    return sum;
+  };
+  std::vector<double> best;
+  for (const std::size_t c : source.varied) best.push_back(promise(c, source.extensions->moves(c).priors()));
+  double mass = 0;
+  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
+    double own = source.weight_of(e) * most;
+    for (std::size_t v = 0; v < source.varied.size(); ++v) {
+      own *= promise(source.varied[v], source.moves[e * source.varied.size() + v]->priors()) / best[v];
+    }
+    mass += own;
+  }
+  return mass;
+}
+
 /// The target of an extension, and whether it is new; then it has no worth yet. Valid until the next call.
 std::pair<TrajectorySearch::Target*, bool> TrajectorySearch::reach(const Source& source, const Extension& extension,
                                                                    automata::Ticks now) {
-  if (!indexed_ || 2 * (count_ + 1) > index_.size()) {
-    rebuild_index(2 * (count_ + 1) > index_.size() ? 2 * index_.size() : index_.size());
-  }
+  if (2 * (count_ + 1) > index_.size()) rebuild_index(2 * index_.size());
   if (count_ == targets_.size()) targets_.emplace_back();
   Target& fresh = targets_[count_];
   fresh.state.modes = extension.modes;
-  fresh.state.clock_starts.resize(extension.modes.size());
-  for (std::size_t c = 0; c < extension.modes.size(); ++c) {
+  fresh.state.clock_starts.resize(options_.merge_trajectories ? 0 : extension.modes.size());
+  for (std::size_t c = 0; c < fresh.state.clock_starts.size(); ++c) {
     fresh.state.clock_starts[c] =
-        clocks_.advance(c, source.state->modes[c], source.state->clock_starts[c], extension.modes[c], now);
+        clocks_.advance(c, (*source.modes)[c], source.clocks.front().starts[c], extension.modes[c], now);
   }
   const std::size_t mask = index_.size() - 1;
   std::size_t slot = SystemStateHash{}(fresh.state) & mask;
@@ -274,30 +300,40 @@ void TrajectorySearch::weigh(Target& target, std::span<const Way> ways, std::spa
   target.worth = target.prior * target.factor;
 }
 
-/// The probability of going from the source to exactly this target, clocks included.
+/// The probability of going from the source to exactly this target; without merging clocks included.
 double TrajectorySearch::chance(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now) {
-  const automata::SystemState& from = *source.state;
+  const automata::Modes& from = *source.modes;
   const automata::SystemState& to = target.state;
   const auto move = [&](std::size_t c) {
     const double prior = source.extensions->prior(c, to.modes[c]);
-    if (prior == 0) return 0.0;
-    const bool meets = to.clock_starts[c] == clocks_.advance(c, from.modes[c], from.clock_starts[c], to.modes[c], now);
-    return meets ? prior : 0.0;
+    if (prior == 0 || options_.merge_trajectories) return prior;
+    const automata::Ticks start = source.clocks.front().starts[c];
+    return to.clock_starts[c] == clocks_.advance(c, from[c], start, to.modes[c], now) ? prior : 0.0;
   };
   if (barriers_[number] < to.modes.size() && move(barriers_[number]) == 0) return 0;
   double product = 1;
+  auto varied = source.varied.begin();
   for (std::size_t c = 0; c < to.modes.size(); ++c) {
     const double prior = move(c);
     if (prior == 0) {
       barriers_[number] = c;
       return 0;
     }
-    product *= prior;
+    if (varied != source.varied.end() && *varied == c) {
+      ++varied;
+    } else {
+      product *= prior;
+    }
   }
-  return product;
+  if (source.varied.empty() || !(source.weight > 0)) return product;
+  double sum = 0;
+  for (std::size_t e = 0; e < source.clocks.size(); ++e) sum += source.weight_into(e, to.modes);
+  return product * (sum / source.weight);
 }
 
+/// Clocks may each allow something else, so that a target of the best moves of all is not one of any.
 void TrajectorySearch::note(double worth) {
+  if (!(worth > 0)) return;
   if (best_.size() == k_) {
     if (worth <= best_.front()) return;
     std::pop_heap(best_.begin(), best_.end(), std::greater<>{});
@@ -307,26 +343,95 @@ void TrajectorySearch::note(double worth) {
   std::push_heap(best_.begin(), best_.end(), std::greater<>{});
 }
 
-void TrajectorySearch::keep() {
-  // Into the states of an earlier belief, as far as there are any: their memory serves again.
-  std::size_t kept = 0;
+std::size_t TrajectorySearch::StartsHash::operator()(const std::vector<automata::Ticks>& starts) const noexcept {
+  std::size_t hash = 0;
+  for (const automata::Ticks start : starts) hash = (hash ^ static_cast<std::size_t>(start.count)) * 0x100000001b3u;
+  return hash ^ (hash >> 32);
+}
+
+/// A target with the clocks that the ways into it lead to.
+Combination TrajectorySearch::combination(const Target& target, std::span<const Way> ways,
+                                          std::span<const Source> sources) {
+  if (!options_.merge_trajectories) {
+    return {target.state.modes, target.worth, {{target.state.clock_starts, target.worth}}};
+  }
+  Combination result{target.state.modes, target.worth, {}};
+  places_.clear();
+  for (const Way& way : ways) {
+    const double worth = sources[way.source].weight * way.chance * target.factor;
+    if (worth > 0) add_clocks(result, sources[way.source], worth);
+  }
+  return result;
+}
+
+/// What the clocks of a source become, with what all of them are worth together there. They stay apart where no clock
+/// that tells them apart starts anew; where all of these do, they become one.
+void TrajectorySearch::add_clocks(Combination& combination, const Source& source, double worth) {
+  entered_.clear();
+  for (std::size_t c = 0; c < combination.modes.size(); ++c) {
+    const automata::ModeId from = (*source.modes)[c], to = combination.modes[c];
+    if (from != to) entered_.emplace_back(c, clocks_.advance(c, from, {}, to, now_));
+  }
+  const auto moved =
+      static_cast<std::size_t>(std::count_if(source.differing.begin(), source.differing.end(), [&](std::size_t c) {
+        return (*source.modes)[c] != combination.modes[c];
+      }));
+  const auto starts = [&](std::size_t clock) {
+    std::vector<automata::Ticks> result = source.clocks[clock].starts;
+    for (const auto& [c, start] : entered_) result[c] = start;
+    return result;
+  };
+  std::vector<Clocked>& known = combination.clocks;
+  if (moved == source.differing.size()) return add_clock(known, known.size(), {starts(0), worth});
+  shares_.clear();
+  double sum = 0;
+  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
+    shares_.push_back(source.weight_into(e, combination.modes));
+    sum += shares_.back();
+  }
+  const std::size_t before = known.size();
+  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
+    if (shares_[e] > 0) add_clock(known, moved == 0 ? before : known.size(), {starts(e), worth * shares_[e] / sum});
+  }
+}
+
+/// Adds it to the same one among the first `count`, if that is there.
+void TrajectorySearch::add_clock(std::vector<Clocked>& clocks, std::size_t count, Clocked clock) {
+  constexpr std::size_t few = 4;
+  const auto end = clocks.begin() + static_cast<std::ptrdiff_t>(count);
+  auto same = end;
+  if (count <= few) {
+    same = std::find_if(clocks.begin(), end, [&](const Clocked& known) { return known.starts == clock.starts; });
+  } else {
+    for (std::size_t i = places_.size(); i < count; ++i) places_.emplace(clocks[i].starts, i);
+    const auto place = places_.find(clock.starts);
+    if (place != places_.end()) same = clocks.begin() + static_cast<std::ptrdiff_t>(place->second);
+  }
+  if (same == end) {
+    clocks.push_back(std::move(clock));
+  } else {
+    same->probability += clock.probability;
+  }
+}
+
+void TrajectorySearch::keep(std::span<const Source> sources) {
+  kept_.clear();
   double lost = dropped_;
-  Belief obligatory;
+  Combinations obligatory;
   // Ties with the k-th best are told apart by state.
   const double least = best_.size() < k_ ? 0.0 : best_.front() * (1 - stop_margin);
-  for (std::size_t i = 0; i < count_; ++i) {
+  auto ways = ways_.cbegin();
+  for (std::uint32_t i = 0; i < count_; ++i) {
     const Target& target = targets_[i];
-    if (target.obligatory) {
-      obligatory.push_back({target.state, target.worth});
-    } else if (target.worth >= least) {
-      if (kept == kept_.size()) kept_.emplace_back();
-      kept_[kept].state = target.state;
-      kept_[kept++].probability = target.worth;
+    auto end = ways;
+    while (end != ways_.cend() && end->target == i) ++end;
+    if (target.worth > 0 && (target.obligatory || target.worth >= least)) {
+      (target.obligatory ? obligatory : kept_).push_back(combination(target, {ways, end}, sources));
     } else {
       lost += target.worth;
     }
+    ways = end;
   }
-  kept_.resize(kept);
   put_in_order(kept_);
   // Whole sets of equal rank are kept.
   for (; !options_.ranks && kept_.size() > k_; kept_.pop_back()) lost += kept_.back().probability;
@@ -339,7 +444,6 @@ void TrajectorySearch::keep() {
 
 void TrajectorySearch::rebuild_index(std::size_t slots) {
   index_.assign(slots, 0);
-  indexed_ = true;
   const std::size_t mask = index_.size() - 1;
   for (std::size_t i = 0; i < count_; ++i) {
     std::size_t slot = SystemStateHash{}(targets_[i].state) & mask;

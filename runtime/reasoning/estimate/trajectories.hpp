@@ -5,20 +5,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "runtime/reasoning/estimate/belief.hpp"
+#include "runtime/reasoning/estimate/combination.hpp"
 #include "runtime/reasoning/estimate/extensions.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
 #include "runtime/reasoning/estimate/joint_bound.hpp"
 
 namespace rmpl::runtime {
 
-/// One best-first queue over the extensions of several sources. What a target state is worth is computed over all
-/// sources when its first trajectory is found. A state that was not found yet has, in each source, no trajectory better
-/// than the best one left there: the search ends when the sum of these bounds (without merging: the greatest of them),
-/// or what of it can be about one state, is below the k-th best worth. Buffers are kept from run to run.
+/// One best-first queue over the extensions of several sources. Targets are mode combinations; without merging they are
+/// states, and each source has one clock. What a target is worth is computed over all sources when its first trajectory
+/// is found. A target that was not found yet has, in each source, no trajectory better than the best one left there:
+/// the search ends when the sum of these bounds (without merging: the greatest of them), or what of it can be about one
+/// target, is below the k-th best worth. Buffers are kept from run to run.
 class TrajectorySearch {
  public:
   TrajectorySearch(const Clocks& clocks, const EstimatorOptions& options) : clocks_(clocks), options_(options) {}
@@ -38,7 +41,7 @@ class TrajectorySearch {
   void run_again(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline);
 
   /// What was kept, in order, not normalised; the caller may take it away.
-  [[nodiscard]] Belief& kept() { return kept_; }
+  [[nodiscard]] Combinations& kept() { return kept_; }
   /// An upper bound of the worth of all consistent trajectories that are not in `kept`.
   [[nodiscard]] double lost() const { return lost_; }
   /// How many candidates were checked, and whether a limit was reached before the end.
@@ -48,8 +51,8 @@ class TrajectorySearch {
  private:
   /// A target state; `worth` is its posterior before normalisation.
   struct Target {
-    automata::SystemState state;
-    double factor = 1;  ///< of the observation; 1 where it is not applied
+    automata::SystemState state;  ///< without merging with its clocks, else without
+    double factor = 1;            ///< of the observation; 1 where it is not applied
     double prior = 0;
     double worth = 0;
     std::uint32_t leading = 0;  ///< the source of its best trajectory
@@ -66,7 +69,11 @@ class TrajectorySearch {
       }
     };
   };
-  /// One way into a target, that is possible before the observation; `chance` is the product of the moves' priors.
+  struct StartsHash {
+    std::size_t operator()(const std::vector<automata::Ticks>& starts) const noexcept;
+  };
+  /// One way into a target, that is possible before the observation; `chance` is the product of the moves' priors, on
+  /// average over the clocks of the source.
   struct Way {
     std::uint32_t target, source;
     double chance;
@@ -85,8 +92,14 @@ class TrajectorySearch {
   void find_ways(Target& target, std::span<const Source> sources, automata::Ticks now);
   void weigh(Target& target, std::span<const Way> ways, std::span<const Source> sources) const;
   double chance(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now);
+  [[nodiscard]] static double following(const Source& source);
+  [[nodiscard]] static double mass_of(const Source& source);
+  [[nodiscard]] Combination combination(const Target& target, std::span<const Way> ways,
+                                        std::span<const Source> sources);
+  void add_clocks(Combination& combination, const Source& source, double worth);
+  void add_clock(std::vector<Clocked>& clocks, std::size_t count, Clocked clock);
   void note(double worth);
-  void keep();
+  void keep(std::span<const Source> sources);
   void rebuild_index(std::size_t slots);
 
   const Clocks& clocks_;
@@ -103,7 +116,6 @@ class TrajectorySearch {
   std::size_t k_ = 0;
   std::vector<double> best_;  ///< a heap: the k best worths, the least on top
   automata::Ticks now_;       ///< the time of the targets
-  bool indexed_ = true;       ///< `index_` knows the targets as they are
   bool repeatable_ = false;
   std::size_t needed_ = 0;  ///< targets of the last run that began anew
   JointBound joint_;
@@ -119,7 +131,12 @@ class TrajectorySearch {
   /// The last run was long, so that the next one takes the observation factor into account at once.
   bool long_ = false;
   bool tight_ = false;  ///< the sources were told to take the observation factor into account, or need not
-  Belief kept_;
+  Combinations kept_;
+  /// Of the clocks of the target that is being put together, up to some of them; looked up, never iterated.
+  std::unordered_map<std::vector<automata::Ticks>, std::size_t, StartsHash> places_;
+  std::vector<std::pair<std::size_t, automata::Ticks>>
+      entered_;                 ///< components that a way moves, and their clock starts
+  std::vector<double> shares_;  ///< by clock of a source, for one target
   double lost_ = 0;
 };
 

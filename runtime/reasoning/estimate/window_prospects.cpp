@@ -12,8 +12,8 @@ namespace {
 constexpr double never = -std::numeric_limits<double>::infinity();
 
 /// Of getting from one mode to another in a step, at most: guards may hold or not, and faults leave all to what is
-/// nominal.
-std::vector<std::vector<double>> chances(const automata::Component& component, automata::Ticks length) {
+/// nominal. `scaled`: that some outcomes cannot happen may make the others as likely as can be.
+std::vector<std::vector<double>> chances(const automata::Component& component, automata::Ticks length, bool scaled) {
   const std::size_t modes = component.modes.size();
   std::vector<std::vector<double>> chance(modes, std::vector<double>(modes, 0.0));
   for (std::size_t m = 0; m < modes; ++m) chance[m][m] = 1;
@@ -23,14 +23,15 @@ std::vector<std::vector<double>> chances(const automata::Component& component, a
     way += component.is_fault(transition) ? transition.weight.fault_probability(length) : 1.0;
   }
   for (auto& from : chance) {
-    for (double& way : from) way = way > 0 ? std::log(std::min(1.0, way)) : never;
+    for (double& way : from) way = way > 0 ? std::log(scaled ? 1.0 : std::min(1.0, way)) : never;
   }
   return chance;
 }
 
 }  // namespace
 
-WindowProspects::WindowProspects(const automata::Plant& plant, const std::vector<Update>& updates)
+WindowProspects::WindowProspects(const automata::Plant& plant, const std::vector<Update>& updates,
+                                 const std::vector<bool>& scaled)
     : to_come_(updates.size() + 1, 0.0) {
   for (std::size_t t = updates.size(); t-- > 0;) to_come_[t] = to_come_[t + 1] + std::log(updates[t].factors->most);
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
@@ -43,7 +44,7 @@ WindowProspects::WindowProspects(const automata::Plant& plant, const std::vector
     Contested& own = contested_.emplace_back(Contested{c, {}});
     own.gain.assign(updates.size() + 1, std::vector<double>(modes, 0.0));
     for (std::size_t t = updates.size(); t-- > 0;) {
-      const auto chance = chances(plant.components[c], updates[t].length);
+      const auto chance = chances(plant.components[c], updates[t].length, scaled[c]);
       const std::vector<double>* now = gains(updates[t]);
       for (std::size_t from = 0; from < modes; ++from) {
         double best = never;

@@ -30,7 +30,8 @@ class WindowProspects {
     std::vector<std::vector<double>> gain;  ///< after so many updates, by mode: what it may gain until the end
   };
 
-  WindowProspects(const automata::Plant& plant, const std::vector<Update>& updates);
+  /// `scaled`, by component: whether outcomes with it may contradict the store.
+  WindowProspects(const automata::Plant& plant, const std::vector<Update>& updates, const std::vector<bool>& scaled);
 
   [[nodiscard]] const std::vector<Contested>& contested() const { return contested_; }
   /// What all updates after the first `updates` make of any way, before the gains.

@@ -34,7 +34,10 @@ constexpr std::size_t table_limit = 1u << 15;
 /// Beyond so many ways of some components to gain, the best of each is taken.
 constexpr std::size_t most_limits = 256;
 
-constexpr double never = -std::numeric_limits<double>::infinity();
+/// Outcomes of a state that are looked at for what of them can happen; beyond, they are not scaled.
+constexpr std::size_t most_joint_outcomes = std::size_t{1} << 16;
+
+constexpr double log_of_zero = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -42,11 +45,19 @@ struct WindowSearch::Context {
   Context(automata::PlantStep& step, const Observation& observation, ConflictSet& lasting, OpenReadings* open)
       : evidence(step, observation, lasting, open) {}
   ReadingEvidence evidence;
-  std::unordered_map<SourceKey, std::shared_ptr<Extensions>, SourceKeyHash> steps;
+  struct Known {
+    std::shared_ptr<Extensions> steps;
+    double scale;
+  };
+  std::unordered_map<SourceKey, Known, SourceKeyHash> steps;
 };
 
 WindowSearch::WindowSearch(automata::PlantStep& step)
-    : step_(step), clocks_(step.plant(), true), table_(step.plant()), open_readings_(step) {
+    : step_(step),
+      possible_(step, most_joint_outcomes),
+      clocks_(step.plant(), true),
+      table_(step.plant()),
+      open_readings_(step) {
   layers_.emplace_back();
 }
 
@@ -86,7 +97,7 @@ void WindowSearch::forget(Layer& layer) {
 std::uint32_t WindowSearch::number(Layer& layer, SystemState state) {
   const auto next = static_cast<std::uint32_t>(layer.nodes.size());
   const auto [known, fresh] = layer.numbers.try_emplace(state, next);
-  if (fresh) layer.nodes.push_back({std::move(state), nullptr, std::nullopt, {}, {}});
+  if (fresh) layer.nodes.push_back({std::move(state), nullptr, 0, std::nullopt, {}, {}});
   return known->second;
 }
 
@@ -107,20 +118,20 @@ std::shared_ptr<WindowSearch::Context> WindowSearch::context(const Observation& 
 }
 
 /// How each update counts, and what is known of the factors near what is likely.
-void WindowSearch::take(const std::vector<Reading>& readings) {
-  for (std::size_t t = 0; t < readings.size(); ++t) {
+void WindowSearch::take(const std::vector<Counted>& counted) {
+  for (std::size_t t = 0; t < counted.size(); ++t) {
     Layer& layer = layers_[t];
-    if (layer.context && layer.reading == readings[t]) continue;
+    if (layer.context && layer.counted == counted[t]) continue;
     forget(layer);
-    layer.reading = readings[t];
-    layer.context = context(readings[t] == Reading::seen ? layer.observation : Observation{});
+    layer.counted = counted[t];
+    layer.context = context(without(layer.observation, layer.counted.set_aside));
     look_at_factors(layer);
   }
 }
 
 void WindowSearch::look_at_factors(Layer& layer) {
   layer.factors = {};
-  if (layer.reading != Reading::seen || !layer.context->evidence.bounds_factors()) return;
+  if (layer.counted.stands || !layer.context->evidence.bounds_factors()) return;
   NearbyFactors found = layer.context->evidence.nearby_factors(layer.likely);
   if (found.most < 1) layer.factors = std::move(found);
 }
@@ -131,12 +142,12 @@ WindowProspects WindowSearch::look_ahead() const {
     const Layer& layer = layers_[t];
     updates.push_back({&layer.factors, layer.now - layer.before});
   }
-  return {step_.plant(), updates};
+  return {step_.plant(), updates, possible_.excluding()};
 }
 
-WindowSearch::Result WindowSearch::best(const Belief& from, const std::vector<Reading>& readings, std::size_t k) {
-  CHECK(readings.size() + 1 == layers_.size());
-  take(readings);
+WindowSearch::Result WindowSearch::best(const Belief& from, const std::vector<Counted>& counted, std::size_t k) {
+  CHECK(counted.size() + 1 == layers_.size());
+  take(counted);
   const WindowProspects prospects = look_ahead();
   begin(from, prospects);
   Result result;
@@ -152,7 +163,7 @@ WindowSearch::Result WindowSearch::best(const Belief& from, const std::vector<Re
     std::pop_heap(queue_.begin(), queue_.end());
     queue_.pop_back();
     const Path path = paths_[next.path];
-    if (path.updates == readings.size()) {
+    if (path.updates == counted.size()) {
       found.push_back(next.path);
     } else if (next.place == none) {
       if (visit(node_of(path)) <= enough) open_steps(next.path, prospects);
@@ -173,6 +184,14 @@ WindowSearch::Result WindowSearch::best(const Belief& from, const std::vector<Re
   return result;
 }
 
+void WindowSearch::add_targets(std::size_t update, StepTargets& targets) {
+  const Layer& layer = layers_[update];
+  for (const Node& node : layer.nodes) {
+    if (node.search != searches_) continue;
+    targets.add(step_.moves(node.state, layer.action, layer.before, layer.now));
+  }
+}
+
 void WindowSearch::begin(const Belief& from, const WindowProspects& prospects) {
   paths_.clear();
   queue_.clear();
@@ -190,14 +209,14 @@ void WindowSearch::begin(const Belief& from, const WindowProspects& prospects) {
 }
 
 void WindowSearch::push(const Path& path, double bound) {
-  if (bound == never) return;
+  if (bound == log_of_zero) return;
   deepest_ = std::max<std::size_t>(deepest_, path.updates);
   paths_.push_back(path);
   push({bound, static_cast<std::uint32_t>(paths_.size() - 1), none});
 }
 
 void WindowSearch::push(const Open& open) {
-  if (open.bound == never) return;
+  if (open.bound == log_of_zero) return;
   queue_.push_back(open);
   std::push_heap(queue_.begin(), queue_.end());
 }
@@ -216,28 +235,34 @@ void WindowSearch::open_steps(std::uint32_t path, const WindowProspects& prospec
   const Path& own = paths_[path];
   Layer& layer = layers_[own.updates];
   Node& node = layer.nodes[own.node];
-  if (layer.reading == Reading::stands) {
+  if (layer.counted.stands) {
     const double worth = own.worth;
     const std::uint32_t updates = own.updates + 1;
     const std::uint32_t same = number(layers_[updates], node.state);
     push({same, path, updates, worth}, worth + prospects.of(updates, layers_[updates].nodes[same].state.modes));
     return;
   }
-  if (!node.steps) node.steps = steps(layer, node.state);
+  if (!node.steps) find_steps(layer, node);
   if (node.limits.empty()) limit(node, own.updates + 1, prospects);
   push({own.worth + bound(node, 0), path, 0});
 }
 
 /// The extensions of a state: remembered under the observation where no clock matters.
-std::shared_ptr<Extensions> WindowSearch::steps(Layer& layer, const SystemState& state) {
+void WindowSearch::find_steps(Layer& layer, Node& node) {
   Context& context = *layer.context;
+  const SystemState& state = node.state;
   SourceKey key{state.modes, layer.action, layer.now - layer.before};
-  if (const auto known = context.steps.find(key); known != context.steps.end()) return known->second;
-  table_.look_up(step_, state, layer.action, layer.before, layer.now, layer.moves, moves_);
-  auto made = std::make_shared<Extensions>(context.evidence, moves_);
-  if (!table_.timed()) context.steps.try_emplace(std::move(key), made);
-  if (!layer.factors.gains.empty()) made->tighten();
-  return made;
+  if (const auto known = context.steps.find(key); known != context.steps.end()) {
+    node.steps = known->second.steps;
+    node.scale = known->second.scale;
+    return;
+  }
+  table_.look_up(step_, state.modes, state.clock_starts, layer.action, layer.before, layer.now, layer.moves, moves_);
+  node.steps = std::make_shared<Extensions>(context.evidence, moves_);
+  const auto share = possible_.of(state.modes, [&](std::size_t c) { return moves_[c]->moves(); });
+  node.scale = share.exact && share.value > 0 ? -std::log(share.value) : 0;
+  if (table_.timed().empty()) context.steps.try_emplace(std::move(key), Context::Known{node.steps, node.scale});
+  if (!layer.factors.gains.empty()) node.steps->tighten();
 }
 
 /// What the steps of a node can be worth at most, by where they take the components that may gain later.
@@ -263,7 +288,7 @@ void WindowSearch::limit(Node& node, std::size_t updates, const WindowProspects&
     const std::vector<double>& gain = contested.gain[updates];
     std::vector<std::pair<double, double>> next;
     const double likeliest = greatest(contested.component);
-    double all = never;
+    double all = log_of_zero;
     for (const OptimalSearch::PricedValue& choice : steps.choices(contested.component)) {
       const double share = steps.promise(contested.component, automata::ModeId(choice.value));
       all = std::max(all, gain[choice.value]);
@@ -283,10 +308,10 @@ void WindowSearch::limit(Node& node, std::size_t updates, const WindowProspects&
 /// Of the step at `place` and all that come later, with what is to come behind them.
 double WindowSearch::bound(const Node& node, std::size_t place) {
   const double left = node.steps->bound(place);
-  if (!(left > 0)) return never;
-  double result = never;
+  if (!(left > 0)) return log_of_zero;
+  double result = log_of_zero;
   for (const auto& [limit, gained] : node.limits) result = std::max(result, std::min(std::log(left), limit) + gained);
-  return result;
+  return result + node.scale;
 }
 
 void WindowSearch::follow(std::uint32_t path, std::uint32_t place, const WindowProspects& prospects) {
@@ -309,7 +334,7 @@ void WindowSearch::follow(std::uint32_t path, std::uint32_t place, const WindowP
     node.targets.push_back(number(behind, std::move(state)));
   }
   const std::uint32_t target = node.targets[place];
-  const double worth = own.worth + std::log(extension.prior) + std::log(extension.factor);
+  const double worth = own.worth + std::log(extension.prior) + std::log(extension.factor) + node.scale;
   push({target, path, own.updates + 1, worth}, worth + prospects.of(own.updates + 1, behind.nodes[target].state.modes));
   push({own.worth + bound(node, place + 1), path, place + 1});
 }
@@ -318,9 +343,11 @@ WindowSearch::Way WindowSearch::trace(std::uint32_t path) const {
   Way way;
   for (; paths_[path].updates > 0; path = paths_[path].parent) {
     way.modes.push_back(layers_[paths_[path].updates].nodes[paths_[path].node].state.modes);
+    way.worths.push_back(paths_[path].worth);
   }
   way.from = paths_[path].parent;
   std::reverse(way.modes.begin(), way.modes.end());
+  std::reverse(way.worths.begin(), way.worths.end());
   return way;
 }
 

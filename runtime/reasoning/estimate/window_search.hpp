@@ -24,18 +24,19 @@
 #include "runtime/reasoning/estimate/component_moves.hpp"
 #include "runtime/reasoning/estimate/extensions.hpp"
 #include "runtime/reasoning/estimate/open_readings.hpp"
+#include "runtime/reasoning/estimate/possible_share.hpp"
+#include "runtime/reasoning/estimate/reading.hpp"
+#include "runtime/reasoning/estimate/set_aside.hpp"
 #include "runtime/reasoning/estimate/window_prospects.hpp"
 
 namespace rmpl::runtime {
-
-/// How an update counts: with its readings; without them; or no state goes on, and every one stays as it was.
-enum class Reading : std::uint8_t { seen, unseen, stands };
 
 class WindowSearch {
  public:
   /// A way: where in the belief it set out, and the modes after each update.
   struct Way {
-    double probability = 0;  ///< normalised over those that were found
+    double probability = 0;      ///< normalised over those that were found
+    std::vector<double> worths;  ///< after each update: the logarithm of what the way is worth until then
     std::size_t from = 0;
     std::vector<automata::Modes> modes;
   };
@@ -53,8 +54,10 @@ class WindowSearch {
            automata::Ticks now, const automata::Modes& likely);
   void drop_first();
 
-  /// The `k` best ways from the belief through all updates, each of which counts as `readings` says.
-  Result best(const Belief& from, const std::vector<Reading>& readings, std::size_t k);
+  /// The `k` best ways from the belief through all updates, each of which counts as `counted` says.
+  Result best(const Belief& from, const std::vector<Counted>& counted, std::size_t k);
+  /// After a dead end: takes in what the states that the last search came to before an update may become after it.
+  void add_targets(std::size_t update, StepTargets& targets);
 
  private:
   /// What one observation says, and what the states lead to under it, where no clock matters.
@@ -63,8 +66,9 @@ class WindowSearch {
   struct Node {
     automata::SystemState state;  ///< clocks that nothing asks for are 0
     std::shared_ptr<Extensions> steps;
-    std::optional<double> most;                     ///< what its steps are worth at most
-    std::vector<std::uint32_t> targets;             ///< by extension: nodes of the layer behind
+    double scale = 0;                    ///< logarithm of what its steps are worth more, as some cannot happen
+    std::optional<double> most;          ///< what its steps are worth at most
+    std::vector<std::uint32_t> targets;  ///< by extension: nodes of the layer behind
     std::vector<std::pair<double, double>> limits;  ///< of one search: at most, and what may be gained behind
     std::size_t visits = 0;                         ///< likewise
     std::size_t search = 0;                         ///< which one
@@ -77,7 +81,7 @@ class WindowSearch {
     automata::Observation observation;
     automata::Ticks before, now;
     automata::Modes likely;  ///< after it
-    Reading reading = Reading::seen;
+    Counted counted;
     std::shared_ptr<Context> context;
     NearbyFactors factors;
     MoveTable::Passing moves;
@@ -105,7 +109,7 @@ class WindowSearch {
   static void forget(Layer& layer);
   static std::uint32_t number(Layer& layer, automata::SystemState state);
   std::shared_ptr<Context> context(const automata::Observation& observation);
-  void take(const std::vector<Reading>& readings);
+  void take(const std::vector<Counted>& counted);
   static void look_at_factors(Layer& layer);
   [[nodiscard]] WindowProspects look_ahead() const;
   void begin(const Belief& from, const WindowProspects& prospects);
@@ -114,7 +118,7 @@ class WindowSearch {
   Node& node_of(const Path& path) { return layers_[path.updates].nodes[path.node]; }
   std::size_t visit(Node& node) const;
   void open_steps(std::uint32_t path, const WindowProspects& prospects);
-  std::shared_ptr<Extensions> steps(Layer& layer, const automata::SystemState& state);
+  void find_steps(Layer& layer, Node& node);
   static void limit(Node& node, std::size_t updates, const WindowProspects& prospects);
   static double bound(const Node& node, std::size_t place);
   void follow(std::uint32_t path, std::uint32_t place, const WindowProspects& prospects);
@@ -122,6 +126,7 @@ class WindowSearch {
   void learn(const Way& best);
 
   automata::PlantStep& step_;
+  PossibleShare possible_;
   const Clocks clocks_;
   MoveTable table_;
   MoveTable::Moves moves_;

@@ -10,7 +10,7 @@ std::vector<Evidence> Explainer::evidence_of_new(const automata::Modes& before, 
                                                  const automata::Observation& observation) {
   std::vector<Evidence> result;
   const Estimate& estimate = estimator.estimate();
-  if (!estimate.consistent || !estimator.tells_rivals()) return result;
+  if (!estimate.follows || !estimator.tells_rivals()) return result;
   for (std::size_t c = 0; c < before.size(); ++c) {
     const automata::ComponentId component(c);
     const automata::ModeId mode = estimate.modes[c];

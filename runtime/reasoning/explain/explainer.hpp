@@ -18,7 +18,7 @@ class Explainer {
 
   /// For each component that the last update of `estimator`, by `observation`, newly puts into a fault mode: not the
   /// one that it had in `before`, the estimate until then, which may be empty. In order of components; nothing where no
-  /// state explains the observation.
+  /// state follows. `observation`: without what was set aside.
   std::vector<Evidence> evidence_of_new(const automata::Modes& before, const Estimator& estimator,
                                         const automata::Observation& observation);
 

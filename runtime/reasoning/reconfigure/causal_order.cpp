@@ -3,8 +3,11 @@
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <queue>
 #include <unordered_map>
+
+#include "base/strong_components.hpp"
 
 namespace rmpl::runtime {
 
@@ -14,62 +17,11 @@ namespace {
 
 using Upstream = std::vector<std::vector<std::size_t>>;
 
-/// Tarjan's strongly connected components, with a stack of its own: plants may be deep.
-class Cycles {
- public:
-  explicit Cycles(const Upstream& upstream)
-      : number(upstream.size(), none), upstream_(upstream), index_(upstream.size(), none), low_(upstream.size()) {
-    for (std::size_t c = 0; c < upstream.size(); ++c) {
-      if (index_[c] == none) visit(c);
-    }
-  }
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> number;  ///< per component, of its strongly connected component
-  std::size_t count = 0;
-
- private:
-  void visit(std::size_t root) {
-    struct Frame {
-      std::size_t component;
-      std::size_t edge;
-    };
-    std::vector<Frame> frames;
-    const auto enter = [&](std::size_t c) {
-      index_[c] = low_[c] = visited_++;
-      open_.push_back(c);
-      frames.push_back({c, 0});
-    };
-    enter(root);
-    while (!frames.empty()) {
-      const std::size_t c = frames.back().component;
-      if (frames.back().edge < upstream_[c].size()) {
-        const std::size_t u = upstream_[c][frames.back().edge++];
-        if (index_[u] == none) {
-          enter(u);
-        } else if (number[u] == none) {
-          low_[c] = std::min(low_[c], index_[u]);
-        }
-        continue;
-      }
-      frames.pop_back();
-      if (!frames.empty()) low_[frames.back().component] = std::min(low_[frames.back().component], low_[c]);
-      if (low_[c] == index_[c]) close(c);
-    }
-  }
-  void close(std::size_t root) {
-    std::size_t member = none;
-    while (member != root) {
-      member = open_.back();
-      open_.pop_back();
-      number[member] = count;
-    }
-    ++count;
-  }
-
-  const Upstream& upstream_;
-  std::vector<std::size_t> index_, low_, open_;
-  std::size_t visited_ = 0;
-};
+base::StrongComponents cycles_of(const Upstream& upstream) {
+  return base::strong_components(upstream.size(), [&](std::size_t c, std::size_t i) {
+    return i < upstream[c].size() ? std::optional(upstream[c][i]) : std::nullopt;
+  });
+}
 
 /// The edges of the causal graph, without those that only preconditions need which another one of the same transition
 /// makes superfluous: a mode that lets a cause be concluded from its effect (one engine burns, so there is pressure for
@@ -106,7 +58,7 @@ class CausalGraph {
   }
 
   /// Whether anything was taken away.
-  bool cut(const Cycles& cycles) {
+  bool cut(const base::StrongComponents& cycles) {
     bool any = false;
     for (std::size_t c = 0; c < ways_.size(); ++c) {
       const auto circular = [&](const std::vector<std::size_t>& way) {
@@ -125,17 +77,16 @@ class CausalGraph {
 
 }  // namespace
 
-CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph)
-    : rank_(plant.components.size()), in_cycle_(plant.components.size()) {
+CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph) : rank_(plant.components.size()) {
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     component_of_.emplace(plant.components[c].mode, ComponentId(c));
   }
   CausalGraph causal(plant, graph);
-  while (causal.cut(Cycles(causal.upstream()))) {
+  while (causal.cut(cycles_of(causal.upstream()))) {
   }
   upstream_ = causal.upstream();
   const Upstream& upstream = upstream_;
-  const Cycles cycles(upstream);
+  const base::StrongComponents cycles = cycles_of(upstream);
   std::vector<std::vector<std::size_t>> members(cycles.count);
   for (std::size_t c = 0; c < upstream.size(); ++c) members[cycles.number[c]].push_back(c);
 
@@ -144,7 +95,6 @@ CausalOrder::CausalOrder(const automata::Plant& plant, const NominalGraph& graph
   for (std::size_t c = 0; c < upstream.size(); ++c) {
     for (const std::size_t u : upstream[c]) {
       if (cycles.number[u] != cycles.number[c]) ++waits_for[cycles.number[u]];
-      in_cycle_[c] = in_cycle_[c] || cycles.number[u] == cycles.number[c];
     }
   }
   const auto declared_later = [&](std::size_t a, std::size_t b) { return members[a].front() > members[b].front(); };

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
 
 namespace rmpl::runtime {
 
@@ -20,8 +20,6 @@ class CausalOrder {
   [[nodiscard]] const std::vector<automata::ComponentId>& downstream_first() const { return order_; }
   /// The place of a component in that order, from 0.
   [[nodiscard]] std::size_t rank(automata::ComponentId component) const { return rank_[component.index()]; }
-  /// Whether the component is upstream of itself, through others or directly.
-  [[nodiscard]] bool in_cycle(automata::ComponentId component) const { return in_cycle_[component.index()]; }
 
   /// Whether all that the precondition requires counts as upstream of the component.
   [[nodiscard]] bool goes_upstream(automata::ComponentId component, const Precondition& precondition) const;
@@ -31,7 +29,6 @@ class CausalOrder {
   std::vector<std::vector<std::size_t>> upstream_;  ///< per component, those directly upstream, ascending
   std::vector<automata::ComponentId> order_;
   std::vector<std::size_t> rank_;
-  std::vector<bool> in_cycle_;
 };
 
 }  // namespace rmpl::runtime

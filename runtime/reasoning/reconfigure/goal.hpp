@@ -9,7 +9,7 @@
 #include "automata/logic/formula.hpp"
 #include "automata/logic/theory.hpp"
 #include "automata/plant.hpp"
-#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
 
 namespace rmpl::runtime {
 
@@ -24,11 +24,6 @@ class Goal {
   /// Whether the conjuncts over a component's mode alone permit this mode.
   [[nodiscard]] bool permits(automata::ComponentId component, automata::ModeId mode) const {
     return permitted_[component.index()][mode.index()];
-  }
-  /// Whether they leave some mode of it out.
-  [[nodiscard]] bool restricts(automata::ComponentId component) const {
-    const auto& permitted = permitted_[component.index()];
-    return std::find(permitted.begin(), permitted.end(), false) != permitted.end();
   }
   /// What modes alone do not decide, and its negation; nothing where they decide all.
   struct Rest {

@@ -40,7 +40,7 @@ std::string dead_guard(automata::PlantStep& step, ComponentId component, ModeId 
 }  // namespace
 
 /// Goes upstream as long as it is another component that bars the way: the last one is to blame.
-Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Prospects& prospects, ComponentId component,
+Impasse GoalInterpreter::out_of_reach(const Modes& modes, const ReachableModes& reach, ComponentId component,
                                       std::vector<bool> asked) {
   const Plant& plant = step_.plant();
   const auto name = [&](ComponentId c, ModeId m) { return "'" + plant[c].modes[m.index()].name + "'"; };
@@ -62,7 +62,7 @@ Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Prospects& prosp
       why.obstacle = Reason::Obstacle::excluded;
       return {component, "the goal permits no mode of '" + plant[component].name + "'", why};
     }
-    const Prospects::Barrier barrier = prospects.barrier(component, asked);
+    const ReachableModes::Barrier barrier = reach.barrier(component, asked);
     const auto* const t = barrier.transition;
     if (t != nullptr && barrier.requirement == nullptr) {
       why.obstacle = Reason::Obstacle::forbidden;
@@ -70,7 +70,7 @@ Impasse GoalInterpreter::out_of_reach(const Modes& modes, const Prospects& prosp
       return {component,
               "it takes '" + plant[component].name + "' from " + name(component, t->from) + " to " +
                   name(component, t->to) + purpose +
-                  ", which cannot be undone, and the goal names no mode that this leads to",
+                  ", which is irreversible, and the goal does not name the mode that it leads to",
               why};
     }
     const auto upstream = t == nullptr ? std::nullopt : graph_.component_of(*barrier.requirement);
@@ -105,19 +105,19 @@ Reason excluded_reason() {
 
 /// Why a component does not come to the mode, or one of those, that would by itself imply the goal; nothing where there
 /// is no such component.
-std::optional<Impasse> GoalInterpreter::barred_mode(const Modes& modes, const Goal& goal, const Prospects& prospects) {
+std::optional<Impasse> GoalInterpreter::barred_mode(const Modes& modes, const Goal& goal, const ReachableModes& reach) {
   if (!goal.rest()) return std::nullopt;
   Theory& theory = step_.theory();
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const Component& component = step_.plant().components[c];
     std::vector<bool> asked(component.modes.size(), false);
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      if (component.modes[m].fault || prospects.steps(ComponentId(c), ModeId(m))) continue;
+      if (component.modes[m].fault || reach.contains(ComponentId(c), ModeId(m))) continue;
       const std::array in{Assignment{component.mode, ValueId(m)}};
       asked[m] = theory.allows(in, goal.rest()->holds) && !theory.allows(in, goal.rest()->fails);
     }
     if (std::find(asked.begin(), asked.end(), true) == asked.end()) continue;
-    Impasse barred = out_of_reach(modes, prospects, ComponentId(c), std::move(asked));
+    Impasse barred = out_of_reach(modes, reach, ComponentId(c), std::move(asked));
     barred.reason = "no state that can be reached implies the goal: " + barred.reason;
     return barred;
   }
@@ -126,7 +126,7 @@ std::optional<Impasse> GoalInterpreter::barred_mode(const Modes& modes, const Go
 
 /// The most telling of: a component that cannot reach what the goal asks of it; modes that are the only ones left and
 /// exclude each other or the goal.
-Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Prospects& prospects) {
+Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const ReachableModes& reach) {
   const Plant& plant = step_.plant();
   std::vector<Assignment> forced;
   for (std::size_t c = 0; c < modes.size(); ++c) {
@@ -135,30 +135,30 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Pro
     std::vector<bool> asked(component.modes.size());
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       asked[m] = goal.permits(ComponentId(c), ModeId(m));
-      if (asked[m] && prospects.steps(ComponentId(c), ModeId(m))) left.emplace_back(m);
+      if (asked[m] && reach.contains(ComponentId(c), ModeId(m))) left.emplace_back(m);
     }
-    if (left.empty()) return out_of_reach(modes, prospects, ComponentId(c), std::move(asked));
+    if (left.empty()) return out_of_reach(modes, reach, ComponentId(c), std::move(asked));
     if (left.size() == 1) forced.push_back({component.mode, ValueId(left.front().index())});
   }
   const auto& rest = goal.rest();
   Theory& theory = step_.theory();
   const bool excluded = rest ? !theory.allows(forced, rest->holds) : !theory.consistent(forced);
   if (!excluded) {
-    if (auto barred = barred_mode(modes, goal, prospects)) return *std::move(barred);
+    if (auto barred = barred_mode(modes, goal, reach)) return *std::move(barred);
     return {std::nullopt, "no state that can be reached implies the goal", excluded_reason()};
   }
 
   if (theory.conflict().empty())
-    return {std::nullopt, "nothing that the plant can be in implies the goal", excluded_reason()};
+    return {std::nullopt, "no possible state of the plant implies the goal", excluded_reason()};
 
   // What would permit more is a step that must not be taken, where there is one.
   for (const Assignment& a : std::vector<Assignment>(theory.conflict())) {
     const ComponentId c = *plant.component_of(a.variable);
     std::vector<bool> others(plant[c].modes.size(), true);
     others[modes[c.index()].index()] = false;
-    const Prospects::Barrier barrier = prospects.barrier(c, others);
+    const ReachableModes::Barrier barrier = reach.barrier(c, others);
     if (barrier.transition == nullptr || barrier.requirement != nullptr) continue;
-    Impasse forbidden = out_of_reach(modes, prospects, c, std::move(others));
+    Impasse forbidden = out_of_reach(modes, reach, c, std::move(others));
     forbidden.reason = "no state that can be reached implies the goal: " + forbidden.reason;
     return forbidden;
   }

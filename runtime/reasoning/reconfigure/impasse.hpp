@@ -6,15 +6,20 @@
 #include <string>
 
 #include "automata/logic/ids.hpp"
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/reconfigure/reason.hpp"
+#include "runtime/reasoning/reconfigure/reconfigurer.hpp"
 
 namespace rmpl::runtime {
 
 struct Impasse {
   std::optional<automata::ComponentId> component;  ///< to blame, where there is one
   std::string reason;
-  Reason why = {};                                             ///< obstacle, component, aim and step
-  std::optional<automata::ComponentId> serves = std::nullopt;  ///< the one on whose way it lies, where that is known
+  Reason why = {};  ///< obstacle, component, aim and step
 };
+
+/// *No plan*, and what the executive rests with.
+Reconfiguration no_plan(automata::PlantStep& step, const automata::Modes& modes, Impasse impasse);
 
 }  // namespace rmpl::runtime

@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/product.hpp"
+#include "runtime/reasoning/nominal/idling.hpp"
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
+#include "runtime/reasoning/nominal/precondition_finder.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
-#include "runtime/reasoning/reconfigure/idling.hpp"
-#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
-#include "runtime/reasoning/reconfigure/precondition_finder.hpp"
 #include "runtime/reasoning/reconfigure/recent_goals.hpp"
 
 namespace rmpl::runtime {
@@ -53,11 +54,12 @@ class OneStepReconfigurer final : public Reconfigurer {
   }
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override {
-    return next_of_all(std::span(&modes, 1), goal);
+    return next_of_all(std::span(&modes, 1), goal, {});
   }
   [[nodiscard]] bool looks_at_all() const override { return true; }
 
-  Reconfiguration next_of_all(std::span<const Modes> tracked, const Formula& formula) override {
+  Reconfiguration next_of_all(std::span<const Modes> tracked, const Formula& formula,
+                              const StrategyPosition& /*position*/) override {
     if (formula.is_true()) return at_rest(step_, tracked.front());
     Reconfiguration answer;
     answer.action = resting_action(step_, tracked.front());
@@ -131,7 +133,7 @@ class OneStepReconfigurer final : public Reconfigurer {
           return refusal(std::move(answer),
                          "no control action that may be taken achieves the goal in one step; the cheapest takes '" +
                              component.name + "' to '" + component.modes[t->to.index()].name +
-                             "', which cannot be undone, and the goal does not name it");
+                             "', which is irreversible, and the goal does not name it");
         }
       }
     }
@@ -222,8 +224,7 @@ class OneStepReconfigurer final : public Reconfigurer {
       const bool good = std::all_of(targets.begin(), targets.end(), [&](ModeId m) { return goal.permits(id, m); });
       if (!good) return felt(id, modes[c], std::nullopt, action);
     }
-    Modes next(modes.size());
-    return every_way(choices, 0, next, goal, successor) && successor ? std::nullopt : std::optional(whole(action));
+    return every_way(choices, goal, successor) && successor ? std::nullopt : std::optional(whole(action));
   }
 
   /// A step that cannot be undone, is none of those that the goal names, and is due to the action; or null.
@@ -239,19 +240,23 @@ class OneStepReconfigurer final : public Reconfigurer {
 
   /// Whether the goal, which permits each choice, is entailed in each possible combination of them. Where it asks for
   /// modes alone it is, and the first combination is enough.
-  bool every_way(const std::vector<std::vector<ModeId>>& choices, std::size_t c, Modes& next, const Goal& goal,
-                 std::optional<Modes>& first) {
-    if (c == choices.size()) {
-      if (!step_.possible(next)) return true;
-      if (!first) first = next;
-      return !goal.rest() || step_.theory().entails(assignments_of(plant_, next), goal.rest()->holds);
-    }
-    for (const ModeId mode : choices[c]) {
-      if (!goal.rest() && first) return true;
-      next[c] = mode;
-      if (!every_way(choices, c + 1, next, goal, first)) return false;
-    }
-    return true;
+  bool every_way(const std::vector<std::vector<ModeId>>& choices, const Goal& goal, std::optional<Modes>& first) {
+    Modes next(choices.size());
+    bool every = true;
+    base::multiply_out(
+        choices,
+        [&](std::size_t c, std::size_t i) {
+          next[c] = choices[c][i];
+          return true;
+        },
+        [](std::size_t, std::size_t) {},
+        [&] {
+          if (!step_.possible(next)) return false;
+          if (!first) first = next;
+          every = !goal.rest() || step_.theory().entails(assignments_of(plant_, next), goal.rest()->holds);
+          return !every || !goal.rest();
+        });
+    return every;
   }
 
   automata::PlantStep& step_;

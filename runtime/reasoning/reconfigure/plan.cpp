@@ -3,7 +3,7 @@
 #include "runtime/reasoning/reconfigure/plan.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <set>
 #include <utility>
 
 #include "base/check.hpp"
@@ -40,10 +40,14 @@ Plan make_plan(const automata::Plant& plant, Reconfigurer& reconfigurer, const M
                const automata::Formula& goal) {
   Plan plan;
   Modes current = modes;
-  std::unordered_set<Modes, automata::ModesHash> seen;
+  StrategyPosition position;
+  std::set<std::pair<Modes, StrategyPosition>> seen;
   std::optional<std::size_t> achieved;  // after so many commands the goal is entailed
-  while (seen.insert(current).second) {
-    Reconfiguration answer = reconfigurer.next(current, goal);
+  while (seen.emplace(current, position).second) {
+    Reconfiguration answer = reconfigurer.go_on(current, goal, position);
+    plan.sure = plan.sure && answer.sure;
+    plan.bounds_counted = plan.bounds_counted && answer.bounds_counted;
+    plan.proved_best = plan.proved_best && answer.why.proved_best;
     if (answer.why.purpose != Reason::Purpose::goal) achieved = plan.commands.size();
     switch (answer.outcome) {
       case Reconfiguration::Outcome::nothing_to_do:
@@ -71,6 +75,7 @@ Plan make_plan(const automata::Plant& plant, Reconfigurer& reconfigurer, const M
         }
         plan.states.push_back(current);
         plan.commands.push_back(std::move(answer.action));
+        position = position_after(answer, *answer.expected);
         current = std::move(*answer.expected);
         break;
     }
@@ -91,6 +96,7 @@ Plan make_plan(const automata::Plant& plant, Reconfigurer& reconfigurer, const M
 Plan make_one_step_plan(Reconfigurer& reconfigurer, const Modes& modes, const automata::Formula& goal) {
   Reconfiguration answer = reconfigurer.next(modes, goal);
   Plan plan;
+  plan.sure = plan.bounds_counted = false;
   switch (answer.outcome) {
     case Reconfiguration::Outcome::nothing_to_do:
       plan.goal_state = modes;

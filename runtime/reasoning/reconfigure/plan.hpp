@@ -22,6 +22,9 @@ struct Plan {
   std::optional<automata::ComponentId> component;  ///< with `no_plan`: the one to blame, where there is one
   std::string reason;                              ///< with `no_plan`: in words
   Reason why;                                      ///< with `no_plan`: as data
+  bool sure = true;                                ///< of all answers: what may come meanwhile is provided for
+  bool bounds_counted = true;                      ///< of all answers
+  bool proved_best = true;                         ///< of all answers
 };
 
 /// Asks `reconfigurer` again and again, from `modes` on, moving to the state that each answer expects. A wait is one

@@ -6,14 +6,29 @@
 #include <set>
 #include <utility>
 
-#include "runtime/reasoning/reconfigure/aftermath.hpp"
-
 namespace rmpl::runtime {
 
 using automata::ComponentId;
 using automata::TransitionId;
 
 namespace {
+
+/// Where untimed transitions of these components lead with all controls idle, one step after the other, each component
+/// taking the first that is enabled: where they rest, or the model tolerates no more. Up to 16 steps.
+automata::Modes rested(automata::Modes modes, const std::vector<ComponentId>& components, automata::PlantStep& step) {
+  constexpr std::size_t most_steps = 16;
+  const automata::ControlAction idle = idle_action(step.plant());
+  for (std::size_t steps = 0; steps < most_steps && step.permits(modes, idle); ++steps) {
+    automata::Modes next = modes;
+    for (const ComponentId c : components) {
+      const automata::Enabled& enabled = step.enabled(c, modes, idle);
+      if (!enabled.untimed.empty()) next[c.index()] = step.plant()[c].transitions[enabled.untimed.front().index()].to;
+    }
+    if (next == modes || !step.possible(next)) break;
+    modes = std::move(next);
+  }
+  return modes;
+}
 
 /// The transitions by which a component may have gone on in a step of the plan.
 std::vector<const automata::Transition*> taken(const Plan& plan, std::size_t step, const automata::Component& component,
@@ -133,8 +148,7 @@ class Replay {
  private:
   /// From a state in place of the plan's, with all that it brings about at once.
   bool arrives(std::size_t from, const automata::Modes& there) {
-    const std::vector<Consequence> after = aftermath(there, all_, step_);
-    modes_ = after.empty() ? there : after.back().modes;
+    modes_ = rested(there, all_, step_);
     for (std::size_t i = from; i < plan_.commands.size(); ++i) {
       if (!goes_on(i)) return false;
     }

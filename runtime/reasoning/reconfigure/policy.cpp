@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "runtime/reasoning/reconfigure/least_ways.hpp"
-
 namespace rmpl::runtime {
 
 using automata::ComponentId;
@@ -20,8 +18,18 @@ Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t mo
         return std::nullopt;
       return Distance{NominalGraph::harmless(t) ? 0u : 1u, 1u};
     };
-    const auto ways = least_ways<Distance>(transitions, modes, ModeId(target), cost_of);
-    for (std::size_t m = 0; m < modes; ++m) row[m].distance = ways[m].cost;
+    row[target].distance = Distance{};
+    for (bool less = true; less;) {
+      less = false;
+      for (const NominalTransition& t : transitions) {
+        const auto& rest = row[t.to.index()].distance;
+        const auto own = rest ? cost_of(t) : std::nullopt;
+        auto& here = row[t.from.index()].distance;
+        if (!own || (here && *here <= *own + *rest)) continue;
+        here = *own + *rest;
+        less = true;
+      }
+    }
     const auto through = [&](const NominalTransition& t) -> std::optional<Distance> {
       const auto& rest = row[t.to.index()].distance;
       const auto own = cost_of(t);
@@ -34,31 +42,6 @@ Policy::Policy(const std::vector<NominalTransition>& transitions, std::size_t mo
       if (at.next == nullptr || sooner) at.next = &t;
     }
   }
-}
-
-Policies::Policies(const automata::Plant& plant, const NominalGraph& graph)
-    : graph_(graph), policies_(plant.components.size()), latest_(plant.components.size()) {
-  Permitted::Steps harmless(plant.components.size());
-  for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    modes_.push_back(plant.components[c].modes.size());
-    for (const NominalTransition& t : graph.transitions(ComponentId(c))) {
-      harmless[c].push_back(NominalGraph::harmless(t));
-    }
-    of(ComponentId(c), harmless[c]);
-  }
-}
-
-const Policy& Policies::of(ComponentId component, const std::vector<bool>& permitted) {
-  auto& known = policies_[component.index()];
-  // Most components have no step to forbid, and are asked for again and again.
-  auto& latest = latest_[component.index()];
-  if (latest != nullptr && latest->first == permitted) return latest->second;
-  const auto at = known.find(permitted);
-  latest = at != known.end()
-               ? &*at
-               : &*known.emplace(permitted, Policy(graph_.transitions(component), modes_[component.index()], permitted))
-                       .first;
-  return latest->second;
 }
 
 PolicyTable policy_table(const automata::Plant& plant, ComponentId component) {

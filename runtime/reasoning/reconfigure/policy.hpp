@@ -4,12 +4,10 @@
 
 #include <compare>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
 
 namespace rmpl::runtime {
 
@@ -48,26 +46,6 @@ class Policy {
 
   std::size_t modes_;
   std::vector<Cell> cells_;
-};
-
-/// The policies of all components. Those that permit no irreversible step are computed at construction, others when
-/// they are first asked for.
-class Policies {
- public:
-  Policies(const automata::Plant& plant, const NominalGraph& graph);
-
-  const Policy& of(automata::ComponentId component, const Permitted& permitted) {
-    return of(component, permitted.on_ways[component.index()]);
-  }
-
- private:
-  const Policy& of(automata::ComponentId component, const std::vector<bool>& permitted);
-
-  const NominalGraph& graph_;
-  std::vector<std::size_t> modes_;  ///< per component, how many
-  using ByPermitted = std::map<std::vector<bool>, Policy>;
-  std::vector<ByPermitted> policies_;                   ///< per component, by what is permitted
-  std::vector<const ByPermitted::value_type*> latest_;  ///< per component, the one that was asked for last
 };
 
 /// One entry of a policy table.

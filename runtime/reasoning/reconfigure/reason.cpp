@@ -62,7 +62,8 @@ automata::Origin origin_of(const Plant& plant, const Reason& reason) {
 
 std::string to_text(const Reason& reason, const Plant& plant, const automata::Formula& goal) {
   std::string text = purpose(reason, plant, goal);
-  if (text.empty() || (!reason.step && !reason.component)) return text;
+  const char* const unproved = reason.proved_best ? "" : "; not proved best";
+  if (text.empty() || (!reason.step && !reason.component)) return text + unproved;
   if (reason.component && reason.aim &&
       (!reason.step || reason.step->component != *reason.component ||
        transition(plant, *reason.step).to != *reason.aim)) {
@@ -73,7 +74,7 @@ std::string to_text(const Reason& reason, const Plant& plant, const automata::Fo
     text += ": '" + plant[reason.step->component].name + "' from " + mode(plant, reason.step->component, t.from) +
             " to " + mode(plant, reason.step->component, t.to) + in_parentheses(t.origin);
   }
-  return text;
+  return text + unproved;
 }
 
 std::string remedy(const Reason& reason, const Plant& plant) {
@@ -103,7 +104,7 @@ std::string remedy(const Reason& reason, const Plant& plant) {
     case Reason::Obstacle::unsupported:
       return "a control or a mode that brings its guard about would permit it";
     case Reason::Obstacle::side_effect:
-      return "a command that does this alone would permit it";
+      return "a command that causes only this would permit it";
   }
   return "";
 }

@@ -47,6 +47,8 @@ struct Reason {
   /// The next step of that way, of `component` or of one that it depends on: what the command brings about, what is
   /// waited for, or what is barred.
   std::optional<TransitionOf> step = std::nullopt;
+  /// Of a command or a wait: all others were looked at (semantics 5, "Groups").
+  bool proved_best = true;
   bool operator==(const Reason&) const = default;
 };
 

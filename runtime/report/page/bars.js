@@ -67,6 +67,63 @@ class Bars {
     pen.fillText(text, x, y + 0.5);
   }
 
+  /** A channel: each limit a line with what lies within shaded, and the samples as steps over them. */
+  drawCurve(row, top) {
+    const pen = this.pen, {low, high, edges, limits} = row.curve;
+    const left = this.labels, right = this.labels + this.width;
+    const y = (value) => top + row.height - 3 - ((Math.min(Math.max(value, low), high) - low) / (high - low)) * (row.height - 6);
+    pen.font = "10.5px " + this.color("font");
+    pen.textBaseline = "middle";
+    for (const {from, to, text, tone} of limits) {
+      const above = y(to ?? high), below = y(from ?? low);
+      pen.globalAlpha = 0.35;
+      pen.fillStyle = this.color(tone);
+      pen.fillRect(left, above, this.width, Math.max(below - above, 1));
+      pen.globalAlpha = 1;
+      if (below - above < 10) continue;
+      pen.fillStyle = this.color("quiet");
+      pen.fillText(text, right - pen.measureText(text).width - 6, (above + below) / 2);
+    }
+    pen.strokeStyle = this.color("quiet");
+    pen.setLineDash([4, 3]);
+    pen.beginPath();
+    for (const edge of edges) {
+      pen.moveTo(left, Math.round(y(edge)) + 0.5);
+      pen.lineTo(right, Math.round(y(edge)) + 0.5);
+    }
+    pen.stroke();
+    pen.setLineDash([]);
+    this.drawSamples(row, y);
+  }
+
+  drawSamples(row, y) {
+    const pen = this.pen;
+    const within = (time) => Math.min(Math.max(this.x(time), this.labels - 8), this.labels + this.width + 8);
+    pen.strokeStyle = this.color("ink");
+    pen.fillStyle = pen.strokeStyle;
+    pen.lineWidth = 1.6;
+    pen.beginPath();
+    let open = false, dots = [];
+    for (const span of row.spans) {
+      if (typeof span.value !== "number") open = false;
+      if (typeof span.value !== "number" || span.to < this.state.view.from || span.from > this.state.view.to) continue;
+      const start = within(span.from), high = y(span.value);
+      if (open) pen.lineTo(start, high);
+      else pen.moveTo(start, high);
+      pen.lineTo(within(span.to), high);
+      open = true;
+      dots.push([start, high]);
+    }
+    pen.stroke();
+    pen.lineWidth = 1;
+    if (dots.length * 6 > this.width) return;  // too dense to be told apart
+    for (const [x, at] of dots) {
+      pen.beginPath();
+      pen.arc(x, at, 2.2, 0, 7);
+      pen.fill();
+    }
+  }
+
   /** The truth as a thin line below the estimate: bright where they differ. */
   drawTruth(row, y) {
     const pen = this.pen;

@@ -50,8 +50,11 @@ function flightOf(index) {
     belief: tracks(raw.belief),
     commands: tracks(raw.commands),
     readings: tracks(raw.readings),
+    channels: (raw.channels ?? []).map((channel) => ({...channel, samples: new Track(channel.samples)})),
     marking: new Track(raw.marking),
     goals: new Track(raw.goals),
+    constraints: new Track(raw.constraints),  // what goals ask besides modes: text, location
+    setAside: new Track(raw.setAside),        // readings that did not count
     why: new Track(raw.why),
   };
   flight.modes = flight.estimate.length ? flight.estimate : flight.truth;  // what a component's row is about

@@ -12,6 +12,7 @@ function eventsOf(flight) {
   const add = (time, kind, text, component = -1, nominal = false) =>
     events.push({time, kind, text, component, severe: isSevere({kind, nominal}), order: events.length});
   addGoals(flight, add);
+  addConstraints(flight, add);
   addCommands(flight, add);
   const told = new Set();  // diagnoses that come with their evidence
   for (const event of flight.events) {
@@ -49,6 +50,20 @@ function addGoals(flight, add) {
       add(flight.goals.times[i], "goal", "+ " + text(goal) + (place ? " (" + place + ")" : ""), goal[0]);
     }
     before = goals;
+  });
+}
+
+function addConstraints(flight, add) {
+  let before = [];
+  flight.constraints.values.forEach((constraints, i) => {
+    const has = (list, text) => list.some(([other]) => other === text);
+    for (const [text] of before) if (!has(constraints, text)) add(flight.constraints.times[i], "goal", "\u2212 " + text);
+    for (const [text, by] of constraints) {
+      if (has(before, text)) continue;
+      const place = placeOf(flight.model, by);
+      add(flight.constraints.times[i], "goal", "+ " + text + (place ? " (" + place + ")" : ""));
+    }
+    before = constraints;
   });
 }
 

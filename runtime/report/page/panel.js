@@ -67,11 +67,15 @@ class Panel {
   tellCursor() {
     const {flight, cursor, chosen} = this.state;
     const {model} = flight;
-    const section = (title, items) => make("div", "", make("h3", "", title), make("ul", "", ...items));
+    const section = (title, items) => make("div", "", make("h2", "", title), make("ul", "", ...items));
     const goals = (flight.goals.at(cursor) ?? []).map(([c, mode, by]) => {
       const place = placeOf(model, by);
       return make("li", "", model.components[c].name + " = " + model.components[c].modes[mode] + " ", place ? make("span", "place", place) : null);
     });
+    for (const [text, by] of flight.constraints.at(cursor) ?? []) {
+      const place = placeOf(model, by);
+      goals.push(make("li", "", text + " ", place ? make("span", "place", place) : null));
+    }
     const commands = flight.commands.map((track, i) => [model.controls[i], track.at(cursor)])
       .filter(([control, value]) => value !== undefined && value !== control.idle)
       .map(([control, value]) => make("li", "", control.name + " = " + control.values[value]));
@@ -130,12 +134,16 @@ class Panel {
     }
     const truth = flight.estimated ? flight.truth[c]?.at(cursor) : undefined;
     if (truth !== undefined) items.push(make("li", "quiet", "in truth " + component.modes[truth]));
+    for (const row of channelRows(flight, c)) {
+      const span = row.at(cursor);
+      if (span) items.push(make("li", "", "channel " + row.label + " says " + span.text));
+    }
     model.observables.forEach((variable, i) => {
       const value = flight.readings[i]?.at(cursor);
       if (ownerOf(model, variable.name) !== c || value === undefined) return;
       items.push(make("li", "", variable.name.slice(component.name.length + 1) + " reads " + (value < 0 ? "nothing" : variable.values[value])));
     });
-    return make("div", "", make("h3", "", component.name + " : " + component.type), make("ul", "", ...items));
+    return make("div", "", make("h2", "", component.name + " : " + component.type), make("ul", "", ...items));
   }
 }
 

@@ -39,7 +39,7 @@ function runsOf(spans) {
 
 class Row {
   constructor(label, spans, more = {}) {
-    Object.assign(this, {label, spans, component: -1, child: false, head: false, marks: null, under: null, children: [], open: false}, more);
+    Object.assign(this, {label, spans, component: -1, child: false, head: false, marks: null, under: null, children: [], open: false, curve: null}, more);
     this.runs = runsOf(spans);
   }
   at(time) {
@@ -110,11 +110,55 @@ function childrenOf(flight, c) {
   return rows;
 }
 
+/** What a sample of a channel says, with what is read then of its attributes. */
+function sampleText(flight, channel, value, time) {
+  const read = channel.attributes.map((i) => {
+    const at = flight.readings[i]?.at(time) ?? -1;
+    return at < 0 ? "no reading" : flight.model.observables[i].values[at];
+  });
+  return [String(value), ...read].join(" \u2013 ");
+}
+
+/** A channel of telemetry: its numbers as a line over the limits by which they are read, its texts as bars. */
+function channelRow(flight, channel, component) {
+  const {model} = flight;
+  const spans = spansOf(channel.samples, flight.end, (value, from) => ({text: sampleText(flight, channel, value, from), tone: "m3", value}));
+  const numbers = channel.samples.values.filter((value) => typeof value === "number");
+  if (numbers.length === 0) return new Row(channel.name, spans, {component});
+  const edges = channel.limits.flatMap(({from, to}) => [from, to]).filter((edge) => edge !== undefined);
+  const all = [...numbers, ...edges];
+  const least = all.reduce((a, b) => Math.min(a, b)), most = all.reduce((a, b) => Math.max(a, b));
+  const room = (most - least) * 0.15 || Math.abs(most) * 0.15 || 1;  // beyond the outermost limit
+  const limits = channel.limits.map(({attribute, value, from, to}) => ({from, to, text: model.observables[attribute].values[value], tone: "m" + (value % 8)}));
+  return new Row(channel.name, spans, {component, curve: {low: least - room, high: most + room, edges: [...new Set(edges)], limits}});
+}
+
+/** The channels that are about a component, or about none. */
+function channelRows(flight, component) {
+  const owners = (channel) => channel.attributes.map((i) => ownerOf(flight.model, flight.model.observables[i].name));
+  return flight.channels.filter((channel) => {
+    const own = owners(channel);
+    return component < 0 ? own.every((c) => c < 0) : own.find((c) => c >= 0) === component;
+  }).map((channel) => channelRow(flight, channel, component));
+}
+
 function goalsRow(flight) {
   const {model} = flight;
   return new Row("goals", spansOf(flight.goals, flight.end, (goals) => goals.length
     ? {text: goals.map(([c, mode]) => model.components[c].name + " = " + model.components[c].modes[mode]).join(", "), tone: "warn"}
     : null), {head: true});
+}
+
+/** What goals ask besides modes. */
+function constraintsRow(flight) {
+  return new Row("goals besides modes", spansOf(flight.constraints, flight.end, (constraints) => constraints.length
+    ? {text: constraints.map(([text]) => text).join(", "), tone: "warn"}
+    : null), {head: true});
+}
+
+/** Readings that nothing explained, and that did not count. */
+function setAsideRow(flight) {
+  return new Row("set aside", spansOf(flight.setAside, flight.end, (text) => (text ? {text, tone: "fault", title: text} : null)), {head: true});
 }
 
 function commandsRow(flight) {
@@ -136,17 +180,22 @@ function rowsOf(flight, events) {
     .map((e) => ({from: e.from, to: e.to, text: "", tone: "fault", share: 0.25, title: e.text}));
   const rows = [new Row("events and verdicts", spans, {head: true, marks})];
   if (flight.goals.length) rows.push(goalsRow(flight));
+  if (flight.constraints.values.some((constraints) => constraints.length)) rows.push(constraintsRow(flight));
   if (flight.commands.length) rows.push(commandsRow(flight));
+  if (flight.setAside.values.some((text) => text)) rows.push(setAsideRow(flight));
   const goalOf = new Set(flight.goals.values.flat().map(([c]) => c));
   const blamed = new Set(flight.events.map((e) => e.component));
   const quiet = [];
   model.components.forEach((component, c) => {
     const row = new Row(component.name, believedSpans(flight, c), {component: c, children: childrenOf(flight, c)});
     if (flight.estimated && flight.truth[c]) row.under = modeSpans(flight, flight.truth[c], c);
-    const moves = flight.modes[c].changes || flight.truth[c]?.changes || goalOf.has(c) || blamed.has(c) ||
+    const telemetry = channelRows(flight, c);
+    rows.push(...telemetry);  // above what is believed because of it
+    const moves = telemetry.length || flight.modes[c].changes || flight.truth[c]?.changes || goalOf.has(c) || blamed.has(c) ||
       row.children.some((child) => child.spans.some((span) => span.tone === "accent"));
     (moves ? rows : quiet).push(row);
   });
+  rows.push(...channelRows(flight, -1));
   const loose = [];
   model.controls.forEach((control, i) => {
     if (ownerOf(model, control.name) < 0 && flight.commands[i]) loose.push(variableRow(control.name, flight.commands[i], flight.end, control, control.idle));

@@ -1,6 +1,6 @@
 // The timeline: rows over one axis of time, drawn on a canvas of the size of what is seen.
 
-const rowHeight = 26, childHeight = 21;
+const rowHeight = 26, childHeight = 21, curveHeight = 64;
 
 class Timeline extends Bars {
   constructor(state) {
@@ -33,7 +33,7 @@ class Timeline extends Bars {
     let top = 0;
     this.rows.replaceChildren(...this.shown.map((row, i) => {
       row.top = top;
-      row.height = row.child ? childHeight : rowHeight;
+      row.height = row.curve ? curveHeight : row.child ? childHeight : rowHeight;
       const element = this.element(row, i);
       element.style.top = top + "px";
       element.style.height = row.height + "px";
@@ -287,7 +287,8 @@ class Timeline extends Bars {
     pen.globalAlpha = 1;
     for (const row of this.shown) {
       if (row.top + row.height < top || row.top > top + height) continue;
-      this.drawSpans(row, row.top - top);
+      if (row.curve) this.drawCurve(row, row.top - top);
+      else this.drawSpans(row, row.top - top);
       if (row.marks) this.drawMarks(row.marks, row.top - top + row.height / 2, height);
     }
     this.drawCursor(height);

@@ -64,6 +64,21 @@ TEST_F(Files, LongerThanTheLimitAreRefused) {
   limit_inputs(std::size_t{1} << 30);
 }
 
+TEST_F(Files, RegularOnesAreReadWithoutWaiting) {
+  const std::string text = make("text", "some text");
+  EXPECT_EQ(read_regular_file(text, 9), "some text");
+  EXPECT_THAT([&] { (void)read_regular_file(text, 8); },
+              ThrowsMessage<InputError>(HasSubstr("a text of more than 8 bytes")));
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const std::string& other : {path("pipe"), std::string("/dev/zero"), std::string("/dev/null")}) {
+    EXPECT_THAT([&] { (void)read_regular_file(other, 100); },
+                ThrowsMessage<InputError>(HasSubstr("is no regular file")));
+  }
+  EXPECT_THAT([&] { (void)read_regular_file(path(""), 100); }, ThrowsMessage<InputError>(HasSubstr("is a directory")));
+  fs::create_symlink(text, path("link"));
+  EXPECT_EQ(read_regular_file(path("link"), 100), "some text");
+}
+
 TEST_F(Files, AreReadWhole) {
   std::string big(200'000, 'x');
   big += std::string("\0\r\n", 3);

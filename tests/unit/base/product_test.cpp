@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace rmpl::base {
 namespace {
@@ -38,6 +39,36 @@ TEST(MultiplyOut, TheFirstListIsOutermost) {
 TEST(MultiplyOut, WhatIsRefusedIsLeftOut) {
   EXPECT_EQ(visited(99, "az2"), (std::vector<std::string>{"bx1", "by1"}));
   EXPECT_TRUE(visited(99, "12").empty());
+}
+
+TEST(MultiplyOut, WhatIsTakenIsPutBack) {
+  for (const std::size_t most : {std::size_t{3}, std::size_t{99}}) {
+    std::vector<std::pair<std::size_t, std::size_t>> taken;
+    std::size_t visits = 0;
+    const bool ended = multiply_out(
+        lists,
+        [&](std::size_t l, std::size_t i) {
+          EXPECT_EQ(taken.size(), l);
+          taken.emplace_back(l, i);
+          return true;
+        },
+        [&](std::size_t l, std::size_t i) {
+          EXPECT_EQ(taken.back(), std::pair(l, i));
+          taken.pop_back();
+        },
+        [&] { return ++visits == most; });
+    EXPECT_EQ(ended, most == 3);
+    EXPECT_TRUE(taken.empty());
+  }
+}
+
+TEST(MultiplyOut, ManyListsTakeNoStack) {
+  const std::vector<std::string> many(1'000'000, "a");
+  std::size_t taken = 0;
+  EXPECT_TRUE(multiply_out(
+      many, [&](std::size_t, std::size_t) { return ++taken > 0; }, [&](std::size_t, std::size_t) { --taken; },
+      [&] { return taken == many.size(); }));
+  EXPECT_EQ(taken, 0U);
 }
 
 TEST(MultiplyOut, OfNoListsThereIsOneWay) {

@@ -12,7 +12,7 @@ namespace {
 
 compiler::Options options_of(const Unit& unit) {
   compiler::Options options;
-  options.properties = true;
+  options.properties = options.monitors = true;
   options.types_suffice = options.entry_optional = unit.lone;
   return options;
 }

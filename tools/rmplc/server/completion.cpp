@@ -9,6 +9,7 @@
 #include "grammar/editor/expectation.hpp"
 #include "grammar/editor/tokens.hpp"
 #include "grammar/parse/parse.hpp"
+#include "grammar/parse/parse_monitors.hpp"
 #include "tools/rmplc/server/declaration.hpp"
 #include "tools/rmplc/server/features.hpp"
 #include "tools/rmplc/server/language.hpp"
@@ -52,6 +53,7 @@ ItemKind kind_of(NameKind kind) {
     case NameKind::variable:
     case NameKind::instance:
     case NameKind::scenario:
+    case NameKind::channel:
       return ItemKind::variable;
   }
   return ItemKind::variable;
@@ -146,6 +148,9 @@ std::size_t errors_in(grammar::Language language, std::string text) {
     case grammar::Language::props:
       parse_properties(sources, file, found);
       break;
+    case grammar::Language::mon:
+      parse_monitors(sources, file, found);
+      break;
   }
   return found.error_count();
 }
@@ -175,7 +180,7 @@ class Completing {
   Json run() {
     if (before_.in_comment) return take();
     if (before_.in_string) {
-      files();
+      before_.back(0) == "channel" ? add_channels() : files();
       return take();
     }
     const grammar::Expectation expected = grammar::expected_after(language_, before_.tokens);
@@ -246,7 +251,8 @@ class Completing {
 
   void names_for(const std::string& rule) {
     if (rule == "value") return values();
-    if (rule == "atom" || rule == "argument" || rule == "assignment" || rule == "observe" || rule == "control")
+    if (rule == "atom" || rule == "argument" || rule == "assignment" || rule == "observe" || rule == "control" ||
+        rule == "monitor")
       return variables();
     if (rule == "goal" || rule == "clock-start") return clocks();
     if (rule == "item") return starts();
@@ -319,8 +325,13 @@ class Completing {
     }
   }
 
-  /// The variable whose value comes next: of `x =`, `x in { v,` or `control x default`.
+  /// The variable whose value comes next: of `x =`, `x in { v,` or `control x default`; of a monitor its attribute.
   [[nodiscard]] std::string_view compared() const {
+    if (language_ == grammar::Language::mon) {
+      const auto& tokens = before_.tokens;
+      const auto brace = std::find(tokens.rbegin(), tokens.rend(), "{");
+      return brace == tokens.rend() || brace + 1 == tokens.rend() ? "" : *(brace + 1);
+    }
     const std::string_view last = before_.back(0);
     if (last == "=" || last == "!=" || last == "≠") return before_.back(1);
     if (last == "default") {
@@ -341,6 +352,12 @@ class Completing {
     const compiler::Members* values = declared == nullptr ? nullptr : scopes_.values(*declared);
     if (values != nullptr) add_all(*values, "", '1');
     if (before_.back(0) != "default" && before_.tokens.front() != "component" && !type.empty()) variables();
+  }
+
+  /// The channels that monitors name, between quotes.
+  void add_channels() {
+    for (const auto& [name, declared] : scopes_.channels())
+      add("\"" + name + "\"", kind_of(declared.kind), std::string(name_of(declared.kind)), '1');
   }
 
   /// The files beside this one that may be named here.

@@ -21,6 +21,10 @@ class Finding {
   Declaration run(const compiler::File& file) {
     if (file.plant) items(file.plant->items);
     if (file.program) items(file.program->items);
+    if (file.monitors) {
+      for (const auto& monitor : file.monitors->monitors)
+        if (enter(monitor.span)) found_.monitor = &monitor;
+    }
     if (file.scenarios) {
       for (const auto& scenario : file.scenarios->scenarios)
         if (enter(scenario.span)) found_.scenario = &scenario;

@@ -20,6 +20,7 @@ struct Declaration {
   const grammar::VariableDeclaration* variable = nullptr;
   const grammar::Definition* definition = nullptr;  ///< itself, or around a clock or parameter
   const grammar::ScenarioDefinition* scenario = nullptr;
+  const grammar::MonitorDefinition* monitor = nullptr;
 };
 
 /// The declaration of the name that stands there. Without a statement where there is none.

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "tools/rmplc/server/everywhere.hpp"
 #include "tools/rmplc/server/features.hpp"
 #include "tools/rmplc/server/mentions.hpp"
 #include "tools/rmplc/server/positions.hpp"
@@ -15,12 +16,17 @@ std::optional<compiler::Mention> mention_at(const Spot& spot) {
   return spot.analysis->names().at(spot.file, spot.offset);
 }
 
-std::vector<Use> uses_of(Workspace& workspace, const Spot& spot, grammar::Span declaration) {
+std::vector<std::shared_ptr<Analysis>> users_of(Workspace& workspace, const Spot& spot, grammar::Span declaration) {
+  return analyses_with(workspace, workspace.texts().identity(spot.analysis->sources()[declaration.file].name()));
+}
+
+std::vector<Use> uses_of(Workspace& workspace, const std::vector<std::shared_ptr<Analysis>>& analyses, const Spot& spot,
+                         grammar::Span declaration) {
   const std::string declared_in = workspace.texts().identity(spot.analysis->sources()[declaration.file].name());
   std::vector<Use> uses;
   std::set<std::tuple<std::string, std::uint32_t>> seen;
-  for (const auto& analysis : workspace.analyses()) {
-    const auto file = analysis ? analysis->find(declared_in) : std::nullopt;
+  for (const auto& analysis : analyses) {
+    const auto file = analysis->find(declared_in);
     if (!file) continue;
     for (const compiler::Mention& mention : analysis->names().of({*file, declaration.begin, declaration.end})) {
       const std::string uri = workspace.documents().uri_of(analysis->sources()[mention.span.file].name());
@@ -89,7 +95,8 @@ Json references(Workspace& workspace, const Json& params) {
   const bool with_declaration = context == params.end() || !context->is_object() ||
                                 context->value("includeDeclaration", Json(true)) != Json(false);
   Json found = Json::array();
-  for (const Use& use : uses_of(workspace, spot, mention->declaration)) {
+  const auto users = users_of(workspace, spot, mention->declaration);
+  for (const Use& use : uses_of(workspace, users, spot, mention->declaration)) {
     if (!with_declaration && use.mention.span == use.mention.declaration) continue;
     found.push_back(location_of(workspace, *use.analysis, use.mention.span));
   }

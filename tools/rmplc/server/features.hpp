@@ -27,6 +27,12 @@ std::map<std::string, Json> diagnostics_by_uri(Workspace& workspace);
 // Each takes the parameters of its request and gives its result. What cannot be is an RpcError.
 
 Json code_actions(Workspace& workspace, const Json& params);
+/// Their commands are `rmpl.run`, with {program, arguments, folder}, and `rmpl.debug`, with a launch of the debugger:
+/// the client has them (docs/editors.md).
+Json code_lenses(Workspace& workspace, const Json& params);
+Json prepare_call_hierarchy(Workspace& workspace, const Json& params);
+Json incoming_calls(Workspace& workspace, const Json& params);
+Json outgoing_calls(Workspace& workspace, const Json& params);
 Json hover(Workspace& workspace, const Json& params);
 Json definition(Workspace& workspace, const Json& params);
 Json references(Workspace& workspace, const Json& params);
@@ -35,8 +41,11 @@ Json prepare_rename(Workspace& workspace, const Json& params);
 Json rename(Workspace& workspace, const Json& params);
 Json completion(Workspace& workspace, const Json& params);
 Json document_symbols(Workspace& workspace, const Json& params);
+Json workspace_symbols(Workspace& workspace, const Json& params);
 Json formatting(Workspace& workspace, const Json& params);
 Json folding_ranges(Workspace& workspace, const Json& params);
+Json document_links(Workspace& workspace, const Json& params);
+Json inlay_hints(Workspace& workspace, const Json& params);
 Json semantic_tokens(Workspace& workspace, const Json& params);
 
 /// The names of the types and modifiers that semantic tokens are numbered by.

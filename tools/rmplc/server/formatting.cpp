@@ -11,7 +11,8 @@ Json formatting(Workspace& workspace, const Json& params) {
   const OpenDocument& document = workspace.documents().of(params);
   const auto kind = compiler::kind_by_name(document.path);
   if (!kind || *kind == compiler::Kind::document)
-    throw RpcError(RpcCode::request_failed, document.uri + ": expected a file named .rmpl, .tcca, .scn or .props");
+    throw RpcError(RpcCode::request_failed,
+                   document.uri + ": expected a file named .rmpl, .tcca, .scn, .props or .mon");
   const std::string_view before = document.source->text();
   const auto after = compiler::format(before, *kind);
   if (!after) throw RpcError(RpcCode::request_failed, "the text has syntax errors: mend them first");

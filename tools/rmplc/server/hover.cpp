@@ -78,6 +78,9 @@ class Card {
       case NameKind::plant:
         module();
         break;
+      case NameKind::channel:
+        channel();
+        break;
       case NameKind::value:
       case NameKind::domain:
       case NameKind::scenario:
@@ -163,6 +166,19 @@ class Card {
     }
     code("clock " + std::string(sources_.text(mention_.declaration)));
     say(lines.empty() ? "It starts nowhere." : "It starts in line " + lines + ".");
+  }
+  /// Every monitor of the channel, as it is written.
+  void channel() {
+    const std::string_view name = sources_.text(mention_.declaration);
+    for (const compiler::File& file : analysis_.files()) {
+      if (!file.monitors) continue;
+      for (const grammar::MonitorDefinition& monitor : file.monitors->monitors) {
+        const bool minus = monitor.minus && sources_.text(monitor.minus->span) == name;
+        if (sources_.text(monitor.channel.span) != name && !minus) continue;
+        code(std::string(sources_.text(monitor.span)));
+        comment(monitor.span);
+      }
+    }
   }
   /// Whether `= 0` stands behind a clock.
   [[nodiscard]] bool starts(grammar::Span clock) const {

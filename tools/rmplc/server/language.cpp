@@ -9,7 +9,7 @@ namespace rmpl::tools {
 std::optional<grammar::Language> language_of(const std::string& path) {
   using grammar::Language;
   const std::string extension = std::filesystem::path(path).extension().string();
-  for (const Language language : {Language::rmpl, Language::tcca, Language::scn, Language::props})
+  for (const Language language : {Language::rmpl, Language::tcca, Language::scn, Language::props, Language::mon})
     if (extension == "." + std::string(grammar::to_string(language))) return language;
   return std::nullopt;
 }
@@ -43,6 +43,8 @@ std::string_view name_of(compiler::NameKind kind) {
       return "instance";
     case NameKind::scenario:
       return "scenario";
+    case NameKind::channel:
+      return "channel";
   }
   return "";
 }

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "compiler/format/format.hpp"
 #include "compiler/session/provider.hpp"
 #include "grammar/parse/scan.hpp"
 #include "tools/rmplc/server/features.hpp"
@@ -14,20 +15,23 @@
 namespace rmpl::tools {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) { throw RpcError(RpcCode::request_failed, why); }
+[[noreturn]] void refuse_name(const std::string& why) { throw RpcError(RpcCode::request_failed, why); }
 
 compiler::Mention renamed_at(const Spot& spot) {
   const auto mention = mention_at(spot);
-  if (!mention) refuse("there is no name here that the compiler knows");
-  if (mention->kind == compiler::NameKind::scenario) refuse("a scenario's name is a text: edit it where it stands");
+  if (!mention) refuse_name("there is no name here that the compiler knows");
+  if (mention->kind == compiler::NameKind::scenario)
+    refuse_name("a scenario's name is a text: edit it where it stands");
+  if (mention->kind == compiler::NameKind::channel)
+    refuse_name("a channel is called as the telemetry calls it: edit its text where it stands");
   return *mention;
 }
 
 void check_name(const std::string& name) {
   const char* const end = name.data() + name.size();
   if (name.empty() || grammar::identifier_at(name.data(), end) != name || name.find('.') != std::string::npos)
-    refuse("'" + name + "' is no name: expected a letter or `_`, then letters, digits, `_` and `-`");
-  if (grammar::is_reserved(name)) refuse("`" + name + "` is a word of the language");
+    refuse_name("'" + name + "' is no name: expected a letter or `_`, then letters, digits, `_` and `-`");
+  if (grammar::is_reserved(name)) refuse_name("`" + name + "` is a word of the language");
 }
 
 /// What every mention is and which mention declares it, in order of the text: the same before and after where all means
@@ -47,6 +51,16 @@ Meaning meaning_of(const Analysis& analysis) {
   return meaning;
 }
 
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return lines;
+    text.remove_prefix(end + 1);
+  }
+}
+
 /// The text of a file with the new name in place of each use; `uses` are in order.
 std::string renamed(std::string_view text, const std::vector<grammar::Span>& uses, const std::string& name) {
   std::string result;
@@ -60,6 +74,31 @@ std::string renamed(std::string_view text, const std::vector<grammar::Span>& use
   return result;
 }
 
+/// The edits of a file: the new name at each use; where the text was in the one style and would not be any more, as
+/// columns move, each line that differs as a whole. `text` becomes what the edits make of it.
+Json edits_of(const grammar::SourceFile& source, const std::vector<grammar::Span>& uses, const std::string& name,
+              std::string& text) {
+  Json edits = Json::array();
+  const auto kind = compiler::kind_by_name(source.name());
+  const bool laid_out = kind && compiler::format(source.text(), *kind) == std::string(source.text());
+  const auto after = laid_out ? compiler::format(text, *kind) : std::nullopt;
+  const std::vector<std::string_view> old_lines = lines_of(source.text());
+  const std::vector<std::string_view> new_lines = after ? lines_of(*after) : std::vector<std::string_view>{};
+  if (!after || *after == text || old_lines.size() != new_lines.size()) {
+    for (const grammar::Span use : uses) edits.push_back({{"range", range_of(source, use)}, {"newText", name}});
+    return edits;
+  }
+  std::uint32_t begin = 0;
+  for (std::size_t l = 0; l < old_lines.size(); ++l) {
+    const std::uint32_t end = begin + static_cast<std::uint32_t>(old_lines[l].size());
+    if (old_lines[l] != new_lines[l])
+      edits.push_back({{"range", range_of(source, begin, end)}, {"newText", std::string(new_lines[l])}});
+    begin = end + 1;
+  }
+  text = *after;
+  return edits;
+}
+
 /// Compiles the unit with the new texts, and refuses what would then be wrong or mean something else.
 void check_unit(const Analysis& before, compiler::Provider& texts, const std::string& name) {
   const Analysis after(before.unit(), texts);
@@ -70,11 +109,11 @@ void check_unit(const Analysis& before, compiler::Provider& texts, const std::st
   for (const grammar::Diagnostic& diagnostic : after.diagnostics()) {
     if (diagnostic.severity != grammar::Severity::error || is_known(diagnostic)) continue;
     const grammar::SourceFile& source = after.sources()[diagnostic.span.file];
-    refuse("with the name `" + name + "` line " + std::to_string(source.place(diagnostic.span.begin).line) + " of " +
-           source.name() + " would be wrong: " + diagnostic.message);
+    refuse_name("with the name `" + name + "` line " + std::to_string(source.place(diagnostic.span.begin).line) +
+                " of " + source.name() + " would be wrong: " + diagnostic.message);
   }
   if (meaning_of(before) != meaning_of(after))
-    refuse("`" + name + "` is the name of something else: with it the text would have another meaning");
+    refuse_name("`" + name + "` is the name of something else: with it the text would have another meaning");
 }
 
 }  // namespace
@@ -96,7 +135,8 @@ Json rename(Workspace& workspace, const Json& params) {
     std::vector<grammar::Span> uses;
   };
   std::map<std::string, Changed> files;
-  for (const Use& use : uses_of(workspace, spot, mention.declaration)) {
+  const auto users = users_of(workspace, spot, mention.declaration);
+  for (const Use& use : uses_of(workspace, users, spot, mention.declaration)) {
     Changed& file = files[use.uri];
     file.source = &use.analysis->sources()[use.mention.span.file];
     file.uses.push_back(use.mention.span);
@@ -105,18 +145,21 @@ Json rename(Workspace& workspace, const Json& params) {
   compiler::Overlay texts(before);
   Json changes = Json::object();
   for (const auto& [uri, file] : files) {
-    texts.put(file.source->name(), renamed(file.source->text(), file.uses, name));
-    for (const grammar::Span use : file.uses)
-      changes[uri].push_back({{"range", range_of(*file.source, use)}, {"newText", name}});
+    std::string text = renamed(file.source->text(), file.uses, name);
+    changes[uri] = edits_of(*file.source, file.uses, name, text);
+    texts.put(file.source->name(), std::move(text));
   }
+  // Also those that share a file with the users, and have something of their own by the new name.
+  std::vector<std::shared_ptr<Analysis>> concerned = users;
   for (const auto& analysis : workspace.analyses()) {
-    if (!analysis) continue;
-    const bool concerned = std::any_of(files.begin(), files.end(), [&](const auto& file) {
-      return analysis->find(workspace.texts().identity(file.second.source->name())).has_value();
-    });
-    if (!concerned) continue;
+    const bool shares = analysis && std::any_of(files.begin(), files.end(), [&](const auto& file) {
+                          return analysis->find(workspace.texts().identity(file.second.source->name())).has_value();
+                        });
+    if (shares && std::find(users.begin(), users.end(), analysis) == users.end()) concerned.push_back(analysis);
+  }
+  for (const auto& analysis : concerned) {
     for (const compiler::File& file : analysis->files()) {
-      if (!file.whole) refuse(analysis->sources()[file.index].name() + " has syntax errors: mend them first");
+      if (!file.whole) refuse_name(analysis->sources()[file.index].name() + " has syntax errors: mend them first");
     }
     check_unit(*analysis, texts, name);
   }

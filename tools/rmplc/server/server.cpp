@@ -9,23 +9,31 @@
 
 #include "base/error.hpp"
 #include "tools/rmplc/server/features.hpp"
+#include "tools/rmplc/server/uri.hpp"
 
 namespace rmpl::tools {
 namespace {
 
 const std::map<std::string_view, Json (*)(Workspace&, const Json&)> requests = {
+    {"callHierarchy/incomingCalls", incoming_calls},
+    {"callHierarchy/outgoingCalls", outgoing_calls},
     {"textDocument/codeAction", code_actions},
+    {"textDocument/codeLens", code_lenses},
     {"textDocument/completion", completion},
     {"textDocument/definition", definition},
     {"textDocument/documentHighlight", highlights},
+    {"textDocument/documentLink", document_links},
     {"textDocument/documentSymbol", document_symbols},
     {"textDocument/foldingRange", folding_ranges},
     {"textDocument/formatting", formatting},
     {"textDocument/hover", hover},
+    {"textDocument/inlayHint", inlay_hints},
+    {"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     {"textDocument/prepareRename", prepare_rename},
     {"textDocument/references", references},
     {"textDocument/rename", rename},
     {"textDocument/semanticTokens/full", semantic_tokens},
+    {"workspace/symbol", workspace_symbols},
 };
 
 constexpr int incremental = 2;  // TextDocumentSyncKind
@@ -39,12 +47,33 @@ Json capabilities() {
           {"referencesProvider", true},
           {"documentHighlightProvider", true},
           {"documentSymbolProvider", true},
+          {"workspaceSymbolProvider", true},
           {"documentFormattingProvider", true},
           {"foldingRangeProvider", true},
+          {"documentLinkProvider", {{"resolveProvider", false}}},
+          {"inlayHintProvider", true},
+          {"codeLensProvider", {{"resolveProvider", false}}},
+          {"callHierarchyProvider", true},
           {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
           {"completionProvider", {{"triggerCharacters", {".", "="}}}},
           {"renameProvider", {{"prepareProvider", true}}},
           {"semanticTokensProvider", {{"legend", semantic_legend()}, {"full", true}}}};
+}
+
+/// The folders of the workspace; of what is no file URI, none.
+std::vector<std::string> roots_in(const Json& params) {
+  std::vector<std::string> roots;
+  const auto add = [&](const Json& holder, const char* key) {
+    const auto uri = holder.is_object() ? holder.find(key) : holder.end();
+    if (uri == holder.end() || !uri->is_string()) return;
+    if (auto path = path_of_uri(uri->get<std::string>())) roots.push_back(std::move(*path));
+  };
+  if (!params.is_object()) return roots;
+  if (const auto folders = params.find("workspaceFolders"); folders != params.end() && folders->is_array()) {
+    for (const Json& folder : *folders) add(folder, "uri");
+  }
+  if (roots.empty()) add(params, "rootUri");
+  return roots;
 }
 
 }  // namespace
@@ -117,7 +146,7 @@ void Server::request(const Incoming& message) {
 }
 
 Json Server::answer(const Incoming& message) {
-  if (message.method == "initialize") return initialize();
+  if (message.method == "initialize") return initialize(message.params);
   if (stage_ == Stage::fresh) throw RpcError(RpcCode::not_initialized, "expected `initialize` first");
   if (stage_ == Stage::shut_down) throw RpcError(RpcCode::invalid_request, "after `shutdown` only `exit` is expected");
   if (message.method == "shutdown") {
@@ -130,8 +159,9 @@ Json Server::answer(const Incoming& message) {
   return handler->second(workspace_, message.params);
 }
 
-Json Server::initialize() {
+Json Server::initialize(const Json& params) {
   if (stage_ != Stage::fresh) throw RpcError(RpcCode::invalid_request, "`initialize` came before");
+  workspace_.set_roots(roots_in(params));
   stage_ = Stage::running;
   return {{"capabilities", capabilities()}, {"serverInfo", {{"name", "rmplc"}, {"version", version_}}}};
 }

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "compiler/session/provider.hpp"
-#include "tools/rmplc/server/framing.hpp"
 #include "tools/rmplc/server/linting.hpp"
 #include "tools/rmplc/server/message.hpp"
 #include "tools/rmplc/server/workspace.hpp"
+#include "tools/shared/framing.hpp"
 
 namespace rmpl::tools {
 
@@ -53,7 +53,7 @@ class Server {
   void request(const Incoming& message);
   void notify(const Incoming& message);
   Json answer(const Incoming& message);
-  Json initialize();
+  Json initialize(const Json& params);
   void tell(const std::string& what);
   void publish();
 

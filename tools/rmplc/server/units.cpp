@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "compiler/session/files.hpp"
 #include "grammar/parse/scan.hpp"
+#include "tools/shared/settings.hpp"
 
 namespace rmpl::tools {
 namespace {
@@ -51,14 +52,26 @@ class Making {
     const auto kind = compiler::kind_by_name(path);
     if (!kind || *kind == Kind::document) return;
     const std::string id = texts_.identity(path);
-    const auto same = std::find_if(files_.begin(), files_.end(), [&](const Candidate& f) { return f.id == id; });
-    if (same == files_.end()) files_.push_back({path, id, *kind, open, {}});
+    if (with(id) == nullptr) files_.push_back({path, id, *kind, open, {}});
+  }
+
+  /// A set of a project. Its files are looked at wherever they are.
+  void add(const SetFiles& set) {
+    for (const std::string& path : {set.plant, set.program}) {
+      if (!path.empty()) add(path, false);
+    }
+    for (const auto* paths : {&set.scenarios, &set.properties, &set.monitors}) {
+      for (const std::string& path : *paths) add(path, false);
+    }
+    sets_.push_back(set);
   }
 
   std::vector<Unit> run() {
     for (Candidate& file : files_) reach(file.path, file.id, file.reached);
     scenarios();
-    properties();
+    pairs();
+    with_plants(Kind::properties);
+    with_plants(Kind::monitors);
     for (const Candidate& file : files_) {
       if (file.open && !covered_.contains(file.id)) add_root_of(file);
     }
@@ -67,8 +80,15 @@ class Making {
 
  private:
   void reach(const std::string& path, const std::string& id, std::set<std::string>& reached) {
-    if (!reached.insert(id).second) return;
-    for (const std::string& next : references_.of(path)) reach(next, texts_.identity(next), reached);
+    reached.insert(id);
+    std::vector<std::string> pending{path};
+    while (!pending.empty()) {
+      const std::string from = std::move(pending.back());
+      pending.pop_back();
+      for (const std::string& next : references_.of(from)) {
+        if (reached.insert(texts_.identity(next)).second) pending.push_back(next);
+      }
+    }
   }
 
   bool leads_to_open(const Candidate& file) const {
@@ -91,11 +111,79 @@ class Making {
       units_[at->second].paths.push_back(file.path);
       cover(file);
     }
+    for (const auto& [plants, unit] : by_plants) add_monitors(plants, units_[unit]);
   }
 
-  /// The plant that a file of properties speaks of: of the same name, or the only one beside it.
-  const Candidate* plant_of(const Candidate& properties) {
-    const std::filesystem::path path(properties.path);
+  /// The monitors of scenarios: those of their set of the project, else the only ones that the plants have beside them.
+  void add_monitors(const std::set<std::string>& plants, Unit& unit) {
+    std::vector<const Candidate*> own;
+    const auto add = [&](const Candidate* file) {
+      if (file != nullptr && std::find(own.begin(), own.end(), file) == own.end()) own.push_back(file);
+    };
+    for (const SetFiles& set : sets_) {
+      const bool flies = std::any_of(set.scenarios.begin(), set.scenarios.end(), [&](const std::string& path) {
+        return std::any_of(unit.paths.begin(), unit.paths.end(),
+                           [&](const std::string& other) { return texts_.identity(path) == texts_.identity(other); });
+      });
+      if (!flies) continue;
+      for (const std::string& path : set.monitors) add(find(path));
+    }
+    if (own.empty()) {
+      for (const Candidate& file : files_) {
+        if (file.kind != Kind::monitors) continue;
+        const Candidate* plant = plant_of(file);
+        if (plant != nullptr && plants.contains(plant->id)) add(&file);
+      }
+      if (own.size() > 1) return;  // which of them is meant is not known
+    }
+    for (const Candidate* file : own) {
+      unit.paths.push_back(file->path);
+      cover(*file);
+    }
+  }
+
+  const Candidate* with(const std::string& id) const {
+    const auto found = std::find_if(files_.begin(), files_.end(), [&](const Candidate& file) { return file.id == id; });
+    return found == files_.end() ? nullptr : &*found;
+  }
+  const Candidate* find(const std::string& path) { return with(texts_.identity(path)); }
+
+  /// A program and a plant that the project names together, where no scenario does.
+  void pairs() {
+    for (const SetFiles& set : sets_) {
+      if (set.plant.empty() || set.program.empty()) continue;
+      const Candidate* plant = find(set.plant);
+      const Candidate* program = find(set.program);
+      if (plant == nullptr || program == nullptr || covered_.contains(program->id)) continue;
+      if (!leads_to_open(*plant) && !leads_to_open(*program)) continue;
+      units_.push_back({{plant->path, program->path}, false});
+      cover(*plant);
+      cover(*program);
+    }
+  }
+
+  /// The plant that a set of the project has for properties or monitors: the one it names, or its scenarios name.
+  const Candidate* plant_in_set(const Candidate& file) {
+    for (const SetFiles& set : sets_) {
+      const auto& list = file.kind == Kind::monitors ? set.monitors : set.properties;
+      const bool listed = std::any_of(list.begin(), list.end(),
+                                      [&](const std::string& path) { return texts_.identity(path) == file.id; });
+      if (!listed) continue;
+      if (!set.plant.empty()) return find(set.plant);
+      for (const std::string& scenario : set.scenarios) {
+        for (const std::string& named : references_.of(scenario)) {
+          if (compiler::kind_by_name(named) != Kind::plant) continue;
+          if (const Candidate* plant = find(named)) return plant;
+        }
+      }
+    }
+    return nullptr;
+  }
+
+  /// The plant that properties or monitors speak of: by the project, of the same name, or the only one beside them.
+  const Candidate* plant_of(const Candidate& speaking) {
+    if (const Candidate* plant = plant_in_set(speaking)) return plant;
+    const std::filesystem::path path(speaking.path);
     std::vector<const Candidate*> beside;
     for (const Candidate& file : files_) {
       const std::filesystem::path other(file.path);
@@ -108,9 +196,9 @@ class Making {
     }
     return beside.size() == 1 ? beside.front() : nullptr;
   }
-  void properties() {
+  void with_plants(Kind kind) {
     for (const Candidate& file : files_) {
-      if (file.kind != Kind::properties) continue;
+      if (file.kind != kind || (kind == Kind::monitors && covered_.contains(file.id))) continue;
       const Candidate* plant = plant_of(file);
       if (plant == nullptr || (!file.open && !leads_to_open(*plant))) continue;
       units_.push_back({{plant->path, file.path}, false});
@@ -136,6 +224,7 @@ class Making {
   References& references_;
   compiler::Provider& texts_;
   std::vector<Candidate> files_;
+  std::vector<SetFiles> sets_;
   std::set<std::string> covered_;
   std::vector<Unit> units_;
 };
@@ -149,6 +238,30 @@ std::vector<std::string> files_in(const std::string& folder) {
   std::sort(paths.begin(), paths.end());
   if (paths.size() > most_files_of_a_folder) paths.resize(most_files_of_a_folder);
   return paths;
+}
+
+/// The sets of the project that a folder is in, by absolute paths. Of a manifest that is wrong, and of a set that names
+/// what there is not, none: `rmplc test` tells why, and so does lint.
+std::vector<SetFiles> sets_around(const std::string& folder, std::set<std::string>& manifests,
+                                  compiler::Provider& texts) {
+  std::vector<SetFiles> sets;
+  const auto found = find_manifest(folder);
+  if (!found) return sets;
+  std::error_code error;
+  const std::string path = std::filesystem::absolute(*found, error).lexically_normal().string();
+  if (error || !manifests.insert(path).second) return sets;
+  try {
+    const Manifest manifest = read_manifest(path, texts.read(path));
+    for (const ManifestSet& set : manifest.sets) {
+      try {
+        sets.push_back(files_of(manifest, set));
+      } catch (const base::InputError&) {
+        continue;
+      }
+    }
+  } catch (const base::InputError&) {
+  }
+  return sets;
 }
 
 }  // namespace
@@ -186,6 +299,10 @@ std::vector<Unit> units_of(const Documents& documents, References& references, c
   }
   for (const std::string& folder : folders) {
     for (const std::string& path : files_in(folder)) making.add(path, false);
+  }
+  std::set<std::string> manifests;
+  for (const std::string& folder : folders) {
+    for (const SetFiles& set : sets_around(folder, manifests, texts)) making.add(set);
   }
   return making.run();
 }

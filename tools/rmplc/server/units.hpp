@@ -35,9 +35,13 @@ class References {
   std::map<std::string, std::vector<std::string>> known_;  ///< by identity
 };
 
-/// The units for the documents that are open. Looked at are these and the files beside them. In this order:
+/// The units for the documents that are open. Looked at are these, the files beside them, and those that the rmpl.toml
+/// of their project names. In this order:
 /// - the scenarios that lead to an open document, those of one plant together; they bring program, plant and imports;
-/// - properties with the plant beside them that has their name, or that is the only one;
+///   with them the monitors of their set of the project, or else the only ones beside the plant;
+/// - a program and a plant that the project names together, where no scenario leads to the program;
+/// - properties, and monitors that are with no scenario, with the plant that the project has for them, or beside them
+///   the one of their name, or the only one;
 /// - for a document that no scenario leads to either, the file of its language beside it that imports it and that no
 ///   other imports; where there is none, the document by itself.
 std::vector<Unit> units_of(const Documents& documents, References& references, compiler::Provider& texts);

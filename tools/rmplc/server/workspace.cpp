@@ -75,7 +75,8 @@ Spot Workspace::spot(const Json& params) {
   const OpenDocument& document = documents_.of(params);
   const Analysis* analysis = analysis_of(document);
   if (analysis == nullptr) {
-    throw RpcError(RpcCode::request_failed, document.uri + ": expected a file named .rmpl, .tcca, .scn or .props");
+    throw RpcError(RpcCode::request_failed,
+                   document.uri + ": expected a file named .rmpl, .tcca, .scn, .props or .mon");
   }
   const std::uint32_t file = *analysis->find(texts_.identity(document.path));
   return {analysis, file, offset_of(analysis->sources()[file], member(params, "position"))};

@@ -35,6 +35,11 @@ class Workspace {
   /// Something on the disk is no longer as it was.
   void disk_changed();
 
+  /// The folders of the workspace, by path, as the client said at the start; may be none.
+  void set_roots(std::vector<std::string> roots) { roots_ = std::move(roots); }
+  [[nodiscard]] const std::vector<std::string>& roots() const { return roots_; }
+  [[nodiscard]] References& references() { return references_; }
+
   [[nodiscard]] const Documents& documents() const { return documents_; }
   [[nodiscard]] compiler::Overlay& texts() { return texts_; }
   [[nodiscard]] const std::string& pages() const { return pages_; }
@@ -52,6 +57,7 @@ class Workspace {
   Documents documents_;
   References references_;
   std::string pages_;
+  std::vector<std::string> roots_;
   std::vector<Unit> units_;
   std::vector<std::shared_ptr<Analysis>> analyses_;
   bool units_are_old_ = false;

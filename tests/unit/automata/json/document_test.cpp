@@ -75,7 +75,10 @@ Document sample() {
   scenario.name = "story";
   scenario.truth = {{mode, ValueId(0)}};
   scenario.forced.push_back({Ticks::of_seconds(5), ComponentId(0), ModeId(2), {"a.scn", 2, 1}});
+  scenario.commands.push_back({Ticks{1}, Ticks{2}, {cmd, ValueId(1)}, {}});
   scenario.overrides.push_back({Ticks{1}, Ticks::infinite(), {flow, ValueId(1)}, {}});
+  scenario.samples.push_back({Ticks{1}, "FLOW", 2.5, "2.50", {}});
+  scenario.samples.push_back({Ticks{2}, "FLOW", std::nullopt, "n/a", {}});
   scenario.rules.push_back({Rule::Stream::command, is(cmd, ValueId(1)), 86, {}, {flow, ValueId(1)}, Ticks{5}, {}});
   scenario.expectations.push_back({Expectation::Kind::eventually,
                                    true,
@@ -83,6 +86,7 @@ Document sample() {
                                    is(mode, ValueId(0)),
                                    Ticks::of_seconds(60),
                                    "expect truth …",
+                                   {"FDIR-12"},
                                    {}});
   Document document{{plant}, {program}, {}, {scenario}};
   add_model(document, sample_model());
@@ -146,6 +150,8 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
   refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
   refuses("/scenarios/0/plant", 1, "below 1");
   refuses("/scenarios/0/cycle", 0, "above 0");
+  refuses("/scenarios/0/samples/0/value", true, "expected a number or a string");
+  refuses("/scenarios/0/samples/0/text", 2.5, "expected a string");
   refuses("/scenarios/0/overrides/0/reading", {"pump", "on"}, "expected an observable and its value");
   refuses("/scenarios/0/rules/0/reading", {"pump.cmd", "start"}, "expected an observable and its value");
   refuses("/scenarios/0/rules/0/trigger", {{"variable", "pump.flow"}, {"in", {"yes"}}}, "expected values of controls");

@@ -41,6 +41,34 @@ TEST_F(Logic, ClockAtomsOfInactiveClocksAreFalse) {
   EXPECT_TRUE(with_clocks(negation(late), [](ClockId) { return nullptr; }).is_true());
 }
 
+/// Domains of any size, in pairs and in squares: exactly one value holds, and each can.
+TEST_F(Logic, OneOfManyValuesHolds) {
+  for (const std::size_t size : std::array<std::size_t, 7>{3, 32, 33, 34, 100, 1025, 1100}) {
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < size; ++i) values.push_back("v" + std::to_string(i));
+    Variables many;
+    const VariableId z = many.add({"z", values});
+    Theory theory(many);
+    for (std::size_t i = 0; i < size; i += 7) {
+      const std::array one{Assignment{z, v(i)}};
+      EXPECT_TRUE(theory.consistent(one));
+      EXPECT_EQ(theory.value(z), v(i));
+      EXPECT_FALSE(theory.allows_other(one, {z, v(i)}));
+      for (const std::size_t j : {std::size_t{0}, i / 2, (i + 1) % size, size - 1}) {
+        if (j == i) continue;
+        const std::array both{Assignment{z, v(i)}, Assignment{z, v(j)}};
+        EXPECT_FALSE(theory.consistent(both)) << size << ": " << i << " and " << j;
+        EXPECT_EQ(theory.conflict().size(), 2u);
+      }
+    }
+    std::vector<ValueId> others;
+    for (std::size_t i = 1; i < size; ++i) others.push_back(v(i));
+    EXPECT_TRUE(theory.entails(std::array{Assignment{z, v(size - 1)}}, theory.encode(member(z, others))));
+    theory.tell(negation(member(z, others)));
+    EXPECT_TRUE(theory.entails({}, theory.encode(is(z, v(0)))));
+  }
+}
+
 TEST_F(Logic, StoreEntailsWhatEveryModelHas) {
   Theory theory(variables);
   theory.tell(implication(is(p, v(1)), equality(x, y)));

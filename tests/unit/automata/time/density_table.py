@@ -2,7 +2,7 @@
 # The maker of density_table.inc: step probabilities of timed transitions in decimal arithmetic, without any scaling.
 #   tests/unit/automata/time/density_table.py > tests/unit/automata/density_table.inc
 # SPDX-License-Identifier: MIT
-from decimal import Decimal, getcontext, ROUND_HALF_EVEN
+from decimal import Decimal, InvalidOperation, getcontext, ROUND_HALF_EVEN
 
 NS = 10**9
 INFINITE = 2**63 - 1
@@ -49,6 +49,15 @@ def tail(kind, mean, deviation, ticks):
         return (-t / Decimal(mean)).exp()
     if kind == 'normal':
         return erfc((t - Decimal(mean)) / Decimal(deviation) / Decimal(2).sqrt()) / 2
+    if kind == 'weibull':  # of shape `mean` and scale `deviation`
+        return Decimal(1) if t == 0 else (-((t / Decimal(deviation)).ln() * Decimal(mean)).exp()).exp()
+    if kind == 'erlang':  # of `mean` stages with the mean `deviation`
+        x = t * int(mean) / Decimal(deviation)
+        term = total = Decimal(1)
+        for i in range(1, int(mean)):
+            term *= x / i
+            total += term
+        return (-x).exp() * total
     return -t
 
 
@@ -57,6 +66,8 @@ def masses(kind, mean, deviation, lower, upper, start, end):
     at = lambda ticks: tail(kind, mean, deviation, ticks)
     last = Decimal(0) if upper == INFINITE else at(upper)
     rest, after = at(start) - last, at(end) - last
+    if rest < abs(last) * Decimal('1e-340'):
+        raise InvalidOperation
     return (rest - after) / rest, after / rest, -(after / rest).ln()
 
 
@@ -67,9 +78,14 @@ def text(number):
 def row(kind, mean, deviation, lower, upper, start, end):
     if end > 9 * 10**18 or upper != INFINITE and upper > 9 * 10**18:
         return  # beyond the range of ticks
-    fires, survives, hazard = masses(kind, mean, deviation, lower, upper, start, end)
+    try:
+        fires, survives, hazard = masses(kind, mean, deviation, lower, upper, start, end)
+    except InvalidOperation:
+        return  # too little mass for the precision
     least = Decimal('1e-300')
     shown = [text(x) if x > least else '0' for x in (fires, survives, hazard)]
+    if kind == 'erlang' and shown[0] == '0':
+        return
     top = 'endless' if upper == INFINITE else str(upper)
     print(f'{{Density::Kind::{kind}, {mean!r}, {deviation!r}, {lower}, {top}, {start}, {end}, {", ".join(shown)}}},')
 
@@ -100,3 +116,15 @@ for step in STEPS:
                 row('normal', mean, deviation, 0, INFINITE, start, start + step)
                 row('normal', mean, deviation, start // 2, start + 2 * step + int(3 * deviation * NS), start, start + step)
                 row('normal', mean, deviation, start // 2, start + step + 1, start, start + step)
+    for shape, scale in ((0.3, 10.0), (0.75, 8640.0), (1.5, 1.0), (2.0, 3600.0), (4.25, 86400.0), (40.0, 100.0)):
+        for age in ages(scale)[:6]:
+            if step < 10**4 * scale * NS:
+                row('weibull', shape, scale, 0, INFINITE, age, age + step)
+                row('weibull', shape, scale, age // 2, 2 * age + 10 * step, age, age + step)
+                row('weibull', shape, scale, age // 2, age + step + 1, age, age + step)
+    for stages, mean in ((2.0, 1.0), (3.0, 3600.0), (10.0, 40.0), (100.0, 86400.0)):
+        for age in [*ages(mean)[:6], int(mean * 0.9 * NS), int(mean * 1.1 * NS), int(mean * 7 * NS)]:
+            if step < 10**4 * mean * NS:
+                row('erlang', stages, mean, 0, INFINITE, age, age + step)
+                row('erlang', stages, mean, age // 2, 2 * age + 10 * step, age, age + step)
+                row('erlang', stages, mean, age // 2, age + step + 1, age, age + step)

@@ -15,6 +15,9 @@ TEST(Time, ReadsEveryUnit) {
   EXPECT_EQ(parse_duration("4 mins"), Ticks::of_seconds(240));
   EXPECT_EQ(parse_duration("2 d"), Ticks::of_seconds(172800));
   EXPECT_EQ(parse_duration("5us"), (Ticks{5000}));
+  EXPECT_EQ(parse_duration("7 ns"), (Ticks{7}));
+  EXPECT_EQ(parse_duration("2 w"), Ticks::of_seconds(1209600));
+  EXPECT_EQ(parse_duration("0.5 weeks"), Ticks::of_seconds(302400));
   EXPECT_EQ(parse_duration("1e-3"), (Ticks{1000000}));
   EXPECT_EQ(parse_duration("1.5e+2 ms"), (Ticks{150000000}));
   EXPECT_EQ(parse_duration("inf"), Ticks::infinite());
@@ -31,9 +34,26 @@ TEST(Time, ReadsAsManyDigitsAsATickNeeds) {
 }
 
 TEST(Time, RefusesWhatIsNoDuration) {
-  for (const char* text :
-       {"", "s", "-1", "1.", ".5", "1 parsec", "1e", "0.1e-9", "1e30", "1e999999999999", "nan", "0x10", "1 2",
-        "99999999999999999999", "1e+-3", "0.5e-9223372036854775808", "1000000000000000000000000 d"}) {
+  for (const char* text : {"",
+                           "s",
+                           "-1",
+                           "1.",
+                           ".5",
+                           "1 parsec",
+                           "1e",
+                           "0.1e-9",
+                           "1e30",
+                           "1e999999999999",
+                           "nan",
+                           "0x10",
+                           "1 2",
+                           "99999999999999999999",
+                           "0.5 ns",
+                           "1 year",
+                           "1 week",
+                           "1e+-3",
+                           "0.5e-9223372036854775808",
+                           "1000000000000000000000000 d"}) {
     EXPECT_FALSE(parse_duration(text)) << text;
   }
 }

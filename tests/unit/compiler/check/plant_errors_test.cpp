@@ -117,6 +117,11 @@ TEST_F(PlantErrors, TimeBounds) {
   EXPECT_THAT(in_component("m -> n in [60 s, inf];"), ElementsAre("RMPL0203 p.tcca:2:8"));
   EXPECT_THAT(in_component("m -> n in [60 s, inf] ~ exponential(0 s);"), ElementsAre("RMPL0213 p.tcca:2:37"));
   EXPECT_THAT(in_component("m -> n in [60 s, inf] ~ normal(60 s, 0 s);"), ElementsAre("RMPL0213 p.tcca:2:38"));
+  EXPECT_THAT(in_component("m -> n in [0, inf] ~ weibull(0, 60 s);"), ElementsAre("RMPL0213 p.tcca:2:30"));
+  EXPECT_THAT(in_component("m -> n in [0, inf] ~ weibull(2, 0 s);"), ElementsAre("RMPL0213 p.tcca:2:33"));
+  EXPECT_THAT(in_component("m -> n in [0, inf] ~ erlang(1.5, 60 s);"), ElementsAre("RMPL0213 p.tcca:2:29"));
+  EXPECT_THAT(in_component("m -> n in [0, inf] ~ erlang(101, 60 s);"), ElementsAre("RMPL0213 p.tcca:2:29"));
+  EXPECT_THAT(in_component("m -> n in [0, inf] ~ erlang(3, 60 s);"), IsEmpty());
   EXPECT_THAT(in_component("m -> n after 0.1e-9 s;"), ElementsAre("RMPL0005 p.tcca:2:14"));
   EXPECT_THAT(in_component("m -> n when t > 30 s;"), ElementsAre("RMPL0206 p.tcca:2:13"));
 }

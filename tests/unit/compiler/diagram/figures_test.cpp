@@ -65,6 +65,23 @@ TEST_F(FiguresOf, AProgramComeBeforeWhatIsCalledTheSame) {
   EXPECT_THAT(described(named(figures_of(compilation.document()), "main")), ElementsAre("program main"));
 }
 
+TEST_F(FiguresOf, APlantWithAModelProgramIsItsPartsToo) {
+  write("heat.rmpl", "domain S = { off, on }; variable power, hot : S; model Heat() :: { always hot = off }");
+  const Compilation compilation = compiled(R"(import "heat.rmpl";
+component Mains { output power : S; initial live; mode live { power = on }; fault dead; live -> dead with 0.1; }
+module Half { mains : Mains; heat : model Heat; heat.power = mains.power; }
+plant House { left : Half; main : Mains; observe main.power; })");
+  ASSERT_TRUE(compilation.ok());
+  const auto figures = figures_of(compilation.document(), compilation.plants_with_models());
+  EXPECT_THAT(described(figures), ElementsAre("plant House", "component Mains", "module left", "component Heat",
+                                              "instance left.mains", "instance main", "instance left.heat"));
+  EXPECT_THAT(described(main_figures(figures)), ElementsAre("plant House"));
+  EXPECT_THAT(to_dot(figures.front(), {}), HasSubstr("model Heat"));
+  EXPECT_THAT(to_dot(named(figures, "left").front(), {}), HasSubstr("model Heat"));
+  EXPECT_THAT(to_dot(named(figures, "Heat").front(), {}), HasSubstr("hot = off"));
+  EXPECT_EQ(to_dot(named(figures, "Heat").front(), {}), to_dot(named(figures, "left.heat").front(), {}));
+}
+
 TEST_F(FiguresOf, ModulesAreFoldedAtADepth) {
   const Compilation compilation = compiled(model);
   const Figure plant = figures_of(compilation.document()).front();

@@ -57,6 +57,10 @@ TEST(Numbers, GiveBoundsAndDensities) {
             "in [0 s, inf] ~ exponential(3600 s)");
   EXPECT_EQ(to_text(automata::Timing{seconds(1), Ticks::infinite(), {Density::Kind::normal, 20, 0.5}}),
             "in [1 s, inf] ~ normal(20 s, 0.5 s)");
+  EXPECT_EQ(to_text(automata::Timing{seconds(0), seconds(9), {Density::Kind::weibull, 0, 0, 1.5, 60}}),
+            "in [0 s, 9 s] ~ weibull(1.5, 60 s)");
+  EXPECT_EQ(to_text(automata::Timing{seconds(0), Ticks::infinite(), {Density::Kind::erlang, 60, 0, 3}}),
+            "in [0 s, inf] ~ erlang(3, 60 s)");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every construct of the table in semantics 1, the twelve locations of Fig. 3-4, parameters and tail calls.
+// Every construct of the table in semantics 2, the twelve locations of Fig. 3-4, parameters and tail calls.
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
@@ -111,6 +111,49 @@ TEST_F(Programs, GoalsAreConjunctions) {
   EXPECT_THAT(lines(program), ElementsAre("1 (P())", "2 [1*] a = x & b = y: -> 3", "3 [1] true"));
   EXPECT_EQ(program.locations[1].goal.size(), 2u);
   EXPECT_THAT(program.locations[2].goal, IsEmpty());
+}
+
+TEST_F(Programs, GoalsAreAnyConstraint) {
+  const Compilation result = compile_text("p.rmpl", "P() :: { a = x & (b = y | c = z) & d != w }");
+  ASSERT_TRUE(result.ok());
+  const automata::Program& program = result.document().programs.at(0);
+  EXPECT_THAT(lines(program), ElementsAre("1 (P())", "2 [1*] a = x & (b = y | c = z) & !d = w"));
+  EXPECT_EQ(program.locations[1].goal.size(), 1u);
+  EXPECT_EQ(program.locations[1].goal_constraints.size(), 2u);
+}
+
+TEST_F(Programs, RepeatLeadsBackFromEveryEnd) {
+  EXPECT_THAT(body("repeat { a = x; b = y }"), ElementsAre("1 (P())", "2 [1*] a = x: -> 3", "3 [1] b = y: -> 2"));
+  EXPECT_THAT(body("repeat when c = v donext a = x"),
+              ElementsAre("1 (P())", "2 [1*] when c = v: not-entailed c = v -> 2; c = v -> 3", "3 [1] a = x: -> 2"));
+  EXPECT_THAT(body("repeat if c = v thennext a = x"),
+              ElementsAre("1 (P())", "2 [1*] if c = v: c = v -> 3; not-entailed c = v -> 2", "3 [1] a = x: -> 2"));
+}
+
+TEST_F(Programs, TheEmptyStepTakesACycle) {
+  EXPECT_THAT(body("{ }; a = x"), ElementsAre("1 (P())", "2 [1*] { }: -> 3", "3 [1] a = x"));
+}
+
+TEST_F(Programs, BranchesOfEachStandApart) {
+  const Compilation result = compile_text("p.rmpl", "P() :: { each { a = x, b = y; c = z }; d = w }");
+  ASSERT_TRUE(result.ok());
+  const automata::Program& program = result.document().programs.at(0);
+  EXPECT_THAT(lines(program),
+              ElementsAre("1 (P())", "2 [1*] (each { … }): -> 8", "3 [2*] (branch of each)", "4 [3*] a = x",
+                          "5 [2*] (branch of each)", "6 [5*] b = y: -> 7", "7 [5] c = z", "8 [1] d = w"));
+  EXPECT_EQ(automata::goal_parts_of(program), (std::vector<std::size_t>{0, 0, 1, 1, 2, 2, 2, 0}));
+}
+
+TEST_F(Programs, ConditionsOnKnowledge) {
+  EXPECT_THAT(
+      body("when surprise & !likely(c = v, 0.95) donext a = x"),
+      ElementsAre("1 (P())",
+                  "2 [1*] when surprise & !likely(c = v, 0.95): not-entailed surprise & !likely(c = v, 0.95) -> 2; "
+                  "surprise & !likely(c = v, 0.95) -> 3",
+                  "3 [1] a = x"));
+  EXPECT_THAT(
+      body("if noplan(a) | possible(c = v, 0.001) thennext a = x"),
+      ElementsAre("1 (P())", "2 [1*] if noplan(a) | possible(c = v): noplan(a) | possible(c = v) -> 3", "3 [1] a = x"));
 }
 
 TEST_F(Programs, IfThenNext) {

@@ -39,6 +39,8 @@ TEST_F(Scenarios, AreLowered) {
   truth engine = off;
   at 5 s fault engine = failed;
   at 1 s observe engine.temp = low for 20 s;
+  at 4 s channel "T" = 2.50; at 5 s channel "T" = "n/a";
+  at 2 s command engine.cmd = on; at 3 s command engine.cmd = none for 2 s;
   when command engine.cmd = on after 86 cycles observe engine.temp = high;
   when estimate engine = on after 3 s observe engine.temp = high for 5 s;
   expect engine = on within 60 s after engine = off;
@@ -61,6 +63,15 @@ scenario "two" { program "p.rmpl"; plant "p.tcca" rules only; }
   EXPECT_EQ(one.forced[0].mode, automata::ModeId(2));
   ASSERT_EQ(one.overrides.size(), 1u);
   EXPECT_EQ(one.overrides[0].duration, Ticks::of_seconds(20));
+  ASSERT_EQ(one.samples.size(), 2u);
+  EXPECT_EQ(one.samples[0].number, 2.5);
+  EXPECT_EQ(one.samples[0].text, "2.50");
+  EXPECT_FALSE(one.samples[1].number);
+  EXPECT_EQ(one.samples[1].text, "n/a");
+  EXPECT_TRUE(one.monitors.empty());
+  ASSERT_EQ(one.commands.size(), 2u);
+  EXPECT_EQ(one.commands[0].duration, one.cycle);
+  EXPECT_EQ(one.commands[1].duration, Ticks::of_seconds(2));
   ASSERT_EQ(one.rules.size(), 2u);
   EXPECT_EQ(one.rules[0].delay_cycles, 86u);
   EXPECT_TRUE(one.rules[0].duration.is_infinite());
@@ -75,6 +86,16 @@ scenario "two" { program "p.rmpl"; plant "p.tcca" rules only; }
   EXPECT_EQ(one.expectations[2].kind, automata::Expectation::Kind::finished);
   EXPECT_TRUE(document.scenarios[1].rules_only);
   EXPECT_EQ(document.programs[document.scenarios[1].program].variables, document.plants[0].variables);
+}
+
+TEST_F(Scenarios, RequirementsAreNamedOnce) {
+  EXPECT_THAT(in("requirement \"R-1\", \"R-2\";\nexpect engine = on within 5 s requirement \"R-3\";"), IsEmpty());
+  EXPECT_THAT(in("requirement \"R-1\", \"\";"), ElementsAre("RMPL0107 s.scn:3:20"));
+  EXPECT_THAT(in("requirement \" R-1\";"), ElementsAre("RMPL0107 s.scn:3:13"));
+  EXPECT_THAT(in("requirement \"R-1\"; requirement \"R-1\";"), ElementsAre("RMPL0108 s.scn:3:32"));
+  EXPECT_THAT(in("expect engine = on requirement \"R-1\";\nrequirement \"R-1\";"), ElementsAre("RMPL0108 s.scn:3:32"));
+  EXPECT_THAT(in("expect engine = on requirement \"R-1\"; expect never engine = failed requirement \"R-1\";"),
+              IsEmpty());
 }
 
 TEST_F(Scenarios, WithRulesOnlyThereIsNoTruth) {

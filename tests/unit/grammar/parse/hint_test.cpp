@@ -82,9 +82,11 @@ TEST(Hint, WordsOfTemporalLogic) {
 }
 
 TEST(Hint, UnitsAndValues) {
-  EXPECT_EQ(in_component("a -> b after 30 sec;"), "did you mean `s`? Units of time are us, ms, s, min, h and d");
-  EXPECT_EQ(in_component("a -> b with rate 1 / hour;"), "did you mean `h`? Units of time are us, ms, s, min, h and d");
-  EXPECT_EQ(in_component("a -> b with 0.5 second;"), "did you mean `s`? Units of time are us, ms, s, min, h and d");
+  EXPECT_EQ(in_component("a -> b after 30 sec;"), "did you mean `s`? Units of time are ns, us, ms, s, min, h, d and w");
+  EXPECT_EQ(in_component("a -> b with rate 1 / hour;"),
+            "did you mean `h`? Units of time are ns, us, ms, s, min, h, d and w");
+  EXPECT_EQ(in_component("a -> b with 0.5 second;"),
+            "did you mean `s`? Units of time are ns, us, ms, s, min, h, d and w");
   EXPECT_EQ(in_program("when t = 30 s donext a = b"), "a clock is compared with <, <=, > or >=");
   EXPECT_EQ(in_program("when a > b donext c = d"), "only clocks are compared with <, <=, > and >=");
   EXPECT_EQ(in_program("a = \"b\""), "a value is written without quotes");
@@ -114,6 +116,22 @@ TEST(Hint, OnlyProgramsHaveClocks) {
   EXPECT_EQ(in_component("mode a { x = 0 };"), "a value is a name, which begins with a letter: `zero`, `v0`");
   EXPECT_EQ(in_component("mode a { x > y };"), "values are compared with `=`, `!=` and `in` only");
   EXPECT_EQ(in_program("when x = 0 donext a = b"), "a clock is started by a step of its own: `t = 0`");
+}
+
+TEST(Hint, ModelProgramsHaveValuesAndNoClocks) {
+  const auto hint_in = [](const char* text) {
+    const test::Parsed<ProgramFile> result(parse_program, text);
+    return result.diagnostics.all().at(0).suggestion;
+  };
+  EXPECT_EQ(hint_in("variable n : { 0, 1 };"), "a value is a name, which begins with a letter: `zero`, `v0`");
+  EXPECT_EQ(hint_in("variable n : D; model M() :: { if n != 0 thennext n = a }"),
+            "a value is a name, which begins with a letter: `zero`, `v0`");
+  EXPECT_EQ(hint_in("model M() :: { T(3) }"),
+            "an argument is a name or a constraint: there are no numbers to count with");
+  EXPECT_EQ(hint_in("clock t; model M() :: { x = a }"),
+            "a model program counts steps, and has no clocks: wait step by step, `next next …`");
+  EXPECT_EQ(hint_in("clock t; M() :: { x = a }"),
+            "a clock is declared in the definition that it belongs to: `Name() :: { clock t; … }`");
 }
 
 TEST(Hint, ReservedWordsAreNoNames) {

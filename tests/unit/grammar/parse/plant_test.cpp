@@ -114,6 +114,16 @@ TEST(PlantParse, TransitionsWithAllClauses) {
   EXPECT_FALSE(t.braced);
 }
 
+TEST(PlantParse, DensitiesOfANumberAndATime) {
+  for (const auto& [text, kind] :
+       {std::pair("weibull(1.5, 2 h)", DensityKind::weibull), std::pair("erlang(1.5, 2 h)", DensityKind::erlang)}) {
+    const auto t = only<TransitionText>(component_with(std::string("a -> b in [0, inf] ~ ") + text + ";"));
+    EXPECT_EQ(t.timing->density->kind, kind);
+    EXPECT_EQ(t.timing->density->shape.value, 1.5);
+    ASSERT_EQ(t.timing->density->parameters.size(), 1u);
+  }
+}
+
 TEST(PlantParse, AfterIsAPointInTime) {
   const auto t = only<TransitionText>(component_with("a -> b after 5 min;"));
   EXPECT_TRUE(t.timing->after);

@@ -30,10 +30,23 @@ TEST(ScenarioParse, Settings) {
 TEST(ScenarioParse, Events) {
   const auto all = items(
       "at 16498 s fault lander = stuck; at 100 s observe engine.temp = low for 20 s;"
-      "at 0 observe engine.temp = low;");
+      "at 0 observe engine.temp = low; at 3 s command engine.cmd = on for 2; at 4 s command engine.cmd = off;");
   EXPECT_EQ(std::get<FaultEvent>(all.at(0)).mode.value.text, "stuck");
   EXPECT_EQ(std::get<ObserveEvent>(all.at(1)).duration->text(), "20s");
   EXPECT_FALSE(std::get<ObserveEvent>(all.at(2)).duration);
+  EXPECT_EQ(std::get<CommandEvent>(all.at(3)).command.value.text, "on");
+  EXPECT_EQ(std::get<CommandEvent>(all.at(3)).duration->text(), "2");
+  EXPECT_FALSE(std::get<CommandEvent>(all.at(4)).duration);
+}
+
+TEST(ScenarioParse, Samples) {
+  const auto all = items("at 3 s channel \"P1\" = -2.70; at 0 channel \"a \\\"b\\\"\" = \"ON\";");
+  const auto& number = std::get<ChannelEvent>(all.at(0));
+  EXPECT_EQ(number.channel.text, "P1");
+  EXPECT_EQ(std::get<Number>(number.sample).value, -2.7);
+  EXPECT_EQ(std::get<Number>(number.sample).text, "-2.70");
+  EXPECT_EQ(std::get<ChannelEvent>(all.at(1)).channel.text, "a \"b\"");
+  EXPECT_EQ(std::get<String>(std::get<ChannelEvent>(all.at(1)).sample).text, "ON");
 }
 
 TEST(ScenarioParse, Rules) {
@@ -74,6 +87,31 @@ TEST(ScenarioParse, HowAProgramIsToEndAndWhatIsNeverToCome) {
   EXPECT_EQ(finished.within->text(), "5h");
   EXPECT_EQ(std::get<ExpectText>(all.at(1)).kind, ExpectText::Kind::goal_conflict);
   EXPECT_EQ(std::get<ExpectText>(all.at(2)).kind, ExpectText::Kind::no_plan);
+}
+
+TEST(ScenarioParse, AProgramThatIsToGoOn) {
+  const auto all =
+      items("expect never finished; expect never finished with a = x within 5 h; expect never finished = x;");
+  EXPECT_EQ(std::get<ExpectText>(all.at(0)).kind, ExpectText::Kind::never_finished);
+  EXPECT_FALSE(std::get<ExpectText>(all.at(0)).condition);
+  EXPECT_EQ(std::get<ExpectText>(all.at(1)).kind, ExpectText::Kind::never_finished);
+  EXPECT_EQ(test::tree(*std::get<ExpectText>(all.at(1)).condition), "a=x");
+  EXPECT_EQ(std::get<ExpectText>(all.at(1)).within->text(), "5h");
+  EXPECT_EQ(std::get<ExpectText>(all.at(2)).kind, ExpectText::Kind::never);
+  EXPECT_EQ(test::tree(*std::get<ExpectText>(all.at(2)).condition), "finished=x");
+}
+
+TEST(ScenarioParse, Requirements) {
+  const auto all = items(
+      "requirement \"R-1\", \"R-2\"; expect a = x within 5 s requirement \"R-3\";"
+      "expect finished requirement \"R-4\"; expect never no-plan requirement \"R-5\"; expect requirement = x;");
+  EXPECT_EQ(std::get<RequirementPart>(all.at(0)).tags.at(1).text, "R-2");
+  for (std::size_t i = 1; i < 4; ++i) {
+    const auto& expected = std::get<ExpectText>(all.at(i));
+    ASSERT_TRUE(expected.requirement);
+    EXPECT_EQ(expected.requirement->tags.at(0).text, "R-" + std::to_string(i + 2));
+  }
+  EXPECT_EQ(test::tree(*std::get<ExpectText>(all.at(4)).condition), "requirement=x");
 }
 
 TEST(ScenarioParse, ItsKeywordsMayBeVariables) {

@@ -30,6 +30,11 @@ inline std::string tree(const Constraint& constraint) {
       constexpr const char* relations[] = {"<", "<=", ">", ">="};
       return n.clock.text + relations[static_cast<int>(n.relation)] + n.bound.text();
     }
+    std::string operator()(const KnowledgeAtom& n) const {
+      static constexpr const char* names[] = {"surprise", "noplan", "possible", "likely"};
+      std::string text = list(names[static_cast<std::size_t>(n.kind)], n.operands);
+      return n.component ? text + "@" + n.component->text : text;
+    }
     std::string operator()(const Negation& n) const { return list("!", n.operands); }
     std::string operator()(const Conjunction& n) const { return list("&", n.operands); }
     std::string operator()(const Disjunction& n) const { return list("|", n.operands); }
@@ -76,6 +81,9 @@ inline std::string tree(const Step& step) {
     std::string operator()(const When& n) const { return binary("when", n.condition, *n.step); }
     std::string operator()(const Whenever& n) const { return binary("whenever", n.condition, *n.step); }
     std::string operator()(const Always& n) const { return "(always " + tree(*n.step) + ")"; }
+    std::string operator()(const Nothing&) const { return "()"; }
+    std::string operator()(const Each& n) const { return "(each " + tree(n.body) + ")"; }
+    std::string operator()(const Repeat& n) const { return "(repeat " + tree(*n.step) + ")"; }
     std::string operator()(const Next& n) const { return "(next " + tree(*n.step) + ")"; }
     std::string operator()(const Choose& n) const {
       std::string text = "(choose";

@@ -43,6 +43,19 @@ TEST(Github, GivesColumnsWithinOneLineOnly) {
   EXPECT_EQ(render_github(found, sources()).substr(0, 55), "::error file=a b/ü%3A%2C.rmpl,line=2,endLine=3,title=R");
 }
 
+TEST(Sarif, NamesPagesWhereTheProjectHasAnAddress) {
+  const Diagnostic found[] = {{Code::syntax, Severity::error, {0, 0, 1}, "x", {}, {}, {}}};
+  const auto driver = [&](const Tool& tool) {
+    return nlohmann::json::parse(render_sarif(found, sources(), tool))["runs"][0]["tool"]["driver"];
+  };
+  const auto with = driver({"rmplc", "1.2.3", "https://rmpl.example"});
+  EXPECT_EQ(with["informationUri"], "https://rmpl.example");
+  EXPECT_EQ(with["rules"][0]["helpUri"], "https://rmpl.example/docs/diagnostics/" + to_string(Code::syntax) + ".md");
+  const auto without = driver({"rmplc", "1.2.3"});
+  EXPECT_FALSE(without.contains("informationUri"));
+  EXPECT_FALSE(without["rules"][0].contains("helpUri"));
+}
+
 TEST(Sarif, HasRulesRegionsNotesAndFixesByFile) {
   const std::vector found{finding(), finding()};
   const auto log = nlohmann::json::parse(render_sarif(found, sources(), {"rmplc", "1.2.3"}));
@@ -61,6 +74,18 @@ TEST(Sarif, HasRulesRegionsNotesAndFixesByFile) {
   ASSERT_EQ(changes.size(), 2);
   EXPECT_EQ(changes[0]["replacements"].size(), 2);
   EXPECT_EQ(changes[1]["replacements"][0]["insertedContent"]["text"], "");
+}
+
+TEST(Sarif, TellsWhatIsAllowedWithItsReason) {
+  const std::vector<AllowedFinding> allowed{{finding(), "the pump is bought", {0, 0, 3}}};
+  const auto log = nlohmann::json::parse(render_sarif({}, sources(), {"rmplc", "1.2.3"}, allowed));
+  const auto& run = log.at("runs").at(0);
+  EXPECT_EQ(run["tool"]["driver"]["rules"].size(), 1);
+  ASSERT_EQ(run["results"].size(), 1);
+  const auto& suppression = run["results"][0]["suppressions"].at(0);
+  EXPECT_EQ(suppression["kind"], "inSource");
+  EXPECT_EQ(suppression["justification"], "the pump is bought");
+  EXPECT_EQ(suppression["location"]["physicalLocation"]["region"]["startLine"], 1);
 }
 
 }  // namespace

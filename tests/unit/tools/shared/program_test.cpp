@@ -18,7 +18,7 @@ namespace {
 template <class Error>
 void end_by(const Error& error) {
   Program program("program", "1.0", "a program", "");
-  CLI::App* command = program.app().add_subcommand("check", "throws");
+  const Command command = program.add_command("check", "throws");
   program.add({command, [&error]() -> ExitStatus { throw error; }});
   const char* const arguments[] = {"program", "check"};
   std::exit(program.run(2, arguments));

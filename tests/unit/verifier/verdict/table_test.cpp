@@ -17,9 +17,9 @@ std::vector<Claim> claims(Slices& slices, const test::PlantBuilder& b, const Lim
   const Property never_standby = Safety{b.is("engine", "standby"), {}, false};
   const std::vector<Question> questions = {{standby, {}}, {never_standby, {}}, {never_standby, {}}};
   const std::vector<Answer> answers = check_all(slices, questions, limits);
-  return {{"can be <ready>", questions[0], false, answers[0]},
-          {"never", questions[1], false, answers[1]},
-          {"\"never\", expected not to", questions[2], true, answers[2]}};
+  return {{"can be <ready>", {"a/engine.props", 3, 1}, questions[0], false, answers[0]},
+          {"never", {"a/engine.props", 7, 1}, questions[1], false, answers[1]},
+          {"\"never\", expected not to", {}, questions[2], true, answers[2]}};
 }
 
 TEST(Table, CountsAgainstWhatIsExpected) {
@@ -46,6 +46,23 @@ TEST(Table, JunitIsWellFormedAndCounts) {
   const pugi::xml_node failure = suite.first_child().next_sibling().child("failure");
   EXPECT_STREQ(failure.attribute("message").value(), "violated");
   EXPECT_NE(std::string(failure.text().get()).find("engine: heating -> standby"), std::string::npos);
+  EXPECT_NE(std::string(failure.text().get()).find("a/engine.props:7"), std::string::npos);
+}
+
+TEST(Table, PropertiesOfOneNameInTwoFilesAreTwo) {
+  const auto b = test::engine();
+  Slices slices(b.plant);
+  std::vector<Claim> here = claims(slices, b, {}), there = here;
+  for (Claim& claim : there) claim.origin.file = "b/engine.props";
+  const auto identity = [&](const std::vector<Claim>& of) {
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_string(to_junit({b.plant}, of).c_str()));
+    const pugi::xml_node suite = document.child("testsuites").child("testsuite");
+    const pugi::xml_node first = suite.first_child();
+    return std::vector<std::string>{suite.attribute("name").value(), first.attribute("classname").value(),
+                                    first.attribute("file").value()};
+  };
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(identity(here)[i], identity(there)[i]);
 }
 
 TEST(Table, WhatIsUndecidedIsAnErrorOfJunit) {

@@ -74,7 +74,7 @@ TEST_F(ReplayLoop, RefusesAnotherCommand) {
 
 TEST_F(ReplayLoop, RefusesAnotherGoalAndAnotherMarking) {
   Witness right = witness_;
-  witness_.events[1].cycle->goal.clear();
+  witness_.events[1].cycle->goals.goal.clear();
   EXPECT_EQ(failure(), "another goal at 0 s");
   witness_ = right;
   witness_.events[1].cycle->marking.clear();

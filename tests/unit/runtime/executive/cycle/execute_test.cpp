@@ -58,7 +58,7 @@ TEST(Executive, AchievesAGoalThroughATimedTransitionAndEnds) {
   EXPECT_EQ(first.start, Ticks{});
   EXPECT_EQ(first.time, Ticks{Ticks::per_second / 2});
   EXPECT_EQ(first.marking, (Marking{LocationId(0), LocationId(1)}));
-  EXPECT_EQ(first.goal, std::vector<Assignment>{in(on)});
+  EXPECT_EQ(first.goals.goal, std::vector<Assignment>{in(on)});
   EXPECT_EQ(first.command, ControlAction{turn_on});
   EXPECT_EQ(first.observations, (Observation{{temp, low}}));
   EXPECT_EQ(first.estimate, Modes{heating});
@@ -70,7 +70,7 @@ TEST(Executive, AchievesAGoalThroughATimedTransitionAndEnds) {
   }
   EXPECT_EQ(flight.executive.record().estimate, Modes{on});
   EXPECT_TRUE(flight.executive.ended());
-  EXPECT_TRUE(flight.executive.run_cycle().goal.empty());
+  EXPECT_TRUE(flight.executive.run_cycle().goals.empty());
 }
 
 // The simulated heater breaks; that it stays cold is the evidence; off repairs it, and it is turned on again.
@@ -96,7 +96,7 @@ TEST(Executive, GoalsThatContradictLeaveTheCommandIdleAndTheRunGoesOn) {
   program.locations[2].goal = {in(off)};
   Flight flight(heater::scenario(), program);
   const CycleRecord& record = flight.executive.run_cycle();
-  EXPECT_TRUE(record.goal.empty());
+  EXPECT_TRUE(record.goals.empty());
   EXPECT_EQ(record.command, ControlAction{none});
   ASSERT_EQ(record.events.size(), 1U);
   EXPECT_EQ(record.events[0].kind, Event::Kind::goal_conflict);

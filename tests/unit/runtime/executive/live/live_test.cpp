@@ -49,7 +49,7 @@ TEST(Inbox, KeepsNothingOfALineThatIsTooLong) {
 
 std::string complaint(const std::string& text) {
   const Plant plant = heater::plant();
-  Answers answers(plant, 3);
+  Answers answers(plant, 3, nullptr);
   answers.skip();
   try {
     answers.read({text, false});
@@ -124,7 +124,7 @@ std::string day(std::uint64_t seed, LiveOptions::Time time, Ticks duration, Audi
   TraceWriter trace(model, program, path.string(), TraceDetail::cycles);
   std::vector<CycleObserver*> observers{&trace};
   if (auditor != nullptr) observers.push_back(auditor);
-  const LiveResult result = run_live(program, *make_engines(model, run.engines), plant, run, observers);
+  const LiveResult result = run_live(program, *make_engines(model, run.engines, run.cycle), plant, run, observers);
   EXPECT_EQ(result.end, LiveResult::End::duration);
   trace.keep();
   std::ifstream file(path);

@@ -150,6 +150,63 @@ TEST(SimulatedPlant, RepeatsWithItsSeed) {
   EXPECT_NE(history(5), history(6));
 }
 
+/// A monitor of the heater's temperature: low below 20, high from 25 on, stale after 2 s.
+Scenario sampled() {
+  Scenario scenario = heater::scenario();
+  Monitor monitor;
+  monitor.channel = "T";
+  monitor.attribute = temp;
+  Band cold, warm;
+  cold.value = low;
+  cold.to = 20;
+  cold.open_to = true;
+  warm.value = high;
+  warm.from = 25;
+  monitor.bands = {cold, warm};
+  monitor.stale = Ticks::of_seconds(2);
+  scenario.monitors = {monitor};
+  return scenario;
+}
+
+TEST(ScriptedPlant, SamplesOfChannelsBecomeReadings) {
+  const Plant model = heater::plant();
+  Scenario scenario = sampled();
+  scenario.samples = {{Ticks::of_seconds(5), "T", 22.0, "22", {}},  // in a gap
+                      {Ticks::of_seconds(1), "T", 30.0, "30", {}},
+                      {Ticks{1'200'000'000}, "T", std::nullopt, "19", {}},
+                      {Ticks::of_seconds(6), "T", std::nullopt, "n/a", {}}};
+  scenario.overrides = {{Ticks::of_seconds(2), half_second, {temp, high}, {}}};
+  ScriptedPlant plant(model, scenario);
+  EXPECT_TRUE(plant.sense(half_second).empty());
+  EXPECT_TRUE(plant.samples().empty());
+  EXPECT_EQ(plant.sense(Ticks::of_seconds(1)), (Observation{{temp, high}}));
+  // A text that reads as a number is one.
+  EXPECT_EQ(plant.sense(Ticks{1'500'000'000}), (Observation{{temp, low}}));
+  ASSERT_EQ(plant.samples().size(), 1U);
+  EXPECT_EQ(plant.samples().front().number, 19);
+  // What is dictated goes before; after it the monitor is heard again, until it is stale.
+  EXPECT_EQ(plant.sense(Ticks::of_seconds(2)), (Observation{{temp, high}}));
+  EXPECT_EQ(plant.sense(Ticks::of_seconds(3)), (Observation{{temp, low}}));
+  EXPECT_TRUE(plant.sense(Ticks{3'500'000'000}).empty());
+  EXPECT_TRUE(plant.sense(Ticks::of_seconds(5)).empty());
+  EXPECT_TRUE(plant.happenings().empty());
+  EXPECT_TRUE(plant.more_to_come());
+  EXPECT_TRUE(plant.sense(Ticks::of_seconds(6)).empty());
+  EXPECT_EQ(plant.happenings().size(), 1U);
+  EXPECT_FALSE(plant.more_to_come());
+}
+
+TEST(SimulatedPlant, SensorsReadUntilTheFirstSample) {
+  const Plant model = heater::plant();
+  Scenario scenario = sampled();
+  scenario.samples = {{Ticks::of_seconds(1), "T", 22.0, "22", {}}};
+  SimulatedPlant plant(model, scenario, 3);
+  EXPECT_EQ(plant.sense(half_second).size(), 1U);
+  EXPECT_TRUE(plant.sense(Ticks::of_seconds(1)).empty());
+  scenario.monitors.clear();
+  EXPECT_THROW(SimulatedPlant(model, scenario, 3), base::InputError);
+}
+
 // Thesis 7.2.1: 86 cycles of half a second after the standby command are 43 s.
 TEST(ScriptedPlant, RulesAnswerACommandSomeCyclesLater) {
   const Plant model = heater::plant();

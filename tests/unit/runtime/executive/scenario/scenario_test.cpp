@@ -13,6 +13,7 @@
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/executive/scenario/story.hpp"
 #include "runtime/executive/sequence/log_run.hpp"
+#include "runtime/executive/trace/log.hpp"
 #include "runtime/executive/trace/trace_writer.hpp"
 #include "tests/unit/runtime/executive/cycle/heater.hpp"
 
@@ -53,6 +54,24 @@ TEST(Scenario, WhatAProgramIsToEndWithIsAskedThen) {
   EXPECT_EQ(result.judgements[1].time, (Ticks{2'500'000'000}));
   EXPECT_EQ(result.judgements[2].verdict, Verdict::met);
   EXPECT_EQ(result.judgements[3].verdict, Verdict::met);
+}
+
+// It ends at 2.5 s, with the mode on.
+TEST(Scenario, WhatIsToGoOnFailsAsItEnds) {
+  Scenario scenario = heater::scenario();
+  scenario.expectations = {expects(Kind::never_finished), expects(Kind::never_finished, is(mode, ValueId(on.index()))),
+                           expects(Kind::never_finished, is(mode, ValueId(off.index()))), expects(Kind::never_finished),
+                           expects(Kind::never_finished)};
+  scenario.expectations[3].within = Ticks::of_seconds(2);
+  scenario.expectations[4].within = Ticks{2'500'000'000};
+  const ScenarioResult result = fly(scenario);
+  const std::vector<Verdict> verdicts = {Verdict::failed, Verdict::failed, Verdict::met, Verdict::met, Verdict::failed};
+  for (std::size_t i = 0; i < verdicts.size(); ++i) EXPECT_EQ(result.judgements[i].verdict, verdicts[i]) << i;
+  EXPECT_EQ(result.judgements[0].reason, "the program ended");
+  EXPECT_EQ(result.judgements[0].time, (Ticks{2'500'000'000}));
+  EXPECT_EQ(result.judgements[3].time, Ticks::of_seconds(2));
+  scenario.duration = Ticks::of_seconds(2);
+  EXPECT_EQ(fly(scenario).verdict(), Verdict::met);
 }
 
 TEST(Scenario, TimesAreExact) {
@@ -294,9 +313,13 @@ TEST_F(TraceFile, OfChangesIsTheSameLogAsThatOfAllCycles) {
     EXPECT_EQ(lines.back()["cycle"], 40);
     EXPECT_EQ(lines.back()["time"], 20);
     EXPECT_EQ(lines.back().contains("belief"), detail == TraceDetail::beliefs);
+    std::ifstream whole(path());
     std::uint64_t cycles = 0;
-    for (const auto& line : lines) cycles += 1 + line.value("unchanged", 0U);
+    for (const LogLine& line : read_log(whole, "out.jsonl", document.plants[0])) cycles += 1 + line.unchanged;
     EXPECT_EQ(cycles, 41U);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      EXPECT_EQ(lines[i].contains("delta"), detail == TraceDetail::changes && i > 0);
+    }
     std::ifstream log(path());
     std::string& sequence = repeated.emplace_back();
     sequence_log(document.programs[0], document.plants[0], log, "out.jsonl",

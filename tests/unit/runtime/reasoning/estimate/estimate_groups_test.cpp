@@ -120,12 +120,15 @@ TEST(Groups, ACommandThatContradictsAStoreJoinsThem) {
   EXPECT_EQ(estimator->estimate().modes[1], automata::ModeId(1));
 }
 
-TEST(Groups, WhatOneCannotExplainAllCarryForward) {
+TEST(Groups, WhatOneCannotExplainSetsNothingAsideInTheOthers) {
   const PlantWriter w = lamps({"left", "right"});
   PlantStep step(w.plant);
   const auto estimator = make_exact_estimator(step, {});
-  estimator->update(automata::idle_action(w.plant), {w.assignment("left.light", "yes")}, at(1));
-  EXPECT_FALSE(estimator->estimate().consistent);
+  const automata::Observation seen{w.assignment("left.light", "yes"), w.assignment("right.light", "no")};
+  const Estimate& estimate = estimator->update(automata::idle_action(w.plant), seen, at(1));
+  EXPECT_FALSE(estimate.consistent);
+  EXPECT_EQ(estimate.set_aside, (automata::Observation{w.assignment("left.light", "yes")}));
+  EXPECT_EQ(estimate.surprised, (std::vector<bool>{true, false}));
   EXPECT_EQ(estimator->belief().size(), 1u);
 }
 

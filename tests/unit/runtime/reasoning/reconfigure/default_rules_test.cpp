@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
 #include "runtime/reasoning/reconfigure/circle.hpp"
-#include "runtime/reasoning/reconfigure/nominal_graph.hpp"
 #include "tests/unit/runtime/reasoning/reconfigure/reconfigure_models.hpp"
 
 namespace rmpl::runtime {
@@ -80,7 +80,7 @@ TEST(Plan, WhatIsNeededGoesBeforeRewards) {
   b.transition("ready", "fired", b.is("fire", "fire"));
   Craft craft(std::move(b));
   const Formula goal = craft.is("pyro", "fired");
-  EXPECT_THAT(craft.text(craft.plan({"off", "off", "ready"}, goal).commands), ElementsAre("fire", "h1:on", "h2:on"));
+  EXPECT_THAT(craft.text(craft.plan({"off", "off", "ready"}, goal).commands), ElementsAre("fire", "h1:on h2:on"));
   const auto first = craft.next({"off", "off", "ready"}, goal);
   EXPECT_EQ(first.why.purpose, Purpose::goal);
   EXPECT_EQ(first.why.conjunct, 0u);
@@ -148,7 +148,7 @@ TEST(Irreversible, WhereTimeCouldTakeAForbiddenStepNoCommandLeads) {
   EXPECT_EQ(answer.why.obstacle, Obstacle::forbidden);
   ASSERT_TRUE(answer.why.step);
   EXPECT_EQ(answer.why.step->transition, automata::TransitionId(2));
-  EXPECT_THAT(answer.reason, HasSubstr("let 'pyro' go from 'armed' to 'fired'"));
+  EXPECT_THAT(answer.reason, HasSubstr("it takes 'pyro' from 'armed' to 'fired'"));
   EXPECT_THAT(remedy(answer.why, craft.names.plant), HasSubstr("pyro = fired"));
 }
 
@@ -187,7 +187,7 @@ TEST(Irreversible, ANeededChangeThatEnablesAnothersIsNoPlan) {
   Craft craft(std::move(b));
   const auto answer = craft.next({"closed", "intact"}, craft.is("valve", "open"));
   EXPECT_EQ(answer.outcome, Outcome::no_plan);
-  EXPECT_THAT(answer.reason, HasSubstr("'disk' go from 'intact' to 'burst', which is irreversible"));
+  EXPECT_THAT(answer.reason, HasSubstr("it takes 'disk' from 'intact' to 'burst', which is irreversible"));
   const Formula both = conjunction({craft.is("valve", "open"), craft.is("disk", "burst")});
   EXPECT_THAT(craft.text(craft.plan({"closed", "intact"}, both).commands), ElementsAre("open", "wait"));
 }
@@ -233,7 +233,7 @@ TEST(Reasons, TellTheWayAndTheTransition) {
   const auto first = craft.next({"off", "closed", "closed", "full", "full", "off"}, goal);
   EXPECT_EQ(to_text(first.why, craft.names.plant, goal),
             "for engine = firing, 'engine' to 'firing': 'pde' from 'off' to 'on'");
-  const auto wait = craft.next({"on", "closed", "closed", "full", "full", "heating"}, goal);
+  const auto wait = craft.next({"on", "open", "open", "full", "full", "heating"}, goal);
   EXPECT_EQ(to_text(wait.why, craft.names.plant, goal),
             "for engine = firing, 'engine' to 'firing': 'engine' from 'heating' to 'standby'");
   const auto last = craft.next({"on", "open", "open", "full", "full", "firing"}, goal);

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "runtime/reasoning/reconfigure/causal_order.hpp"
-#include "runtime/reasoning/reconfigure/parts.hpp"
 #include "tests/unit/runtime/reasoning/reconfigure/reconfigure_models.hpp"
 
 namespace rmpl::runtime {
@@ -76,19 +75,10 @@ TEST(Policy, MarksWhatCannotBeUndone) {
 
 TEST(CausalOrder, PutsTheDriverAfterWhatItDrives) {
   const Plant plant = crafts::propulsion().plant;
-  const Parts parts(plant);
   const CausalOrder order(plant, NominalGraph(plant));
   std::vector<std::string> names;
   for (const ComponentId c : order.downstream_first()) names.push_back(plant[c].name);
   EXPECT_THAT(names, ElementsAre("engine", "valve1", "valve2", "pde", "tank1", "tank2"));
-  EXPECT_EQ(parts.of(ComponentId(0)), parts.of(ComponentId(5)));
-}
-
-TEST(Parts, SeparateWhatSharesNoConstraint) {
-  const Plant plant = crafts::lander().plant;
-  const Parts parts(plant);
-  EXPECT_NE(parts.of(ComponentId(0)), parts.of(ComponentId(1)));
-  EXPECT_THAT(parts.controls(parts.of(ComponentId(1))), ElementsAre(1U));
 }
 
 }  // namespace

@@ -1,0 +1,168 @@
+// Where bounds matter: groups over modes and ages, and the strategies in force (semantics 5).
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "runtime/reasoning/game/sorted_sets.hpp"
+#include "runtime/reasoning/game/strategist.hpp"
+
+namespace rmpl::runtime {
+
+using automata::ComponentId;
+using automata::ControlAction;
+using automata::ModeId;
+using automata::Modes;
+
+namespace {
+
+// Beyond these a game over ages is too large: the one over modes stands. Where that one has more than so many outcomes,
+// nearly every game over ages is, and none is tried.
+constexpr Game::Limits aged_limits{std::size_t{1} << 12, std::size_t{1} << 12};
+constexpr std::size_t most_over_modes = std::size_t{1} << 9;
+constexpr std::size_t games_remembered = 16;  // of one group
+
+/// Whether the goal is kept for as long as the executive rests, whatever comes: no age can make that better.
+bool rests_for_good(const SolvedGame& solved) {
+  const Game& game = *solved.game;
+  std::vector<std::uint32_t> open{solved.start};
+  std::vector<bool> seen(game.nodes().size());
+  seen[solved.start] = true;
+  while (!open.empty()) {
+    const std::uint32_t n = open.back();
+    open.pop_back();
+    const GameDecision& decision = solved.solution->at(n);
+    if (decision.purpose != GameDecision::Purpose::keep || decision.edge != game.nodes()[n].first) return false;
+    const Game::Edge& edge = game.edges()[decision.edge];
+    for (std::uint32_t o = edge.first; o < edge.first + edge.count; ++o) {
+      const std::uint32_t then = game.outcomes()[o].node;
+      if (!seen[then]) open.push_back(then);
+      seen[then] = true;
+    }
+  }
+  return true;
+}
+
+/// What is known where one of two things is.
+std::vector<Age> either(std::vector<Age> a, const std::vector<Age>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] = {std::min(a[i].least, b[i].least), std::max(a[i].most, b[i].most), std::min(a[i].charged, b[i].charged)};
+  return a;
+}
+
+}  // namespace
+
+/// Whether some component of the group may come to a mode with an exit whose bounds say something.
+bool Strategist::bounds_matter(const Group& group, const Modes& modes) const {
+  return std::any_of(group.components.begin(), group.components.end(), [&](ComponentId c) {
+    const auto& transitions = graph_.transitions(c);
+    return std::any_of(transitions.begin(), transitions.end(), [&](const NominalTransition& t) {
+      if (!t.timed || !graph_.leads(c, modes[c.index()], t.from)) return false;
+      const automata::Timing& timing = *step_.plant()[c].transitions[t.id.index()].timing;
+      return timing.lower.count > 0 || !timing.upper.is_infinite();
+    });
+  });
+}
+
+/// Of a group that was solved over modes: over ages, too, where that can make a difference and is not too large.
+void Strategist::count_ages(Group& group, const Played& over_modes, const Modes& modes) {
+  if (!bounds_matter(group, modes) || rests_for_good(*group.solved)) {
+    group.ages.reset();
+    return;
+  }
+  group.solved->bounds_counted = false;
+  if (!over_modes.best || over_modes.game->outcomes().size() > most_over_modes) return;
+  auto& games = aged_games_[{group.parts, group.components}];
+  for (Played& played : games) {
+    const auto start = in_context(*played.arena, modes) ? played.game->find(modes, group.ages) : std::nullopt;
+    if (start) {
+      group.solved = solved(played, *start, group.parts);
+      return;
+    }
+  }
+  auto game = kept_with(over_modes.arena,
+                        new Game(*over_modes.arena, Game::Memory::ages, *cycle_, aged_limits, modes, group.ages));
+  if (game->too_large()) return;
+  if (games.size() >= games_remembered) games.erase(games.begin());
+  Played& played = games.emplace_back();
+  played.arena = over_modes.arena;
+  played.game = std::move(game);
+  group.solved = solved(played, 0, group.parts);
+}
+
+/// Whether the strategy in force of a group still holds: it leads on, and disturbs nothing outside.
+bool Strategist::go_on(Group& group, const Modes& modes) {
+  if (!is_small(group, modes)) return false;
+  Played& played = game_of(group, modes);
+  if (played.game->too_large()) return false;
+  group.solved = solved(played, *played.game->find(modes), group.parts);
+  count_ages(group, played, modes);
+  if (group.ages && group.solved->game->memory() == Game::Memory::modes) return false;
+  return group.solved->decision().rank != Rank::none && follow(group, modes).empty();
+}
+
+/// Groups in force, and all other parts of the goal, those together that read the same component.
+std::vector<Strategist::Group> Strategist::first_groups(const Modes& modes, const StrategyPosition& position) {
+  std::vector<Group> groups;
+  std::vector<bool> placed(goal_.parts());
+  for (const StrategyPosition::Group& known : position.groups(goal_text_)) {
+    Group group{.parts = known.parts, .components = known.components};
+    group.ages = known.ages;
+    if (!go_on(group, modes)) continue;
+    for (const std::size_t p : group.parts) placed[p] = true;
+    groups.push_back(std::move(group));
+  }
+  for (std::size_t p = 0; p < goal_.parts(); ++p) {
+    if (!placed[p]) groups.push_back({.parts = {p}, .components = relevant_[p]});
+  }
+  merge_common(groups);
+  return groups;
+}
+
+/// Whether the goal of a group is kept by resting from these modes on: what is known of ages makes nothing better.
+bool Strategist::rests_from(const SolvedGame& solved, const Modes& modes) {
+  const Group group{.parts = solved.parts, .components = solved.game->arena().components()};
+  Played& played = game_of(group, modes);
+  if (played.game->too_large()) return false;
+  return rests_for_good(this->solved(played, *played.game->find(modes), solved.parts));
+}
+
+std::shared_ptr<const StrategyEdges> Strategist::edges(const Answer& answer, const Modes& modes,
+                                                       const ControlAction& sent) {
+  std::vector<StrategyEdges::Group> result;
+  for (const SolvedGame& solved : answer.groups) {
+    const Game& game = *solved.game;
+    const std::uint32_t chosen = solved.decision().edge;
+    if (game.memory() == Game::Memory::modes || answer.rank == Rank::none || chosen == GameDecision::no_edge) continue;
+    const Game::Edge& edge = game.edges()[chosen];
+    const Arena& arena = game.arena();
+    const ControlAction& own = arena.action(edge.action);
+    const bool as_sent =
+        std::all_of(arena.controls().begin(), arena.controls().end(), [&](std::size_t i) { return own[i] == sent[i]; });
+    if (!as_sent) continue;
+    std::map<std::vector<ModeId>, std::vector<Age>> known;  // by modes that are seen next
+    const auto add = [&](std::uint32_t node) {
+      if (game.is_fresh(node)) return;
+      std::vector<ModeId> then;
+      Modes joint = modes;
+      for (const ComponentId c : arena.components()) {
+        joint[c.index()] = game.position(node).modes[c.index()];
+        then.push_back(joint[c.index()]);
+      }
+      if (rests_from(solved, joint)) return;
+      const auto [at, fresh] = known.try_emplace(std::move(then), game.ages(node));
+      if (!fresh) at->second = either(at->second, game.ages(node));
+    };
+    if (edge.waits) add(solved.start);
+    for (std::uint32_t o = edge.first; o < edge.first + edge.count; ++o) add(game.outcomes()[o].node);
+    if (known.empty()) continue;
+    StrategyEdges::Group group{solved.parts, arena.components(), {}, {}};
+    for (const ComponentId c : arena.context()) group.context.emplace_back(c, modes[c.index()]);
+    for (auto& [then, ages] : known) group.edges.push_back({then, std::move(ages)});
+    result.push_back(std::move(group));
+  }
+  if (result.empty()) return nullptr;
+  return std::make_shared<const StrategyEdges>(goal_text_, std::move(result));
+}
+
+}  // namespace rmpl::runtime

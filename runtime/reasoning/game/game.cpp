@@ -1,0 +1,364 @@
+// The game, explored: what nature may do, and what must not be risked.
+// SPDX-License-Identifier: MIT
+#include "runtime/reasoning/game/game.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rmpl::runtime {
+
+using automata::ComponentId;
+using automata::ModeId;
+using automata::Ticks;
+
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t most_outcomes_of_one = 4096;  // of one action
+
+std::int64_t sum(std::int64_t a, std::int64_t b) { return std::min(a + b, Cycles::never); }
+
+/// So many units, no more than the longest time that there is.
+std::int64_t times(std::int64_t count, Ticks unit) {
+  constexpr std::int64_t longest = std::numeric_limits<std::int64_t>::max();
+  return count > longest / unit.count ? longest : count * unit.count;
+}
+
+}  // namespace
+
+/// What one component may do: an exit, or nothing where it stays.
+struct Game::Choice {
+  ModeId to;
+  const LocalMoves::Exit* exit;
+  Cycles cycles;  ///< after how many cycles, where ages are known
+};
+
+/// An action as it is looked at: the choices of all components, and one of each.
+struct Game::Turn {
+  bool waits = true, ends = false, at_once = false;
+  std::vector<const LocalMoves*> moves;
+  std::vector<std::vector<Choice>> choices;                   ///< by component
+  std::vector<std::int64_t> dues;                             ///< by component: the cycle by which it leaves
+  std::int64_t upper = Cycles::never, lower = Cycles::never;  ///< of all timed exits, in cycles
+  std::vector<std::size_t> chosen;
+};
+
+std::size_t Game::KeyHash::operator()(const Key& key) const noexcept {
+  std::uint64_t hash = base::mix(base::hash_seed, key.position);
+  for (const Age& age : key.ages) {
+    hash = base::mix(hash, static_cast<std::uint64_t>(age.least));
+    hash = base::mix(hash, static_cast<std::uint64_t>(age.most));
+    hash = base::mix(hash, static_cast<std::uint64_t>(age.charged));
+  }
+  return hash;
+}
+
+Game::Game(Arena& arena, Memory memory, Ticks cycle, Limits limits, const automata::Modes& start,
+           const std::optional<std::vector<Age>>& ages)
+    : arena_(arena), memory_(memory), cycle_(cycle), rules_(cycle) {
+  if (memory == Memory::ages) find_caps();
+  const auto position = position_of(start);
+  too_large_ = !position;
+  if (position) explore(limits, key_of(*position, ages));
+  if (too_large_) {
+    edges_ = {};
+    outcomes_ = {};
+    return;
+  }
+  spread_harm();
+  forbid();
+}
+
+std::optional<std::uint32_t> Game::position_of(const automata::Modes& modes) const {
+  std::vector<std::uint16_t> key;
+  for (const ComponentId c : arena_.components()) key.push_back(static_cast<std::uint16_t>(modes[c.index()].index()));
+  return arena_.find(key);
+}
+
+std::optional<std::uint32_t> Game::find(const automata::Modes& modes,
+                                        const std::optional<std::vector<Age>>& ages) const {
+  const auto position = position_of(modes);
+  if (!position) return std::nullopt;
+  const auto at = numbers_.find(key_of(*position, ages));
+  return at == numbers_.end() ? std::nullopt : std::optional(at->second);
+}
+
+bool Game::is_fresh(std::uint32_t node) const {
+  return key_of(nodes_[node].position, std::nullopt).ages == *ages_[node];
+}
+
+void Game::find_caps() {
+  for (const ComponentId c : arena_.components()) {
+    const automata::Component& component = arena_.plant()[c];
+    auto& caps = caps_.emplace_back(component.modes.size());
+    for (const automata::Transition& t : component.transitions) {
+      if (!t.timing || component.is_fault(t)) continue;
+      std::int64_t& cap = caps[t.from.index()];
+      cap = std::max(cap, rules_.cap(rules_.window(t.timing->lower, t.timing->upper)));
+    }
+  }
+}
+
+/// Ages beyond what matters in a mode are as good as the least of these.
+void Game::cap(Key& key) const {
+  const auto& modes = arena_.modes(key.position);
+  for (std::size_t i = 0; i < key.ages.size(); ++i) {
+    const std::int64_t most = caps_[i][modes[arena_.components()[i].index()].index()];
+    Age& age = key.ages[i];
+    age = {std::min(age.least, most), std::min(age.most, most), std::min(age.charged, most)};
+  }
+}
+
+std::uint32_t Game::node_of(Key key) {
+  cap(key);
+  const std::uint32_t position = key.position;
+  const auto [at, fresh] = numbers_.try_emplace(std::move(key), static_cast<std::uint32_t>(nodes_.size()));
+  if (fresh) {
+    nodes_.push_back({position, 0, 0, 0});
+    ages_.push_back(&at->first.ages);
+  }
+  return at->second;
+}
+
+std::uint64_t Game::bit_of(Harm harm) {
+  const auto [at, fresh] = harms_.try_emplace(std::move(harm), static_cast<std::uint32_t>(harms_.size()));
+  if (at->second >= 64) {
+    too_large_ = true;
+    return 0;
+  }
+  return std::uint64_t{1} << at->second;
+}
+
+Game::Key Game::key_of(std::uint32_t number, const std::optional<std::vector<Age>>& ages) const {
+  Key key{number, {}};
+  if (memory_ == Memory::modes) return key;
+  if (ages) {
+    key.ages = *ages;
+    cap(key);
+    return key;
+  }
+  const Position& position = arena_.at(number);
+  for (std::size_t i = 0; i < arena_.components().size(); ++i) {
+    std::int64_t due = Cycles::never;
+    if (!position.actions.empty() && !position.actions.front().moves[i]->untimed &&
+        !position.actions.front().moves[i]->dawdles) {
+      for (const auto& exit : position.actions.front().moves[i]->exits)
+        due = std::min(due, rules_.window(exit.lower, exit.upper).last);
+    }
+    key.ages.push_back({0, rules_.oldest(due), 0});
+  }
+  cap(key);
+  return key;
+}
+
+void Game::explore(Limits limits, Key start) {
+  node_of(std::move(start));
+  for (std::uint32_t node = 0; node < nodes_.size() && !too_large_; ++node) {
+    const Position& position = arena_.at(nodes_[node].position);
+    nodes_[node].first = static_cast<std::uint32_t>(edges_.size());
+    for (const Position::Action& action : position.actions) add_edge(node, position, action);
+    nodes_[node].count = static_cast<std::uint32_t>(edges_.size()) - nodes_[node].first;
+    too_large_ = too_large_ || arena_.too_large() || nodes_.size() > limits.nodes || outcomes_.size() > limits.outcomes;
+  }
+}
+
+/// Fills the turn. Whether its combinations are few enough.
+bool Game::list_choices(std::uint32_t node, const Position& position, const Position::Action& action, Turn& turn) {
+  std::size_t combinations = 1;
+  for (std::size_t i = 0; i < arena_.components().size(); ++i) {
+    const LocalMoves& moves = *action.moves[i];
+    const ModeId mode = position.modes[arena_.components()[i].index()];
+    turn.moves.push_back(&moves);
+    auto& choices = turn.choices.emplace_back();
+    std::int64_t& due = turn.dues.emplace_back(Cycles::never);
+    if (moves.untimed) {
+      for (const LocalMoves::Exit& exit : moves.exits) {
+        turn.waits = turn.waits && exit.to == mode;
+        choices.push_back({exit.to, &exit, Cycles{0, Cycles::never}});
+      }
+    } else {
+      const bool aged = memory_ == Memory::ages;
+      const auto window = [&](const LocalMoves::Exit& exit) {
+        return aged ? rules_.window(exit.lower, exit.upper) : window_of(exit.lower, exit.upper, rules_.unit());
+      };
+      for (const LocalMoves::Exit& exit : moves.exits) {
+        if (!moves.dawdles) due = std::min(due, window(exit).last);
+        turn.lower = std::min(turn.lower, window(exit).first);
+      }
+      turn.upper = std::min(turn.upper, due);
+      const std::size_t before = choices.size();
+      const Age age = aged ? ages(node)[i] : Age{};
+      // However old it is, it has left after the cycle by which a new one has to leave.
+      const Cycles stay = aged ? rules_.staying(age, due) : Cycles{1, due <= 1 ? 0 : Cycles::never};
+      if (!stay.empty()) choices.push_back({mode, nullptr, stay});
+      for (const LocalMoves::Exit& exit : moves.exits) {
+        const Cycles leave = aged ? rules_.leaving(age, window(exit), due) : Cycles{};
+        if (!leave.empty()) choices.push_back({exit.to, &exit, leave});
+      }
+      turn.at_once = turn.at_once || (stay.empty() && choices.size() > before);
+    }
+    combinations *= choices.size();
+    if (combinations > most_outcomes_of_one) return false;
+  }
+  turn.ends = !turn.waits || turn.upper != Cycles::never;
+  turn.at_once = turn.at_once || !turn.waits;
+  return true;
+}
+
+void Game::add_edge(std::uint32_t node, const Position& position, const Position::Action& action) {
+  Turn turn;
+  if (!list_choices(node, position, action, turn)) {
+    too_large_ = true;
+    return;
+  }
+  Edge edge{action.action, action.off, static_cast<std::uint32_t>(outcomes_.size()), 0};
+  edge.waits = turn.waits;
+  edge.ends = turn.ends;
+  edge.at_once = turn.at_once;
+  classes_.clear();
+  turn.chosen.assign(turn.choices.size(), 0);
+  const bool possible = std::none_of(turn.choices.begin(), turn.choices.end(), [](const auto& c) { return c.empty(); });
+  while (possible) {
+    add_outcome(node, position, turn, edge);
+    std::size_t at = turn.chosen.size();
+    while (at > 0 && turn.chosen[at - 1] + 1 == turn.choices[at - 1].size()) turn.chosen[--at] = 0;
+    if (at == 0) break;
+    ++turn.chosen[at - 1];
+  }
+  edge.count = static_cast<std::uint32_t>(outcomes_.size()) - edge.first;
+  edge.choices = static_cast<std::uint32_t>(classes_.size());
+  // All that could come of it is excluded: it is no action, but what the executive rests with may be such a one.
+  edge.dead = edge.count == 0 && edge.ends;
+  if (!edge.dead || edges_.size() == nodes_[node].first) edges_.push_back(edge);
+}
+
+void Game::add_outcome(std::uint32_t node, const Position& position, const Turn& turn, Edge& edge) {
+  const auto& components = arena_.components();
+  const GameGoal& goal = arena_.goal();
+  std::vector<std::uint16_t> modes;
+  std::vector<std::pair<std::size_t, std::uint32_t>> timed;
+  Cycles cycles = memory_ == Memory::ages ? rules_.length(turn.waits) : Cycles{1, turn.waits ? Cycles::never : 1};
+  Outcome outcome{};
+  std::uint64_t takes = 0;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const Choice& choice = turn.choices[i][turn.chosen[i]];
+    const ComponentId c = components[i];
+    const ModeId from = position.modes[c.index()];
+    cycles = cycles.meet(choice.cycles);
+    modes.push_back(static_cast<std::uint16_t>(choice.to.index()));
+    if (choice.exit == nullptr) continue;
+    if (!turn.moves[i]->untimed) timed.emplace_back(i, choice.exit->branch);
+    if (choice.to == from) continue;
+    if (!goal.reads(c)) ++outcome.cost.disturbed;
+    if (!choice.exit->irreversible) continue;
+    if (choice.exit->licensed) {
+      ++outcome.cost.irreversible;
+    } else {
+      takes |= bit_of({{c.value, from.value}, {c.value, choice.to.value}});
+    }
+  }
+  if (cycles.empty() || (turn.waits && timed.empty())) return;
+  const auto target = arena_.find(modes);
+  if (!target) {
+    Harm excluded;
+    for (const auto& [c, m] : arena_.conflict(modes)) excluded.emplace_back(c.value, m.value);
+    excluded.emplace_back(none, none);  // apart from steps
+    edge.takes |= bit_of(std::move(excluded));
+    return;
+  }
+  edge.takes |= takes;
+  const bool bounded = memory_ == Memory::ages ? cycles.last != Cycles::never : turn.ends;
+  std::int64_t charge = 1;
+  if (memory_ == Memory::ages) {
+    charge = bounded ? cycles.last : cycles.first;
+  } else if (turn.waits) {
+    charge = bounded ? turn.upper : turn.lower;
+  }
+  Key key{*target, {}};
+  if (memory_ == Memory::ages) {
+    const std::vector<Age>& ages = this->ages(node);
+    for (std::size_t i = 0; i < ages.size() && turn.waits; ++i) {
+      if (turn.dues[i] == Cycles::never) continue;
+      // What may be overdue leaves at once, or is due.
+      const bool overdue = ages[i].most > rules_.oldest(turn.dues[i]);
+      const std::int64_t least = overdue ? rules_.length(true).first : 0;
+      charge = std::min(charge, std::max(least, turn.dues[i] - ages[i].charged));
+    }
+    for (std::size_t i = 0; i < ages.size(); ++i) {
+      const bool stays = modes[i] == position.modes[components[i].index()].index();
+      key.ages.push_back(!stays ? Age{}
+                                : Age{ages[i].least + cycles.first,
+                                      std::min(sum(ages[i].most, cycles.last), rules_.oldest(turn.dues[i])),
+                                      sum(ages[i].charged, charge)});
+    }
+  }
+  // Without ages what ends a wait is chance.
+  if (memory_ == Memory::modes && turn.waits) timed.clear();
+  const bool coincides = !turn.waits && !timed.empty();
+  outcome.choice = classes_.try_emplace(std::move(timed), static_cast<std::uint32_t>(classes_.size())).first->second;
+  outcome.irreversible = takes != 0 || outcome.cost.irreversible != 0;
+  outcome.coincides = coincides;
+  const std::vector<bool>& then = arena_.held(*target);
+  for (std::size_t p = 0; p < then.size(); ++p) {
+    if (position.held[p] && !then[p]) ++outcome.cost.lost;
+  }
+  outcome.cost.commands = static_cast<std::uint16_t>(edge.off);
+  outcome.cost.waits = edge.off == 0 ? 1 : 0;
+  outcome.cost.moves = turn.waits && edge.off == 0 ? 0 : 1;
+  outcome.cost.unbounded = bounded ? 0 : 1;
+  outcome.cost.time = turn.waits ? times(charge, rules_.unit()) : cycle_.count;
+  outcome.soonest = times((memory_ == Memory::ages || !turn.waits ? cycles.first : turn.lower), rules_.unit());
+  outcome.node = node_of(std::move(key));
+  outcomes_.push_back(outcome);
+}
+
+/// What may come of each node if the executive rests: of its step, and of all nodes behind it.
+void Game::spread_harm() {
+  std::vector<std::vector<std::uint32_t>> before(nodes_.size());
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    Node& node = nodes_[n];
+    if (node.count == 0) continue;
+    const Edge& rest = edges_[node.first];
+    node.harm = rest.takes;
+    for (std::uint32_t o = rest.first; o < rest.first + rest.count; ++o) before[outcomes_[o].node].push_back(n);
+    if (node.harm != 0) changed.push_back(n);
+  }
+  while (!changed.empty()) {
+    const std::uint32_t n = changed.back();
+    changed.pop_back();
+    for (const std::uint32_t earlier : before[n]) {
+      const std::uint64_t harm = nodes_[earlier].harm | nodes_[n].harm;
+      if (harm == nodes_[earlier].harm) continue;
+      nodes_[earlier].harm = harm;
+      changed.push_back(earlier);
+    }
+  }
+}
+
+std::uint64_t Game::added_harm(std::uint32_t node, const Edge& edge) const {
+  std::uint64_t harm = edge.takes;
+  for (std::uint32_t o = edge.first; o < edge.first + edge.count; ++o) harm |= nodes_[outcomes_[o].node].harm;
+  return harm & ~nodes_[node].harm;
+}
+
+void Game::forbid() {
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    for (std::uint32_t e = nodes_[n].first; e < nodes_[n].first + nodes_[n].count; ++e)
+      edges_[e].permitted = !edges_[e].dead && added_harm(n, edges_[e]) == 0;
+  }
+}
+
+Game::HarmOf Game::harm_of(unsigned bit) const {
+  for (const auto& [harm, number] : harms_) {
+    if (number != bit) continue;
+    HarmOf result{{}, harm.back().first == none};
+    for (const auto& [c, m] : harm) {
+      if (c != none) result.modes.emplace_back(ComponentId(c), ModeId(m));
+    }
+    return result;
+  }
+  return {{}, false};
+}
+
+}  // namespace rmpl::runtime

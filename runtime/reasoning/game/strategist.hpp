@@ -1,0 +1,185 @@
+// Which strategy is best from some modes on, group by group (semantics 5).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "automata/state.hpp"
+#include "automata/step/plant_step.hpp"
+#include "runtime/reasoning/game/game.hpp"
+#include "runtime/reasoning/game/game_goal.hpp"
+#include "runtime/reasoning/game/position.hpp"
+#include "runtime/reasoning/game/rewards.hpp"
+#include "runtime/reasoning/game/solve.hpp"
+#include "runtime/reasoning/nominal/nominal_graph.hpp"
+
+namespace rmpl::runtime {
+
+/// A game that was solved from one of its nodes.
+struct SolvedGame {
+  std::shared_ptr<const Game> game;
+  std::shared_ptr<const Solution> solution;
+  std::uint32_t start;             ///< the node that it was asked for
+  std::vector<std::size_t> parts;  ///< of the goal
+  bool best = true;                ///< all actions were looked at, not only useful ones
+  bool bounds_counted = true;      ///< where they matter
+  /// Components that have a part in it, ascending: that leave their mode on some run of it, or decide steps that come
+  /// after the first wait or by command.
+  std::vector<automata::ComponentId> part = {};
+  std::vector<std::size_t> commanded = {};  ///< controls that it uses, ascending
+
+  [[nodiscard]] const GameDecision& decision() const { return solution->at(start); }
+};
+
+/// A reward that is pursued in a game from one of its nodes.
+struct PursuedReward {
+  std::shared_ptr<const Game> game;
+  std::shared_ptr<GameRewards> rewards;
+  std::uint32_t start;
+  GameRewards::Pursued pursued;
+
+  /// What is sent in a node of the game on the way to the reward; none at its end.
+  [[nodiscard]] std::uint32_t edge(std::uint32_t node) const { return rewards->edge(pursued, node); }
+};
+
+/// Strategies for one goal. Parts of the goal whose strategies do not touch each other's components are solved apart;
+/// where they do, they are solved together (independence detection). So are parts of which one cannot be kept, if
+/// together they are as surely had as apart, and no more is lost or neither lasts: what is short-lived comes last then.
+/// So are components that a strategy disturbs and that no part reads: as long as none is disturbed, leaving it out is
+/// exact. Where a group is too large with what it disturbs, it is left out all the same, if that cannot be harmed.
+///
+/// Groups that are too large together take turns, as causal chains do (Williams and Nayak 1997; Chung 2003): first
+/// those that can be kept, in the order of the goal; the next one when the goal of those before it holds. That is not
+/// proved best.
+///
+/// Bounds count group by group: where timed transitions with bounds matter, a game over modes and ages is tried, and
+/// where that is too large the one over modes alone stands. Keeps references.
+class Strategist {
+ public:
+  /// With what a part of the goal is solved from the start on; all that its strategy disturbs is added.
+  enum class Relevant {
+    upstream,  ///< the components that it reads, and all that decides their steps
+    read       ///< the components that it reads; the others are held, and no rewards are pursued
+  };
+  /// `cycle`: of the executive whose ages count; 0 is dense time, in which actions take none. Without it modes alone
+  /// count.
+  Strategist(automata::PlantStep& step, const NominalGraph& graph, const automata::Formula& goal,
+             std::optional<automata::Ticks> cycle = std::nullopt, Relevant relevant = Relevant::upstream);
+
+  struct Answer {
+    bool solved = false;             ///< else some group is too large, and nothing below is known
+    bool best = true;                ///< all actions were looked at; else only useful ones in some group
+    std::vector<SolvedGame> groups;  ///< with a strategy each; or one group alone that has none
+    std::vector<SolvedGame> later;   ///< groups that have their turn later, as together with others they are too large
+    Rank rank = Rank::sure;
+    bool lasts = true;
+    bool bounds_counted = true;      ///< no game over ages was too large
+    automata::ControlAction action;  ///< of all `groups` together
+  };
+  /// From possible modes. Groups in force go on from where they are: `position` is what the edges of the last answer
+  /// led to.
+  Answer from(const automata::Modes& modes, const StrategyPosition& position = {});
+  /// What follows when `sent` goes out on an answer from these modes. Null where nothing more is known then than modes
+  /// tell.
+  [[nodiscard]] std::shared_ptr<const StrategyEdges> edges(const Answer& answer, const automata::Modes& modes,
+                                                           const automata::ControlAction& sent);
+  /// What is pursued for reward beside an answer that keeps the goal or waits, over modes. While it waits, the
+  /// components that have a part in its strategies have none in that. Groups that are too large pursue nothing.
+  /// `action` becomes that of the answer with what pursues rewards.
+  std::vector<PursuedReward> rewards(const automata::Modes& modes, const Answer& answer,
+                                     automata::ControlAction& action);
+
+  /// The components with which a part of the goal is solved from the start on; ascending.
+  [[nodiscard]] const std::vector<automata::ComponentId>& relevant(std::size_t part) const { return relevant_[part]; }
+
+  /// The goal as text, as positions name it.
+  [[nodiscard]] const std::string& goal() const { return goal_text_; }
+  /// Of ages in games that know them.
+  [[nodiscard]] automata::Ticks age_unit() const { return AgeRules(cycle_.value_or(automata::Ticks{0})).unit(); }
+
+ private:
+  struct Group {
+    std::vector<std::size_t> parts;
+    std::vector<automata::ComponentId> components;    ///< ascending
+    std::optional<SolvedGame> solved = {};            ///< where it is about the goal
+    std::optional<PursuedReward> reward = {};         ///< where it is about rewards
+    std::vector<automata::ComponentId> touched = {};  ///< components that its strategy moves, ascending
+    std::vector<std::size_t> commanded = {};          ///< controls that its strategy uses, ascending
+    bool later = false;                               ///< another group goes first
+    std::vector<std::uint32_t> nodes = {};            ///< of the game, that its strategy comes to
+    std::optional<std::vector<Age>> ages = {};        ///< where a strategy is in force
+
+    [[nodiscard]] const Game& game() const { return solved ? *solved->game : *reward->game; }
+    [[nodiscard]] std::uint32_t start() const { return solved ? solved->start : reward->start; }
+    /// What is sent in a node; at the end of what is pursued what the executive rests with.
+    [[nodiscard]] std::uint32_t edge(std::uint32_t node) const {
+      const std::uint32_t edge = solved ? solved->solution->at(node).edge : reward->edge(node);
+      const Game::Node& at = game().nodes()[node];
+      return edge == GameDecision::no_edge && at.count > 0 ? at.first : edge;
+    }
+  };
+  struct Played {
+    std::shared_ptr<Arena> arena;
+    std::shared_ptr<const Game> game;
+    std::unordered_map<std::uint32_t, std::shared_ptr<const Solution>> solutions = {};  ///< by start, where it counts
+    bool best = true;                           ///< else only useful actions were looked at
+    std::shared_ptr<GameRewards> rewards = {};  ///< once they were asked for
+  };
+
+  [[nodiscard]] bool is_small(const Group& group, const automata::Modes& modes) const;
+  bool solve_group(Group& group, const automata::Modes& modes);
+  bool harmless(std::vector<automata::ComponentId> components);
+  bool harmless_held(const Group& group, const automata::Modes& modes);
+  bool pursue(Group& group, const automata::Modes& modes, const std::vector<automata::ComponentId>& taken);
+  [[nodiscard]] bool has_rewards(automata::ComponentId component, automata::ModeId from) const;
+  Group reward_group(std::vector<automata::ComponentId> components, std::vector<std::size_t> parts,
+                     const std::vector<automata::ComponentId>& taken);
+  static bool in_context(const Arena& arena, const automata::Modes& modes);
+  void forget_large();
+  Played& game_of(const Group& group, const automata::Modes& modes);
+  static std::shared_ptr<const Game> kept_with(std::shared_ptr<Arena> arena, const Game* game);
+  static SolvedGame solved(Played& played, std::uint32_t start, const std::vector<std::size_t>& parts);
+  std::vector<Group> first_groups(const automata::Modes& modes, const StrategyPosition& position);
+  bool go_on(Group& group, const automata::Modes& modes);
+  [[nodiscard]] bool bounds_matter(const Group& group, const automata::Modes& modes) const;
+  Answer answer(const automata::Modes& modes, const StrategyPosition& position);
+  bool rests_from(const SolvedGame& solved, const automata::Modes& modes);
+  void count_ages(Group& group, const Played& over_modes, const automata::Modes& modes);
+  static bool leaves(const Game& game, const Game::Edge& edge, std::uint32_t node, std::size_t member);
+  std::vector<automata::ComponentId> follow(Group& group, const automata::Modes& modes);
+  using Apart = std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>>;  ///< parts of two groups
+  void merge_common(std::vector<Group>& groups) const;
+  static void merge_all(std::vector<Group>& groups);
+  bool merge_touching(std::vector<Group>& groups, const automata::Modes& modes, Apart& in_turn);
+  static void set_turns(std::vector<Group>& groups, const Apart& in_turn);
+  bool touches(const Group& a, const Group& b) const;
+  bool agree(const Group& a, const Group& b) const;
+  bool merge_passing(std::vector<Group>& groups, const automata::Modes& modes, Apart& apart);
+  std::vector<automata::ComponentId> neighbours(const std::vector<automata::ComponentId>& components,
+                                                const std::vector<std::size_t>& controls);
+  bool excludes(std::size_t island);
+  static Group merged(const Group& a, const Group& b);
+
+  automata::PlantStep& step_;
+  const NominalGraph& graph_;
+  std::optional<automata::Ticks> cycle_;  ///< where ages count
+  bool counts_ages_;                      ///< in the answer at hand
+  bool holds_;                            ///< the components that no part of the goal reads
+  GameGoal goal_;
+  std::string goal_text_;
+  std::vector<std::vector<automata::ComponentId>> relevant_;  ///< by part
+  using Key = std::pair<std::vector<std::size_t>, std::vector<automata::ComponentId>>;
+  std::map<Key, std::vector<Played>> games_;       ///< over modes
+  std::map<Key, std::vector<Played>> aged_games_;  ///< over modes and ages
+  std::vector<std::optional<bool>> excludes_;      ///< by island: whether its constraints may exclude modes, once asked
+};
+
+}  // namespace rmpl::runtime

@@ -1,0 +1,15 @@
+// Removed, and said.
+// SPDX-License-Identifier: MIT
+#include "tools/shared/stale_file.hpp"
+
+#include "base/output_file.hpp"
+#include "tools/shared/terminal.hpp"
+
+namespace rmpl::tools {
+
+void remove_stale(const std::string& path) {
+  if (path.empty() || !base::remove_stale_file(path)) return;
+  tell(path + ": was of an earlier run, and is removed");
+}
+
+}  // namespace rmpl::tools

@@ -1,0 +1,204 @@
+// Joint outcomes of a step, with bounds of their probabilities.
+// SPDX-License-Identifier: MIT
+#include "verifier/markov/draws.hpp"
+
+#include <algorithm>
+
+#include "verifier/property/initial_modes.hpp"
+
+namespace rmpl::verifier {
+
+using automata::Component;
+using automata::ComponentId;
+using automata::Enabled;
+using automata::ModeId;
+using automata::Modes;
+using automata::Move;
+
+namespace {
+
+/// More than the relative error of a move's probability (automata/time/density.hpp): few operations in double
+/// precision, but for densities that take series or special functions.
+constexpr Real error_of_move = 2e-14L;
+constexpr Real error_of_series = 4e-12L;
+
+struct Option {
+  ModeId mode;
+  Enclosure probability;
+  unsigned faults = 0;
+};
+
+bool takes_series(const Component& component, const Enabled& enabled) {
+  using Kind = automata::Density::Kind;
+  return std::any_of(enabled.timed.begin(), enabled.timed.end(), [&](automata::TransitionId t) {
+    const Kind kind = component.transitions[t.index()].timing->density.kind;
+    return kind != Kind::uniform && kind != Kind::exponential;
+  });
+}
+
+/// The likeliest is what the others leave, so that what is all but certain is known to be.
+std::vector<Option> options_of(const std::vector<Move>& moves, Real error) {
+  std::vector<Option> result;
+  if (moves.size() == 1) return {{moves.front().mode, certain()}};
+  std::size_t likeliest = 0;
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    if (moves[i].probability > moves[likeliest].probability) likeliest = i;
+  }
+  Enclosure others;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const Real p = static_cast<Real>(moves[i].probability);
+    const Enclosure bounds = outward({p * (1 - error), p * (1 + error)}, 2);
+    if (i != likeliest) others = others + bounds;
+    result.push_back({moves[i].mode, bounds});
+  }
+  const Enclosure rest{rounding::down(std::max<Real>(1 - others.upper, 0), 1),
+                       std::min<Real>(rounding::up(std::max<Real>(1 - others.lower, 0), 1), 1)};
+  Enclosure& own = result[likeliest].probability;
+  own = {std::max(own.lower, rest.lower), std::min(own.upper, rest.upper)};
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Option& a, const Option& b) { return a.probability.upper > b.probability.upper; });
+  return result;
+}
+
+/// Multiplies out what components draw, the likelier first.
+class Product {
+ public:
+  Product(automata::PlantStep& step, const std::vector<std::vector<Option>>& options, const LeftOut& left_out,
+          Meter& meter)
+      : step_(step), options_(options), left_out_(left_out), meter_(meter) {
+    for (std::size_t c = 0; c < options.size(); ++c) {
+      if (options[c].size() > 1) open_.push_back(c);
+      modes_.push_back(options[c].front().mode);
+      faults_ += options[c].front().faults;
+    }
+    for (const std::size_t c : open_) faults_ -= options[c].front().faults;
+  }
+
+  Draws run() {
+    descend(0, certain(), faults_);
+    return scaled();
+  }
+
+ private:
+  void descend(std::size_t at, const Enclosure& so_far, unsigned faults) {
+    if (left_out_.faults_beyond && faults > *left_out_.faults_beyond) return leave_out(so_far);
+    if (at == open_.size()) return visit(so_far, faults);
+    const std::size_t c = open_[at];
+    Real rest = 0;
+    bool cut = false;
+    for (const Option& option : options_[c]) {
+      const Enclosure next = so_far * option.probability;
+      if (cut || next.upper < left_out_.less_likely_than) {
+        cut = true;
+        rest = rounding::up(rest + next.upper, 1);
+        continue;
+      }
+      modes_[c] = option.mode;
+      descend(at + 1, next, faults + option.faults);
+    }
+    if (rest > 0) leave_out({0, rest});
+  }
+
+  void leave_out(const Enclosure& what) { result_.left_out = rounding::up(result_.left_out + what.upper, 1); }
+
+  void visit(const Enclosure& probability, unsigned faults) {
+    meter_.poll();
+    if (step_.possible(modes_)) {
+      result_.outcomes.push_back({modes_, probability, faults});
+    } else {
+      impossible_ = true;
+    }
+  }
+
+  /// Each outcome is a part of what is possible: of everything, where nothing is impossible and nothing left out.
+  Draws scaled() {
+    if (!impossible_ && result_.left_out == 0) return sorted();
+    Enclosure listed;
+    for (const Draw& draw : result_.outcomes) listed = listed + draw.probability;
+    Enclosure all{listed.lower, listed.upper + result_.left_out};
+    all.upper = std::min<Real>(rounding::up(all.upper, 1), 1);
+    if (all.lower == 0) {
+      // Nothing is known of how likely what is listed is.
+      const bool nothing = result_.outcomes.empty() && result_.left_out == 0;
+      result_.outcomes.clear();
+      result_.left_out = nothing ? 0 : 1;
+      return result_;
+    }
+    for (Draw& draw : result_.outcomes) draw.probability = as_probability(draw.probability / all);
+    result_.left_out = std::min<Real>(rounding::up(result_.left_out / all.lower, 1), 1);
+    return sorted();
+  }
+
+  Draws sorted() {
+    std::stable_sort(result_.outcomes.begin(), result_.outcomes.end(),
+                     [](const Draw& a, const Draw& b) { return a.probability.upper > b.probability.upper; });
+    return std::move(result_);
+  }
+
+  automata::PlantStep& step_;
+  const std::vector<std::vector<Option>>& options_;
+  const LeftOut& left_out_;
+  Meter& meter_;
+  std::vector<std::size_t> open_;  ///< components with more than one option
+  Modes modes_;
+  unsigned faults_ = 0;  ///< of the others
+  bool impossible_ = false;
+  Draws result_;
+};
+
+/// What a component may do, in order of probability, with the faults told.
+std::vector<Option> options_in(const Component& component, ModeId mode, const std::vector<Move>& moves, Real error) {
+  std::vector<Option> result = options_of(moves, error);
+  for (Option& option : result) {
+    if (option.mode != mode && component.modes[option.mode.index()].fault) option.faults = 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+Draws draws(automata::PlantStep& step, const Modes& modes, const automata::AllEnabled& enabled,
+            const std::vector<Units>& ages, automata::Ticks period, const LeftOut& left_out, Meter& meter) {
+  const automata::Plant& plant = step.plant();
+  std::vector<std::vector<Option>> options;
+  options.reserve(modes.size());
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const Component& component = plant.components[c];
+    const automata::Ticks clock{(std::max<Units>(ages[c], 0) + 1) * period.count};
+    const std::vector<Move> moves = automata::moves_of(component, modes[c], enabled[c], clock, period);
+    const Real error = takes_series(component, enabled[c]) ? error_of_series : error_of_move;
+    options.push_back(options_in(component, modes[c], moves, error));
+  }
+  return Product(step, options, left_out, meter).run();
+}
+
+Draws instant_draws(automata::PlantStep& step, const Modes& modes, const automata::AllEnabled& enabled,
+                    const LeftOut& left_out, Meter& meter) {
+  std::vector<std::vector<Option>> options;
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const Component& component = step.plant().components[c];
+    Enabled here = enabled[c];
+    std::erase_if(here.faults, [&](automata::TransitionId t) {
+      return component.transitions[t.index()].weight.kind == automata::Weight::Kind::rate;
+    });
+    const automata::Ticks none{};
+    options.push_back(
+        options_in(component, modes[c], automata::moves_of(component, modes[c], here, none, none), error_of_move));
+  }
+  return Product(step, options, left_out, meter).run();
+}
+
+Draws initial_draws(automata::PlantStep& step, const std::vector<automata::Assignment>& from, Meter& meter) {
+  const automata::Plant& plant = step.plant();
+  const std::vector<std::vector<ModeId>> given = initial_modes(plant, from);
+  std::vector<std::vector<Option>> options;
+  for (std::size_t c = 0; c < given.size(); ++c) {
+    std::vector<Move> moves = automata::initial_moves_of(plant.components[c]);
+    if (given[c].size() == 1) moves = {{given[c].front(), 1.0}};
+    options.push_back(options_of(moves, error_of_move));
+  }
+  const LeftOut nothing;
+  return Product(step, options, nothing, meter).run();
+}
+
+}  // namespace rmpl::verifier

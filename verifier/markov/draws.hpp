@@ -1,0 +1,49 @@
+// What all components draw in one step, with probabilities: semantics 3 multiplied out.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "automata/step/plant_step.hpp"
+#include "verifier/markov/enclosure.hpp"
+#include "verifier/search/limits.hpp"
+#include "verifier/zone/interval.hpp"
+
+namespace rmpl::verifier {
+
+/// Modes that a step may lead to.
+struct Draw {
+  automata::Modes modes;
+  Enclosure probability;
+  unsigned faults = 0;  ///< components that go into a fault mode
+};
+
+/// All that a step may lead to. Nothing at all: nothing can follow.
+struct Draws {
+  std::vector<Draw> outcomes;  ///< each once, the likelier ones first
+  Real left_out = 0;           ///< at most the probability of what is not listed
+};
+
+/// What is not listed.
+struct LeftOut {
+  Real less_likely_than = 0;                ///< outcomes of less than this
+  std::optional<unsigned> faults_beyond{};  ///< outcomes with more faults than this
+};
+
+/// The step from `modes` under the command, which they permit; `ages` are the clocks of all components as the step
+/// begins, in periods, or
+/// below 0 where nothing depends on them yet. What contradicts the interconnections is dropped, and the rest is scaled
+/// to 1. Cost: the outcomes, and those that are dropped.
+Draws draws(automata::PlantStep& step, const automata::Modes& modes, const automata::AllEnabled& enabled,
+            const std::vector<Units>& ages, automata::Ticks period, const LeftOut& left_out, Meter& meter);
+
+/// The same at an instant, in which rates and densities weigh nothing: of faults only those with a probability a step
+/// happen. None of them may have time bounds.
+Draws instant_draws(automata::PlantStep& step, const automata::Modes& modes, const automata::AllEnabled& enabled,
+                    const LeftOut& left_out, Meter& meter);
+
+/// The initial distribution, with the modes that are given in place of those of their components.
+Draws initial_draws(automata::PlantStep& step, const std::vector<automata::Assignment>& from, Meter& meter);
+
+}  // namespace rmpl::verifier

@@ -1,0 +1,66 @@
+// A Markov decision process in steps, whose states are met as it is walked.
+//
+// Clocks of a program that run for long are kept apart from states, by the step in which they started: while none of
+// them comes to a bound, what follows a state is the same step after step, however long they have run.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "verifier/markov/enclosure.hpp"
+#include "verifier/search/limits.hpp"
+#include "verifier/zone/interval.hpp"
+
+namespace rmpl::verifier {
+
+/// The number of a state of a process: modes, clocks, and what else tells what may follow.
+using StateNumber = std::uint32_t;
+
+/// A state, and when its long clocks started: numbers of the process.
+struct Point {
+  StateNumber state = 0;
+  std::uint32_t starts = 0;
+  auto operator<=>(const Point&) const = default;
+};
+
+struct Branch {
+  StateNumber to = 0;
+  Enclosure probability;
+  std::uint32_t passage = 0;  ///< what becomes of long clocks, a number of the process; 0: they go on
+};
+
+/// What one choice leads to. Neither edges nor anything left out: nothing can follow.
+struct Row {
+  std::vector<Branch> edges;  ///< the likelier ones first
+  Real left_out = 0;          ///< at most the probability of what the edges do not lead to
+};
+
+class Process {
+ public:
+  Process() = default;
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  virtual ~Process() = default;
+
+  struct Start {
+    Point point;
+    Enclosure probability;
+  };
+  virtual std::vector<Start> initial() = 0;
+  /// A row for each choice; outcomes that are less likely than that may be left out. The reference lasts until the next
+  /// call. Throws LimitReached.
+  virtual const std::vector<Row>& rows(StateNumber state, Real less_likely_than) = 0;
+  /// Whether it is a state that the question asks for.
+  virtual bool wanted(StateNumber state) = 0;
+  /// How many states have been met.
+  [[nodiscard]] virtual std::size_t states() const = 0;
+
+  /// Where an edge from `from` leads that is taken in the step that ends at `now`, in steps.
+  virtual Point follow(const Point& /*from*/, const Branch& edge, Units /*now*/) { return {edge.to, 0}; }
+  /// The last step that may end there without a long clock coming to a bound.
+  virtual Units lasts_until(const Point& /*at*/) { return unbounded; }
+};
+
+}  // namespace rmpl::verifier

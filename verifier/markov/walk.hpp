@@ -1,0 +1,37 @@
+// How likely a chain comes to what is wanted, step by step from the start.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "verifier/markov/process.hpp"
+
+namespace rmpl::verifier {
+
+/// What is known at some step.
+struct Reached {
+  Units step = 0;
+  Enclosure probability;  ///< of having come to a wanted state by then
+};
+
+/// What a state leads to, as far as it has been worked out.
+struct KnownRow {
+  Row row;
+  Real less_likely_than = 0;  ///< outcomes of less may be left out
+  std::vector<Real> rest;     ///< by edge: at most the probability of it and all that follow
+};
+
+/// By number of the state: for several walks of one process.
+using KnownRows = std::vector<std::optional<KnownRow>>;
+
+/// The probabilities at these steps, ascending, of a process whose states have one choice at most. What is less likely
+/// than `ignored`, where it stands at a step, is not followed: it counts as unknown, and is part of the bounds.
+///
+/// A state is worked out as far as can matter where it is as likely as it is. What is followed is a distribution over
+/// points. Where one step after the other leads to the same points, until a long clock comes to a bound, all of these
+/// steps are one power of a matrix. Throws LimitReached.
+std::vector<Reached> walk(Process& process, const std::vector<Units>& steps, Real ignored, KnownRows& known,
+                          Meter& meter);
+
+}  // namespace rmpl::verifier
