@@ -68,6 +68,13 @@ def check_refusals(programs, root, folder):
         trace.write_text(text)
         done = run(programs / "rmpl-run", "report", trace, *models, "--report", page, status=(2,))
         assert not page.exists() and done.stderr, text
+    scenario, trace = root / "examples/propulsion/burn.scn", folder / "flight.jsonl"
+    run(programs / "rmpl-run", "scenario", "-q", scenario, "--only", "fire and stop", "--trace", trace)
+    first = trace.read_text().splitlines()[0]
+    for number in (0, -1, 1.5, True, 1.8446744073709552e19, 18446744073709551615, "1"):
+        (folder / "wrong.jsonl").write_text(json.dumps({**json.loads(first), "marking": [number]}) + "\n")
+        done = run(programs / "rmpl-run", "report", folder / "wrong.jsonl", *models, "--report", page, status=(2,))
+        assert not page.exists() and b"wrong.jsonl:1:" in done.stderr, (number, done.stderr)
     done = run(programs / "rmpl-run", "report", folder / "wrong.jsonl", models[0], status=(2,))
     assert b"PROGRAM and PLANT" in done.stderr, done.stderr
 

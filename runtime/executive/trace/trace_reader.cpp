@@ -72,6 +72,13 @@ std::string word_of(const Json& object, const char* key) {
   return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+/// A number of a line, a location or an interconnection. Json would convert a fraction, and one too large for the type
+/// has no conversion.
+std::uint64_t count_of(const Json& number) {
+  if (!number.is_number_unsigned()) throw base::InputError(" expected a whole number, not " + number.dump());
+  return number.get<std::uint64_t>();
+}
+
 /// The elements of a member that is an array; none where there is no such member.
 const Json& elements_of(const Json& object, const char* key) {
   static const Json none = Json::array();
@@ -300,7 +307,7 @@ void TraceReader::read_evidence(const Json& line) {
     if (const Json* readings = member_of(told, "readings")) evidence.readings = assignments_of(*readings);
     for (const Json& mode : elements_of(told, "modes")) evidence.modes.push_back(component_of(mode));
     for (const Json& one : elements_of(told, "interconnections")) {
-      const auto number = one.at("number").get<std::size_t>();
+      const std::uint64_t number = count_of(one.at("number"));
       if (number < 1 || number > plant_.interconnections.size())
         throw base::InputError(" 'interconnections': the plant has no number " + std::to_string(number));
       evidence.interconnections.push_back(number - 1);
@@ -361,7 +368,7 @@ ModeId TraceReader::mode_of(ComponentId component, const Json& name) const {
 }
 
 automata::LocationId TraceReader::location_of(const Json& number) const {
-  const auto value = number.get<std::size_t>();
+  const std::uint64_t value = count_of(number);
   if (value >= 1 && value <= program_.locations.size()) return automata::LocationId(value - 1);
   throw base::InputError(" program '" + program_.name + "' has no location " + std::to_string(value));
 }
@@ -371,7 +378,8 @@ std::optional<TransitionOf> TraceReader::transition_of(const Json& object) const
   const ComponentId id = component_of(object);
   const automata::Component& component = plant_[id];
   const ModeId from = mode_of(id, object.at("from")), to = mode_of(id, object.at("to"));
-  const std::uint64_t line = object.value("line", std::uint64_t{0});
+  const Json* told = member_of(object, "line");
+  const std::uint64_t line = told == nullptr ? 0 : count_of(*told);
   for (std::size_t t = 0; t < component.transitions.size(); ++t) {
     const automata::Transition& one = component.transitions[t];
     if (one.from == from && one.to == to && one.origin.line == line) return TransitionOf{id, automata::TransitionId(t)};

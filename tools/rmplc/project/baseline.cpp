@@ -35,7 +35,9 @@ Baseline::Baseline(const std::string& path) : folder_(folder_of(path)) {
     for (const nlohmann::json& one : document.at("findings")) {
       const Key key{one.at("code").get<std::string>(), one.at("file").get<std::string>(),
                     one.at("message").get<std::string>()};
-      left_[key] += one.at("count").get<std::size_t>();
+      const nlohmann::json& count = one.at("count");
+      if (!count.is_number_unsigned()) throw base::InputError(path + ": `count`: expected a whole number");
+      left_[key] += count.get<std::size_t>();
     }
   } catch (const nlohmann::json::exception& error) {
     throw base::InputError(path + ": no baseline of lint: " + error.what());
