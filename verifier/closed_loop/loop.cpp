@@ -281,6 +281,14 @@ Loop::Round Loop::round(LoopStateId id) {
   for (std::size_t g = 0; g < sources.size(); ++g) {
     if (sources[g] != g + 1) result.restarted.push_back(g);
   }
+  // A clock stays passed for as long as it runs.
+  for (const ClockId clock : states_[id.index()]->passed) {
+    const bool runs_on = std::all_of(result.states.begin(), result.states.end(), [&](LoopStateId state) {
+      const std::vector<ClockId>& passed = states_[state.index()]->passed;
+      return std::binary_search(passed.begin(), passed.end(), clock);
+    });
+    if (!runs_on) result.restarted_passed.push_back(clock);
+  }
   return result;
 }
 
@@ -319,11 +327,12 @@ Box Loop::settled_after(const std::vector<LoopStateId>& states) {
 }
 
 std::vector<Wait> Loop::waits(LoopStateId id) {
-  const auto [states, restarted] = round(id);
+  const auto [states, restarted, restarted_passed] = round(id);
   if (states.empty()) return {};
   const LoopState& state = *states_[id.index()];
   std::vector<Wait> result(1);
   result.front().restarted = restarted;
+  result.front().restarted_passed = restarted_passed;
   bool restless = restarted.size() < state.groups.size();
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     std::vector<Interval> intervals(1);

@@ -56,6 +56,8 @@ struct Wait {
   Box bounds;
   /// In dense time, the groups of clocks that each round of its cycles starts anew: as time passes they stay at 0.
   std::vector<std::size_t> restarted;
+  /// Likewise of the clocks passed. It matters to nothing that follows; only what they read is another.
+  std::vector<automata::ClockId> restarted_passed;
   bool endless = false;  ///< it may last for ever, and then nothing but a fault would ever end it; perhaps the program
                          ///< has ended
   /// Of an endless one: what clocks read from when on nothing but a fault would change anything. Until then a component
@@ -151,6 +153,7 @@ class Loop {
   struct Round {
     std::vector<LoopStateId> states;     ///< none where they do not go round, or the plant cannot stay
     std::vector<std::size_t> restarted;  ///< of the first state, the groups of clocks that start anew
+    std::vector<automata::ClockId> restarted_passed;  ///< likewise of the clocks passed
   };
   /// From a state on, which is the first. Sampled, only a cycle that changes nothing goes round: others are steps, one
   /// a period.

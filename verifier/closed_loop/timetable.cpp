@@ -74,9 +74,11 @@ class LoopTimetable {
   void mark_restarted(std::size_t i) {
     if (path_[i].label.wait == ProgramSystem::no_wait) return;
     const std::shared_ptr<const Turn> turn = loop_.turn(id(i));
-    for (const std::size_t g : turn->waits[path_[i].label.wait].restarted) {
+    const Wait& wait = turn->waits[path_[i].label.wait];
+    for (const std::size_t g : wait.restarted) {
       for (const ClockId clock : state(i).groups[g].clocks) started_[clock.index()] = left_[i];
     }
+    for (const ClockId clock : wait.restarted_passed) started_[clock.index()] = left_[i];
   }
 
   template <class Visit>
