@@ -13,9 +13,10 @@ import socket
 import struct
 import subprocess
 import sys
-import tempfile
 import threading
 import time
+
+import cases
 
 ROOT, PROGRAMS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 PROTOCOL = "foxglove.websocket.v1"
@@ -399,20 +400,4 @@ def addresses(folder):
     assert flight.process.returncode == 0 or any("--foxglove" in line for line in flight.said), flight.said  # without IPv6
 
 
-def main():
-    failed = 0
-    cases = (addresses, streams_what_mcap_holds, who_comes_later, slow_clients, abuse)
-    for case in cases:
-        with tempfile.TemporaryDirectory() as name:
-            try:
-                case(pathlib.Path(name))
-            except AssertionError as error:
-                failed += 1
-                print(f"{case.__name__}: {error or 'failed'}")
-                import traceback
-                traceback.print_exc()
-    print(f"{len(cases)} cases, {failed} failed")
-    return 1 if failed else 0
-
-
-sys.exit(main())
+sys.exit(cases.run([addresses, streams_what_mcap_holds, who_comes_later, slow_clients, abuse]))

@@ -9,7 +9,8 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
+
+import cases
 
 TIMEOUT = 60
 ENGINE = """domain Level = { low, high };
@@ -753,21 +754,17 @@ TESTS = [lifecycle, abuse, diagnostics, lints, projects, pages, everywhere_named
 
 def main(root: str, programs: str) -> int:
     program = pathlib.Path(programs, "rmplc").resolve()
-    failed = 0
-    for test in TESTS:
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name).resolve()
+
+    def with_files(test):
+        def case(folder: pathlib.Path) -> None:
             for file, text in FILES.items():
                 (folder / file).write_text(text, encoding="utf-8")
-            try:
-                test(program, folder)
-            except AssertionError as error:
-                failed += 1
-                print(f"{test.__name__}: {error or 'failed'}")
-                import traceback
-                traceback.print_exc()
-    print(f"{len(TESTS)} tests, {failed} failed")
-    return 1 if failed else 0
+            test(program, folder)
+
+        case.__name__ = test.__name__
+        return case
+
+    return cases.run([with_files(test) for test in TESTS])
 
 
 if __name__ == "__main__":

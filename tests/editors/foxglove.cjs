@@ -58,7 +58,7 @@ async function main() {
   assert.strictEqual(await ended, 0);
   assert.strictEqual(info.name, 'rmpl-run: EntrySequence');
   assert.deepStrictEqual([...topics.values()],
-    ['/estimate', '/truth', '/belief', '/goal', '/command', '/reading', '/marking', '/event']);
+    ['/estimate', '/truth', '/belief', '/goal', '/command', '/reading', '/marking', '/event', '/channel']);
   assert.strictEqual(messages.get('/estimate').at(-1)[1].engine, 'heating');
   assert.deepStrictEqual(messages.get('/goal').at(-1)[1], { engine: 'standby' });
   assert.strictEqual(messages.get('/reading').at(-1)[1]['engine.temp'], 'low');
