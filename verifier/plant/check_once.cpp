@@ -294,9 +294,9 @@ class Check {
     std::optional<Witness> refused;
     bool in_doubt = false;
     const auto take = [&](const CutPath& cut) {
-      Witness witness = witness_of(cut.path, system, arena);
-      in_doubt = left_out && is_in_doubt(witness);
+      in_doubt = left_out && is_in_doubt(cut.path);
       if (in_doubt) return false;
+      Witness witness = witness_of(cut.path, system, arena);
       if (const auto failure = failure_of(witness)) {
         if (arena.is_whole()) throw base::InternalError("a witness fails: " + *failure);
         refused = std::move(witness);
@@ -315,9 +315,11 @@ class Check {
     return {cut_sets_.empty() ? std::nullopt : std::optional(cut_sets_.front().witness), false};
   }
 
-  /// Found by fewer steps, a witness where time stands still: one that was left out may be the answer that is owed.
-  [[nodiscard]] bool is_in_doubt(const Witness& witness) const {
-    return owed_ != nullptr && witness.stop && witness.stop->still;
+  /// Found by fewer steps, a run that ends where time stands still: a step that was left out may be the answer that is
+  /// owed. The path tells it, as the rest of the plant may be stuck where time stands still in the cone.
+  [[nodiscard]] bool is_in_doubt(const std::vector<PathState>& path) const {
+    const Phase phase = PlantSystem::phase_of(path.back().discrete);
+    return owed_ != nullptr && (phase == Phase::still || phase == Phase::still_armed);
   }
 
   /// In dense time most questions are decided by the steps that nothing else makes up for; if they lead to the target,
@@ -334,16 +336,18 @@ class Check {
       }
     }
     std::optional<Witness> any;
+    bool doubtful = false;
     if (terms_.time.is_dense() || options_.fewest_faults) {
       const auto fewer = fewer_steps(arena, arena.situations(), terms_.time);
       const auto path = any_path(system, options_.merge, meter_);
       if (path) any = witness_of(*path, system, arena);
+      doubtful = path && is_in_doubt(*path);
       cut_off_ = system.cut_off();
-      if (!any || (any_ && !is_in_doubt(*any))) return any;
+      if (!any || (any_ && !doubtful)) return any;
     }
     try {
       const auto path = find_path(system, SearchOrder::fewest_steps, meter_);
-      CHECK((path.has_value() || !any || is_in_doubt(*any)) && "fewer steps lead where all do not");
+      CHECK((path.has_value() || !any || doubtful) && "fewer steps lead where all do not");
       cut_off_ = system.cut_off();
       return path ? std::optional(witness_of(*path, system, arena)) : std::nullopt;
     } catch (const LimitReached& reached) {
