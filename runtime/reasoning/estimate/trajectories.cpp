@@ -204,14 +204,22 @@ double TrajectorySearch::unexplored(std::span<const Source> sources) {
   }
   const double found = std::accumulate(best_.begin(), best_.end(), 0.0);
   if (mass - explored_ <= noticeable * found) return std::max(0.0, mass - explored_) + rounding * mass;
-  mass = 0;
-  for (const Source& source : sources) mass += std::min(mass_of(source), following(source));
-  double explored = 0;
+  // Of each source by its shares or by its priors. A share may be more than the prior, so that only like is taken from
+  // like. Shares are known once the mass was asked for.
+  std::vector<double> most, shares(sources.size()), priors(sources.size());
+  for (const Source& source : sources) most.push_back(mass_of(source));
   for (const Way& way : ways_) {
     const Source& source = sources[way.source];
-    explored += source.extensions->share(targets_[way.target].state.modes, source.weight * way.chance);
+    const double prior = source.weight * way.chance;
+    priors[way.source] += prior;
+    shares[way.source] += source.extensions->share(targets_[way.target].state.modes, prior);
   }
-  return std::max(0.0, mass - explored) + rounding * mass;
+  double left = 0;
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    const double all = following(sources[s]);
+    left += std::max(0.0, std::min(all - priors[s], most[s] - shares[s])) + rounding * std::min(all, most[s]);
+  }
+  return left;
 }
 
 /// The probability of all that follows a source.
