@@ -457,6 +457,43 @@ bool Strategist::merge_passing(std::vector<Group>& groups, const Modes& modes, A
   return false;
 }
 
+/// How surely groups that are better apart have the goal together, in `answer`. That is worse than each by itself: what
+/// one has may be lost before the other has its own. Groups that cannot be solved together are hoped for. Where they
+/// have no plan together, they are one group in the end: then nothing is done for some of them.
+bool Strategist::judge_together(std::vector<Group>& groups, const Modes& modes, const Apart& apart, Answer& answer) {
+  std::vector<bool> judged(groups.size(), false);
+  const auto are_apart = [&](std::size_t i, std::size_t j) {
+    return apart.contains({groups[i].parts, groups[j].parts}) || apart.contains({groups[j].parts, groups[i].parts});
+  };
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (judged[i]) continue;
+    std::vector<std::size_t> together{i};
+    judged[i] = true;
+    for (std::size_t at = 0; at < together.size(); ++at) {
+      for (std::size_t j = 0; j < groups.size(); ++j) {
+        if (judged[j] || !are_apart(together[at], j)) continue;
+        judged[j] = true;
+        together.push_back(j);
+      }
+    }
+    if (together.size() < 2) continue;
+    Group all = groups[i];
+    for (std::size_t at = 1; at < together.size(); ++at) all = merged(all, groups[together[at]]);
+    if (!solve_group(all, modes)) {
+      answer.rank = std::max(answer.rank, Rank::hoped);
+      answer.lasts = answer.best = false;
+      continue;
+    }
+    const GameDecision& decision = all.solved->decision();
+    answer.rank = std::max(answer.rank, decision.rank);
+    answer.lasts = answer.lasts && decision.lasts;
+    if (decision.rank != Rank::none) continue;
+    groups = {std::move(all)};
+    return false;
+  }
+  return true;
+}
+
 /// Sorts the groups by their turns, and tells those that have to wait for it.
 void Strategist::set_turns(std::vector<Group>& groups, const Apart& in_turn) {
   std::vector<Group> ordered;
@@ -506,6 +543,8 @@ Strategist::Answer Strategist::answer(const Modes& modes, const StrategyPosition
       return answer;
     }
     if (merge_touching(groups, modes, in_turn) || merge_passing(groups, modes, apart)) continue;
+    answer = {};
+    if (!apart.empty() && !judge_together(groups, modes, apart, answer)) continue;
     set_turns(groups, in_turn);
     answer.action = rest;
     for (const Group& group : groups) {

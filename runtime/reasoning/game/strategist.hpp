@@ -159,6 +159,7 @@ class Strategist {
   void merge_common(std::vector<Group>& groups) const;
   static void merge_all(std::vector<Group>& groups);
   bool merge_touching(std::vector<Group>& groups, const automata::Modes& modes, Apart& in_turn);
+  bool judge_together(std::vector<Group>& groups, const automata::Modes& modes, const Apart& apart, Answer& answer);
   static void set_turns(std::vector<Group>& groups, const Apart& in_turn);
   bool touches(const Group& a, const Group& b) const;
   bool agree(const Group& a, const Group& b) const;
