@@ -191,11 +191,11 @@ Promise promise_of(const Engineered& drawn) {
   const runtime::NominalGraph graph(drawn.plant);
   runtime::Strategist strategist(step, graph, drawn.goal, automata::Ticks{second});
   const runtime::Strategist::Answer answer = strategist.from(drawn.start);
-  // Groups that do not last need not hold together when each has held.
-  const bool together = answer.lasts || answer.groups.size() == 1;
-  const bool sure = answer.rank == runtime::Rank::sure && together;
+  const bool sure = answer.rank == runtime::Rank::sure;
   Promise promise{sure ? Rank::sure : Rank::none, answer.lasts, std::nullopt};
   if (!sure || has_rewards(drawn.plant)) return promise;
+  // Groups that do not last have held apart in time; together they hold later.
+  if (!answer.lasts && answer.groups.size() > 1) return promise;
   std::int64_t longest = 0;
   for (const runtime::SolvedGame& group : answer.groups) {
     // A run on which less is lost may take longer. A command over modes alone takes no time.
