@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
@@ -86,11 +85,17 @@ class WholeLines {
     if (waiting_.size() >= bytes_) write();
   }
   void write() {
-    const std::string text = std::exchange(waiting_, {});
-    if (!text.empty()) print_json(text);
+    if (waiting_.empty()) return;
+    const Emptied emptied{waiting_};  // also where it cannot be written; the memory is kept
+    print_json(waiting_);
   }
 
  private:
+  struct Emptied {
+    std::string& text;
+    ~Emptied() { text.clear(); }
+  };
+
   std::size_t bytes_;
   std::string waiting_;
 };
@@ -116,7 +121,7 @@ bool answer_log(const std::string& log, const Names& names, const LogOptions& op
   LogOf<Names> of(log, names, options);
   std::size_t answered = 0;
   // Of a file many lines are written at once; to who looks on, or sends lines as they come, each is answered by itself.
-  WholeLines out(lines && !output_is_seen() ? std::size_t{1} << 16 : 0);
+  WholeLines out(lines && !output_is_seen() ? std::size_t{1} << 15 : 0);
   while (const auto line = of.next()) {
     if (!options.quiet) of.tell_remarks();
     const std::optional<std::string> text = answer(*line, of.name());
