@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-# The exports to UPPAAL and JANI, read by a plain explorer of their processes, against the verifier.
+# The exports to UPPAAL, TChecker and JANI, read by a plain explorer of their processes, against the verifier.
 # SPDX-License-Identifier: MIT
 """Usage: networks.py BIN_DIR [PLANTS [SEED]]
 
-Asks of random plants whether a mode can be reached, of the verifier and of both exported models, of all components and
+Asks of random plants whether a mode can be reached, of the verifier and of the exported models, of all components and
 of those that have to do with the question. What the formats demand of a model is checked on the way: of UPPAAL the
 order and the contents of the elements that its document type has, of JANI the members that jani-model version 1 has.
 Prints one line and exits 1 where the answers differ.
@@ -169,13 +169,20 @@ def members(node, needed, others=()):
     assert set(needed) <= set(node) <= set(needed) | set(others) | {"comment"}, node
 
 
-def expression(node):
+def expression(node, functions=None):
+    """In Python; `functions` are those of the model, by name."""
     if isinstance(node, dict) and node["op"] == "¬":
         members(node, ["op", "exp"])
-        return f"(not {expression(node['exp'])})"
+        return f"(not {expression(node['exp'], functions)})"
+    if isinstance(node, dict) and node["op"] == "call":
+        members(node, ["op", "function", "args"])
+        parameters, body = functions[node["function"]]
+        assert len(parameters) == len(node["args"])
+        given = dict(zip(parameters, [expression(argument) for argument in node["args"]]))
+        return re.sub(r"\bp\d+\b", lambda word: given[word[0]], body)
     if isinstance(node, dict):
         members(node, ["op", "left", "right"])
-        return f"({expression(node['left'])} {OPERATORS[node['op']]} {expression(node['right'])})"
+        return f"({expression(node['left'], functions)} {OPERATORS[node['op']]} {expression(node['right'], functions)})"
     return node if isinstance(node, str) else repr(node)
 
 
@@ -193,8 +200,15 @@ def constants(node, found):
 
 def read_jani(text):
     model = json.loads(text)
-    members(model, ["jani-version", "name", "type", "metadata", "features", "variables", "properties", "automata", "system"])
-    assert model["jani-version"] == 1 and model["type"] == "pta" and model["features"] == []
+    members(model, ["jani-version", "name", "type", "metadata", "features", "variables", "properties", "automata", "system"],
+            ["functions"])
+    assert model["jani-version"] == 1 and model["type"] == "pta"
+    assert model["features"] == (["functions"] if "functions" in model else [])
+    functions = {}
+    for one in model.get("functions", []):
+        members(one, ["name", "type", "parameters", "body"])
+        assert one["type"] == "bool" and all(p["type"] == "int" for p in one["parameters"]) and one["name"] not in functions
+        functions[one["name"]] = [p["name"] for p in one["parameters"]], expression(one["body"])
     assert [e["automaton"] for e in model["system"]["elements"]] == [a["name"] for a in model["automata"]]
     [prop] = model["properties"]
     members(prop, ["name", "expression"])
@@ -220,16 +234,115 @@ def read_jani(text):
             members(location, ["name"], ["time-progress"])
             assert location["name"] not in process.progress
             progress = location.get("time-progress", {"exp": True})["exp"]
-            process.progress[location["name"]] = "not passing" if progress is False else expression(progress)
+            process.progress[location["name"]] = "not passing" if progress is False else expression(progress, functions)
         for edge in automaton["edges"]:
             members(edge, ["location", "destinations"], ["guard"])
             [destination] = edge["destinations"]
             members(destination, ["location"], ["assignments"])
-            effects = [(one["ref"], expression(one["value"])) for one in destination.get("assignments", [])]
+            effects = [(one["ref"], expression(one["value"], functions)) for one in destination.get("assignments", [])]
             assert len({name for name, _ in effects}) == len(effects) and {name for name, _ in effects} <= set(variables)
-            process.add_edge(edge["location"], destination["location"], expression(edge.get("guard", {"exp": True})["exp"]), effects)
+            process.add_edge(edge["location"], destination["location"], expression(edge.get("guard", {"exp": True})["exp"], functions), effects)
         processes.append(process)
     return explore(processes, variables, clocks, max(constants(model["automata"], {0})) + 1), len(processes)
+
+
+# TChecker.
+
+WORDS = re.compile(r"\s*(&&|[=!<>]=|[()!<>+]|\w+)")
+
+
+class Condition:
+    """A condition of TChecker in Python: a conjunction of comparisons and conditional terms, and nothing else."""
+
+    def __init__(self, text):
+        self.words = WORDS.findall(text)
+        assert "".join(self.words) == text.replace(" ", ""), text
+        self.at = 0
+
+    def take(self, word=None):
+        taken = self.words[self.at]
+        assert word is None or taken == word, (word, self.words[self.at:])
+        self.at += 1
+        return taken
+
+    def ahead(self):
+        return self.words[self.at] if self.at < len(self.words) else ""
+
+    def conjunction(self):
+        parts = [self.atom()]
+        while self.ahead() == "&&":
+            self.take()
+            parts.append(self.atom())
+        return "(" + " and ".join(parts) + ")"
+
+    def atom(self):
+        if self.ahead() == "(":
+            self.take()
+            self.take("if")
+            test = self.conjunction()
+            self.take("then")
+            yes = self.atom()
+            self.take("else")
+            no = self.atom()
+            self.take(")")
+            return f"({yes} if {test} else {no})"
+        left = self.take()
+        assert re.fullmatch(r"\w+", left)
+        if self.ahead() in ("==", "!=", "<", "<=", ">", ">="):
+            return f"{left} {self.take()} {self.take()}"
+        return left
+
+    @staticmethod
+    def of(text):
+        condition = Condition(text)
+        result = condition.conjunction()
+        assert condition.at == len(condition.words), text
+        return result
+
+
+def read_tchecker(text):
+    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    assert lines[0] == "system:plant" and lines[1] == "event:tau"
+    variables, bounds, clocks, processes, initial, labelled = {}, {}, set(), {}, {}, set()
+    constants_found = {0}
+    for line in lines[2:]:
+        declared, _, attributes = line.partition("{")
+        kind, *parts = declared.split(":")
+        told = dict(part.strip().split(":", 1) for part in re.split(r" : ?", attributes.rstrip("}")) if part.strip())
+        constants_found |= {int(number) for number in re.findall(r"\bx\d+[<>]=(\d+)", attributes)}
+        if kind == "int":
+            size, low, high, first, name = parts
+            assert size == "1" and low == "0" and 0 <= int(first) <= int(high) and name not in variables
+            variables[name], bounds[name] = int(first), int(high)
+        elif kind == "clock":
+            assert parts[0] == "1" and parts[1] not in variables
+            variables[parts[1]] = 0
+            clocks.add(parts[1])
+        elif kind == "process":
+            assert parts[0] not in processes
+            processes[parts[0]] = Process(None)
+            processes[parts[0]].sequential = True
+        elif kind == "location":
+            process, name = parts
+            assert set(told) <= {"initial", "urgent", "labels", "invariant"} and name not in processes[process].progress
+            invariant = Condition.of(told["invariant"]) if "invariant" in told else "True"
+            processes[process].progress[name] = "not passing" if "urgent" in told else invariant
+            if "initial" in told:
+                assert processes[process].initial is None
+                processes[process].initial = name
+            if told.get("labels") == "target":
+                labelled.add((process, name))
+        else:
+            assert kind == "edge" and set(told) <= {"provided", "do"} and parts[3] == "tau", line
+            process, source, target, _ = parts
+            effects = [tuple(one.split("=", 1)) for one in told.get("do", "").split(";") if one]
+            assert all(name in variables for name, _ in effects), line
+            if (process, target) in labelled:
+                effects.append(("reached", "True"))
+            processes[process].add_edge(source, target, Condition.of(told.get("provided", "1")), effects)
+    assert len(labelled) == 1 and all(process.initial for process in processes.values())
+    variables["reached"] = False
+    return explore(list(processes.values()), variables, clocks, max(constants_found) + 1), len(processes)
 
 
 def main() -> int:
@@ -249,7 +362,7 @@ def main() -> int:
                                    capture_output=True, text=True, timeout=60, check=False)
             assert asked.returncode in (0, 1), asked.stderr
             verdict = asked.returncode == 0
-            for form, read in (("uppaal", read_uppaal), ("jani", read_jani)):
+            for form, read in (("uppaal", read_uppaal), ("tchecker", read_tchecker), ("jani", read_jani)):
                 for whole in ([], ["--whole"]):
                     made = subprocess.run([bin_dir / "tcca-check", "export", "--format", form, *options, *whole],
                                           capture_output=True, text=True, timeout=60, check=True)
@@ -260,7 +373,7 @@ def main() -> int:
                         print(f"plant {number}: {target} is {verdict}, and the model for {form} {whole} says otherwise\n{text}")
                         return 1
             met += verdict
-    print(f"{plants} plants asked the same of the verifier and of their models for UPPAAL and JANI, {met} reach the target, "
+    print(f"{plants} plants asked the same of the verifier and of their models for UPPAAL, TChecker and JANI, {met} reach the target, "
           f"{shared} components share a template")
     return 0 if 0 < met < plants and (shared > 0 or plants < 20) else 1
 

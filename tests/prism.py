@@ -87,7 +87,7 @@ class Module:
             self.commands.append((match[1], guard, outcomes))
 
     def enabled(self, label, state):
-        return [outcomes for name, guard, outcomes in self.commands if name == label and eval(guard, {}, state)]
+        return [outcomes for name, guard, outcomes in self.commands if name == label and eval(guard, {"true": True}, state)]
 
     def step(self, label, state):
         """The outcomes of the one command that is enabled."""

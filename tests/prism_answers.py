@@ -34,7 +34,7 @@ class Reader:
     def __init__(self, text):
         text = expanded(text)
         self.modules = [Module(part, Fraction) for part in re.split(r"^module ", text, flags=re.M)[1:]]
-        self.labels = re.findall(r"^// (a\d+): ", text, re.M)
+        self.labels = sorted(set(re.findall(r"^// (a\d+): ", text, re.M)))
         self.starts = "[start]" in text
         [target] = re.findall(r'^label "target" = (.*);$', text, re.M)
         self.target = compile(re.sub(r"(?<![<>!])=", "==", target).replace("&", " and ").replace("|", " or ")

@@ -82,6 +82,7 @@ bool CsvReader::read(CsvRow& row) {
 void CsvReader::split(CsvRow& row) {
   std::string& text = row.text_;
   row.cells_.clear();
+  if (text.find('"') == std::string::npos) return split_plain(row);
   std::size_t at = 0;   // what is looked at
   std::size_t end = 0;  // of what is kept
   for (bool more = true; more;) {
@@ -117,7 +118,23 @@ void CsvReader::split(CsvRow& row) {
     ++at;
   }
   text.resize(end);
-  if (text.find('\0') != std::string::npos) fail(row, "expected text, found a NUL byte");
+  refuse_nul(row);
+}
+
+/// A line without quotes: every delimiter ends a cell.
+void CsvReader::split_plain(CsvRow& row) const {
+  std::string& text = row.text_;
+  if (text.ends_with('\r')) text.pop_back();
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = text.find(*delimiter_, begin)) != std::string::npos; begin = end + 1) {
+    row.cells_.emplace_back(begin, end - begin);
+  }
+  row.cells_.emplace_back(begin, text.size() - begin);
+  refuse_nul(row);
+}
+
+void CsvReader::refuse_nul(const CsvRow& row) const {
+  if (row.text_.find('\0') != std::string::npos) fail(row, "expected text, found a NUL byte");
 }
 
 }  // namespace rmpl::runtime

@@ -50,6 +50,8 @@ class CsvReader {
   bool read(CsvRow& row);
   bool get_line(CsvRow& row);
   void split(CsvRow& row);
+  void split_plain(CsvRow& row) const;
+  void refuse_nul(const CsvRow& row) const;
   [[noreturn]] void fail(const CsvRow& row, const std::string& what) const;
 
   std::istream& in_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,12 +67,47 @@ class LogOf {
   bool first_ = true;
 };
 
+/// Lines of JSON on their way out, so many bytes at once. Whatever ends the run, whole lines are written.
+class WholeLines {
+ public:
+  explicit WholeLines(std::size_t bytes) : bytes_(bytes) {}
+  ~WholeLines() {
+    try {
+      write();
+    } catch (const std::exception&) {  // what ends the run is told
+    }
+  }
+  WholeLines(const WholeLines&) = delete;
+  WholeLines& operator=(const WholeLines&) = delete;
+
+  void add(const std::string& line) {
+    waiting_ += line;
+    if (waiting_.size() >= bytes_) write();
+  }
+  void write() {
+    if (waiting_.empty()) return;
+    const Emptied emptied{waiting_};  // also where it cannot be written; the memory is kept
+    print_json(waiting_);
+  }
+
+ private:
+  struct Emptied {
+    std::string& text;
+    ~Emptied() { text.clear(); }
+  };
+
+  std::size_t bytes_;
+  std::string waiting_;
+};
+
 /// A file is checked in full before anything is answered: how many lines it has. What can be read only once is answered
 /// as it comes: nothing, as where the run is interrupted.
 template <class Names>
 std::optional<std::size_t> check_log(const std::string& log, const Names& names, const LogOptions& options) {
   if (!base::is_read_again(log)) return std::nullopt;
-  LogOf<Names> lines(log, names, options);
+  LogOptions unsampled = options;
+  unsampled.samples = false;
+  LogOf<Names> lines(log, names, unsampled);
   std::size_t count = 0;
   while (lines.next()) ++count;
   return interrupted() ? std::nullopt : std::optional(count);
@@ -84,13 +120,16 @@ bool answer_log(const std::string& log, const Names& names, const LogOptions& op
                 const Answer& answer) {
   LogOf<Names> of(log, names, options);
   std::size_t answered = 0;
+  // Of a file many lines are written at once; to who looks on, or sends lines as they come, each is answered by itself.
+  WholeLines out(lines && !output_is_seen() ? std::size_t{1} << 15 : 0);
   while (const auto line = of.next()) {
     if (!options.quiet) of.tell_remarks();
     const std::optional<std::string> text = answer(*line, of.name());
     if (!text) break;
-    print_json(*text);  // whole lines, whatever ends the run
+    out.add(*text);
     ++answered;
   }
+  out.write();
   if (!options.quiet) of.tell_left_out();
   const bool early = interrupted() && answered != lines;
   if (early) {

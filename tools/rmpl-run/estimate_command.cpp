@@ -178,7 +178,9 @@ ExitStatus run(Options options, const Common& common) {
   const auto lines = check_log(options.log, plant, options.reading);
   Latency latency;
   options.estimator.interruption = &interruption();
-  options.estimator.took = [&latency](double seconds) { latency.add(seconds); };
+  if (options.estimator.stats || common.verbose) {
+    options.estimator.took = [&latency](double seconds) { latency.add(seconds); };
+  }
   std::optional<Flight> begun;
   try {
     begun.emplace(plant, options);

@@ -22,6 +22,7 @@ struct LogOptions {
   bool script = false;                    ///< whether it is a scenario of Livingstone2
   std::optional<automata::Ticks> period;  ///< of the cycles; none: a line of the log is one
   bool quiet = false;                     ///< whether what is odd is not told
+  bool samples = true;                    ///< of a table: whether lines have what was sampled, which is never wrong
 };
 
 /// `--origin` and `--time-unit`.

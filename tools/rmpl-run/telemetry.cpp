@@ -36,7 +36,7 @@ Telemetry::Telemetry(base::InputFile& input, const std::string& path, const auto
     return;
   }
   if (is_table(stream, path, options)) {
-    const runtime::CsvLogOptions csv{options.delimiter, options.time_column, options.times};
+    const runtime::CsvLogOptions csv{options.delimiter, options.time_column, options.times, options.samples};
     lines_ = std::make_unique<runtime::CsvLog>(stream, name_, plant, monitors_, csv);
   } else {
     auto reader = std::make_unique<runtime::LogReader>(stream, name_, plant);

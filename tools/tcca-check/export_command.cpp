@@ -49,10 +49,9 @@ void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::E
   if (options.freedom.period) {
     throw base::InputError(name_of(options.tool) + " reads time as dense; expected no period");
   }
-  if (options.tool == Tool::tchecker) {
-    return verifier::write_tchecker(out, step.plant(), verifier::unfold(step, question, limits));
-  }
-  const auto write = options.tool == Tool::uppaal ? verifier::write_uppaal : verifier::write_jani;
+  const auto write = options.tool == Tool::tchecker ? verifier::write_tchecker
+                     : options.tool == Tool::uppaal ? verifier::write_uppaal
+                                                    : verifier::write_jani;
   write(out, step.plant(), verifier::network_of(step, question, limits));
 }
 

@@ -9,11 +9,10 @@
 #include <utility>
 
 #include "automata/controls.hpp"
+#include "automata/logic/truth_table.hpp"
 #include "automata/step/transition_rules.hpp"
-#include "automata/store/elimination.hpp"
-#include "automata/store/island_store.hpp"
 #include "base/product.hpp"
-#include "verifier/export/truth_table.hpp"
+#include "verifier/export/influence.hpp"
 #include "verifier/plant/joint_choices.hpp"
 #include "verifier/property/initial_modes.hpp"
 
@@ -28,6 +27,7 @@ using automata::ModeId;
 using automata::Modes;
 using automata::Plant;
 using automata::Support;
+using automata::TruthTable;
 using automata::ValueId;
 using automata::VariableId;
 
@@ -49,7 +49,7 @@ struct Guards {
   std::map<Values, Enabled> rows, idle_rows;
 };
 
-/// What an island of the store says: whether modes are possible, and whether a command contradicts them.
+/// What some constraints of the store say: whether modes are possible, and whether a command contradicts them.
 struct Say {
   Columns columns;
   std::map<Values, bool> possible, consistent, idle_consistent;
@@ -65,7 +65,8 @@ class Building {
         most_rows_(most_rows),
         idle_(automata::idle_action(plant_)),
         network_{TimeModel::dense(plant_, {}), {}, {}, {}, question.commands, question.faults},
-        handle_(step.theory().encode(question.target)) {}
+        handle_(step.theory().encode(question.target)),
+        influence_(step) {}
 
   Network run() {
     set_up();
@@ -103,85 +104,19 @@ class Building {
     return columns;
   }
 
-  /// What it depends on whether the store implies or allows a formula of these variables. An island as a whole may be
-  /// wide, and tell little of one attribute: what only follows from others is taken away.
-  Support support_of(const std::set<VariableId>& variables) {
-    Support support;
-    std::set<VariableId> known;  // attributes that it depends on
-    std::set<std::size_t> islands;
-    const auto add = [&](VariableId variable) {
-      if (const auto component = plant_.component_of(variable)) {
-        support.join({{*component}, {}});
-      } else if (const auto control = automata::control_of(plant_, variable)) {
-        support.join({{}, {*control}});
-      } else {
-        known.insert(variable);
-      }
-    };
-    for (const VariableId variable : variables) {
-      add(variable);
-      if (const auto island = step_.locality().island_of(variable)) islands.insert(*island);
-    }
-    for (const std::size_t number : islands) {
-      const automata::Island& island = step_.locality().islands()[number];
-      if (excludes(number)) {
-        support.join(island.support);
-        continue;
-      }
-      std::vector<VariableId> others;
-      for (const VariableId attribute : island.attributes) {
-        if (!known.contains(attribute) && !automata::control_of(plant_, attribute)) others.push_back(attribute);
-      }
-      const automata::Elimination elimination(plant_.variables, island.constraints, others);
-      std::set<std::size_t> left = elimination.left();
-      for (bool grows = true; grows;) {
-        grows = std::erase_if(left, [&](std::size_t position) {
-                  const automata::Constraint& constraint = island.constraints[position];
-                  const std::vector<VariableId> read = automata::variables_of(constraint.formula);
-                  const auto matters = [&](VariableId variable) { return known.contains(variable); };
-                  if (std::none_of(read.begin(), read.end(), matters)) return false;
-                  if (constraint.under) add(constraint.under->variable);
-                  std::for_each(read.begin(), read.end(), add);
-                  return true;
-                }) > 0;
-      }
-    }
-    return support;
-  }
-
-  bool excludes(std::size_t island) {
-    const automata::Island& of = step_.locality().islands()[island];
-    const auto [known, fresh] = excludes_.try_emplace(island, false);
-    if (fresh) known->second = !of.constraints.empty() && automata::IslandStore(plant_, of).excludes();
-    return known->second;
-  }
-
-  /// What the guards of the exits from a mode depend on.
-  Support support_of(ComponentId id, ModeId mode) {
-    std::set<VariableId> variables;
-    for (const automata::Transition& transition : plant_[id].transitions) {
-      if (transition.from != mode) continue;
-      const std::vector<VariableId> read = automata::variables_of(transition.guard);
-      variables.insert(read.begin(), read.end());
-    }
-    return support_of(variables);
-  }
-
   void set_up() {
-    // Most islands exclude nothing, however many components they read.
-    const std::vector<automata::Island>& islands = step_.locality().islands();
-    for (std::size_t i = 0; i < islands.size(); ++i) {
-      const automata::Island& island = islands[i];
-      if (excludes(i)) says_.push_back({columns_of(island.support, std::nullopt), {}, {}, {}});
+    for (const Support& support : influence_.exclusions()) {
+      says_.push_back({columns_of(support, std::nullopt), {}, {}, {}});
     }
     guards_.resize(plant_.components.size());
     for (std::size_t c = 0; c < plant_.components.size(); ++c) {
       for (std::size_t m = 0; m < plant_.components[c].modes.size(); ++m) {
-        guards_[c].push_back({columns_of(support_of(ComponentId(c), ModeId(m)), ComponentId(c)), {}, {}});
+        guards_[c].push_back({columns_of(influence_.support_of(ComponentId(c), ModeId(m)), ComponentId(c)), {}, {}});
       }
     }
     const std::vector<VariableId> asked = automata::variables_of(question_.target);
-    target_columns_ = columns_of({support_of(std::set(asked.begin(), asked.end())).components, {}}, std::nullopt);
+    target_columns_ =
+        columns_of({influence_.support_of(std::set(asked.begin(), asked.end()), false).components, {}}, std::nullopt);
   }
 
   /// Fills the tables that are not wide; whether there are others.
@@ -448,8 +383,8 @@ class Building {
   const std::size_t most_rows_;  ///< of a table that is made of all of them
   const ControlAction idle_;
   Network network_;
-  automata::Theory::Handle handle_;       ///< of the target
-  std::map<std::size_t, bool> excludes_;  ///< by island, as far as asked for
+  automata::Theory::Handle handle_;  ///< of the target
+  Influence influence_;
   std::vector<Say> says_;
   std::vector<std::vector<Guards>> guards_;  ///< by component, by mode
   Columns target_columns_;

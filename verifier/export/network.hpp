@@ -9,7 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "verifier/export/timed_automaton.hpp"
+#include "automata/step/plant_step.hpp"
+#include "verifier/export/question.hpp"
+#include "verifier/search/limits.hpp"
+#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::verifier {
 

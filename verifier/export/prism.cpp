@@ -1,5 +1,6 @@
-// Plants in sampled time for PRISM: one module a component, synchronised on the control action of a period. Modules
-// that read the same, but for names, are one with other names.
+// Plants in sampled time for PRISM: one module a component, synchronised on the control action of a period. Control
+// actions that do the same are one, and so is what a module does in several modes. Modules that read the same, but for
+// names, are one with other names.
 //
 // Given modes, clocks and the control action components draw independently (verifier/markov), which is what
 // synchronised modules do.
@@ -7,15 +8,19 @@
 #include "verifier/export/prism.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <charconv>
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "automata/assignment_text.hpp"
+#include "base/check.hpp"
 #include "base/error.hpp"
 #include "base/product.hpp"
+#include "verifier/export/influence.hpp"
 #include "verifier/markov/markov.hpp"
 #include "verifier/property/initial_modes.hpp"
 
@@ -31,17 +36,16 @@ using automata::PlantStep;
 
 namespace {
 
-/// With all the digits that it has.
+/// The shortest decimal that reads back the same.
 std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
+  std::array<char, 40> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 /// What the components and commands that a module speaks of are called in it, by number.
 struct Naming {
   std::vector<std::size_t> components;  ///< by component
-  std::vector<std::size_t> labels;      ///< by control action
+  std::vector<std::size_t> labels;      ///< by class of control actions
 
   [[nodiscard]] std::string mode(ComponentId component) const {
     return "m" + std::to_string(components[component.index()]);
@@ -52,26 +56,69 @@ struct Naming {
   [[nodiscard]] std::string label(std::size_t action) const { return "a" + std::to_string(labels[action]); }
 };
 
-/// In the language of PRISM; empty where it holds everywhere.
-std::string text_of(const Condition& condition, const Naming& naming) {
-  std::string result;
-  for (const std::vector<InMode>& combination : condition) {
-    std::string all;
-    for (const InMode& in : combination) {
-      all += (all.empty() ? "" : " & ") + naming.mode(in.component) + "=" + std::to_string(in.mode.value);
-    }
-    if (!all.empty()) result += (result.empty() ? "(" : " | (") + all + ")";
+/// In the language of PRISM; whether it falls apart in a conjunction.
+struct Text {
+  std::string text;
+  bool either = false;
+
+  [[nodiscard]] std::string operand() const { return either ? "(" + text + ")" : text; }
+};
+
+/// The values of a variable, of so many, ascending. With `listed` each is named: it may have others.
+Text member_text(const std::string& name, const std::vector<std::size_t>& values, std::size_t all, bool listed) {
+  if (values.size() == 1) return {name + "=" + std::to_string(values.front())};
+  if (!listed && values.size() + 1 == all) {
+    std::size_t missing = 0;
+    while (missing < values.size() && values[missing] == missing) ++missing;
+    return {name + "!=" + std::to_string(missing)};
   }
-  return result;
+  if (values.back() - values.front() + 1 == values.size()) {
+    if (values.front() == 0 && !listed) return {name + "<=" + std::to_string(values.back())};
+    if (values.back() + 1 == all) return {name + ">=" + std::to_string(values.front())};
+  }
+  std::string text;
+  for (const std::size_t value : values) text += (text.empty() ? "" : " | ") + name + "=" + std::to_string(value);
+  return {text, true};
+}
+
+Text text_of(const automata::Formula& formula, const Plant& plant, const Naming& naming) {
+  switch (formula.kind) {
+    case automata::Formula::Kind::constant:
+      return {formula.truth ? "true" : "false"};
+    case automata::Formula::Kind::member: {
+      std::vector<std::size_t> values;
+      for (const automata::ValueId value : formula.values) values.push_back(value.index());
+      return member_text(naming.mode(*plant.component_of(formula.variable)), values,
+                         plant.variables[formula.variable].values.size(), false);
+    }
+    case automata::Formula::Kind::conjunction:
+    case automata::Formula::Kind::disjunction: {
+      const bool both = formula.kind == automata::Formula::Kind::conjunction;
+      std::string text;
+      for (const automata::Formula& operand : formula.operands) {
+        const Text part = text_of(operand, plant, naming);
+        text += (text.empty() ? "" : both ? " & " : " | ") + (both ? part.operand() : part.text);
+      }
+      return {text, !both};
+    }
+    default:
+      break;
+  }
+  CHECK(false && "a table becomes conjunctions and disjunctions");
+  return {};
 }
 
 /// What a component draws from in a mode under a control action, where that is so.
 struct Command {
   ModeId mode;
-  std::size_t action;
-  Condition where;
+  automata::Formula where;
   std::vector<Stretch> stretches;  ///< of readings over which the probabilities are the same
 };
+
+/// A conjunction that grows; empty where nothing is demanded.
+void conjoin(std::string& all, const std::string& part) {
+  if (!part.empty()) all += (all.empty() ? "" : " & ") + part;
+}
 
 class Writer {
  public:
@@ -83,6 +130,7 @@ class Writer {
         question_(question),
         period_(period),
         meter_(limits),
+        influence_(step),
         initial_(initial_modes(plant_, question.from)) {
     for_each_action(plant_, question.commands, [this](const ControlAction& action) { actions_.push_back(action); });
     const auto drawn = [](const automata::Component& c) {
@@ -93,13 +141,14 @@ class Writer {
 
   void run() {
     refuse_impossible();
-    const bool choice = actions_.size() > 1;
+    classify();
+    const bool choice = classes_ > 1;
     out_ << (choice ? "mdp" : "dtmc") << "\n\n// " << plant_.name << ": a step is a period of "
          << automata::format_seconds(period_) << " s\n";
     if (drawn_) out_ << "// the first step, `start`, takes no time: it draws the initial modes\n";
     out_ << "// what is asked: " << (choice ? "Pmax" : "P") << "=? [ F \"target\" ]\n";
     for (std::size_t a = 0; a < actions_.size(); ++a) {
-      out_ << "// a" << a << ": " << describe(actions_[a]) << '\n';
+      out_ << "// a" << class_of_[a] << ": " << describe(actions_[a]) << '\n';
     }
     for (std::size_t c = 0; c < plant_.components.size(); ++c) write_module(ComponentId(c));
     write_target();
@@ -108,14 +157,39 @@ class Writer {
  private:
   static constexpr std::size_t unnamed = static_cast<std::size_t>(-1);
 
+  std::string describe(const Modes& modes) const {
+    return to_text(plant_.variables, automata::assignments_of(plant_, modes));
+  }
   std::string describe(const ControlAction& action) const {
     const std::string text = to_text(plant_.variables, automata::commanded(plant_, action));
     return text.empty() ? "all controls idle" : text;
   }
 
-  /// Where modes that contradict the store may be drawn, the semantics draws again; modules cannot. Time is not looked
-  /// at: some that no run comes to may be refused.
+  /// Those that modes which contradict each other can depend on.
+  std::vector<ComponentId> that_exclude() {
+    std::set<ComponentId> found;
+    std::vector<ComponentId> open;
+    const auto add = [&](const std::vector<ComponentId>& components) {
+      for (const ComponentId c : components) {
+        if (found.insert(c).second) open.push_back(c);
+      }
+    };
+    for (const automata::Support& support : influence_.exclusions()) add(support.components);
+    while (!open.empty()) {
+      const ComponentId component = open.back();
+      open.pop_back();
+      for (std::size_t m = 0; m < plant_[component].modes.size(); ++m) {
+        add(influence_.support_of(component, ModeId(m)).components);
+      }
+    }
+    return {found.begin(), found.end()};
+  }
+
+  /// Where modes that contradict the store may be drawn, the semantics draws again; modules cannot. Only components
+  /// that have to do with it are looked at, and time is not: some that no run comes to may be refused.
   void refuse_impossible() {
+    if (influence_.exclusions().empty()) return;
+    const std::vector<ComponentId> asked = that_exclude();
     std::set<Modes> seen;
     std::vector<Modes> queue;
     const auto add = [&](const Modes& modes) {
@@ -123,22 +197,24 @@ class Writer {
       if (!seen.insert(modes).second) return;
       if (!step_.possible(modes)) {
         throw base::InputError("prism cannot say that modes are impossible, and these may be drawn: " +
-                               verifier::describe(plant_, modes));
+                               describe(modes));
       }
       meter_.count_state();
       queue.push_back(modes);
     };
-    std::vector<std::vector<ModeId>> lists = initial_;
+    std::vector<std::vector<ModeId>> lists;
+    for (const std::vector<ModeId>& initial : initial_) lists.push_back({initial.front()});
+    for (const ComponentId c : asked) lists[c.index()] = initial_[c.index()];
     base::for_each_combination(lists, add);
     for (std::size_t next = 0; next < queue.size(); ++next) {
       const Modes modes = queue[next];
       for (const ControlAction& action : actions_) {
         if (!step_.consistent(modes, action)) {
           throw base::InputError("prism cannot say what follows where the command " + describe(action) +
-                                 " contradicts the modes: " + verifier::describe(plant_, modes));
+                                 " contradicts the modes: " + describe(modes));
         }
         const automata::AllEnabled enabled = step_.enabled(modes, action);
-        for (std::size_t c = 0; c < modes.size(); ++c) lists[c] = targets(ComponentId(c), modes[c], enabled[c]);
+        for (const ComponentId c : asked) lists[c.index()] = targets(c, modes[c.index()], enabled[c.index()]);
         base::for_each_combination(lists, add);
       }
     }
@@ -163,12 +239,49 @@ class Writer {
                            " is not exponential and has no upper bound; expected a finite one");
   }
 
+  /// Finds out what each component does under each control action, and which of these do the same to all of them.
+  void classify() {
+    std::map<std::vector<std::string>, std::size_t> known;
+    for (std::size_t a = 0; a < actions_.size(); ++a) {
+      std::vector<std::vector<Command>> commands;
+      std::vector<std::string> texts;
+      for (std::size_t c = 0; c < plant_.components.size(); ++c) {
+        commands.push_back(commands_of(ComponentId(c), actions_[a]));
+        texts.push_back(text_of(ComponentId(c), commands.back(), "", own_names()));
+      }
+      const auto [like, fresh] = known.emplace(std::move(texts), classes_);
+      class_of_.push_back(like->second);
+      if (!fresh) continue;
+      commands_.push_back(std::move(commands));
+      ++classes_;
+    }
+  }
+
+  /// Most commands are of no account for most components: what is read of them tells what comes of it.
+  std::vector<Command> commands_of(ComponentId id, const ControlAction& action) {
+    std::vector<Command> commands;
+    for (std::size_t m = 0; m < plant_[id].modes.size(); ++m) {
+      const ModeId mode(m);
+      const automata::Support& support = influence_.support_of(id, mode);
+      ControlAction read;
+      for (const std::size_t control : support.controls) read.push_back(action[control]);
+      const auto [known, fresh] = known_.emplace(std::tuple(id, mode, read), std::vector<Command>());
+      if (fresh) {
+        const Units settled = settled_reading(id, mode);
+        for (const EnabledClass& choice : enabled_classes(step_, id, mode, action, support.components, meter_)) {
+          known->second.push_back({mode, choice.where, stretches(step_, id, mode, choice.enabled, period_, settled)});
+        }
+      }
+      commands.insert(commands.end(), known->second.begin(), known->second.end());
+    }
+    return commands;
+  }
+
   /// A module of its own; or where one before it reads the same, but for what components and commands are called, that
   /// one with other names.
   void write_module(ComponentId id) {
-    const std::vector<Command> commands = commands_of(id);
-    Naming common = common_naming(id, commands);
-    const std::string text = body_of(id, commands, common);
+    const Naming common = common_naming(id);
+    const std::string text = body_of(id, common);
     const automata::Component& component = plant_[id];
     std::string modes;
     for (std::size_t mode = 0; mode < component.modes.size(); ++mode) {
@@ -177,8 +290,7 @@ class Writer {
     out_ << "\nmodule c" << id.value;
     const auto [like, fresh] = written_.emplace(std::pair(modes, text), std::pair(id, common));
     if (fresh) {
-      out_ << " // " << component.name << "\n  // " << modes << '\n'
-           << body_of(id, commands, own_names()) << "endmodule\n";
+      out_ << " // " << component.name << "\n  // " << modes << '\n' << body_of(id, own_names()) << "endmodule\n";
       return;
     }
     const auto& [model, names] = like->second;
@@ -206,19 +318,20 @@ class Writer {
   [[nodiscard]] Naming own_names() const {
     Naming naming;
     for (std::size_t c = 0; c < plant_.components.size(); ++c) naming.components.push_back(c);
-    for (std::size_t a = 0; a < actions_.size(); ++a) naming.labels.push_back(a);
+    for (std::size_t a = 0; a < classes_; ++a) naming.labels.push_back(a);
     return naming;
   }
 
   /// Names that like modules have in common: the component itself first, those that it reads by their types, commands
   /// by what they do to it.
-  Naming common_naming(ComponentId id, const std::vector<Command>& commands) const {
-    Naming naming{std::vector<std::size_t>(plant_.components.size(), unnamed),
-                  std::vector<std::size_t>(actions_.size())};
+  [[nodiscard]] Naming common_naming(ComponentId id) const {
+    Naming naming{std::vector<std::size_t>(plant_.components.size(), unnamed), std::vector<std::size_t>(classes_)};
     std::set<ComponentId> read;
-    for (const Command& command : commands) {
-      for (const auto& combination : command.where) {
-        for (const InMode& in : combination) read.insert(in.component);
+    for (const auto& by_component : commands_) {
+      for (const Command& command : by_component[id.index()]) {
+        for (const automata::VariableId mode : automata::variables_of(command.where)) {
+          read.insert(*plant_.component_of(mode));
+        }
       }
     }
     read.erase(id);
@@ -229,25 +342,12 @@ class Writer {
     naming.components[id.index()] = next++;
     for (const ComponentId other : sorted) naming.components[other.index()] = next++;
     std::vector<std::pair<std::string, std::size_t>> by_effect;
-    for (std::size_t a = 0; a < actions_.size(); ++a) by_effect.emplace_back("", a);
-    for (const Command& command : commands) by_effect[command.action].first += text_of(id, command, "", naming);
+    for (std::size_t a = 0; a < classes_; ++a) {
+      by_effect.emplace_back(text_of(id, commands_[a][id.index()], "", naming), a);
+    }
     std::sort(by_effect.begin(), by_effect.end());
     for (std::size_t place = 0; place < by_effect.size(); ++place) naming.labels[by_effect[place].second] = place;
     return naming;
-  }
-
-  [[nodiscard]] std::vector<Command> commands_of(ComponentId id) {
-    std::vector<Command> commands;
-    for (std::size_t m = 0; m < plant_[id].modes.size(); ++m) {
-      const ModeId mode(m);
-      const Units settled = settled_reading(id, mode);
-      for (std::size_t a = 0; a < actions_.size(); ++a) {
-        for (const EnabledClass& choice : enabled_classes(step_, id, mode, actions_[a], meter_)) {
-          commands.push_back({mode, a, choice.where, stretches(step_, id, mode, choice.enabled, period_, settled)});
-        }
-      }
-    }
-    return commands;
   }
 
   [[nodiscard]] Units longest_reading(ComponentId id) const {
@@ -258,7 +358,7 @@ class Writer {
   }
 
   /// Variables and commands.
-  [[nodiscard]] std::string body_of(ComponentId id, const std::vector<Command>& commands, const Naming& naming) const {
+  [[nodiscard]] std::string body_of(ComponentId id, const Naming& naming) const {
     const automata::Component& component = plant_[id];
     const std::string m = naming.mode(id);
     const Units longest = longest_reading(id);
@@ -276,33 +376,55 @@ class Writer {
       }
       text += ";\n";
     }
-    std::vector<const Command*> ordered;
-    ordered.reserve(commands.size());
-    for (const Command& command : commands) ordered.push_back(&command);
-    std::stable_sort(ordered.begin(), ordered.end(), [&](const Command* one, const Command* other) {
-      return std::pair(one->mode, naming.labels[one->action]) < std::pair(other->mode, naming.labels[other->action]);
-    });
-    for (const Command* command : ordered) text += text_of(id, *command, naming.label(command->action), naming);
+    std::vector<std::size_t> classes(classes_);
+    for (std::size_t a = 0; a < classes_; ++a) classes[naming.labels[a]] = a;
+    for (const std::size_t a : classes) text += text_of(id, commands_[a][id.index()], naming.label(a), naming);
     return text;
   }
 
-  /// A line for each stretch.
-  [[nodiscard]] std::string text_of(ComponentId id, const Command& command, const std::string& label,
+  /// A line for each thing that is done, whatever the modes.
+  [[nodiscard]] std::string text_of(ComponentId id, const std::vector<Command>& commands, const std::string& label,
                                     const Naming& naming) const {
-    const Units settled = settled_reading(id, command.mode);
     const std::string x = naming.clock(id);
-    const std::string condition = verifier::text_of(command.where, naming);
+    /// Of one of them: where it is done but for the own mode, and in which modes.
+    using Done = std::vector<std::pair<std::string, std::vector<std::size_t>>>;
+    std::vector<std::pair<std::string, Done>> by_updates;  // as they are met
+    const auto find = [](auto& list, const std::string& key) -> auto& {
+      const auto found = std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == key; });
+      return (found == list.end() ? list.emplace_back(key, decltype(found->second)()) : *found).second;
+    };
+    for (const Command& command : commands) {
+      const Units settled = settled_reading(id, command.mode);
+      for (const Stretch& stretch : command.stretches) {
+        std::string where;
+        if (stretch.first > 0) conjoin(where, x + ">=" + std::to_string(stretch.first));
+        if (stretch.last) conjoin(where, x + "<=" + std::to_string(*stretch.last));
+        if (!command.where.is_true()) conjoin(where, verifier::text_of(command.where, plant_, naming).operand());
+        find(find(by_updates, updates_of(id, command.mode, stretch.moves, settled, naming)), where)
+            .push_back(command.mode.index());
+      }
+    }
     std::string text;
-    for (const Stretch& stretch : command.stretches) {
-      text += "  [" + label + "] " + naming.mode(id) + '=' + std::to_string(command.mode.value);
-      if (stretch.first > 0) text += " & " + x + ">=" + std::to_string(stretch.first);
-      if (stretch.last) text += " & " + x + "<=" + std::to_string(*stretch.last);
-      if (!condition.empty()) text += " & (" + condition + ')';
-      text += " -> " + updates_of(id, command.mode, stretch.moves, settled, naming) + ";\n";
+    for (const auto& [updates, done] : by_updates) {
+      std::string guard;
+      for (const auto& [where, modes] : done) {
+        const std::size_t all = plant_[id].modes.size();
+        std::string all_of;
+        if (modes.size() < all) {
+          all_of = member_text(naming.mode(id), modes, all, drawn_).operand();
+        } else if (drawn_) {
+          all_of = naming.mode(id) + ">=0";
+        }
+        conjoin(all_of, where);
+        if (all_of.empty()) all_of = "true";
+        guard += (guard.empty() ? "" : " | ") + (done.size() == 1 ? all_of : "(" + all_of + ")");
+      }
+      text += "  [" + label + "] " + guard + " -> " + updates + ";\n";
     }
     return text;
   }
 
+  /// What stays as it is is not told.
   [[nodiscard]] std::string updates_of(ComponentId id, ModeId mode, const std::vector<automata::Move>& moves,
                                        Units settled, const Naming& naming) const {
     const std::string m = naming.mode(id);
@@ -310,20 +432,24 @@ class Writer {
     const bool clocked = longest_reading(id) > 0;
     std::string text;
     for (const automata::Move& move : moves) {
-      text += (text.empty() ? "" : " + ") + number(move.probability) + ":(" + m +
-              "'=" + std::to_string(move.mode.value) + ")";
-      if (!clocked) continue;
-      const bool runs = move.mode == mode && settled > 0;
-      text += " & (" + x + "'=" + (runs ? "min(" + x + "+1," + std::to_string(settled) + ")" : "0") + ")";
+      std::string update;
+      if (move.mode != mode) update = "(" + m + "'=" + std::to_string(move.mode.value) + ")";
+      if (clocked) {
+        const bool runs = move.mode == mode && settled > 0;
+        conjoin(update, "(" + x + "'=" + (runs ? "min(" + x + "+1," + std::to_string(settled) + ")" : "0") + ")");
+      }
+      text += (text.empty() ? "" : " + ") + number(move.probability) + ":" + (update.empty() ? "true" : update);
     }
     return text;
   }
 
   void write_target() {
-    const Condition where = where_holds(step_, question_.target, question_.entailed, meter_);
-    std::string condition = where.empty() ? "false" : verifier::text_of(where, own_names());
-    if (condition.empty()) condition = "true";
-    out_ << "\nlabel \"target\" = " << (drawn_ ? "m0>=0 & (" + condition + ")" : condition) << ";\n";
+    const std::vector<automata::VariableId> asked = automata::variables_of(question_.target);
+    const automata::Formula where =
+        where_holds(step_, question_.target, question_.entailed,
+                    influence_.support_of(std::set(asked.begin(), asked.end()), false).components, meter_);
+    const Text condition = verifier::text_of(where, plant_, own_names());
+    out_ << "\nlabel \"target\" = " << (drawn_ ? "m0>=0 & " + condition.operand() : condition.text) << ";\n";
   }
 
   std::ostream& out_;
@@ -332,8 +458,13 @@ class Writer {
   const ExportQuestion& question_;
   automata::Ticks period_;
   Meter meter_;
+  Influence influence_;
   std::vector<std::vector<ModeId>> initial_;  ///< by component
   std::vector<ControlAction> actions_;
+  std::vector<std::size_t> class_of_;                        ///< by control action
+  std::vector<std::vector<std::vector<Command>>> commands_;  ///< by class of control actions, by component
+  std::size_t classes_ = 0;
+  std::map<std::tuple<ComponentId, ModeId, ControlAction>, std::vector<Command>> known_;  ///< by what controls tell
   bool drawn_ = false;  ///< the initial modes are drawn, in a step of its own
   /// Modules that are written out: by their modes and their text under common names, whose they are, and these names.
   std::map<std::pair<std::string, std::string>, std::pair<ComponentId, Naming>> written_;

@@ -4,7 +4,9 @@
 
 #include <ostream>
 
-#include "verifier/export/timed_automaton.hpp"
+#include "automata/step/plant_step.hpp"
+#include "verifier/export/question.hpp"
+#include "verifier/search/limits.hpp"
 
 namespace rmpl::verifier {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/logic/truth_table.hpp"
 #include "base/product.hpp"
 #include "verifier/zone/time_model.hpp"
 
@@ -22,18 +23,44 @@ using automata::Ticks;
 
 namespace {
 
-/// All modes of each of the components, or that one of `own`.
-std::vector<std::vector<ModeId>> modes_of(const Plant& plant, const std::vector<ComponentId>& components,
-                                          std::optional<InMode> own) {
+/// All modes of each of the components.
+std::vector<std::vector<ModeId>> modes_of(const Plant& plant, const std::vector<ComponentId>& components) {
   std::vector<std::vector<ModeId>> result;
   for (const ComponentId c : components) {
     auto& modes = result.emplace_back();
-    for (std::size_t m = 0; m < plant[c].modes.size(); ++m) {
-      if (!own || own->component != c || own->mode == ModeId(m)) modes.emplace_back(m);
-    }
+    for (std::size_t m = 0; m < plant[c].modes.size(); ++m) modes.emplace_back(m);
   }
   return result;
 }
+
+/// Those of one type together, so that instances of one type come to the same formulas.
+void sort_by_type(const Plant& plant, std::vector<ComponentId>& components) {
+  std::stable_sort(components.begin(), components.end(),
+                   [&](ComponentId a, ComponentId b) { return plant[a].type < plant[b].type; });
+}
+
+/// For combinations of modes of some components, a number each; asked where each number is.
+class Cases {
+ public:
+  Cases(const Plant& plant, const std::vector<ComponentId>& components) {
+    for (const ComponentId c : components) columns_.push_back(plant[c].mode);
+  }
+
+  void add(const std::vector<ModeId>& modes, std::size_t number) {
+    std::vector<automata::ValueId>& row = rows_.emplace_back(std::vector<automata::ValueId>(), number).first;
+    for (const ModeId mode : modes) row.emplace_back(mode.index());
+  }
+
+  [[nodiscard]] automata::Formula where(std::size_t number) const {
+    automata::TruthTable table(columns_);
+    for (const auto& [row, of] : rows_) table.add(row, of == number);
+    return rows_.empty() ? automata::constant(false) : table.formula();
+  }
+
+ private:
+  std::vector<automata::VariableId> columns_;
+  std::vector<std::pair<std::vector<automata::ValueId>, std::size_t>> rows_;
+};
 
 void assume(const Plant& plant, const std::vector<ComponentId>& components, const std::vector<ModeId>& modes,
             std::vector<Assignment>& store) {
@@ -54,15 +81,17 @@ bool same(const std::vector<Move>& a, const std::vector<Move>& b) {
 }  // namespace
 
 std::vector<EnabledClass> enabled_classes(PlantStep& step, ComponentId component, ModeId mode,
-                                          const ControlAction& action, Meter& meter) {
+                                          const ControlAction& action, std::vector<ComponentId> read, Meter& meter) {
   const Plant& plant = step.plant();
-  const std::vector<ComponentId>& read = step.support(component, mode).components;
+  std::erase(read, component);
+  sort_by_type(plant, read);
   std::vector<EnabledClass> classes;
-  ModeCases cases(read);
-  base::for_each_combination(modes_of(plant, read, InMode{component, mode}), [&](const std::vector<ModeId>& chosen) {
+  Cases cases(plant, read);
+  base::for_each_combination(modes_of(plant, read), [&](const std::vector<ModeId>& chosen) {
     meter.poll();
     std::vector<Assignment> store = automata::assignments_of(plant, action);
     assume(plant, read, chosen, store);
+    assume(plant, {component}, {mode}, store);
     if (!step.theory().consistent(store)) return;
     Modes modes(plant.components.size(), ModeId(0));
     for (std::size_t i = 0; i < chosen.size(); ++i) modes[read[i].index()] = chosen[i];
@@ -73,17 +102,17 @@ std::vector<EnabledClass> enabled_classes(PlantStep& step, ComponentId component
     cases.add(chosen, static_cast<std::size_t>(known - classes.begin()));
     if (known == classes.end()) classes.push_back({enabled, {}});
   });
-  std::vector<Condition> conditions = cases.conditions();
-  for (std::size_t k = 0; k < classes.size(); ++k) classes[k].where = std::move(conditions[k]);
+  for (std::size_t k = 0; k < classes.size(); ++k) classes[k].where = cases.where(k);
   return classes;
 }
 
-Condition where_holds(PlantStep& step, const automata::Formula& formula, bool certain, Meter& meter) {
+automata::Formula where_holds(PlantStep& step, const automata::Formula& formula, bool certain,
+                              std::vector<ComponentId> read, Meter& meter) {
   const Plant& plant = step.plant();
-  const std::vector<ComponentId> read = step.locality().support_of(formula).components;
+  sort_by_type(plant, read);
   const automata::Theory::Handle handle = step.theory().encode(formula);
-  ModeCases cases(read);
-  base::for_each_combination(modes_of(plant, read, std::nullopt), [&](const std::vector<ModeId>& chosen) {
+  Cases cases(plant, read);
+  base::for_each_combination(modes_of(plant, read), [&](const std::vector<ModeId>& chosen) {
     meter.poll();
     std::vector<Assignment> store;
     assume(plant, read, chosen, store);
@@ -91,8 +120,7 @@ Condition where_holds(PlantStep& step, const automata::Formula& formula, bool ce
     const bool holds = certain ? step.theory().entails(store, handle) : step.theory().allows(store, handle);
     cases.add(chosen, holds ? 1 : 0);
   });
-  std::vector<Condition> conditions = cases.conditions();
-  return conditions.size() > 1 ? std::move(conditions[1]) : Condition{};
+  return cases.where(1);
 }
 
 std::optional<Units> settled_reading(const automata::Component& component, ModeId mode, Ticks period) {

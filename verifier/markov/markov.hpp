@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
-#include "verifier/markov/mode_cases.hpp"
 #include "verifier/search/limits.hpp"
 #include "verifier/zone/interval.hpp"
 
@@ -19,16 +18,20 @@ namespace rmpl::verifier {
 /// What is enabled, and where: among the modes that are possible under the action.
 struct EnabledClass {
   automata::Enabled enabled;
-  Condition where;
+  automata::Formula where;  ///< of modes
 };
 
 /// Every set of transitions that can be enabled in a component in `mode` under the action, in the order in which they
-/// are met; the conditions exclude each other. Polls for each combination of the modes that they depend on.
+/// are met; among modes that are possible the conditions exclude each other. `read` are the components that its guards
+/// depend on. Polls for each combination of their modes.
 std::vector<EnabledClass> enabled_classes(automata::PlantStep& step, automata::ComponentId component,
-                                          automata::ModeId mode, const automata::ControlAction& action, Meter& meter);
+                                          automata::ModeId mode, const automata::ControlAction& action,
+                                          std::vector<automata::ComponentId> read, Meter& meter);
 
-/// Where the store implies the formula, or (not `certain`) allows it.
-Condition where_holds(automata::PlantStep& step, const automata::Formula& formula, bool certain, Meter& meter);
+/// Where the store implies the formula, or (not `certain`) allows it, among the modes that are possible: of modes.
+/// `read` are the components that it depends on.
+automata::Formula where_holds(automata::PlantStep& step, const automata::Formula& formula, bool certain,
+                              std::vector<automata::ComponentId> read, Meter& meter);
 
 /// The reading of a component's clock, in periods, from which on nothing that it may do in `mode` depends on it any
 /// more; nothing where a hazard goes on changing for ever.

@@ -72,8 +72,10 @@ PlantAnswer LogEstimator::answer(const LogLine& line) {
       estimator_options().go_on();
       update(before_, line.time_of_unchanged(i), false);
     }
-    update(line, line.time, true);
   }
+  before_.command = line.command;
+  before_.observations = line.observations;
+  if (!start) update(before_, line.time, true);
   belief_ = listed(estimator_->belief());
   if (window_) tell_history();
   const Estimate& estimate = estimator_->estimate();
@@ -86,7 +88,6 @@ PlantAnswer LogEstimator::answer(const LogLine& line) {
     account_.dropped = std::max(account_.dropped, cost_.dropped);
     account_.missing = std::max(account_.missing, missing);
   }
-  before_ = line;
   return {line,
           estimate,
           belief_,
@@ -99,16 +100,17 @@ PlantAnswer LogEstimator::answer(const LogLine& line) {
 }
 
 /// `answered`: what most likely happened is told after it.
-void LogEstimator::update(const LogLine& told, automata::Ticks time, bool answered) {
+void LogEstimator::update(const Step& told, automata::Ticks time, bool answered) {
   begun_ = true;
   const automata::ControlAction action = automata::action_from(plant_, told.command);
-  const Stopwatch stopwatch;
+  std::optional<Stopwatch> stopwatch;  // which asks the system, as often as there are lines
+  if (options_.took) stopwatch.emplace();
   estimator_->update(action, told.observations, time);
   if (window_) {
     window_->update(action, told.observations, time);
     if (answered) found_ = window_->trajectories();
   }
-  if (options_.took) options_.took(stopwatch.seconds());
+  if (stopwatch) options_.took(stopwatch->seconds());
   ++account_.updates;
   times_.push_back(time);
   if (times_.size() > options_.window.value_or(0) + 1) times_.erase(times_.begin());

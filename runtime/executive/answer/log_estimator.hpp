@@ -71,10 +71,16 @@ class LogEstimator {
   void give_up();
 
  private:
+  /// What a line says of its step.
+  struct Step {
+    std::vector<automata::Assignment> command;
+    automata::Observation observations;
+  };
+
   [[nodiscard]] EstimatorOptions estimator_options() const;
   [[nodiscard]] Belief listed(const Belief& belief) const;
   void take_in(const automata::Observation& observation);
-  void update(const LogLine& told, automata::Ticks time, bool answered);
+  void update(const Step& told, automata::Ticks time, bool answered);
   void tell_history();
 
   const automata::Plant& plant_;
@@ -85,7 +91,7 @@ class LogEstimator {
   LogAccount account_;
   bool begun_ = false;  ///< a step was taken
   automata::Observation at_start_;
-  LogLine before_;
+  Step before_;
   Belief belief_;
   UpdateCost cost_;
   std::optional<PlantWindow> window_;

@@ -48,6 +48,7 @@ std::optional<std::int64_t> take_unit(std::string& name) {
 CsvLog::CsvLog(std::istream& in, std::string name, const automata::Plant& plant, const Monitors& monitors,
                const CsvLogOptions& options)
     : reader_(in, name, options.delimiter), name_(std::move(name)), plant_(plant), monitors_(monitors) {
+  samples_ = options.samples;
   read_header(options);
 }
 
@@ -167,13 +168,14 @@ std::optional<LogLine> CsvLog::next() {
 }
 
 void CsvLog::interpret(const CsvRow& row, LogLine& line) const {
-  line.samples.reserve(columns_.size());
+  if (samples_) line.samples.reserve(columns_.size());
   line.commanded = commanded_;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const Column& column = columns_[c];
     const std::string_view cell = row[c];
     if (cell.empty() || column.kind == Column::Kind::none || column.kind == Column::Kind::time) continue;
     if (column.kind == Column::Kind::channel) {
+      if (!samples_) continue;
       Sample sample = Sample::of_text(column.channel, cell);
       if (!sample.text.empty()) line.samples.push_back(std::move(sample));
       continue;

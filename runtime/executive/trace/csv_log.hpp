@@ -20,6 +20,7 @@ struct CsvLogOptions {
   std::optional<char> delimiter;
   std::string time_column;  ///< empty: the first that is called time, timestamp, datetime, date or t, in any case
   LogTimeOptions times;
+  bool samples = true;  ///< whether lines have what was sampled, which is never wrong
 };
 
 /// The first row names the columns. A column is a channel of the monitors, a control variable or an observed attribute
@@ -58,7 +59,8 @@ class CsvLog final : public LogSource {
   std::vector<Column> columns_;
   std::size_t time_ = 0;    ///< the column of time
   bool commanded_ = false;  ///< whether a column is a control
-  CsvRow last_;             ///< the row before
+  bool samples_ = true;
+  CsvRow last_;  ///< the row before
   std::optional<automata::Ticks> last_time_;
 };
 

@@ -13,6 +13,12 @@
 #include "runtime/reasoning/estimate/rank.hpp"
 
 namespace rmpl::runtime {
+namespace {
+
+/// Whether JSON has it escaped.
+bool is_special(char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20; }
+
+}  // namespace
 
 ClockTable live_clocks(const automata::Plant& plant) {
   ClockTable table;
@@ -38,17 +44,21 @@ void JsonLine::separate() {
 void JsonLine::quote(std::string_view value) {
   static constexpr std::string_view digits = "0123456789abcdef";
   text_ += '"';
+  // Nearly every name and value is written as it is.
+  const auto special = std::find_if(value.begin(), value.end(), [](char c) { return is_special(c); });
+  text_.append(value.data(), static_cast<std::size_t>(special - value.begin()));
+  value.remove_prefix(static_cast<std::size_t>(special - value.begin()));
   for (const char c : value) {
     const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
+    if (!is_special(c)) {
+      text_ += c;
+    } else if (byte >= 0x20) {
       text_ += '\\';
       text_ += c;
-    } else if (byte < 0x20) {
+    } else {
       text_ += "\\u00";
       text_ += digits[byte >> 4U];
       text_ += digits[byte & 15U];
-    } else {
-      text_ += c;
     }
   }
   text_ += '"';

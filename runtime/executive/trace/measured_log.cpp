@@ -24,6 +24,7 @@ Ticks cycle_of(Ticks time, Ticks period) {
 
 /// Of two readings of one attribute the later one is kept.
 void merge(automata::Observation& into, const automata::Observation& later) {
+  if (later.empty()) return;
   for (const Assignment& reading : later) {
     std::erase_if(into, [&](const Assignment& known) { return known.variable == reading.variable; });
     into.push_back(reading);

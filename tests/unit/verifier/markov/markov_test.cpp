@@ -15,23 +15,6 @@ using automata::TransitionId;
 using automata::ValueId;
 using test::seconds;
 
-TEST(ModeCases, NameOnlyWhatDecides) {
-  ModeCases cases({ComponentId(3), ComponentId(5)});
-  for (std::size_t a = 0; a < 2; ++a) {
-    for (std::size_t b = 0; b < 2; ++b) cases.add({ModeId(a), ModeId(b)}, b);
-  }
-  EXPECT_EQ(cases.conditions(),
-            (std::vector<Condition>{{{{ComponentId(5), ModeId(0)}}}, {{{ComponentId(5), ModeId(1)}}}}));
-}
-
-TEST(ModeCases, OneNumberIsEverywhereAndNoneIsNowhere) {
-  ModeCases same({ComponentId(0)});
-  same.add({ModeId(0)}, 1);
-  same.add({ModeId(1)}, 1);
-  EXPECT_EQ(same.conditions(), (std::vector<Condition>{{}, {{}}}));
-  EXPECT_TRUE(ModeCases({ComponentId(0)}).conditions().empty());
-}
-
 /// A valve that opens under a command while the pump runs.
 class MarkovPump : public testing::Test {
  protected:
@@ -43,6 +26,7 @@ class MarkovPump : public testing::Test {
     b_.transition(shuts, 0, 2, automata::constant(true), {}, test::probability(0.25));
   }
   test::PlantBuilder b_;
+  static constexpr ComponentId pump{std::size_t{0}};
   static constexpr ComponentId valve{std::size_t{1}};
 };
 
@@ -50,24 +34,24 @@ TEST_F(MarkovPump, ClassesOfWhatIsEnabledExcludeEachOther) {
   automata::PlantStep step(b_.plant);
   const Limits limits;
   Meter meter(limits);
-  const auto open = enabled_classes(step, valve, ModeId(0), {ValueId(1)}, meter);
+  const auto open = enabled_classes(step, valve, ModeId(0), {ValueId(1)}, {pump}, meter);
   ASSERT_EQ(open.size(), 2U);
   EXPECT_EQ(open[0].enabled.untimed, (std::vector<TransitionId>{TransitionId(0)}));
-  EXPECT_EQ(open[0].where, (Condition{{{ComponentId(0), ModeId(0)}}}));
+  EXPECT_EQ(open[0].where, b_.is("pump", "runs"));
   EXPECT_TRUE(open[1].enabled.untimed.empty());
-  EXPECT_EQ(open[1].where, (Condition{{{ComponentId(0), ModeId(1)}}}));
-  const auto idle = enabled_classes(step, valve, ModeId(0), {ValueId(0)}, meter);
+  EXPECT_EQ(open[1].where, b_.is("pump", "stands"));
+  const auto idle = enabled_classes(step, valve, ModeId(0), {ValueId(0)}, {pump}, meter);
   ASSERT_EQ(idle.size(), 1U);
-  EXPECT_EQ(idle[0].where, (Condition{{}}));
+  EXPECT_EQ(idle[0].where, automata::constant(true));
 }
 
 TEST_F(MarkovPump, AFormulaHoldsSomewhereEverywhereOrNowhere) {
   automata::PlantStep step(b_.plant);
   const Limits limits;
   Meter meter(limits);
-  EXPECT_EQ(where_holds(step, b_.is("pump", "stands"), true, meter), (Condition{{{ComponentId(0), ModeId(1)}}}));
-  EXPECT_EQ(where_holds(step, automata::constant(true), true, meter), (Condition{{}}));
-  EXPECT_TRUE(where_holds(step, automata::constant(false), true, meter).empty());
+  EXPECT_EQ(where_holds(step, b_.is("pump", "stands"), true, {pump}, meter), b_.is("pump", "stands"));
+  EXPECT_EQ(where_holds(step, automata::constant(true), true, {pump}, meter), automata::constant(true));
+  EXPECT_EQ(where_holds(step, automata::constant(false), true, {pump}, meter), automata::constant(false));
 }
 
 TEST(MarkovEngine, DrawsTheSameOverStretchesOfReadings) {
@@ -79,7 +63,7 @@ TEST(MarkovEngine, DrawsTheSameOverStretchesOfReadings) {
   const ModeId heating(1);
   const auto settled = settled_reading(engine.plant.components[0], heating, seconds(10));
   ASSERT_EQ(settled, 6);
-  const auto classes = enabled_classes(step, component, heating, {ValueId(0)}, meter);
+  const auto classes = enabled_classes(step, component, heating, {ValueId(0)}, {}, meter);
   ASSERT_EQ(classes.size(), 1U);
   const auto drawn = stretches(step, component, heating, classes[0].enabled, seconds(10), *settled);
   // Up to 30 s it heats; then the hazard of a uniform density grows, until it is ready for certain.

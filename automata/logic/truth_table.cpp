@@ -1,17 +1,13 @@
 // A decision diagram, written out: a column at a time, values that lead to the same joined.
 // SPDX-License-Identifier: MIT
-#include "verifier/export/truth_table.hpp"
+#include "automata/logic/truth_table.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
 
-namespace rmpl::verifier {
-
-using automata::Formula;
-using automata::ValueId;
-using automata::VariableId;
+namespace rmpl::automata {
 
 namespace {
 
@@ -61,8 +57,8 @@ Formula formula_of(const Rows& rows, std::vector<VariableId> columns) {
   const auto all = [&](bool wanted) {
     return std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row.second == wanted; });
   };
-  if (all(true)) return automata::constant(true);
-  if (all(false)) return automata::constant(false);
+  if (all(true)) return constant(true);
+  if (all(false)) return constant(false);
   std::size_t chosen = 0;
   std::vector<Branch> branches;
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -78,15 +74,15 @@ Formula formula_of(const Rows& rows, std::vector<VariableId> columns) {
   std::vector<Formula> cases;
   for (const Branch& branch : branches) {
     Formula rest = formula_of(branch.rest, columns);
-    if (rest == automata::constant(false)) continue;
-    Formula test = automata::member(column, branch.values);
-    cases.push_back(rest.is_true() ? std::move(test) : automata::conjunction({std::move(test), std::move(rest)}));
+    if (rest == constant(false)) continue;
+    Formula test = member(column, branch.values);
+    cases.push_back(rest.is_true() ? std::move(test) : conjunction({std::move(test), std::move(rest)}));
   }
-  return automata::disjunction(std::move(cases));
+  return disjunction(std::move(cases));
 }
 
 }  // namespace
 
 Formula TruthTable::formula() const { return formula_of(Rows(rows_.begin(), rows_.end()), columns_); }
 
-}  // namespace rmpl::verifier
+}  // namespace rmpl::automata
