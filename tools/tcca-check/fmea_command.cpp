@@ -1,8 +1,10 @@
 // tcca-check fmea.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/output_file.hpp"
 #include "grammar/source/render.hpp"
 #include "tools/shared/models.hpp"
@@ -19,6 +21,7 @@ namespace {
 
 struct Options {
   std::string program, plant, entry, properties, output;
+  std::vector<std::string> components;
   std::optional<automata::Ticks> period;
   Budget budget;
   bool statistics = false;
@@ -44,6 +47,22 @@ std::vector<verifier::NamedProperty> mission_of(const Options& options, const au
   return result;
 }
 
+std::vector<automata::ComponentId> components_of(const std::vector<std::string>& names, const automata::Plant& plant) {
+  std::vector<automata::ComponentId> result;
+  for (const std::string& name : names) {
+    const auto at = std::find_if(plant.components.begin(), plant.components.end(),
+                                 [&](const automata::Component& component) { return component.name == name; });
+    if (at == plant.components.end()) {
+      std::vector<std::string> known;
+      for (const automata::Component& component : plant.components) known.push_back(component.name);
+      throw base::InputError("--component " + name + ": the plant has no such component" +
+                             base::suggestion(name, known));
+    }
+    result.emplace_back(static_cast<std::size_t>(at - plant.components.begin()));
+  }
+  return result;
+}
+
 ExitStatus run(const Options& options, const Common& common) {
   const bool csv = options.output.ends_with(".csv");
   if (!options.output.empty() && !csv && !options.output.ends_with(".html")) {
@@ -56,11 +75,12 @@ ExitStatus run(const Options& options, const Common& common) {
   const automata::Program& program = only_program(compilation.document(), named);
   const automata::Plant& plant = only_plant(compilation.document(), named);
   const std::vector<verifier::NamedProperty> mission = mission_of(options, plant, common);
+  const std::vector<automata::ComponentId> components = components_of(options.components, plant);
   automata::PlantStep step(plant);
   verifier::CheckOptions free;
   free.period = options.period;
   const verifier::Limits most = limits(options.budget, common);
-  verifier::FailureModes table = verifier::failure_modes(program, step, mission, free, most);
+  verifier::FailureModes table = verifier::failure_modes(program, step, mission, free, most, components);
   fly_rows(compilation.document(), table, options.period.value_or(automata::Scenario{}.cycle), most.interrupted);
   if (!options.output.empty()) {
     base::write_file(options.output,
@@ -91,6 +111,8 @@ void add_fmea(Program& program) {
   add_text(command, "--main", options->entry, "NAME",
            "the definition to start with (default: the one that no other calls)");
   add_text(command, "--props", options->properties, "FILE.props", "what the mission is");
+  add_texts(command, "--component", options->components, "NAME",
+            "the rows of this component alone; may be given several times");
   add_text(command, "-o,--output", options->output, "OUT.csv|OUT.html", "write the table there, too");
   const auto period = [](const std::string& text) {
     return text == "dense" ? std::nullopt : std::optional(positive_duration(text));

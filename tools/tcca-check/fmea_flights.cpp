@@ -238,8 +238,9 @@ void fly_rows(const automata::Document& document, verifier::FailureModes& table,
   Flights flights(document, cycle, Ticks{last.count + afterwards.count}, interrupted);
   table.ended = flights.ended();
   for (FailureMode& row : table.rows) {
-    if (flights.interrupted()) return;
     if (row.earliest) row.flown = flights.with(row.fault);
+    row.flights_cut = row.earliest && !row.flown && flights.interrupted();
+    if (row.flights_cut) table.limit = verifier::Limit::interrupt;
   }
 }
 

@@ -19,9 +19,10 @@ using Kind = ProgramProperty::Kind;
 namespace {
 
 /// Every fault transition that can be drawn, in declaration order, each once.
-std::vector<FaultStep> faults_of(const automata::Plant& plant) {
+std::vector<FaultStep> faults_of(const automata::Plant& plant, const std::vector<automata::ComponentId>& of) {
   std::vector<FaultStep> faults;
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    if (!of.empty() && std::find(of.begin(), of.end(), automata::ComponentId(c)) == of.end()) continue;
     const automata::Component& component = plant.components[c];
     for (const automata::Transition& t : component.transitions) {
       if (component.is_fault(t) && t.from != t.to && t.weight.value > 0) {
@@ -61,17 +62,18 @@ bool lacks_plan(const Witness& witness) { return witness.events.back().cycle->ou
 class Table {
  public:
   Table(const automata::Program& program, automata::PlantStep& step, const std::vector<Property>& properties,
-        const CheckOptions& options, const Limits& limits)
+        const CheckOptions& options, const Limits& limits, const std::vector<automata::ComponentId>& components)
       : program_(program),
         step_(step),
         properties_(of_programs(properties)),
         options_(options),
+        components_(components),
         searches_(program, step, properties_, options, limits) {}
 
   FaultTable fill() {
     FaultTable result;
     result.rows.push_back({std::nullopt});
-    for (const FaultStep& fault : faults_of(step_.plant())) result.rows.push_back({fault});
+    for (const FaultStep& fault : faults_of(step_.plant(), components_)) result.rows.push_back({fault});
     searches_.allow_faults(1);
     try {
       searches_.startless();
@@ -209,6 +211,7 @@ class Table {
   automata::PlantStep& step_;
   std::vector<ProgramProperty> properties_;
   const CheckOptions& options_;
+  const std::vector<automata::ComponentId>& components_;
   Searches searches_;
   std::function<bool(const LoopState&)> success_ = success();
   // What comes without a fault.
@@ -221,9 +224,9 @@ class Table {
 }  // namespace
 
 FaultTable check_each_fault(const automata::Program& program, automata::PlantStep& step,
-                            const std::vector<Property>& properties, const CheckOptions& options,
-                            const Limits& limits) {
-  return Table(program, step, properties, options, limits).fill();
+                            const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits,
+                            const std::vector<automata::ComponentId>& components) {
+  return Table(program, step, properties, options, limits, components).fill();
 }
 
 }  // namespace rmpl::verifier

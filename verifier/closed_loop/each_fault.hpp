@@ -11,9 +11,10 @@
 
 namespace rmpl::verifier {
 
-/// Takes every fault by itself. `program` is bound to the plant of `step`; `properties` say what the mission is;
-/// `options.faults` is not looked at. Every witness has been replayed.
+/// Takes every fault by itself, or those of some components; none: of all. `program` is bound to the plant of `step`;
+/// `properties` say what the mission is; `options.faults` is not looked at. Every witness has been replayed.
 FaultTable check_each_fault(const automata::Program& program, automata::PlantStep& step,
-                            const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits);
+                            const std::vector<Property>& properties, const CheckOptions& options, const Limits& limits,
+                            const std::vector<automata::ComponentId>& components = {});
 
 }  // namespace rmpl::verifier

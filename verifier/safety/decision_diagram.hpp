@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <vector>
 
 #include "verifier/markov/enclosure.hpp"
@@ -30,6 +29,8 @@ class Diagrams {
   explicit Diagrams(Meter& meter);
 
   NodeId variable(std::uint32_t number);
+  /// The variable that a node tests; constants test none, and that is the greatest number.
+  [[nodiscard]] std::uint32_t tested(NodeId f) const { return nodes_[f].variable; }
   NodeId negation(NodeId f) { return choose(f, zero, one); }
   NodeId conjunction(NodeId f, NodeId g) { return choose(f, g, zero); }
   NodeId disjunction(NodeId f, NodeId g) { return choose(f, one, g); }
@@ -55,16 +56,20 @@ class Diagrams {
 
  private:
   static constexpr std::uint32_t no_variable = std::numeric_limits<std::uint32_t>::max();
+  static constexpr NodeId unknown = std::numeric_limits<NodeId>::max();
   struct DiagramNode {
     std::uint32_t variable;
     NodeId low, high;
     bool operator==(const DiagramNode&) const = default;
   };
-  struct NodeHash {
-    std::size_t operator()(const DiagramNode& node) const noexcept;
+  /// A question of three nodes, or of two, and its answer; f is no constant where there is one.
+  struct Known {
+    NodeId f = zero, g = zero, h = zero, answer = zero;
   };
-  struct PairHash {
-    std::size_t operator()(std::uint64_t pair) const noexcept { return pair * 0x9e3779b97f4a7c15u >> 5; }
+  /// What was worked out, a place a hash: a newer answer takes the place of an older one.
+  struct Memory {
+    std::vector<Known> places;
+    std::size_t answers = 0;
   };
 
   NodeId node(std::uint32_t variable, NodeId low, NodeId high);
@@ -72,14 +77,21 @@ class Diagrams {
   NodeId make_set(std::uint32_t variable, NodeId low, NodeId high);
   NodeId without(NodeId family, NodeId smaller);
   /// The nodes under one, each after those under it.
-  std::vector<NodeId> below(NodeId f) const;
+  [[nodiscard]] std::vector<NodeId> below(NodeId f) const;
+  /// By node, where it stands among these.
+  [[nodiscard]] std::vector<NodeId> positions(const std::vector<NodeId>& nodes) const;
+
+  void grow();
+  [[nodiscard]] std::size_t slot(const DiagramNode& node) const;
+  static Known& place(Memory& memory, NodeId f, NodeId g, NodeId h);
+  static void remember(Memory& memory, const Known& known);
 
   Meter& meter_;
   std::vector<DiagramNode> nodes_;
-  std::unordered_map<DiagramNode, NodeId, NodeHash> unique_;  ///< looked up, never iterated, as are those below
-  std::unordered_map<DiagramNode, NodeId, NodeHash> chosen_;  ///< by f, g, h
-  std::unordered_map<NodeId, NodeId> minimal_;
-  std::unordered_map<std::uint64_t, NodeId, PairHash> without_;
+  std::vector<NodeId> unique_;  ///< nodes by hash, with open addressing; `zero` where there is none
+  Memory chosen_;
+  Memory without_;
+  std::vector<NodeId> minimal_;  ///< by node; `unknown`: not asked yet
 };
 
 }  // namespace rmpl::verifier

@@ -16,24 +16,39 @@ namespace {
 /// More sets than this are listed only where they are asked for: they are counted anyhow.
 constexpr std::size_t all_listed = 100'000;
 
+/// By variable of the diagrams what is given by event.
+template <class Value>
+std::vector<Value> by_variable(const StaticTree& tree, const std::vector<Value>& by_event) {
+  std::vector<Value> result(by_event.size());
+  for (std::size_t e = 0; e < by_event.size(); ++e) result[tree.variables[e]] = by_event[e];
+  return result;
+}
+
+/// How likely each event is by then.
+std::vector<Enclosure> chances_of(const StaticTree& tree, std::optional<automata::Ticks> within,
+                                  std::optional<automata::Ticks> period) {
+  std::vector<Enclosure> result;
+  result.reserve(tree.events.size());
+  for (const BasicEvent& event : tree.events) result.push_back(chance_of(event, within, period));
+  return result;
+}
+
 double middle(const Enclosure& value) { return static_cast<double>((value.lower + value.upper) / 2); }
 
 void weigh(FaultTree& tree, const StaticTree& plant, Diagrams& diagrams, const FaultTreeQuestion& question) {
-  std::vector<Enclosure> chances;
+  const std::vector<Enclosure> chances = chances_of(plant, question.within, question.period);
   std::vector<double> doubles;
-  for (const BasicEvent& event : plant.events) {
-    chances.push_back(chance_of(event, question.within, question.period));
-    doubles.push_back(middle(chances.back()));
-  }
-  tree.top = diagrams.probability(plant.top, chances);
+  for (const Enclosure& chance : chances) doubles.push_back(middle(chance));
+  tree.top = diagrams.probability(plant.top, by_variable(plant, chances));
   const double top = middle(*tree.top);
-  const std::vector<double> birnbaum = diagrams.birnbaum(plant.top, doubles);
+  const std::vector<double> importance = diagrams.birnbaum(plant.top, by_variable(plant, doubles));
   for (std::size_t e = 0; e < tree.events.size(); ++e) {
+    const double birnbaum = importance[plant.variables[e]];
     tree.events[e].probability = chances[e];
     if (top == 0) continue;
-    const double without = std::max(0.0, top - doubles[e] * birnbaum[e]);
-    const double with = top + (1 - doubles[e]) * birnbaum[e];
-    TreeEvent::Importance own{birnbaum[e], (top - without) / top, with / top, std::nullopt};
+    const double without = std::max(0.0, top - doubles[e] * birnbaum);
+    const double with = top + (1 - doubles[e]) * birnbaum;
+    TreeEvent::Importance own{birnbaum, (top - without) / top, with / top, std::nullopt};
     if (without > 0) own.reduction = top / without;
     tree.events[e].importance = own;
   }
@@ -59,9 +74,13 @@ FaultTree of_diagrams(const StaticTree& plant, Diagrams& diagrams, const FaultTr
   if (question.within) weigh(tree, plant, diagrams, question);
   std::vector<double> weights;
   for (const TreeEvent& event : tree.events) weights.push_back(event.probability ? middle(*event.probability) : 0.5);
-  for (auto& [variables, probability] : diagrams.likeliest(sets, weights, question.listed.value_or(all_listed))) {
+  std::vector<std::size_t> events(plant.events.size());
+  for (std::size_t e = 0; e < events.size(); ++e) events[plant.variables[e]] = e;
+  auto likeliest = diagrams.likeliest(sets, by_variable(plant, weights), question.listed.value_or(all_listed));
+  for (auto& [variables, probability] : likeliest) {
     TreeSet& set = tree.sets.emplace_back();
-    set.events.assign(variables.begin(), variables.end());
+    for (const std::uint32_t variable : variables) set.events.push_back(events[variable]);
+    std::sort(set.events.begin(), set.events.end());
     if (!question.within) continue;
     Enclosure all = certain();
     for (const std::size_t e : set.events) all = all * *tree.events[e].probability;
@@ -152,10 +171,9 @@ std::optional<ProbabilityAnswer> static_probability(automata::PlantStep& step, c
       return !event.once && event.weight.kind == automata::Weight::Kind::probability;
     });
     if ((!tree->monotone && !fixed) || (repeated && !question.period)) return std::nullopt;
-    std::vector<Enclosure> chances;
-    for (const BasicEvent& event : tree->events) chances.push_back(chance_of(event, question.within, question.period));
     Likelihood one;
-    one.probability = diagrams.probability(tree->top, chances);
+    one.probability =
+        diagrams.probability(tree->top, by_variable(*tree, chances_of(*tree, question.within, question.period)));
     answer.precise = is_within(one.probability, static_cast<Real>(question.precision));
     std::size_t actions = 0;
     for_each_action(step.plant(), question.commands, [&](const automata::ControlAction&) { ++actions; });

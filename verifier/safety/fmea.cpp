@@ -109,18 +109,20 @@ std::optional<ValueId> implied(automata::PlantStep& step, const Modes& modes, Va
 }
 
 FailureModes failure_modes(const automata::Program& program, automata::PlantStep& step,
-                           const std::vector<NamedProperty>& mission, const CheckOptions& options,
-                           const Limits& limits) {
+                           const std::vector<NamedProperty>& mission, const CheckOptions& options, const Limits& limits,
+                           const std::vector<automata::ComponentId>& components) {
   std::vector<Property> all;
   all.reserve(mission.size());
   for (const NamedProperty& one : mission) all.emplace_back(one.property);
-  const FaultTable table = check_each_fault(program, step, all, options, limits);
+  const FaultTable table = check_each_fault(program, step, all, options, limits, components);
   FailureModes result;
   result.limit = table.limit;
   result.progress = table.progress;
+  FaultOutcome without;
   for (const FaultOutcome& outcome : table.rows) {
     if (!outcome.fault) {
       if (outcome.success) result.succeeds = outcome.success->events.back().time;
+      without = outcome;
       continue;
     }
     FailureMode& row = result.rows.emplace_back();
@@ -129,11 +131,19 @@ FailureModes failure_modes(const automata::Program& program, automata::PlantStep
     row.end = outcomes_of(outcome);
     row.fails = outcome.fails();
     add_weight(step.plant(), row);
-    if (!outcome.happens) continue;
+    if (!outcome.happens) {
+      // By itself: as a second fault it may.
+      const bool follows = step.plant()[row.fault.component].modes[row.fault.from.index()].fault;
+      if (outcome.decided && follows) row.end = {"only after another fault"};
+      continue;
+    }
     row.earliest = outcome.happens->events.back().time;
     if (outcome.decided) {
-      row.checks.push_back({"terminates", violates(outcome, ProgramProperty::Kind::termination).value()});
-      row.checks.push_back({"never no-plan", violates(outcome, ProgramProperty::Kind::no_plan).value()});
+      using Kind = ProgramProperty::Kind;
+      for (const auto& [name, kind] : {std::pair{"terminates", Kind::termination}, {"never no-plan", Kind::no_plan}}) {
+        const bool violated = violates(outcome, kind).value();
+        row.checks.push_back({name, violated, violated && violates(without, kind).value()});
+      }
     }
     add_effects(step, *outcome.happens, row);
     for (const auto* run : {&outcome.success, &outcome.lost, &outcome.waits, &outcome.goes_on}) {
@@ -144,7 +154,8 @@ FailureModes failure_modes(const automata::Program& program, automata::PlantStep
   // Which property it is, each by itself.
   for (const NamedProperty& one : mission) {
     if (result.limit) break;
-    const FaultTable own = check_each_fault(program, step, {one.property}, options, remaining(limits, result.progress));
+    const FaultTable own =
+        check_each_fault(program, step, {one.property}, options, remaining(limits, result.progress), components);
     result.limit = own.limit;
     std::size_t r = 0;
     bool anyway = false;
@@ -156,7 +167,8 @@ FailureModes failure_modes(const automata::Program& program, automata::PlantStep
       }
       FailureMode& row = result.rows[r++];
       row.decided = row.decided && outcome.decided;
-      if (violated && outcome.happens && outcome.decided) row.checks.push_back({one.name, *violated});
+      if (violated && outcome.happens && outcome.decided)
+        row.checks.push_back({one.name, *violated, *violated && anyway});
       if (!violated.value_or(false) || anyway) continue;
       row.violated.push_back(one.name);
       if (one.severity && (!row.severity || *one.severity < *row.severity)) row.severity = one.severity;

@@ -54,6 +54,7 @@ struct FlownFault {
 struct CheckedEffect {
   std::string check;  ///< the name of a property, or how `tcca-check program` asks for it
   bool violated = false;
+  bool anyway = false;  ///< it is violated without the fault too
 };
 
 struct FailureMode {
@@ -72,6 +73,7 @@ struct FailureMode {
   bool decided = false;            ///< else a limit cut the row off
   std::vector<CheckedEffect> checks = {};
   std::optional<FlownFault> flown = {};
+  bool flights_cut = false;  ///< a limit or a signal came before it was flown
 };
 
 struct FailureModes {
@@ -86,11 +88,11 @@ struct FailureModes {
 std::optional<automata::ValueId> implied(automata::PlantStep& step, const automata::Modes& modes,
                                          automata::VariableId variable);
 
-/// Each row rests on the table of `program --each-fault`, once for the whole mission and once for each property. Throws
-/// as `check_each_fault`.
+/// Each row rests on the table of `program --each-fault`, once for the whole mission and once for each property. Rows
+/// are those of the components; none: of all. Throws as `check_each_fault`.
 FailureModes failure_modes(const automata::Program& program, automata::PlantStep& step,
-                           const std::vector<NamedProperty>& mission, const CheckOptions& options,
-                           const Limits& limits);
+                           const std::vector<NamedProperty>& mission, const CheckOptions& options, const Limits& limits,
+                           const std::vector<automata::ComponentId>& components = {});
 
 std::string to_text(const automata::Plant& plant, const FailureModes& table);
 nlohmann::ordered_json to_json(const automata::Plant& plant, const FailureModes& table);

@@ -58,18 +58,23 @@ std::string next_text(const Plant& plant, const FailureMode& row) {
 }
 
 std::string checks_text(const FailureMode& row) {
-  std::vector<std::string> violated;
+  std::vector<std::string> violated, anyway;
   for (const CheckedEffect& check : row.checks) {
-    if (check.violated) violated.push_back(check.check);
+    if (check.violated) (check.anyway ? anyway : violated).push_back(check.check);
   }
   if (row.checks.empty()) return "none";
   const std::string all = std::to_string(row.checks.size());
-  return violated.empty() ? "all " + all + " hold" : "violated: " + joined(violated, ", ") + "; of " + all;
+  if (violated.empty() && anyway.empty()) return "all " + all + " hold";
+  std::string text = violated.empty() ? "" : "violated: " + joined(violated, ", ") + "; ";
+  if (!anyway.empty()) text += "violated without the fault too: " + joined(anyway, ", ") + "; ";
+  return text + "of " + all;
 }
 
 /// Which readings tell it, and when the estimate has it.
 std::string detection_text(const Plant& plant, const FailureMode& row) {
+  if (row.flights_cut) return "not flown: cut off";
   if (!row.flown) {
+    if (!row.earliest && row.decided) return "none";
     std::vector<std::string> parts;
     for (const EffectChange& change : row.detected) {
       parts.push_back(plant.variables.name(change.variable) + " = " + value_text(plant, change.variable, change.after));
@@ -120,7 +125,7 @@ Columns columns_of(const Plant& plant, const FailureModes& table, const FailureM
   result.checks = checks_text(row);
   result.detection = detection_text(plant, row);
   result.response = response_text(plant, row);
-  result.severity = row.severity ? name_of(*row.severity) : row.violated.empty() ? "none" : "not stated";
+  result.severity = row.severity ? name_of(*row.severity) : row.fails ? "not stated" : "none";
   char number[64];
   if (row.rate) {
     std::snprintf(number, sizeof number, "%.6g /h", *row.rate);
@@ -130,10 +135,10 @@ Columns columns_of(const Plant& plant, const FailureModes& table, const FailureM
     std::snprintf(number, sizeof number, "%.6g a step", *row.per_step);
     result.probability += (result.probability.empty() ? "" : ", ") + std::string(number);
   }
-  result.criticality = !row.decided                                           ? "undecided"
-                       : row.fails                                            ? "fails the mission"
-                       : row.end == std::vector<std::string>{"cannot happen"} ? "none"
-                                                                              : "tolerated";
+  result.criticality = !row.decided   ? "undecided"
+                       : row.fails    ? "fails the mission"
+                       : row.earliest ? "tolerated"
+                                      : "none";
   return result;
 }
 
@@ -172,7 +177,8 @@ ordered_json value_json(const Plant& plant, automata::VariableId variable,
 ordered_json checks_json(const FailureMode& row) {
   ordered_json result = ordered_json::array();
   for (const CheckedEffect& check : row.checks) {
-    result.push_back({{"check", check.check}, {"verdict", check.violated ? "violated" : "holds"}});
+    result.push_back(
+        {{"check", check.check}, {"verdict", check.violated ? "violated" : "holds"}, {"anyway", check.anyway}});
   }
   return result;
 }
@@ -252,6 +258,7 @@ ordered_json to_json(const Plant& plant, const FailureModes& table) {
          {"fails", row.fails},
          {"decided", row.decided},
          {"checks", checks_json(row)},
+         {"cut", row.flights_cut},
          {"flight", row.flown ? flight_json(plant, *row.flown) : ordered_json(nullptr)}});
   }
   json["statistics"] = statistics_of(table.progress);

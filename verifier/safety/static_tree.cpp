@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "verifier/safety/structure.hpp"
+
 namespace rmpl::verifier {
 
 using automata::Component;
@@ -67,7 +69,7 @@ std::optional<BasicEvent> event_of(const Plant& plant, ComponentId id) {
 
 class Builder {
  public:
-  Builder(const Plant& plant, Diagrams& diagrams) : plant_(plant), diagrams_(diagrams) {
+  explicit Builder(const Plant& plant) : plant_(plant) {
     for (const automata::Interconnection& q : plant.interconnections) {
       const Formula& f = q.constraint;
       if (f.kind != Formula::Kind::equivalence || f.operands[0].kind != Formula::Kind::member) throw Dynamic{};
@@ -80,8 +82,18 @@ class Builder {
     for (const auto& [variable, formula] : definitions_) check_order(variable);
   }
 
-  StaticTree run(const Formula& formula) {
-    tree_.top = diagram_of(formula, true);
+  StaticTree run(const Formula& formula, Diagrams& diagrams) {
+    const GateId top = structure_.simplified(gate_of(formula, true));
+    std::vector<std::uint32_t> order = structure_.order(top);
+    // What the top does not depend on comes last.
+    std::vector<bool> tested(tree_.events.size(), false);
+    for (const std::uint32_t event : order) tested[event] = true;
+    for (std::uint32_t event = 0; event < tested.size(); ++event) {
+      if (!tested[event]) order.push_back(event);
+    }
+    tree_.variables.resize(order.size());
+    for (std::uint32_t variable = 0; variable < order.size(); ++variable) tree_.variables[order[variable]] = variable;
+    tree_.top = structure_.diagram(top, tree_.variables, diagrams);
     return std::move(tree_);
   }
 
@@ -112,32 +124,26 @@ class Builder {
     }
   }
 
-  NodeId diagram_of(const Formula& f, bool positive) {
+  GateId gate_of(const Formula& f, bool positive) {
     switch (f.kind) {
       case Formula::Kind::constant:
-        return f.truth ? Diagrams::one : Diagrams::zero;
+        return f.truth ? Structure::one : Structure::zero;
       case Formula::Kind::member:
         return member(f, positive);
       case Formula::Kind::negation:
-        return diagrams_.negation(diagram_of(f.operands[0], !positive));
-      case Formula::Kind::conjunction: {
-        NodeId result = Diagrams::one;
-        for (const Formula& operand : f.operands) result = diagrams_.conjunction(result, diagram_of(operand, positive));
-        return result;
+        return structure_.negation(gate_of(f.operands[0], !positive));
+      case Formula::Kind::conjunction:
+        return structure_.conjunction(gates_of(f.operands, positive));
+      case Formula::Kind::disjunction:
+        return structure_.disjunction(gates_of(f.operands, positive));
+      case Formula::Kind::implication: {
+        const GateId condition = gate_of(f.operands[0], !positive);
+        return structure_.disjunction({structure_.negation(condition), gate_of(f.operands[1], positive)});
       }
-      case Formula::Kind::disjunction: {
-        NodeId result = Diagrams::zero;
-        for (const Formula& operand : f.operands) result = diagrams_.disjunction(result, diagram_of(operand, positive));
-        return result;
-      }
-      case Formula::Kind::implication:
-        return diagrams_.choose(diagram_of(f.operands[0], !positive), diagram_of(f.operands[1], positive),
-                                Diagrams::one);
       case Formula::Kind::equivalence: {
         tree_.monotone = false;
-        const NodeId left = diagram_of(f.operands[0], positive);
-        const NodeId right = diagram_of(f.operands[1], positive);
-        return diagrams_.choose(left, right, diagrams_.negation(right));
+        const GateId left = gate_of(f.operands[0], positive);
+        return structure_.equivalence(left, gate_of(f.operands[1], positive));
       }
       case Formula::Kind::equality:
       case Formula::Kind::clock:
@@ -147,27 +153,34 @@ class Builder {
     throw Dynamic{};
   }
 
-  NodeId member(const Formula& f, bool positive) {
+  std::vector<GateId> gates_of(const std::vector<Formula>& operands, bool positive) {
+    std::vector<GateId> result;
+    result.reserve(operands.size());
+    for (const Formula& operand : operands) result.push_back(gate_of(operand, positive));
+    return result;
+  }
+
+  GateId member(const Formula& f, bool positive) {
     if (const auto component = plant_.component_of(f.variable)) return mode(*component, f.values, positive);
     const auto at = definitions_.find(f.variable);
     if (at == definitions_.end()) throw Dynamic{};
     const std::size_t values = plant_.variables[f.variable].values.size();
-    if (f.values.empty()) return Diagrams::zero;
-    if (f.values.size() == values) return Diagrams::one;
+    if (f.values.empty()) return Structure::zero;
+    if (f.values.size() == values) return Structure::one;
     const ValueId defined = at->second->operands[0].values.front();
     const bool same = f.values.front() == defined;
-    const NodeId result = definition(f.variable, at->second->operands[1], same == positive);
-    return same ? result : diagrams_.negation(result);
+    const GateId result = definition(f.variable, at->second->operands[1], same == positive);
+    return same ? result : structure_.negation(result);
   }
 
-  NodeId definition(VariableId variable, const Formula& f, bool positive) {
+  GateId definition(VariableId variable, const Formula& f, bool positive) {
     if (const auto known = built_.find({variable, positive}); known != built_.end()) return known->second;
-    const NodeId result = diagram_of(f, positive);
+    const GateId result = gate_of(f, positive);
     built_.emplace(std::pair{variable, positive}, result);
     return result;
   }
 
-  NodeId mode(ComponentId component, const std::vector<ValueId>& values, bool positive) {
+  GateId mode(ComponentId component, const std::vector<ValueId>& values, bool positive) {
     const auto [at, fresh] = variables_.try_emplace(component);
     if (fresh) {
       if (const auto event = event_of(plant_, component)) {
@@ -181,7 +194,7 @@ class Builder {
     if (!at->second) {
       const auto& initial = plant_[component].initial;
       const auto start = std::find_if(initial.begin(), initial.end(), [](double p) { return p > 0; });
-      return holds(ModeId(static_cast<std::size_t>(start - initial.begin()))) ? Diagrams::one : Diagrams::zero;
+      return holds(ModeId(static_cast<std::size_t>(start - initial.begin()))) ? Structure::one : Structure::zero;
     }
     const BasicEvent& event = tree_.events[*at->second];
     // What is neither failed nor as it started is sound too; a formula that tells the two apart sees the first step.
@@ -190,17 +203,17 @@ class Builder {
     for (const Transition& t : plant_[component].transitions) {
       if (t.to != event.fault.mode && holds(t.to) != sound) throw Dynamic{};
     }
-    if (failed == sound) return failed ? Diagrams::one : Diagrams::zero;
-    const NodeId variable = diagrams_.variable(*at->second);
+    if (failed == sound) return failed ? Structure::one : Structure::zero;
+    const GateId variable = structure_.event(*at->second);
     if (failed != positive) tree_.monotone = false;
-    return failed ? variable : diagrams_.negation(variable);
+    return failed ? variable : structure_.negation(variable);
   }
 
   const Plant& plant_;
-  Diagrams& diagrams_;
+  Structure structure_;
   std::map<VariableId, const Formula*> definitions_;
   std::map<VariableId, int> order_;  ///< 1: being looked at, 2: leads to no loop
-  std::map<std::pair<VariableId, bool>, NodeId> built_;
+  std::map<std::pair<VariableId, bool>, GateId> built_;
   std::map<ComponentId, std::optional<std::uint32_t>> variables_;
   StaticTree tree_;
 };
@@ -209,7 +222,7 @@ class Builder {
 
 std::optional<StaticTree> static_tree(const Plant& plant, const Formula& formula, Diagrams& diagrams) {
   try {
-    return Builder(plant, diagrams).run(formula);
+    return Builder(plant).run(formula, diagrams);
   } catch (const Dynamic&) {
     return std::nullopt;
   }

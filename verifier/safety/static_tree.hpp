@@ -23,7 +23,8 @@ struct BasicEvent {
 
 /// Which components have failed makes the formula true.
 struct StaticTree {
-  std::vector<BasicEvent> events;  ///< by variable, in the order in which the formula meets them
+  std::vector<BasicEvent> events;        ///< in the order in which the formula meets them
+  std::vector<std::uint32_t> variables;  ///< by event: the variable of the diagram that it is
   NodeId top = Diagrams::zero;
   bool monotone = true;  ///< no more failures make it false
 };
