@@ -151,8 +151,8 @@ class Loop {
   [[nodiscard]] Outcome follow(const LoopState& state, const automata::Modes& modes, const Turn& turn) const;
   /// What cycles go round in while the plant stays as it is.
   struct Round {
-    std::vector<LoopStateId> states;     ///< none where they do not go round, or the plant cannot stay
-    std::vector<std::size_t> restarted;  ///< of the first state, the groups of clocks that start anew
+    std::vector<LoopStateId> states;                  ///< none where they do not go round, or the plant cannot stay
+    std::vector<std::size_t> restarted;               ///< of the first state, the groups of clocks that start anew
     std::vector<automata::ClockId> restarted_passed;  ///< likewise of the clocks passed
   };
   /// From a state on, which is the first. Sampled, only a cycle that changes nothing goes round: others are steps, one
