@@ -69,7 +69,10 @@ double ClockMerging::distance(std::size_t component, ModeId mode, Ticks a, Ticks
   double sum = 0;
   std::vector<std::uint32_t> branches;  // those of one branch are one risk
   for (const automata::Transition& t : own.transitions) {
-    if (t.from != mode || !automata::needs_clock(t) || !automata::can_ever_be_taken(t)) continue;
+    if (t.from != mode || !automata::can_ever_be_taken(t)) continue;
+    // As long as it is taken it closes the exits, and clocks go on: what they promise afterwards may be anything.
+    if (t.to == mode && !t.timing && !own.is_fault(t)) return 1;
+    if (!automata::needs_clock(t)) continue;
     if (!t.guard.is_true() || own.is_fault(t)) return 1;
     if (std::find(branches.begin(), branches.end(), t.branch) != branches.end()) continue;
     branches.push_back(t.branch);
