@@ -5,8 +5,8 @@
 // They can be coupled such that they part with a probability of at most the total variation distance of the times that
 // are left. Each of our densities has a likelihood ratio of its residual times that crosses 1 once, so that this
 // distance is the greatest difference of the two survivals (Scheffé; Shaked and Shanthikumar, Stochastic Orders, 1.C).
-// Where a guard may close an exit for a while, or other components may exclude an outcome so that the rest is scaled
-// up, nothing less than 1 is known. SPDX-License-Identifier: MIT
+// Where a guard, or a transition that stays in the mode, may close an exit for a while, or other components may exclude
+// an outcome so that the rest is scaled up, nothing less than 1 is known. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
