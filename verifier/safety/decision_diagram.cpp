@@ -50,8 +50,8 @@ void Diagrams::grow() {
 void Diagrams::remember(Memory& memory, const Known& known) {
   if (++memory.answers > 2 * memory.places.size()) {
     const std::vector<Known> before = std::exchange(memory.places, std::vector<Known>(growth * memory.places.size()));
-    for (const Known& one : before) {
-      if (one.f != zero) place(memory, one.f, one.g, one.h) = one;
+    for (const Known& answer : before) {
+      if (answer.f != zero) place(memory, answer.f, answer.g, answer.h) = answer;
     }
   }
   place(memory, known.f, known.g, known.h) = known;

@@ -85,8 +85,8 @@ class Structure::Simplifier {
     if (gates_.gates_[g]->kind == Kind::constant || budget_ == 0) return g;
     std::vector<Known> known;
     const std::vector<std::uint32_t>& events = support(g);
-    for (const Known& one : context) {
-      if (std::binary_search(events.begin(), events.end(), one.event)) known.push_back(one);
+    for (const Known& fact : context) {
+      if (std::binary_search(events.begin(), events.end(), fact.event)) known.push_back(fact);
     }
     if (gates_.gates_[g]->kind == Kind::event) return known.empty() ? g : known.front().holds ? one : zero;
     const auto key = std::pair{g, known};
@@ -116,12 +116,12 @@ class Structure::Simplifier {
         if (input.kind == own.kind) {
           inputs.insert(inputs.end(), input.inputs.begin(), input.inputs.end());
         } else if (input.kind == Kind::event) {
-          const Known one{input.inputs.front(), holds};
-          const auto at = std::lower_bound(known.begin(), known.end(), Known{one.event, false});
-          if (at != known.end() && at->event == one.event) {
-            if (at->holds != holds) return holds ? zero : Structure::one;
+          const Known fact{input.inputs.front(), holds};
+          const auto at = std::lower_bound(known.begin(), known.end(), Known{fact.event, false});
+          if (at != known.end() && at->event == fact.event) {
+            if (at->holds != holds) return holds ? zero : one;
           } else {
-            known.insert(at, one);
+            known.insert(at, fact);
             events.push_back(inputs[i]);
             found = true;
           }
