@@ -95,8 +95,8 @@ std::string Model::dot(const std::string& of, std::optional<std::size_t> depth) 
   throw base::InputError(paths_ + ": there are several figures: name one of " + names);
 }
 
-automata::Formula Model::formula(const std::string& text, const std::string& where) const {
-  auto compiled = compiler::compile_formula(text, plant(), where);
+automata::Formula Model::goal(const std::string& text, const std::string& where) const {
+  auto compiled = compiler::compile_goal(text, plant(), where);
   if (!compiled.formula) reject(compiled.findings);
   return *std::move(compiled.formula);
 }

@@ -38,7 +38,7 @@ class Model {
   [[nodiscard]] std::string dot(const std::string& of, std::optional<std::size_t> depth) const;
 
   /// Of the plant; `where` names the argument. Throw Rejected, base::InputError.
-  [[nodiscard]] automata::Formula formula(const std::string& text, const std::string& where) const;
+  [[nodiscard]] automata::Formula goal(const std::string& text, const std::string& where) const;
   [[nodiscard]] std::vector<automata::Assignment> assignments(const std::string& text, const std::string& where) const;
 
  private:

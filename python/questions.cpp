@@ -43,7 +43,7 @@ std::string plan(const ModelPointer& model, const std::string& from, const std::
                  const std::string& cycle) {
   const automata::Plant& plant = model->plant();
   const auto given = model->assignments(from, "from");
-  const automata::Formula formula = model->formula(goal, "goal");
+  const automata::Formula formula = model->goal(goal, "goal");
   const automata::Ticks length = cycle.empty() ? automata::Ticks{} : duration(cycle, "cycle");
   automata::PlantStep step(plant);
   const automata::Modes modes = runtime::modes_from(plant, given);

@@ -37,7 +37,7 @@ struct TreeNode {
   bool together = true;               ///< of `pand`, `por`: what fails at one moment is in order
   bool failed = false;                ///< of a house event
   std::optional<double> probability;  ///< of a basic event: of having failed from the start; of `fdep`: none is 1
-  double rate = 0;                    ///< of a basic event without that: per unit of time
+  double rate = 0;                    ///< of a basic event without that: per second
   double dormancy = 1;                ///< the part of its rate while it stands by
   grammar::Span place = {};
 };
@@ -54,7 +54,8 @@ std::optional<FaultTree> read_galileo(const grammar::Sources& sources, std::uint
                                       grammar::Diagnostics& diagnostics);
 
 /// Reads a fault tree in the Open-PSA Model Exchange Format 2.0: formulas, house and basic events, parameters,
-/// common-cause groups with beta factors. As above.
+/// common-cause groups with beta factors. A rate counts in the unit that its mission time or its parameter states, else
+/// as above.
 std::optional<FaultTree> read_open_psa(const grammar::Sources& sources, std::uint32_t file,
                                        grammar::Diagnostics& diagnostics);
 

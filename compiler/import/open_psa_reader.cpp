@@ -243,7 +243,8 @@ class OpenPsaReader {
       const double rate = value(parts[0], 0);
       if (rate < 0)
         errors_.report(Code::negative_rate, span(parts[0]), "a rate is at least 0, and this is " + text(rate));
-      if (std::string_view(resolved(parts[1]).name()) == "system-mission-time") return {std::nullopt, rate};
+      const double unit = unit_of_time(given);
+      if (std::string_view(resolved(parts[1]).name()) == "system-mission-time") return {std::nullopt, rate / unit};
       const double time = value(parts[1], 0);
       if (time < 0)
         errors_.report(Code::netlist_gate, span(parts[1]), "a time is at least 0, and this is " + text(time));
@@ -280,6 +281,48 @@ class OpenPsaReader {
     return expression;
   }
 
+  /// The seconds in the unit of time that an expression and its parameters count in: one where they state none.
+  double unit_of_time(pugi::xml_node expression) {
+    std::set<double> units;
+    std::set<std::string> seen;
+    collect_units(expression, 0, units, seen);
+    if (units.size() > 1) {
+      errors_.report(Code::netlist_gate, span(expression),
+                     "rate and time count in different units of time: expected one, as each is taken as it is");
+    }
+    return units.empty() ? 1.0 : *units.begin();
+  }
+
+  void collect_units(pugi::xml_node expression, int depth, std::set<double>& units, std::set<std::string>& seen) {
+    if (depth > deepest) return;  // `value` reports it
+    collect_unit(expression, units);
+    if (std::string_view(expression.name()) == "parameter") {
+      const auto at = parameters_.find(name_of(expression));
+      if (at == parameters_.end() || !seen.insert(at->first).second) return;
+      collect_unit(at->second, units);
+      expression = at->second;
+    }
+    for (const pugi::xml_node part : children_of(expression)) collect_units(part, depth + 1, units, seen);
+  }
+
+  /// The units of the format. A year is one of 365 days.
+  void collect_unit(pugi::xml_node element, std::set<double>& units) {
+    constexpr double hour = 3600, year = 8760 * hour;
+    static const std::map<std::string_view, double> known = {{"bool", 0},     {"int", 0},        {"float", 0},
+                                                             {"demands", 0},  {"hours", hour},   {"hours-1", hour},
+                                                             {"years", year}, {"years-1", year}, {"fit", 1e9 * hour}};
+    const pugi::xml_attribute attribute = element.attribute("unit");
+    if (!attribute) return;
+    const auto unit = known.find(attribute.value());
+    if (unit == known.end()) {
+      errors_.report(Code::netlist_syntax, span(element),
+                     "unknown unit " + backquoted(attribute.value()) +
+                         ", expected hours, hours-1, years, years-1, fit, demands, bool, int or float");
+    } else if (unit->second > 0) {
+      units.insert(unit->second);
+    }
+  }
+
   double value(pugi::xml_node expression, int depth) {
     const std::string_view kind = expression.name();
     if (depth > deepest) {
@@ -304,7 +347,12 @@ class OpenPsaReader {
                        "nothing defines the parameter " + backquoted(name_of(expression)));
         return 0;
       }
-      return value(first_child(at->second), depth + 1);
+      // Once each: a parameter that is read twice, and so on, would else be worked out twice as often each time.
+      const auto known = values_.find(at->first);
+      if (known != values_.end()) return known->second;
+      const double result = value(first_child(at->second), depth + 1);
+      values_.emplace(at->first, result);
+      return result;
     }
     const std::vector<pugi::xml_node> parts = children_of(expression);
     std::vector<double> values;
@@ -408,6 +456,7 @@ class OpenPsaReader {
   std::map<std::string, TreeNodeId> names_;
   std::map<TreeNodeId, int> inner_;  ///< formulas inside a gate that have become gates
   std::map<std::string, pugi::xml_node> parameters_;
+  std::map<std::string, double> values_;  ///< of parameters
   std::vector<pugi::xml_node> gates_, events_, groups_;
 };
 

@@ -204,7 +204,7 @@ std::optional<ValueId> ProgramResolver::find_value(VariableId id, const std::str
 
 ProgramResolver::Goal ProgramResolver::goal(const grammar::Constraint& constraint) {
   Goals goals;
-  ask_of_knowledge("in a goal: no command can achieve it");
+  ask_of_knowledge(goal_asks_no_knowledge);
   add_goals(constraint, goals);
   ask_of_knowledge(std::nullopt);
   return std::move(goals.goal);

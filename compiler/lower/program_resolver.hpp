@@ -17,6 +17,9 @@
 
 namespace rmpl::compiler {
 
+/// Why a goal does not ask what the executive knows (`Resolver::ask_of_knowledge`).
+inline constexpr const char* goal_asks_no_knowledge = "in a goal: no command can achieve it";
+
 /// Fills in the variables and clocks of a program. With a plant, the table is the plant's and every name is checked;
 /// without, the table collects what is mentioned, and `x = y` takes y for a value: where y turns out to be a variable
 /// of the program, `check_values` says that it cannot be told. A model program has the variables that it declares for a

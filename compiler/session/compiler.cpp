@@ -8,6 +8,8 @@
 #include "base/check.hpp"
 #include "compiler/check/plant_resolver.hpp"
 #include "compiler/check/resolve.hpp"
+#include "compiler/lower/part.hpp"
+#include "compiler/lower/program_resolver.hpp"
 #include "compiler/lower/property.hpp"
 #include "compiler/session/files.hpp"
 #include "compiler/session/input_set.hpp"
@@ -126,6 +128,26 @@ CompiledFormula compile_program_formula(std::string_view text, const automata::P
     resolver.ask_of_knowledge(std::nullopt);
     return resolver;
   });
+}
+
+CompiledFormula compile_goal(std::string_view text, const automata::Plant& plant, std::string_view where) {
+  CompiledFormula result;
+  auto& [sources, diagnostics] = result.findings;
+  const std::uint32_t file = sources.add(std::string(where), std::string(text));
+  const auto constraint = grammar::parse_constraint(sources, file, diagnostics);
+  if (constraint.whole) {
+    Resolver resolver = resolver_of(plant.variables, owner(plant), result.findings);
+    resolver.ask_of_knowledge(goal_asks_no_knowledge);
+    result.formula = resolver.resolve(constraint.tree);
+  }
+  if (!diagnostics.has_errors()) {
+    automata::Program program;
+    Part part;
+    part.plant = plant;
+    static_cast<void>(ProgramResolver(program, false, &part, diagnostics).goal(constraint.tree));
+  }
+  if (diagnostics.has_errors()) result.formula.reset();
+  return result;
 }
 
 CompiledFormula compile_formula(std::string_view text, const automata::ModelProgram& program, std::string_view where) {

@@ -91,6 +91,8 @@ struct CompiledFormula {
 CompiledFormula compile_formula(std::string_view text, const automata::Plant& plant, std::string_view where);
 /// The same, asked of a program with its plant: it may ask of the executive's knowledge.
 CompiledFormula compile_program_formula(std::string_view text, const automata::Plant& plant, std::string_view where);
+/// The same, as a goal: what no command can achieve is an error, as it is in a program.
+CompiledFormula compile_goal(std::string_view text, const automata::Plant& plant, std::string_view where);
 /// The same as the first over the variables of a model program.
 CompiledFormula compile_formula(std::string_view text, const automata::ModelProgram& program, std::string_view where);
 

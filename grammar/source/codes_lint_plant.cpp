@@ -44,7 +44,7 @@ plant Feed {
   observe valve.position;
 })"},
     CodeInfo{Code::impossible_guard, "guard that can never hold",
-             "In whatever modes the components are and whatever is commanded, the guard does not follow: it "
+             "In whatever modes the components can enter and whatever is commanded, the guard does not follow: it "
              "contradicts the constraint of the mode that the transition leaves, or the interconnections, or "
              "nothing that can happen implies it. The transition is never taken.",
              R"(component Valve {
@@ -111,7 +111,8 @@ plant Feed {
 })"},
     CodeInfo{Code::overlapping_guards, "guards that overlap without weights",
              "Two untimed nominal transitions leave one mode for different modes, there are modes and a "
-             "command that enable both, and neither has a weight: chance decides between them, evenly. Make "
+             "command that enable both, and neither has a weight: chance decides between them, evenly. The modes "
+             "of the example can each be entered; whether times allow them together is not asked. Make "
              "the guards exclude each other, or say with `with` how likely each is.",
              R"(component Valve {
   input  cmd      : { none, open, close };

@@ -198,7 +198,7 @@ ExitStatus run(const Options& options, Common common) {
   if (options.format == PlanFormat::dot && !options.strategy)
     throw base::InputError("plan: --format dot draws a strategy; expected --strategy with it");
   const auto given = assignments_option(options.from, plant, "--from", common);
-  const automata::Formula goal = formula_option(options.goal, plant, "--goal", common);
+  const automata::Formula goal = goal_option(options.goal, plant, "--goal", common);
 
   automata::PlantStep step(plant);
   const automata::Modes modes = runtime::modes_from(plant, given);

@@ -179,7 +179,7 @@ void StepModel::ask_for(const std::string& goal, automata::Ticks time, std::uint
   if (kind_ == Kind::program && !source) {
     throw base::InputError("goal: " + options_.files.front() + ": a compiled program cannot be gone on with by others");
   }
-  if (!goal.empty()) (void)formula_option(goal, plant(), "goal", common_);
+  if (!goal.empty()) (void)goal_option(goal, plant(), "goal", common_);
   const std::vector<Goal> before = goals_;
   std::erase_if(goals_, [&](const Goal& one) { return one.cycle >= cycle; });
   goals_.push_back({goal, time, cycle});

@@ -50,6 +50,11 @@ automata::Formula program_formula_option(const std::string& text, const automata
   return formula_of(compiler::compile_program_formula(text, plant, where), common);
 }
 
+automata::Formula goal_option(const std::string& text, const automata::Plant& plant, std::string_view where,
+                              const Common& common) {
+  return formula_of(compiler::compile_goal(text, plant, where), common);
+}
+
 automata::Formula formula_option(const std::string& text, const automata::ModelProgram& program, std::string_view where,
                                  const Common& common) {
   return formula_of(compiler::compile_formula(text, program, where), common);

@@ -32,6 +32,9 @@ using compiler::refuse_start;
 /// Assignments come sorted, each once; base::InputError where two contradict each other.
 automata::Formula formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
                                  const Common& common);
+/// One that commands are to bring about: what none can achieve is wrong.
+automata::Formula goal_option(const std::string& text, const automata::Plant& plant, std::string_view where,
+                              const Common& common);
 /// One that is asked of a program: it may ask of the executive's knowledge.
 automata::Formula program_formula_option(const std::string& text, const automata::Plant& plant, std::string_view where,
                                          const Common& common);

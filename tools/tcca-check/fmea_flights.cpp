@@ -1,13 +1,16 @@
-// A flight without the fault, and one with it, which is compared step by step with what it would have been.
+// A flight without the fault, one with it, which is compared step by step with what it would have been, and one without
+// it that has the luck of that one.
 // SPDX-License-Identifier: MIT
 #include "tools/tcca-check/fmea_flights.hpp"
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 #include "automata/controls.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/campaign/counterfactual.hpp"
+#include "runtime/executive/plant/luck.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/reasoning/reconfigure/outcome.hpp"
 
@@ -180,12 +183,20 @@ class Flights {
       if (!entered) continue;
       options_.seed = seed;
       options_.awaited = {{Ticks{entered->count + scenario_.cycle.count}, fault.component, fault.to, {}}};
+      const auto luck = std::make_shared<runtime::Luck>();
+      options_.luck = {luck, nullptr};
       Watch watch(plant_, fault);
       const auto ended = fly(watch);
       options_.awaited.clear();
+      options_.luck = {};
       auto flown = ended ? watch.result() : std::nullopt;
       if (!flown) continue;
+      options_.luck = {nullptr, luck};
+      const std::optional<Unhurt> twin = fly_calm();
+      options_.luck = {};
+      if (!twin) continue;
       flown->ended = *ended;
+      flown->ended_without = twin->ended;
       flown->seed = seed;
       return flown;
     }
@@ -209,15 +220,21 @@ class Flights {
     }
   }
 
+  /// The flight by the options as they are; nothing where something fails in it, or it comes to no end.
+  std::optional<Unhurt> fly_calm() {
+    Unhurt flight{Calm(plant_), {}};
+    const auto ended = fly(flight.calm);
+    if (!ended || flight.calm.unlucky()) return std::nullopt;
+    flight.ended = *ended;
+    return flight;
+  }
+
   /// The flight with this seed in which nothing fails; null where something does.
   const Unhurt* without(std::uint64_t seed) {
     const auto [at, fresh] = unhurt_.try_emplace(seed);
     if (fresh) {
       options_.seed = seed;
-      Unhurt flight{Calm(plant_), {}};
-      const auto ended = fly(flight.calm);
-      if (ended) flight.ended = *ended;
-      if (ended && !flight.calm.unlucky()) at->second.emplace(std::move(flight));
+      if (auto flight = fly_calm()) at->second.emplace(std::move(*flight));
     }
     return at->second ? &*at->second : nullptr;
   }

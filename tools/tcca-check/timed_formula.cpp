@@ -99,19 +99,38 @@ bool is_model(std::string_view text) {
          text.ends_with(".props");
 }
 
+/// Whether a word is meant as a time, right or wrong: no name begins so.
+bool is_meant_as_time(std::string_view word) {
+  return !word.empty() && std::string_view("0123456789.+-").find(word.front()) != std::string_view::npos;
+}
+
+/// Throws BadValue where the first or the last word is meant as a time: none was found.
+void expect_no_time(std::string_view text) {
+  const auto [first, rest] = first_word(text);
+  if (is_meant_as_time(first) && !goes_on_an_atom(rest)) static_cast<void>(duration(std::string(first)));
+  const auto [before, last] = last_word(text);
+  if (is_meant_as_time(last) && !is_open(before)) static_cast<void>(duration(std::string(last)));
+}
+
 /// Whether the word may be the formula, or the time, of a `--within` that has just the other one so far.
 bool completes(const std::string& so_far, const std::string& word) {
   if (word.empty() || word.starts_with("-") || is_model(word)) return false;
   const TimedFormula known = either_way(so_far);
   if (known.time) return known.formula.empty();
-  return automata::parse_duration(so_far) || automata::parse_duration(word);
+  // Where the time is wrong, that is to be told.
+  return is_meant_as_time(so_far) || is_meant_as_time(word) || automata::parse_duration(so_far) ||
+         automata::parse_duration(word) || word.find('=') != std::string::npos;
 }
 
 }  // namespace
 
 TimedFormula timed_formula(const std::string& text) {
   const std::size_t at = find_within(text);
-  if (at == text.size()) return either_way(text);
+  if (at == text.size()) {
+    TimedFormula result = either_way(text);
+    if (!result.time) expect_no_time(text);
+    return result;
+  }
   const std::string_view before = trimmed(std::string_view(text).substr(0, at));
   const std::string_view after = std::string_view(text).substr(at + keyword_length);
   if (!before.empty()) return {std::string(before), duration(std::string(trimmed(after)))};

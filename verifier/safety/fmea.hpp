@@ -34,8 +34,8 @@ struct LaterEffect {
   automata::Ticks after;
 };
 
-/// What a flight with the fault showed beside what it would have been without it, under the same commands and with the
-/// same luck.
+/// What a flight with the fault showed beside what it would have been without it, with the same luck: under the same
+/// commands until the estimate has the fault; to its end under commands of its own.
 struct FlownFault {
   std::uint64_t seed = 0;                           ///< of what the plant draws
   automata::Ticks happened = {};                    ///< at the end of that cycle
@@ -47,6 +47,7 @@ struct FlownFault {
   std::string outcome = {};                            ///< of the cycle that follows, in a word
   std::vector<automata::Assignment> response = {};     ///< commanded in that cycle
   std::optional<automata::Ticks> ended = {};           ///< when the program did
+  std::optional<automata::Ticks> ended_without = {};   ///< when it did without the fault, with the same luck
   automata::Ticks until = {};                          ///< the end of the flight
 };
 
@@ -81,7 +82,7 @@ struct FailureModes {
   std::optional<Limit> limit;
   Progress progress;
   std::optional<automata::Ticks> succeeds = {};  ///< without a fault, at the soonest
-  std::optional<automata::Ticks> ended = {};     ///< in a flight without a fault: when the program did
+  std::optional<automata::Ticks> ended = {};     ///< in the first flight without a fault: when the program did
 };
 
 /// The value that the modes imply of a variable, if there is one.

@@ -97,17 +97,17 @@ std::string response_text(const Plant& plant, const FailureMode& row) {
 }
 
 /// How the flights with and without the fault end.
-std::string flight_text(const FailureMode& row, const std::optional<automata::Ticks>& without) {
+std::string flight_text(const FailureMode& row) {
   if (!row.flown) return "";
   const auto end = [](const std::optional<automata::Ticks>& time) {
     return time ? "ends at " + automata::format_seconds(*time) + " s" : std::string("does not end");
   };
-  const std::string with = end(row.flown->ended);
+  const std::string with = end(row.flown->ended), without = end(row.flown->ended_without);
   return "; in a flight to " + automata::format_seconds(row.flown->until) + " s it " + with +
-         (with == end(without) ? ", as without the fault" : ", and without the fault it " + end(without));
+         (with == without ? ", as without the fault" : ", and without the fault it " + without);
 }
 
-Columns columns_of(const Plant& plant, const FailureModes& table, const FailureMode& row) {
+Columns columns_of(const Plant& plant, const FailureMode& row) {
   const automata::Component& component = plant[row.fault.component];
   Columns result;
   result.item = component.name;
@@ -121,7 +121,7 @@ Columns columns_of(const Plant& plant, const FailureModes& table, const FailureM
   result.next = next_text(plant, row);
   result.end = joined(row.end, ", ");
   if (!row.violated.empty()) result.end += "; violates " + joined(row.violated, ", ");
-  result.end += flight_text(row, table.ended);
+  result.end += flight_text(row);
   result.checks = checks_text(row);
   result.detection = detection_text(plant, row);
   result.response = response_text(plant, row);
@@ -203,6 +203,7 @@ ordered_json flight_json(const Plant& plant, const FlownFault& flown) {
           {"outcome", flown.outcome.empty() ? ordered_json(nullptr) : ordered_json(flown.outcome)},
           {"response", assignments_json(plant, flown.response)},
           {"ended", seconds_json(flown.ended)},
+          {"ended_without", seconds_json(flown.ended_without)},
           {"until", flown.until.seconds()}};
 }
 
@@ -217,7 +218,7 @@ std::string in_csv(const std::string& text) {
 std::string to_text(const Plant& plant, const FailureModes& table) {
   std::string text;
   for (const FailureMode& row : table.rows) {
-    const Columns own = columns_of(plant, table, row);
+    const Columns own = columns_of(plant, row);
     text += own.item + ": " + own.local + "\n";
     for (std::size_t c = 2; c < columns().size(); ++c) {
       text += std::string("  ") + columns()[c].first + ": " + own.*columns()[c].second + "\n";
@@ -246,7 +247,7 @@ ordered_json to_json(const Plant& plant, const FailureModes& table) {
          {"from", component.modes[row.fault.from.index()].name},
          {"to", component.modes[row.fault.to.index()].name},
          {"earliest", seconds_json(row.earliest)},
-         {"local", columns_of(plant, table, row).local},
+         {"local", columns_of(plant, row).local},
          {"next", changes(row.next)},
          {"end", row.end},
          {"violated", row.violated},
@@ -270,7 +271,7 @@ std::string to_csv(const Plant& plant, const FailureModes& table) {
   for (const auto& [name, column] : columns()) text += (text.empty() ? "" : ",") + in_csv(name);
   text += "\r\n";
   for (const FailureMode& row : table.rows) {
-    const Columns own = columns_of(plant, table, row);
+    const Columns own = columns_of(plant, row);
     std::string line;
     for (const auto& [name, column] : columns()) line += (line.empty() ? "" : ",") + in_csv(own.*column);
     text += line + "\r\n";
@@ -290,7 +291,7 @@ std::string to_html(const Subject& subject, const FailureModes& table) {
   for (const auto& [column, member] : columns()) text += std::string("<th>") + column + "</th>";
   text += "</tr>\n";
   for (const FailureMode& row : table.rows) {
-    const Columns own = columns_of(subject.plant, table, row);
+    const Columns own = columns_of(subject.plant, row);
     text += row.fails ? "<tr class=\"fails\">" : "<tr>";
     for (const auto& [column, member] : columns()) text += "<td>" + base::xml_text(own.*member) + "</td>";
     text += "</tr>\n";

@@ -176,7 +176,7 @@ std::string to_open_psa(const Plant& plant, const FaultTreeQuestion& question, c
             "</label>";
     if (own.weight.kind == automata::Weight::Kind::rate) {
       text += "<exponential><float value=\"" + exact(own.weight.value * seconds_per_hour) +
-              "\"/><system-mission-time/></exponential>";
+              "\"/><system-mission-time unit=\"hours\"/></exponential>";
     } else if (own.once) {
       text += "<float value=\"" + exact(own.weight.value) + "\"/>";
     } else if (own.probability && question.within) {

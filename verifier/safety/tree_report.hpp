@@ -15,7 +15,8 @@ nlohmann::ordered_json to_json(const automata::Plant& plant, const FaultTreeQues
                                const std::string& asked);
 
 /// The listed sets as a tree of the Open-PSA Model Exchange Format: the top event is one of them, each is all of its
-/// faults. Rates are per hour, as SCRAM counts its mission time; a fault that hangs on guards has no probability.
+/// faults. Rates are per hour, as SCRAM counts its mission time, and the file says so; a fault that hangs on guards has
+/// no probability.
 std::string to_open_psa(const automata::Plant& plant, const FaultTreeQuestion& question, const FaultTree& tree);
 /// The same in DOT.
 std::string to_dot(const automata::Plant& plant, const FaultTree& tree, const std::string& asked);

@@ -27,10 +27,12 @@ std::uint64_t RandomSource::next() {
 
 double RandomSource::uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
 
-std::size_t RandomSource::below(std::size_t count) {
+std::size_t RandomSource::below(std::size_t count) { return position_below(count, uniform()); }
+
+std::size_t position_below(std::size_t count, double at) {
   CHECK(count > 0);
-  // The product is below count: uniform() is at most 1 - 2^-53, and count is far below 2^53.
-  return static_cast<std::size_t>(uniform() * static_cast<double>(count));
+  // The product is below count: `at` is at most 1 - 2^-53, and count is far below 2^53.
+  return static_cast<std::size_t>(at * static_cast<double>(count));
 }
 
 }  // namespace rmpl::runtime

@@ -24,6 +24,9 @@ class RandomSource {
   std::uint64_t state_;
 };
 
+/// A position below `count`, which is above 0, by a number in [0, 1).
+std::size_t position_below(std::size_t count, double at);
+
 /// One of some weighed things, at least one, by a number in [0, 1); weights need not sum to 1. The last where rounding
 /// leaves nothing.
 template <class Weighed>

@@ -3,6 +3,7 @@
 #include "runtime/executive/plant/sensors.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.hpp"
 
@@ -14,8 +15,8 @@ constexpr std::size_t memory_limit = 1U << 15U;
 
 }  // namespace
 
-Sensors::Sensors(automata::PlantStep& step, RandomSource random)
-    : step_(step), random_(random), observables_(step.plant().observables), prefixes_(1) {
+Sensors::Sensors(automata::PlantStep& step, NumberSource numbers)
+    : step_(step), numbers_(std::move(numbers)), observables_(step.plant().observables), prefixes_(1) {
   std::sort(observables_.begin(), observables_.end());
 }
 
@@ -48,6 +49,7 @@ std::uint32_t Sensors::look(std::size_t depth) {
 const automata::Observation& Sensors::read(const automata::Modes& modes) {
   readings_.clear();
   if (observables_.empty()) return readings_;
+  numbers_.begin_step();
   if (prefixes_.size() > memory_limit) forget_all();
   assumptions_.clear();
   for (std::size_t c = 0; c < modes.size(); ++c) {
@@ -59,7 +61,7 @@ const automata::Observation& Sensors::read(const automata::Modes& modes) {
   for (std::size_t depth = 0; depth < observables_.size(); ++depth) {
     // An entailed value costs no draw, so that sensors which are sure do not shift those which are not.
     const std::size_t count = prefixes_[at].candidates.size();
-    const std::size_t drawn = count == 1 ? 0 : random_.below(count);
+    const std::size_t drawn = count == 1 ? 0 : position_below(count, numbers_.number(depth));
     const automata::Assignment reading{observables_[depth], prefixes_[at].candidates[drawn]};
     readings_.push_back(reading);
     assumptions_.push_back(reading);

@@ -8,7 +8,7 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
-#include "runtime/executive/plant/random_source.hpp"
+#include "runtime/executive/plant/luck.hpp"
 
 namespace rmpl::runtime {
 
@@ -17,7 +17,7 @@ namespace rmpl::runtime {
 /// possible is remembered in a tree of the readings drawn so far, so a state that lasts asks the solver once.
 class Sensors {
  public:
-  Sensors(automata::PlantStep& step, RandomSource random);
+  Sensors(automata::PlantStep& step, NumberSource numbers);
 
   /// `modes` are possible. Sorted by variable; the reference lasts until the next call.
   const automata::Observation& read(const automata::Modes& modes);
@@ -33,7 +33,7 @@ class Sensors {
   void forget_all();
 
   automata::PlantStep& step_;
-  RandomSource random_;
+  NumberSource numbers_;
   std::vector<automata::VariableId> observables_;  ///< ascending
   std::vector<Prefix> prefixes_;                   ///< position 0 is no prefix
   std::unordered_map<automata::Modes, std::uint32_t, automata::ModesHash> roots_;

@@ -3,10 +3,13 @@
 #include "runtime/executive/plant/simulated_plant.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "automata/assignment_text.hpp"
 #include "base/error.hpp"
+#include "base/partition.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -17,19 +20,27 @@ constexpr int draws_limit = 100'000;
 constexpr std::uint64_t state_stream = 1;
 constexpr std::uint64_t sensor_stream = 2;
 
-/// What is certain costs no draw.
-automata::ModeId choose(const std::vector<automata::Move>& moves, RandomSource& random) {
-  return moves.size() == 1 ? moves.front().mode : drawn(moves, random.uniform()).mode;
+/// Components by parts of the store: whether two can be together depends on nothing outside their part.
+base::Partition parts_of(const automata::PlantStep& step) {
+  base::Partition parts(step.plant().components.size());
+  for (const automata::Island& island : step.locality().islands()) {
+    const std::vector<automata::ComponentId>& reads = island.support.components;
+    for (const automata::ComponentId other : reads) parts.join(reads.front().index(), other.index());
+  }
+  return parts;
 }
 
 }  // namespace
 
 SimulatedPlant::SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed,
-                               std::vector<automata::ForcedMode> awaited)
+                               std::vector<automata::ForcedMode> awaited, LuckUse luck)
     : plant_(plant),
       step_(plant),
-      random_(seed, state_stream),
-      sensors_(step_, RandomSource(seed, sensor_stream)),
+      luck_(std::move(luck)),
+      numbers_(seed, state_stream, luck_.noted ? &luck_.noted->moves : nullptr,
+               luck_.followed ? &luck_.followed->moves : nullptr),
+      sensors_(step_, {seed, sensor_stream, luck_.noted ? &luck_.noted->readings : nullptr,
+                       luck_.followed ? &luck_.followed->readings : nullptr}),
       script_(plant, scenario),
       forced_(scenario.forced),
       awaited_(std::move(awaited)),
@@ -88,11 +99,38 @@ void SimulatedPlant::force(std::vector<automata::Move>& moves, const automata::F
 
 void SimulatedPlant::draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
   drawn_.resize(moves.size());
+  numbers_.begin_step();
+  if (numbers_.follows()) return draw_in_parts(moves, now);
+  draw_whole(moves, now);
+}
+
+automata::ModeId SimulatedPlant::choose(const std::vector<automata::Move>& moves, std::size_t component) {
+  return moves.size() == 1 ? moves.front().mode : drawn(moves, numbers_.number(component)).mode;
+}
+
+void SimulatedPlant::draw_whole(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
   for (int attempt = 0; attempt < draws_limit; ++attempt) {
-    for (std::size_t c = 0; c < moves.size(); ++c) drawn_[c] = choose(moves[c], random_);
+    for (std::size_t c = 0; c < moves.size(); ++c) drawn_[c] = choose(moves[c], c);
     if (step_.possible(drawn_)) return;
+    numbers_.begin_again();
   }
   give_up(now);
+}
+
+/// The parts are independent of each other. So it is the same chance whether all draw again until all fit, or each part
+/// by itself until it fits.
+void SimulatedPlant::draw_in_parts(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
+  for (std::size_t c = 0; c < moves.size(); ++c) drawn_[c] = choose(moves[c], c);
+  std::optional<base::Partition> parts;
+  for (int attempt = 0; !step_.possible(drawn_); ++attempt) {
+    const std::vector<automata::ComponentId> blamed = step_.conflict(drawn_);
+    if (attempt == draws_limit || blamed.empty()) give_up(now);
+    if (!parts) parts = parts_of(step_);
+    const std::size_t part = parts->root(blamed.front().index());
+    for (std::size_t c = 0; c < moves.size(); ++c) {
+      if (parts->root(c) == part) drawn_[c] = choose(moves[c], c);
+    }
+  }
 }
 
 void SimulatedPlant::give_up(automata::Ticks now) const {

@@ -7,8 +7,8 @@
 
 #include "automata/scenario.hpp"
 #include "automata/step/plant_step.hpp"
+#include "runtime/executive/plant/luck.hpp"
 #include "runtime/executive/plant/plant_interface.hpp"
-#include "runtime/executive/plant/random_source.hpp"
 #include "runtime/executive/plant/sensor_script.hpp"
 #include "runtime/executive/plant/sensors.hpp"
 
@@ -18,11 +18,14 @@ namespace rmpl::runtime {
 /// the store of the drawn state is inconsistent. Faults that the scenario forces happen in the first step that ends at
 /// or after their time; those that are awaited in the first of these in which the model has them happen by chance, to
 /// a component that is not there yet. Sensors that the scenario dictates read what it says. Same seed, same plant.
+///
+/// A plant that follows the luck of another one draws what that one drew, by step, component and sensor. Where the
+/// store is inconsistent only those components draw again that have to do, by it, with one of those to blame.
 class SimulatedPlant final : public PlantInterface {
  public:
   /// Keeps references to all. Throws base::InputError where no consistent initial state is found.
   SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed,
-                 std::vector<automata::ForcedMode> awaited = {});
+                 std::vector<automata::ForcedMode> awaited = {}, LuckUse luck = {});
 
   void issue(const automata::ControlAction& action, automata::Ticks now) override;
   /// Throws base::InputError where no consistent next state is found: the model, or a forced mode, leads nowhere.
@@ -38,6 +41,10 @@ class SimulatedPlant final : public PlantInterface {
 
  private:
   void draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  void draw_whole(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  void draw_in_parts(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
+  /// What is certain costs no number.
+  automata::ModeId choose(const std::vector<automata::Move>& moves, std::size_t component);
   [[nodiscard]] bool faults_are_due(automata::Ticks now) const;
   // Faults whose time has come take the place of what else the components could do: those that are awaited, those that
   // the scenario forces.
@@ -48,7 +55,8 @@ class SimulatedPlant final : public PlantInterface {
 
   const automata::Plant& plant_;
   automata::PlantStep step_;
-  RandomSource random_;
+  LuckUse luck_;
+  NumberSource numbers_;
   Sensors sensors_;
   SensorScript script_;
   std::vector<automata::ForcedMode> forced_;  ///< the next to happen stands last

@@ -41,7 +41,7 @@ std::unique_ptr<Reconfigurer> make_recovery(automata::PlantStep& step, const Sce
 class PlantEngines final : public Engines {
  public:
   PlantEngines(const automata::Plant& plant, const ScenarioOptions& options, automata::Ticks cycle)
-      : plant_(plant), awaited_(options.awaited), step_(plant) {
+      : plant_(plant), awaited_(options.awaited), luck_(options.luck), step_(plant) {
     estimator_ = make_estimator(step_, options);
     reconfigurer_ = make_recovery(step_, options, cycle);
   }
@@ -50,12 +50,13 @@ class PlantEngines final : public Engines {
   [[nodiscard]] automata::Theory& theory() override { return step_.theory(); }
   [[nodiscard]] std::unique_ptr<PlantInterface> simulate(const automata::Scenario& scenario,
                                                          std::uint64_t seed) override {
-    return std::make_unique<SimulatedPlant>(plant_, scenario, seed, awaited_);
+    return std::make_unique<SimulatedPlant>(plant_, scenario, seed, awaited_, luck_);
   }
 
  private:
   const automata::Plant& plant_;
   std::vector<automata::ForcedMode> awaited_;
+  LuckUse luck_;
   automata::PlantStep step_;
 };
 

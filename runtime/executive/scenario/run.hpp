@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "automata/scenario.hpp"
+#include "runtime/executive/plant/luck.hpp"
 #include "runtime/executive/scenario/expectations.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
@@ -25,6 +26,7 @@ struct ScenarioOptions {
   std::shared_ptr<const NominalGraph> graph = nullptr;  ///< of the scenario's plant, where it was computed before
   std::size_t k = 16;                                   ///< system states that k-best keeps
   std::vector<automata::ForcedMode> awaited = {};       ///< faults besides the scenario's, as SimulatedPlant has them
+  LuckUse luck = {};                                    ///< of the plant, where it is one of components
   bool real_time = false;                               ///< a cycle takes as long as it says
   bool measured = false;                                ///< records tell what the engines take
   std::function<bool()> interrupted = [] { return false; };  ///< asked once a cycle, and while waiting in real time

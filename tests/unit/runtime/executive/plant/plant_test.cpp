@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "base/error.hpp"
 #include "runtime/executive/plant/random_source.hpp"
@@ -128,6 +130,47 @@ TEST(SimulatedPlant, DrawsFreeReadingsJointlyConsistentAndEvenly) {
     if (readings[0].value == high) ++highs;
   }
   EXPECT_NEAR(highs, 1000, 100);
+}
+
+/// Two heaters, of which the first breaks by force in one flight: with its luck the second does, in a flight without
+/// that, what it did; and to note the numbers changes none.
+TEST(SimulatedPlant, FollowsTheLuckOfAnotherFlight) {
+  Plant model = heater::plant();
+  Component second = model.components[0];
+  second.name = "second";
+  second.mode = model.variables.add({"second", {"off", "heating", "on", "broken"}});
+  for (Mode& mode : second.modes) mode.constraint = constant(true);
+  for (Transition& transition : second.transitions) {
+    transition.guard = constant(true);
+    if (transition.timing) transition.timing->upper = {transition.timing->lower.count + 8 * Ticks::per_second};
+  }
+  model.components.push_back(second);
+  Scenario hurt = heater::scenario();
+  hurt.forced = {{{700'000'000}, component, broken, {}}};
+  int parted = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto luck = std::make_shared<Luck>();
+    SimulatedPlant plain(model, hurt, seed);
+    SimulatedPlant noted(model, hurt, seed, {}, {luck, nullptr});
+    std::vector<Modes> flown;
+    for (int i = 1; i <= 30; ++i) {
+      const Ticks now{half_second.count * i};
+      EXPECT_EQ(plain.sense(now), noted.sense(now));
+      EXPECT_EQ(*plain.truth(), *noted.truth());
+      flown.push_back(*noted.truth());
+    }
+    SimulatedPlant twin(model, heater::scenario(), seed, {}, {nullptr, luck});
+    SimulatedPlant other(model, heater::scenario(), seed);
+    bool same = true;
+    for (int i = 1; i <= 30; ++i) {
+      twin.sense({half_second.count * i});
+      other.sense({half_second.count * i});
+      EXPECT_EQ((*twin.truth())[1], flown[static_cast<std::size_t>(i) - 1][1]) << seed << " " << i;
+      same = same && (*other.truth())[1] == flown[static_cast<std::size_t>(i) - 1][1];
+    }
+    if (!same) ++parted;
+  }
+  EXPECT_GT(parted, 0);  // else the test shows nothing
 }
 
 TEST(SimulatedPlant, RepeatsWithItsSeed) {
