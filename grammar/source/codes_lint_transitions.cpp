@@ -78,8 +78,9 @@ plant Feed {
 })"},
     CodeInfo{Code::unused_weight, "weight without an effect",
              "Weights divide the probability among untimed transitions that are enabled together, and among the "
-             "outcomes of one transition. A transition beside which no other is ever enabled is certain, whatever its "
-             "weight. A timed transition competes with others by its times alone.",
+             "outcomes of one transition. A transition beside which no other is ever enabled, or none under idle "
+             "controls, is certain then, whatever its weight. A timed transition competes with others by its times "
+             "alone.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide, moving, between };

@@ -298,6 +298,71 @@ RC_GTEST_PROP(PlantLint, UnusedWeightsAreThoseThatShareWithNothing, ()) {
   RC_ASSERT(move_alike(model.plant, without.plant, slow));
 }
 
+/// Two more untimed transitions out of a mode, of which one waits for a command, or the other for idle controls.
+void share_with_a_command(const Plant& plant, automata::Component& component) {
+  std::vector<automata::ModeId> nominal;
+  for (std::size_t m = 0; m < component.modes.size(); ++m) {
+    if (!component.modes[m].fault) nominal.emplace_back(m);
+  }
+  if (nominal.size() < 2) return;
+  const automata::Control& control = pick(plant.controls);
+  const automata::ValueId value(up_to(0, plant.variables[control.variable].values.size() - 1));
+  std::uint32_t branch = 0;
+  for (const Transition& transition : component.transitions) branch = std::max(branch, transition.branch + 1);
+  Transition weighted;
+  weighted.from = pick(nominal);
+  weighted.to = pick(nominal);
+  weighted.guard = chance(70) ? automata::constant(true) : automata::is(control.variable, control.idle);
+  weighted.branch = branch;
+  Transition commanded = weighted;
+  commanded.to = pick(nominal);
+  commanded.guard = automata::is(control.variable, value);
+  commanded.branch = branch + 1;
+  weighted.weight = {automata::Weight::Kind::probability, 0.5};
+  component.transitions.push_back(weighted);
+  component.transitions.push_back(commanded);
+}
+
+/// A weight is unused at rest where its transition shares with others under some commands, and never while all controls
+/// are idle.
+RC_GTEST_PROP(PlantLint, WeightsUnusedAtRestShareWithNothingThere, ()) {
+  Model model = any_plant();
+  for (automata::Component& component : model.plant.components) {
+    if (!model.plant.controls.empty() && chance(70)) share_with_a_command(model.plant, component);
+  }
+  for (automata::Component& component : model.plant.components) {
+    for (Transition& transition : component.transitions) {
+      if (outcomes(component, transition) == 1 && !component.is_fault(transition) && chance(50)) {
+        transition.weight = {automata::Weight::Kind::probability, 0.5};
+      }
+    }
+  }
+  PlantAnalysis analysis(model.plant);
+  const PlantLint slow(model.plant);
+  const Pairs found = of_transitions(find_weights_unused_at_rest(analysis));
+  const Pairs always = of_transitions(find_unused_weights(analysis));
+  const automata::ControlAction idle = automata::idle_action(model.plant);
+  automata::PlainStep step(model.plant);
+  const Pairs expected = nominal_where(model.plant, analysis, [&](std::size_t c, std::size_t t, const Transition& own) {
+    const automata::Component& component = model.plant.components[c];
+    if (own.weight.kind == automata::Weight::Kind::none || own.weight.value >= 1 || own.timing) return false;
+    if (outcomes(component, own) != 1 || always.contains({c, t})) return false;
+    bool enabled = false, alone = true;
+    for (const auto& [modes, action] : slow.situations()) {
+      if (action != idle || modes[c] != own.from) continue;
+      const std::vector<automata::TransitionId> untimed = step.enabled(modes, action)[c].untimed;
+      const automata::TransitionId id(t);
+      if (std::find(untimed.begin(), untimed.end(), id) == untimed.end()) continue;
+      enabled = true;
+      for (const automata::TransitionId other : untimed)
+        alone = alone && component.transitions[other.index()].to == own.to;
+    }
+    return enabled && alone;
+  });
+  RC_ASSERT(found == expected);
+  RC_CLASSIFY(!found.empty());
+}
+
 /// Whether the guard of a transition can hold in no situation that `counts`.
 template <class Counts>
 bool never_holds(const PlantLint& slow, const reference::Models& models, const Plant& plant, const Formula& guard,

@@ -46,6 +46,9 @@ std::vector<PlantTransition> find_idle_transitions(PlantAnalysis& analysis);
 /// Nominal transitions whose weight, below 1, is of no account: those that take time, and are not one of several
 /// outcomes; and those beside which none without time bounds that leads elsewhere is ever enabled.
 std::vector<PlantTransition> find_unused_weights(PlantAnalysis& analysis);
+/// Others whose weight, below 1, is of no account while all controls are idle: untimed ones that may be enabled then,
+/// and beside which none without time bounds that leads elsewhere is then.
+std::vector<PlantTransition> find_weights_unused_at_rest(PlantAnalysis& analysis);
 
 /// Nominal transitions within finite time bounds, which are counted from when their mode was entered, whose guards, by
 /// then, do not hold: they read a command, and hold under no modes while none is given; or they read none, and hold in

@@ -175,6 +175,18 @@ void report_idle(PlantReport& report) {
   }
 }
 
+void report_weights_unused_at_rest(PlantReport& report) {
+  for (const Written& written : as_written(report, find_weights_unused_at_rest(report.analysis()))) {
+    auto& finding = report.add(
+        Code::unused_weight, report.at(written.first),
+        "the weight of the transition from " + ends(report, written.first) + " of " + report.name(written.instances) +
+            " has no effect under idle controls: no other transition is enabled beside it then, and it is taken for "
+            "certain");
+    if (!report.all(written.instances)) finding.severity = grammar::Severity::note;
+    finding.suggestion = "say what else may come of it: `-> { … with 0.9, … with 0.1 }`";
+  }
+}
+
 void report_unused_weights(PlantReport& report) {
   for (const Written& written : as_written(report, find_unused_weights(report.analysis()))) {
     const bool timed = report[written.first].timing.has_value();
@@ -221,6 +233,7 @@ void report_guards(PlantReport& report) {
   report_shadows(report, shadows);
   report_idle(report);
   report_unused_weights(report);
+  report_weights_unused_at_rest(report);
   report_late_guards(report, shadows);
 }
 
