@@ -39,7 +39,8 @@ struct Weight {
   [[nodiscard]] double fault_probability(Ticks step) const;
 };
 
-/// A transition <v, g, v'>. Into a fault mode it is a fault transition, and has a probability or a rate.
+/// A transition <v, g, v'>. Into a fault mode it is a fault transition, and has a probability or a rate; but a restart
+/// is nominal.
 struct Transition {
   ModeId from;
   ModeId to;
@@ -50,11 +51,12 @@ struct Transition {
   /// timed, they are one risk whose outcome the weights decide.
   std::uint32_t branch = 0;
   Origin origin;
+  bool restart = false;  ///< from a mode to itself, untimed: the clock starts anew (semantics 3)
   bool operator==(const Transition&) const = default;
 };
 
 /// A timed constraint automaton. Its mode variable's values are its modes, in order; its clock tells the time since
-/// it entered its mode.
+/// it entered its mode, or last began it anew.
 struct Component {
   std::string name;  ///< instance path, also the name of the mode variable
   std::string type;
@@ -66,7 +68,7 @@ struct Component {
   bool progress = false;  ///< it is meant to go forward only: its steps need no licence (semantics 5)
   bool operator==(const Component&) const = default;
 
-  [[nodiscard]] bool is_fault(const Transition& t) const { return modes[t.to.index()].fault; }
+  [[nodiscard]] bool is_fault(const Transition& t) const { return modes[t.to.index()].fault && !t.restart; }
 };
 
 /// A control variable with the value it has when nothing is commanded.

@@ -40,6 +40,9 @@ def random_plant(draw):
                                   f"in [{lower} s, inf] ~ exponential(2 s)",
                                   f"in [{lower} s, {lower + 3} s] ~ normal(2 s, 1 s)", "with 0.3"])
             lines.append(f"  {draw.choice(modes)} -> {target} when {guard} {timing};")
+        if draw.random() < 0.4:
+            mode = draw.choice(modes)
+            lines.append(f"  {mode} -> {mode} restart when {draw.choice(['cmd = go', 'feed = high', 'true'])};")
         lines += [f"  any -> broken {draw.choice(['with 0.01', 'with rate 0.2 /s', 'with 0'])};", "}"]
     for c in range(count):
         # Only upwards, so that no loop of attributes contradicts itself.

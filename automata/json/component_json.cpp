@@ -95,20 +95,21 @@ Timing timing_from_json(const Node& node) {
 }
 
 Json transition_to_json(const Transition& t, const Component& component, const Variables& variables) {
-  Json json = object_with_room(7);
+  Json json = object_with_room(8);
   json["from"] = component.modes[t.from.index()].name;
   json["to"] = component.modes[t.to.index()].name;
   if (!t.guard.is_true()) json["guard"] = to_json(t.guard, variables);
   if (t.timing) json["timing"] = timing_to_json(*t.timing);
   if (t.weight.kind == Weight::Kind::probability) json["probability"] = t.weight.value;
   if (t.weight.kind == Weight::Kind::rate) json["rate"] = t.weight.value;
+  if (t.restart) json["restart"] = true;
   json["branch"] = t.branch;
   json["origin"] = to_json(t.origin);
   return json;
 }
 
 Transition transition_from_json(const Node& node, const Component& component, const Variables& variables) {
-  node.only({"from", "to", "guard", "timing", "probability", "rate", "branch", "origin"});
+  node.only({"from", "to", "guard", "timing", "probability", "rate", "restart", "branch", "origin"});
   const auto mode = [&](const char* key) {
     const std::string name = node.at(key).text();
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
@@ -125,6 +126,10 @@ Transition transition_from_json(const Node& node, const Component& component, co
   if (node.has("probability") && node.has("rate")) node.fail("a probability or a rate, not both");
   if (node.has("probability")) t.weight = {Weight::Kind::probability, node.at("probability").probability()};
   if (node.has("rate")) t.weight = {Weight::Kind::rate, node.at("rate").number()};
+  if (node.has("restart")) t.restart = node.at("restart").truth();
+  if (t.restart && (t.from != t.to || t.timing || t.weight.kind == Weight::Kind::rate)) {
+    node.at("restart").fail("a restart from a mode to itself, without timing and rate");
+  }
   if (t.weight.value < 0) node.at("rate").fail("a rate of at least 0");
   if (component.is_fault(t) && t.weight.kind == Weight::Kind::none) node.fail("a probability or a rate: it is a fault");
   if (!component.is_fault(t) && t.weight.kind == Weight::Kind::rate) node.at("rate").fail("a rate on faults only");

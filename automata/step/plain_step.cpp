@@ -14,6 +14,18 @@ std::vector<Enabled> PlainStep::enabled(const Modes& modes, const ControlAction&
   return all;
 }
 
+std::vector<bool> PlainStep::restarted(const Modes& modes, const ControlAction& action) {
+  std::vector<bool> result(modes.size(), false);
+  if (!has_restarts_) return result;
+  const std::vector<Enabled> all = enabled(modes, action);
+  for (std::size_t c = 0; c < modes.size(); ++c) result[c] = restarts(plant().components[c], all[c]);
+  return result;
+}
+
+SystemState PlainStep::advance(const SystemState& state, const ControlAction& action, const Modes& next, Ticks now) {
+  return automata::advance(state, restarted(state.modes, action), next, now);
+}
+
 std::vector<std::vector<Move>> PlainStep::moves(const SystemState& state, const ControlAction& action, Ticks before,
                                                 Ticks now) {
   const std::vector<Enabled> allowed = enabled(state.modes, action);

@@ -44,6 +44,7 @@ std::size_t PlantStep::StateActionHash::operator()(const StateAction& key) const
 PlantStep::PlantStep(const Plant& plant)
     : store_(plant),
       sets_(std::make_shared<EnabledSets>(plant)),
+      has_restarts_(automata::has_restarts(plant)),
       enabled_(plant.components.size(), plant.controls.size()),
       wholes_(states_remembered(plant)) {
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
@@ -174,6 +175,18 @@ bool PlantStep::leads(const SystemState& state, const ControlAction& action, Tic
     if (std::none_of(all.begin(), all.end(), [&](const Move& m) { return m.mode == next[c]; })) return false;
   }
   return true;
+}
+
+const std::vector<bool>& PlantStep::restarted(const Modes& modes, const ControlAction& action) {
+  restarted_.assign(modes.size(), false);
+  if (!has_restarts_) return restarted_;
+  const AllEnabled& all = enabled(modes, action);
+  for (std::size_t c = 0; c < modes.size(); ++c) restarted_[c] = restarts(plant().components[c], all[c]);
+  return restarted_;
+}
+
+SystemState PlantStep::advance(const SystemState& state, const ControlAction& action, const Modes& next, Ticks now) {
+  return automata::advance(state, restarted(state.modes, action), next, now);
 }
 
 std::vector<std::vector<Move>> PlantStep::initial_moves() const {

@@ -95,10 +95,10 @@ class PlantStep {
   /// Whether a step can lead from `state` to exactly `next`, however improbable, before the consistency of `next` is
   /// looked at.
   bool leads(const SystemState& state, const ControlAction& action, Ticks before, Ticks now, const Modes& next);
-  /// The system state after moving to `next` at `now` (`automata::advance`).
-  [[nodiscard]] static SystemState advance(const SystemState& state, const Modes& next, Ticks now) {
-    return automata::advance(state, next, now);
-  }
+  /// The system state after moving to `next` at `now` under the action (`automata::advance`).
+  SystemState advance(const SystemState& state, const ControlAction& action, const Modes& next, Ticks now);
+  /// Per component, whether a restart starts its clock anew in the step from there. Lasts until the next call.
+  const std::vector<bool>& restarted(const Modes& modes, const ControlAction& action);
   /// Per component, the initial moves: modes with positive initial probability.
   [[nodiscard]] std::vector<std::vector<Move>> initial_moves() const;
 
@@ -124,6 +124,8 @@ class PlantStep {
   std::vector<std::vector<Support>> supports_;         ///< per component, per mode
   std::vector<std::vector<std::vector<Exit>>> exits_;  ///< per component, per mode: what can be taken out of it
   std::shared_ptr<EnabledSets> sets_;
+  bool has_restarts_;
+  std::vector<bool> restarted_;              ///< the last answer of `restarted`
   StandingAnswers<const Enabled*> enabled_;  ///< by component, in a consistent store
   std::vector<std::uint64_t> found_;         ///< a set of exits, kept for its memory
 

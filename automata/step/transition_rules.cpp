@@ -155,6 +155,18 @@ std::vector<Move> moves_of(const Component& component, ModeId mode, const Enable
   return result.take();
 }
 
+bool restarts(const Component& component, const Enabled& enabled) {
+  return std::any_of(enabled.untimed.begin(), enabled.untimed.end(),
+                     [&](TransitionId id) { return component.transitions[id.index()].restart; });
+}
+
+bool has_restarts(const Plant& plant) {
+  return std::any_of(plant.components.begin(), plant.components.end(), [](const Component& component) {
+    return std::any_of(component.transitions.begin(), component.transitions.end(),
+                       [](const Transition& t) { return t.restart; });
+  });
+}
+
 std::vector<Move> initial_moves_of(const Component& component) {
   std::vector<Move> moves;
   for (std::size_t m = 0; m < component.initial.size(); ++m) {
@@ -170,10 +182,10 @@ bool lead(const std::vector<std::vector<Move>>& moves, const Modes& next) {
   return true;
 }
 
-SystemState advance(const SystemState& state, const Modes& next, Ticks now) {
+SystemState advance(const SystemState& state, const std::vector<bool>& restarted, const Modes& next, Ticks now) {
   SystemState result{next, state.clock_starts};
   for (std::size_t c = 0; c < next.size(); ++c) {
-    if (next[c] != state.modes[c]) result.clock_starts[c] = now;
+    if (next[c] != state.modes[c] || restarted[c]) result.clock_starts[c] = now;
   }
   return result;
 }

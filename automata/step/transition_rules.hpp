@@ -54,6 +54,12 @@ bool clock_matters(const Component& component, const Enabled& enabled);
 /// nothing else has.
 std::vector<Move> moves_of(const Component& component, ModeId mode, const Enabled& enabled, Ticks clock, Ticks step);
 
+/// Whether an enabled restart starts the clock of the component anew. It does so in every step, be it one that ends in
+/// the same mode: an untimed transition takes all that faults leave, so that nothing just stays. Hence the modes and
+/// the command before a step tell which clocks start anew, together with the modes after it; an outcome need not.
+bool restarts(const Component& component, const Enabled& enabled);
+bool has_restarts(const Plant& plant);
+
 /// The modes with a positive initial probability.
 std::vector<Move> initial_moves_of(const Component& component);
 
@@ -61,7 +67,8 @@ std::vector<Move> initial_moves_of(const Component& component);
 /// also where the product of the probabilities is too small for a double.
 bool lead(const std::vector<std::vector<Move>>& moves, const Modes& next);
 
-/// The system state after moving to `next` at `now`: a clock restarts when its mode changes.
-SystemState advance(const SystemState& state, const Modes& next, Ticks now);
+/// The system state after moving to `next` at `now`: a clock starts anew when its mode changes, and where a restart is
+/// enabled in it (`restarted`, by component).
+SystemState advance(const SystemState& state, const std::vector<bool>& restarted, const Modes& next, Ticks now);
 
 }  // namespace rmpl::automata

@@ -142,6 +142,7 @@ std::vector<Bundle> ComponentDiagram::bundles() const {
 std::string ComponentDiagram::label(const Transition& transition) const {
   std::vector<std::string> texts;
   if (!transition.guard.is_true()) texts = style::wrapped(to_text(transition.guard, variables_), guard_width);
+  if (transition.restart) texts.insert(texts.begin(), "restart");
   if (transition.timing) texts.push_back(to_text(*transition.timing));
   if (transition.weight.kind != automata::Weight::Kind::none) texts.push_back(to_text(transition.weight));
   return style::lines(texts, Align::left);

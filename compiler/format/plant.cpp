@@ -55,6 +55,7 @@ class TransitionWriter {
       write_branched();
     } else {
       document_.take_to(text_.branches.front().target.span.end);
+      if (text_.restart) document_.take();
       if (!is_list() && document_.next() != ";") document_.stop();
       write_conditions();
       if (document_.next() != ";") document_.line();

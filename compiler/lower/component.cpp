@@ -175,7 +175,7 @@ void ComponentLowering::add_transition(const grammar::TransitionText& text, cons
     sources_of(text, ModeId(component().modes.size()));  // for the errors in the sources
     return;
   }
-  const bool fault = component().modes[target->index()].fault;
+  const bool fault = component().modes[target->index()].fault && !text.restart;
   if (fault && !branch.weight) {
     auto& error = diagnostics_.error(
         Code::fault_without_probability, branch.target.span,
@@ -185,7 +185,12 @@ void ComponentLowering::add_transition(const grammar::TransitionText& text, cons
   }
   const bool repair = !fault && branch.weight && std::holds_alternative<grammar::RateWeight>(*branch.weight);
   const std::vector<ModeId> sources = sources_of(text, *target);
-  if (repair) repair_with_rate(text, branch, *target, sources, common);
+  if (text.restart) {
+    if (!may_restart(text, branch, *target, sources)) return;
+    common.restart = true;
+  } else if (repair) {
+    repair_with_rate(text, branch, *target, sources, common);
+  }
   common.to = *target;
   for (const ModeId source : sources) {
     if (!make_room(part_, 1, branch.span, diagnostics_)) return;
@@ -195,6 +200,36 @@ void ComponentLowering::add_transition(const grammar::TransitionText& text, cons
     component().transitions.push_back(std::move(transition));
     transition_spans_.push_back(branch.span);
   }
+}
+
+/// A restart leads from a mode to that mode, and takes no time: where it is enabled, nothing just stays.
+bool ComponentLowering::may_restart(const grammar::TransitionText& text, const grammar::Branch& branch, ModeId target,
+                                    const std::vector<ModeId>& sources) {
+  const std::string name = backquoted(branch.target.text);
+  const auto* named = std::get_if<grammar::NamedSources>(&text.sources.node);
+  if (named == nullptr || sources != std::vector{target}) {
+    // A source without a mode of that name has been reported.
+    if (named != nullptr && sources.empty()) return false;
+    auto& error =
+        diagnostics_.error(Code::restart_not_allowed, named != nullptr ? named->modes.front().span : text.sources.span,
+                           "a restart of " + name + " leads from " + name + " to itself, and from nowhere else");
+    error.suggestion = "write `" + branch.target.text + " -> " + branch.target.text +
+                       " restart when …`; a mode that is entered from another one starts its clock anyway";
+    return false;
+  }
+  if (text.timing) {
+    auto& error = diagnostics_.error(Code::restart_not_allowed, text.timing->span,
+                                     "a restart of " + name + " with time bounds: a guard alone decides on it");
+    error.suggestion = "to go round as time passes takes two modes";
+    return false;
+  }
+  if (branch.weight && std::holds_alternative<grammar::RateWeight>(*branch.weight)) {
+    auto& error = diagnostics_.error(Code::restart_not_allowed, std::get<grammar::RateWeight>(*branch.weight).rate.span,
+                                     "a restart of " + name + " with a rate: a guard alone decides on it");
+    error.suggestion = "leave out the rate";
+    return false;
+  }
+  return true;
 }
 
 /// A repair at a rate takes an exponential time: what it leaves over is no chance of a step.
@@ -236,8 +271,8 @@ void ComponentLowering::report_twin(const Transition& transition, grammar::Span 
     const bool never = known.weight.value == 0 || transition.weight.value == 0;
     const bool weighed = known.weight.kind != Weight::Kind::none && transition.weight.kind != Weight::Kind::none;
     const bool two_things = weighed && (never || known.weight.kind != transition.weight.kind);
-    return !two_things && known.branch != transition.branch && known.guard == transition.guard &&
-           bounds(known) == bounds(transition);
+    return !two_things && known.restart == transition.restart && known.branch != transition.branch &&
+           known.guard == transition.guard && bounds(known) == bounds(transition);
   };
   const auto twin = std::find_if(same_way.begin(), same_way.end(), is_twin);
   if (twin != same_way.end() && twins_.emplace(transition_spans_[*twin], span).second) {

@@ -37,6 +37,8 @@ class ComponentLowering {
                       automata::Transition common);
   /// Warns where the transition stands there already: same ends, guard and bounds. Looks at the first few of the same
   /// ends only, so that a large model does not cost its square.
+  bool may_restart(const grammar::TransitionText& text, const grammar::Branch& branch, automata::ModeId target,
+                   const std::vector<automata::ModeId>& sources);
   void repair_with_rate(const grammar::TransitionText& text, const grammar::Branch& branch, automata::ModeId target,
                         const std::vector<automata::ModeId>& sources, automata::Transition& common);
   void report_twin(const automata::Transition& transition, grammar::Span span);

@@ -101,12 +101,14 @@ struct Branch {
   std::optional<WeightText> weight;
 };
 
-/// `sources -> target when g in [l, u] with p;`, or `sources -> { a with p, b with q } when g in [l, u];`.
+/// `sources -> target when g in [l, u] with p;`, `a -> a restart when g;`, or `sources -> { a with p, b with q } when g
+/// in [l, u];`.
 struct TransitionText {
   Span span;
   TransitionSources sources;
   std::vector<Branch> branches;  ///< one, or where `braced` those in the braces, each with a probability
   bool braced = false;
+  bool restart = false;
   std::optional<Constraint> guard;
   std::optional<TimingText> timing;
 };

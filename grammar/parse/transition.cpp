@@ -76,8 +76,9 @@ const auto branches = set<&TransitionText::braced, true>[open_brace] >
 const auto branched = (&(Keyword("when") | Keyword("in") | Keyword("after") >> number) >> -guard >> -timed >
                        named("`{` and the branches", branches)) |
                       (branches >> -guard >> -timed);
-const auto plain =
-    append<&TransitionText::branches>[target] >> -guard >> -timed >> -last_of<&TransitionText::branches>[weight];
+const auto plain = append<&TransitionText::branches>[target] >>
+                   -set<&TransitionText::restart, true>[Keyword("restart")] >> -guard >> -timed >>
+                   -last_of<&TransitionText::branches>[weight];
 
 const auto transition_def = record[field<&TransitionText::sources>[sources] >> ArrowBehindSources {
 } > named("a mode or branches in braces", branched | plain) > named("`when`, `in`, `after`, `with` or `;`", semicolon)];

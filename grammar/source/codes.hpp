@@ -54,6 +54,7 @@ enum class Code : std::uint16_t {
   no_default = 215,
   negative_rate = 217,
   branch_distribution = 218,
+  restart_not_allowed = 219,
   // Control programs.
   clock_never_started = 300,
   clock_not_allowed = 301,

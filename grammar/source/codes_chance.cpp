@@ -216,6 +216,39 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })"},
+    CodeInfo{Code::restart_not_allowed, "restart not allowed",
+             "`a -> a restart when …` starts the clock of a mode anew while the component stays in it. It leads from a "
+             "mode to itself, and has no time bounds and no rate: in a step in which its guard holds, the clock starts "
+             "anew.",
+             R"(component Watchdog {
+  input  ping  : { no, yes };
+  output alive : { no, yes };
+  initial running;
+  mode running   { alive = yes };
+  mode timed-out { alive = no };
+  any     -> running restart when ping = yes;
+  running -> timed-out after 10 s;
+}
+plant Monitor {
+  dog : Watchdog;
+  control dog.ping default no;
+  observe dog.alive;
+})",
+             R"(component Watchdog {
+  input  ping  : { no, yes };
+  output alive : { no, yes };
+  initial running;
+  mode running   { alive = yes };
+  mode timed-out { alive = no };
+  running   -> running restart when ping = yes;
+  timed-out -> running when ping = yes;
+  running   -> timed-out after 10 s;
+}
+plant Monitor {
+  dog : Watchdog;
+  control dog.ping default no;
+  observe dog.alive;
+})"},
     CodeInfo{Code::negative_rate, "negative rate", "A rate is at least 0 per unit of time.", R"(component Engine {
   input cmd : { none, fire };
   initial off;

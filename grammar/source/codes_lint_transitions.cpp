@@ -43,8 +43,8 @@ plant Door {
     CodeInfo{Code::idle_transition, "transition that changes nothing",
              "A nominal transition leads to the mode that it leaves, and is never enabled together with one that leads "
              "elsewhere. Such a step is staying: the clock of the mode goes on, so the transition has no effect. "
-             "Beside others it would take its share of the probability, or preempt timed transitions. To restart a "
-             "clock, enter a mode of its own. In a mode without time bounds the finding is a note.",
+             "Beside others it would take its share of the probability, or preempt timed transitions. A `restart` has "
+             "an effect where time bounds an exit of its mode. In a mode without time bounds the finding is a note.",
              R"(component Valve {
   input  cmd      : { none, open, keep };
   output position : { shut, between, wide };
@@ -156,9 +156,8 @@ plant Feed {
 })"},
     CodeInfo{Code::timer_goes_on, "self-transition that restarts no clock",
              "The clock of a component counts from when its mode was entered. A transition from a mode to itself is no "
-             "entry: the time bounds of the other exits count on. To restart a watchdog, let each command lead to a "
-             "twin mode with the same constraint and the same exits, and back. Then each step with the command "
-             "restarts the clock. A mode between that is left at once would lose commands.",
+             "entry: the time bounds of the other exits count on. With `restart` it starts the clock anew, as a "
+             "command does that kicks a watchdog.",
              R"(component Watchdog {
   input  ping  : { no, yes };
   output alive : { no, yes };
@@ -177,12 +176,10 @@ plant Monitor {
   input  ping  : { no, yes };
   output alive : { no, yes };
   initial running;
-  mode running       { alive = yes }; // lint: allow RMPL0543 because its twin is the same, with a clock of its own
-  mode running-again { alive = yes };
-  mode timed-out     { alive = no };
-  running       -> running-again when ping = yes;
-  running-again -> running       when ping = yes;
-  running, running-again -> timed-out after 10 s;
+  mode running   { alive = yes };
+  mode timed-out { alive = no };
+  running -> running restart when ping = yes;
+  running -> timed-out after 10 s;
 }
 plant Monitor {
   dog : Watchdog;

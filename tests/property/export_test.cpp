@@ -46,10 +46,12 @@ class NetworkExplorer {
       const State state = waiting_.back();
       waiting_.pop_back();
       wait(state);
+      const std::optional<State> awake = woken(state);
+      if (!awake) continue;
       verifier::for_each_action(plant_, network_.commands, [&](const automata::ControlAction& action) {
         automata::Modes next;
-        std::vector<Units> clocks = state.clocks;
-        step(state, action, next, clocks, state.faults);
+        std::vector<Units> clocks = awake->clocks;
+        step(*awake, action, next, clocks, awake->faults);
       });
     }
     return reached_;
@@ -74,7 +76,7 @@ class NetworkExplorer {
       result.steps.push_back({within(step.from, step.where), step.clock, step.to, step.fault, step.restarts});
     }
     for (const verifier::ProcessRest& rest : process.rests) {
-      result.rests.push_back({within(rest.mode, rest.where), rest.clock, rest.urgent});
+      result.rests.push_back({within(rest.mode, rest.where), rest.clock, rest.urgent, rest.restarts});
     }
     return result;
   }
@@ -100,9 +102,24 @@ class NetworkExplorer {
       state.clocks[c] = std::min(state.clocks[c] + 1, greatest_ + 1);
       if (processes_[c].rests.empty()) continue;
       const auto& rest = processes_[c].rests[static_cast<std::size_t>(state.rests[c])];
-      if (state.clocks[c] > rest.clock.upper) return;
+      if (rest.restarts) {
+        state.clocks[c] = 1;  // however long
+      } else if (state.clocks[c] > rest.clock.upper) {
+        return;
+      }
     }
     add(std::move(state));
+  }
+
+  /// As a round begins; none where a clock that restarts has not waited for a unit.
+  std::optional<State> woken(State state) const {
+    for (std::size_t c = 0; c < state.modes.size(); ++c) {
+      if (state.rests[c] < 0 || processes_[c].rests.empty()) continue;
+      if (!processes_[c].rests[static_cast<std::size_t>(state.rests[c])].restarts) continue;
+      if (state.clocks[c] < 1) return std::nullopt;
+      state.clocks[c] = 0;
+    }
+    return state;
   }
 
   void step(const State& from, const automata::ControlAction& action, automata::Modes& next, std::vector<Units>& clocks,
@@ -140,7 +157,11 @@ class NetworkExplorer {
     if (rests.empty()) go_on(0);
     for (std::size_t r = 0; r < rests.size(); ++r) {
       if (!holds(rests[r].where, state.modes)) continue;
-      if (rests[r].clock.contains(state.clocks[c])) go_on(rests[r].urgent ? -1 : static_cast<int>(r));
+      if (!rests[r].clock.contains(state.clocks[c])) continue;
+      const Units clock = state.clocks[c];
+      if (rests[r].restarts) state.clocks[c] = 0;
+      go_on(rests[r].urgent ? -1 : static_cast<int>(r));
+      state.clocks[c] = clock;
     }
   }
 

@@ -132,7 +132,27 @@ class PlantDraw {
       const std::size_t exits = chance(80) ? up_to(1, 3) : 0;
       double fault_left = 1;
       for (std::size_t i = 0; i < exits; ++i) add_exit(component, own, ModeId(from), fault_left);
+      add_restart(component, own, ModeId(from));
     }
+  }
+
+  /// Where the mode has an exit that takes time: its clock may start anew.
+  void add_restart(Component& component, const std::vector<VariableId>& own, ModeId mode) {
+    const bool timed = std::any_of(component.transitions.begin(), component.transitions.end(),
+                                   [&](const Transition& t) { return t.from == mode && t.timing; });
+    if (!timed || own.empty() || !chance(shape_.restarts)) return;
+    Transition t;
+    t.from = t.to = mode;
+    t.restart = true;
+    t.branch = branch_++;
+    t.guard = draw_formula(plant_.variables, own, chance(30) ? 1 : 0);
+    if (is_control(own.front()) && (shape_.commanded || chance(70))) {
+      const std::size_t values = plant_.variables[own.front()].values.size();
+      t.guard = automata::is(own.front(), ValueId(up_to(1, values - 1)));
+    } else if (shape_.tangled && chance(40)) {
+      t.guard = draw_formula(plant_.variables, mode_variables(), 0);
+    }
+    component.transitions.push_back(t);
   }
 
   void add_exit(Component& component, const std::vector<VariableId>& own, ModeId from, double& fault_left) {

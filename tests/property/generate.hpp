@@ -39,8 +39,9 @@ struct Shape {
   bool open =
       false;  ///< nearly all that there is, is observed, and constraints leave room: readings are often unimplied
   bool rewards = false;
-  bool commanded = false;  ///< every untimed nominal transition needs its component's command
-  bool tangled = false;    ///< guards look at other components, and modes exclude each other: dead ends, late guards
+  bool commanded = false;     ///< every untimed nominal transition needs its component's command
+  bool tangled = false;       ///< guards look at other components, and modes exclude each other: dead ends, late guards
+  std::size_t restarts = 25;  ///< percent of the modes with a timed exit whose clock may start anew
 };
 
 /// A plant, printed as its JSON, which the programs read.

@@ -46,7 +46,7 @@ class LogDraw {
         if (distribution[mode] > 0) possible.emplace_back(mode);
       next.push_back(pick(possible));
     }
-    if (step_.possible(next)) state_ = reference::Step::advance(state_, next, now_);
+    if (step_.possible(next)) state_ = step_.advance(state_, action, next, now_);
   }
 
   automata::Observation seen() {

@@ -47,7 +47,7 @@ void for_each_trajectory(const Step& step, const Belief& belief, const automata:
     });
     const double mass = scaled ? weight / possible : weight;
     for_each_choice(distributions, [&, &source = state](const Modes& modes, double probability) {
-      if (step.possible(modes)) visit(Step::advance(source, modes, now), mass * probability);
+      if (step.possible(modes)) visit(step.advance(source, action, modes, now), mass * probability);
     });
   }
 }
@@ -166,7 +166,7 @@ Ranks ranked(const Step& step, const Ranks& ranks, const automata::ControlAction
     }
     for_each_ranked(distributions, [&](const Modes& modes, std::uint64_t rank) {
       if (!step.possible(modes) || !step.explains(modes, observation)) return;
-      keep_least(result, Step::advance(state, modes, now), entry.second + rank);
+      keep_least(result, step.advance(state, action, modes, now), entry.second + rank);
     });
   }
   return result;

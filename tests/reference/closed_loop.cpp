@@ -218,7 +218,8 @@ class Explorer {
       for (std::size_t c = 0; c < tuple.size(); ++c) {
         const auto [mode, fault] = options[c][tuple[c]];
         lasts = std::min(lasts, moves_.lasts(state.modes, c, begun.advice.action, state.component_clocks[c], mode));
-        if (mode != state.modes[c]) next.component_clocks[c] = Ticks{0};
+        if (mode != state.modes[c] || step_.restarts(c, state.modes, begun.advice.action))
+          next.component_clocks[c] = Ticks{0};
         next.modes[c] = mode;
         next.faults += fault;
         allowed = allowed && (!fault || !question_.faults_allowed || question_.faults_allowed->contains({c, mode}));
@@ -278,7 +279,8 @@ class Explorer {
   void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action,
                 int lasts = 2) {
     std::vector<bool> moves;
-    for (std::size_t c = 0; c < state.modes.size(); ++c) moves.push_back(state.modes[c] != next.modes[c]);
+    for (std::size_t c = 0; c < state.modes.size(); ++c)
+      moves.push_back(state.modes[c] != next.modes[c] || step_.restarts(c, state.modes, action));
     edges_.push_back({from, arrive(next), time, state.faults == next.faults, std::move(moves),
                       &moves_.exits(state.modes, action), lasts});
   }
@@ -306,6 +308,7 @@ class Explorer {
     if (const auto round = idles(state)) {
       goes_on_ = true;
       State next = later(state);
+      for (const std::size_t c : round->anew) next.component_clocks[c] = Ticks{0};
       for (const ClockId clock : round->restarted) next.clocks[clock] = {Ticks{0}, after, next.clocks[clock].rank};
       if (!next.late || *next.late > question_.within || !has_come(next.modes))
         add_edge(from, state, next, true, round->action);
@@ -316,6 +319,7 @@ class Explorer {
   struct Round {
     ControlAction action;         ///< of the first of them
     std::set<ClockId> restarted;  ///< clocks that start anew each time
+    std::set<std::size_t> anew;   ///< components whose clocks do
   };
 
   /// Whether cycles go round for a unit of time.
@@ -327,7 +331,7 @@ class Explorer {
     std::optional<Round> result;
     while (met.insert(seen).second) {
       const Begun begun = begin(seen, seen);
-      if (!result) result = Round{begun.advice.action, {}};
+      if (!result) result = Round{begun.advice.action, {}, {}};
       for (std::size_t c = 0; c < plant_.components.size(); ++c) {
         bool stays = false, due = false;
         for (const Transition* t : moves_.enabled(seen.modes, c, begun.advice.action)) {
@@ -344,6 +348,11 @@ class Explorer {
         if (std::find(options.begin(), options.end(), std::pair(seen.modes[c], false)) == options.end())
           return std::nullopt;
       }
+      for (std::size_t c = 0; c < plant_.components.size(); ++c)
+        if (step_.restarts(c, seen.modes, begun.advice.action)) {
+          seen.component_clocks[c] = Ticks{0};
+          result->anew.insert(c);
+        }
       finish(seen, begun, false);
       for (const auto& [clock, c] : start.clocks)
         if (!seen.clocks.contains(clock)) result->restarted.insert(clock);
@@ -358,7 +367,8 @@ class Explorer {
     // Waiting: time alone goes by in one state, or, in dense time, while the marking goes round.
     for (const RunEdge& e : edges_) {
       const bool stays = e.to == e.from && e.time;
-      if (stays && is_shut(*e.exits) && round_is_shut(*states_[e.from])) answer_.waits_for_ever = true;
+      const bool shut = !question_.period || is_shut(*e.exits);
+      if (stays && shut && round_is_shut(*states_[e.from])) answer_.waits_for_ever = true;
     }
   }
 
@@ -379,12 +389,27 @@ class Explorer {
     State seen = state;
     for (auto& [clock, c] : seen.clocks) c.side = after;
     const State start = seen;
+    std::set<std::size_t> anew;
+    std::vector<ControlAction> actions;
     do {
       const Begun begun = begin(seen, seen);
-      if (!is_shut(moves_.exits(seen.modes, begun.advice.action))) return false;
+      actions.push_back(begun.advice.action);
+      for (std::size_t c = 0; c < plant_.components.size(); ++c)
+        if (step_.restarts(c, seen.modes, begun.advice.action)) anew.insert(c);
       finish(seen, begun, false);
     } while (seen != start);
-    return true;
+    return std::all_of(actions.begin(), actions.end(), [&](const ControlAction& action) {
+      const Exits& exits = moves_.exits(state.modes, action);
+      for (std::size_t c = 0; c < exits.open.size(); ++c) {
+        if (!anew.contains(c) && !exits.open[c].empty()) return false;
+        if (!anew.contains(c)) continue;
+        // Its clock reads 0 all the while.
+        const Ticks end = question_.period ? moves_.unit() : Ticks{0};
+        for (const auto& [mode, fault] : moves_.choices(state.modes, c, action, Ticks{0}, end))
+          if (!fault && exits.open[c].contains(mode)) return false;
+      }
+      return true;
+    });
   }
 
   Look look_;

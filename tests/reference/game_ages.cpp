@@ -109,7 +109,8 @@ std::optional<Turn> AgedArena::turn(Node node, GameStep::Action action) {
   Turn turn;
   turn.waits = true;
   for (std::size_t c = 0; c < from.first.size(); ++c)
-    turn.waits = turn.waits && !(*freedom)[c].leaves_at_once(from.first[c]);
+    turn.waits = turn.waits && !(*freedom)[c].leaves_at_once(from.first[c]) &&
+                 !((*freedom)[c].restarts && (from.second[c].least != 0 || from.second[c].most != 0));
 
   struct Choice {
     ModeId to;
@@ -164,7 +165,7 @@ std::optional<Turn> AgedArena::turn(Node node, GameStep::Action action) {
                                            dues[c] - from.second[c].charged));
     for (std::size_t c = 0; c < tuple.size(); ++c) {
       Age& age = next.second[c];
-      if (next.first[c] != from.first[c])
+      if (next.first[c] != from.first[c] || (*freedom)[c].restarts)
         age = {};
       else
         age = {age.least + cycles.first, std::min(sum(age.most, cycles.last), dues[c] - shortest),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "automata/clock_use.hpp"
 #include "automata/store/model.hpp"
 #include "tests/reference/goals.hpp"
 
@@ -75,6 +76,7 @@ std::optional<std::vector<Freedom>> GameStep::find_freedom(const Modes& modes, A
     for (const Transition& t : component.transitions) {
       if (t.from != modes[c] || component.is_fault(t) || !reference::can_be_taken(t)) continue;
       if (!theory_.entails(store, theory_.encode(t.guard))) continue;
+      freedom.restarts = freedom.restarts || (t.restart && automata::needs_clock(component, modes[c]));
       if (!t.timing)
         freedom.at_once.push_back(t.to);
       else if (t.to == t.from)

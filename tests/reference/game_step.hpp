@@ -19,6 +19,7 @@ struct Freedom {
   std::vector<automata::ModeId> at_once;           ///< targets of enabled untimed exits, ascending, each once
   std::vector<const automata::Transition*> timed;  ///< enabled exits with bounds, which lead elsewhere
   bool dawdles = false;                            ///< one that leads nowhere competes, so that none of them is due
+  bool restarts = false;                           ///< a restart starts its clock, which matters, anew
   bool operator==(const Freedom&) const = default;
 
   [[nodiscard]] bool leaves_at_once(automata::ModeId from) const {

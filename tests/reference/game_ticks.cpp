@@ -46,7 +46,7 @@ std::optional<Turn> TickArena::turn(Node node, GameStep::Action action) {
     Result result{};
     for (std::size_t c = 0; c < tuple.size(); ++c) {
       const auto& [to, timed] = options[c][tuple[c]];
-      next.second[c] = to == from.first[c] ? next.second[c] + 1 : 0;
+      next.second[c] = to == from.first[c] && !(*freedom)[c].restarts ? next.second[c] + 1 : 0;
       next.first[c] = to;
       if (timed != nullptr) result.chosen.emplace_back(c, timed->branch);
     }

@@ -190,7 +190,7 @@ class Iteration {
       std::vector<std::int64_t> older;
       for (std::size_t c = 0; c < next.size(); ++c) {
         weight *= distributions[c][next[c].index()];
-        older.push_back(next[c] == modes[c] ? ages[c] + 1 : 0);
+        older.push_back(next[c] == modes[c] && !step_.restarts(c, modes, action) ? ages[c] + 1 : 0);
       }
       const Probabilities own = from(next, older, steps - 1);
       all += weight;

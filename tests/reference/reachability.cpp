@@ -139,7 +139,8 @@ class Search {
       successors(state, [&](const State& target) {
         const State next = enter(target);
         std::vector<bool> changes;
-        for (std::size_t c = 0; c < state.modes.size(); ++c) changes.push_back(state.modes[c] != next.modes[c]);
+        for (std::size_t c = 0; c < state.modes.size(); ++c)
+          changes.push_back(state.modes[c] != next.modes[c] || step_.restarts(c, state.modes, action_));
         // A command of an instant keeps nothing from staying enabled.
         const Exits* exits = moves == nullptr || !takes_time_ ? nullptr : &moves->exits(state.modes, action_);
         result.edges.push_back(
@@ -163,7 +164,8 @@ class Search {
   /// What a component may do under an action; empty where it can do nothing at all.
   virtual std::vector<Choice> choices(const State& state, std::size_t component, const ControlAction& action) = 0;
 
-  /// Every joint choice within the fault budget whose target is possible; clocks as they are, restarted on a change.
+  /// Every joint choice within the fault budget whose target is possible; clocks as they are, started anew on a change,
+  /// and by a restart.
   void moves(const State& state, const ControlAction& action, const Visit& visit) {
     std::vector<std::vector<Choice>> options;
     std::vector<std::size_t> sizes;
@@ -177,7 +179,7 @@ class Search {
       for (std::size_t i = 0; i < tuple.size(); ++i) {
         const Choice& choice = options[i][tuple[i]];
         lasts_ = std::min(lasts_, choice.lasts);
-        if (choice.mode != state.modes[i]) next.clocks[i] = Ticks{0};
+        if (choice.mode != state.modes[i] || step_.restarts(i, state.modes, action)) next.clocks[i] = Ticks{0};
         next.modes[i] = choice.mode;
         next.faults += choice.faults;
       }
@@ -266,12 +268,17 @@ class Dense : public Search {
     takes_time_ = true;
     action_ = idle();
     lasts_ = 2;
-    if (time_may_pass(state)) visit(later(state, unit_));
+    if (time_may_pass(state)) {
+      State next = later(state, unit_);
+      for (std::size_t i = 0; i < next.clocks.size(); ++i)
+        if (step_.restarts(i, state.modes, action_)) next.clocks[i] = Ticks{0};
+      visit(next);
+    }
     takes_time_ = false;
     for (const ControlAction& action : actions_) {
       action_ = action;
       moves(state, action, [&](const State& next) {
-        if (next.modes != state.modes) visit(next);
+        if (next.modes != state.modes || next.clocks != state.clocks) visit(next);
       });
     }
   }

@@ -160,10 +160,18 @@ bool Step::explains(const automata::Modes& modes, const automata::Observation& o
   return models_.consistent(assumptions);
 }
 
-automata::SystemState Step::advance(const automata::SystemState& state, const automata::Modes& next, Ticks now) {
+bool Step::restarts(std::size_t component, const automata::Modes& modes, const automata::ControlAction& action) const {
+  const auto& transitions = plant_.components[component].transitions;
+  return std::any_of(transitions.begin(), transitions.end(), [&](const Transition& t) {
+    return t.restart && t.from == modes[component] && weight_of(t) > 0 && enabled(t, modes, action);
+  });
+}
+
+automata::SystemState Step::advance(const automata::SystemState& state, const automata::ControlAction& action,
+                                    const automata::Modes& next, Ticks now) const {
   automata::SystemState result = {next, state.clock_starts};
   for (std::size_t i = 0; i < next.size(); ++i)
-    if (next[i] != state.modes[i]) result.clock_starts[i] = now;
+    if (next[i] != state.modes[i] || restarts(i, state.modes, action)) result.clock_starts[i] = now;
   return result;
 }
 

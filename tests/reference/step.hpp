@@ -34,9 +34,12 @@ class Step {
   [[nodiscard]] double observation_factor(const automata::Modes& modes, const automata::Observation& observation) const;
   [[nodiscard]] bool explains(const automata::Modes& modes, const automata::Observation& observation) const;
 
-  /// The state after `next` was entered at `now`: a clock restarts when its mode changes.
-  [[nodiscard]] static automata::SystemState advance(const automata::SystemState& state, const automata::Modes& next,
-                                                     automata::Ticks now);
+  /// Whether a restart starts the clock of a component anew.
+  [[nodiscard]] bool restarts(std::size_t component, const automata::Modes& modes,
+                              const automata::ControlAction& action) const;
+  /// The state after `next` was entered at `now`: a clock starts anew when its mode changes, or by a restart.
+  [[nodiscard]] automata::SystemState advance(const automata::SystemState& state, const automata::ControlAction& action,
+                                              const automata::Modes& next, automata::Ticks now) const;
 
  private:
   const automata::Plant& plant_;

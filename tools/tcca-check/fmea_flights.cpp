@@ -87,7 +87,7 @@ class Watch final : public runtime::CycleObserver {
     if (record.cycle == 0) {
       before_ = {*record.truth, std::vector<Ticks>(record.truth->size())};
     } else {
-      before_ = automata::PlantStep::advance(before_, *record.truth, record.time);
+      before_ = step_.advance(before_, record.command, *record.truth, record.time);
     }
     from_ = record.time;
   }

@@ -85,11 +85,14 @@ Witness Evidence::stopped(std::vector<PathState> path, const SymbolicState& acce
 /// Names what contradicts each other in what a step would lead to.
 void Evidence::explain(Witness& witness) {
   const std::vector<Event>& events = witness.events;
+  automata::PlainStep& rules = judge().rules();
   automata::SystemState state{events.front().modes, std::vector<Ticks>(events.front().modes.size(), Ticks{0})};
   for (std::size_t e = 1; e + 1 < events.size(); ++e) {
-    state = automata::advance(state, events[e].modes, events[e].time);
+    const automata::Ticks begin = events[e].cycle->begin;
+    if (begin > events[e - 1].time) state = rules.advance(state, events[e].action, state.modes, begin);
+    state = rules.advance(state, events[e].action, events[e].modes, events[e].time);
   }
-  StepsAt steps(judge().rules(), state, events.back().time + options_.period.value_or(Ticks{0}), options_.period);
+  StepsAt steps(rules, state, events.back().time + options_.period.value_or(Ticks{0}), options_.period);
   steps.any(events.back().action, [](const Modes&) { return true; });
   witness.stop->refused = steps.refused();
   if (!steps.refused().empty()) witness.stop->conflict = conflict_of(step_.plant(), steps.refused());

@@ -193,6 +193,10 @@ Turn Loop::work_out(const LoopState& state, unsigned faults) {
   turn.left_out = std::move(pursued.left_out);
   turn.answer = std::move(pursued.answer);
   turn.action = turn.answer.action;
+  const std::vector<bool> restarted = step_.restarted(state.modes, turn.action);
+  for (const ComponentId c : live(state.modes)) {
+    if (restarted[c.index()]) turn.anew.push_back(c);
+  }
   std::vector<std::vector<Choice>> all;
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     all.push_back(choices_of(state, turn, ComponentId(c)));
@@ -306,7 +310,7 @@ std::vector<Interval> Loop::stays(const std::vector<Choice>& choices, ModeId mod
 }
 
 /// When components can leave their modes no more that could up to some reading, in any cycle of a round.
-Box Loop::settled_after(const std::vector<LoopStateId>& states) {
+Box Loop::settled_after(const std::vector<LoopStateId>& states, const std::vector<bool>& anew) {
   const Modes modes = states_[states.front().index()]->modes;
   std::map<ComponentId, Units> last;
   for (const LoopStateId at : states) {
@@ -315,7 +319,7 @@ Box Loop::settled_after(const std::vector<LoopStateId>& states) {
       if (outcome.faults > 0) continue;
       for (const ClockBound& bound : outcome.bounds) {
         const std::size_t c = bound.component.index();
-        if (outcome.state.modes[c] == modes[c] || bound.clock.upper == unbounded) continue;
+        if (outcome.state.modes[c] == modes[c] || bound.clock.upper == unbounded || anew[c]) continue;
         Units& known = last[bound.component];
         known = std::max(known, bound.clock.upper);
       }
@@ -326,6 +330,17 @@ Box Loop::settled_after(const std::vector<LoopStateId>& states) {
   return result;
 }
 
+/// Whether the component may leave its mode in the cycle, with its clock started anew just before.
+bool Loop::leaves_anew(const Turn& turn, const Modes& modes, std::size_t component) const {
+  const Units reading = time_.is_dense() ? 0 : 1;
+  return std::any_of(turn.outcomes.begin(), turn.outcomes.end(), [&](const Outcome& outcome) {
+    return outcome.faults == 0 && outcome.state.modes[component] != modes[component] &&
+           std::none_of(outcome.bounds.begin(), outcome.bounds.end(), [&](const ClockBound& b) {
+             return b.component == ComponentId(component) && !b.clock.contains(reading);
+           });
+  });
+}
+
 std::vector<Wait> Loop::waits(LoopStateId id) {
   const auto [states, restarted, restarted_passed] = round(id);
   if (states.empty()) return {};
@@ -333,6 +348,14 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
   std::vector<Wait> result(1);
   result.front().restarted = restarted;
   result.front().restarted_passed = restarted_passed;
+  std::vector<bool> anew(state.modes.size(), false);
+  for (const LoopStateId at : states) {
+    const std::shared_ptr<const Worked> worked = cycle(at);
+    for (const ComponentId c : worked->turn.anew) anew[c.index()] = true;
+  }
+  for (std::size_t c = 0; c < anew.size(); ++c) {
+    if (anew[c]) result.front().anew.emplace_back(c);
+  }
   bool restless = restarted.size() < state.groups.size();
   for (std::size_t c = 0; c < state.modes.size(); ++c) {
     std::vector<Interval> intervals(1);
@@ -350,8 +373,11 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
         }
       }
       intervals = std::move(both);
-      restless = restless || !turn.exits.open[c].empty();
+      restless = restless || (anew[c] ? leaves_anew(turn, state.modes, c) : !turn.exits.open[c].empty());
     }
+    // Time passes from the second round on with its clock at 0.
+    const auto stays_at_0 = [](const Interval& interval) { return interval.lower == 0 && interval.upper > 0; };
+    if (anew[c] && std::none_of(intervals.begin(), intervals.end(), stays_at_0)) return {};
     std::vector<Wait> longer;
     for (const Wait& wait : result) {
       for (const Interval& interval : intervals) {
@@ -361,11 +387,12 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
     }
     result = std::move(longer);
   }
-  const Box settled = settled_after(states);
+  const Box settled = settled_after(states, anew);
   for (Wait& wait : result) {
     wait.settled = settled;
-    wait.endless = !restless && std::all_of(wait.bounds.begin(), wait.bounds.end(),
-                                            [](const ClockBound& b) { return b.clock.upper == unbounded; });
+    wait.endless = !restless && std::all_of(wait.bounds.begin(), wait.bounds.end(), [&](const ClockBound& b) {
+      return b.clock.upper == unbounded || anew[b.component.index()];
+    });
   }
   return result;
 }

@@ -48,7 +48,7 @@ struct Outcome {
   std::vector<std::size_t> sources;  ///< per group of `state`: 1 + its position in the state before, or 0: starts now
   unsigned faults = 0;
   Box bounds;         ///< at the end of the cycle
-  bool same = false;  ///< nothing changes
+  bool same = false;  ///< nothing changes, but for clocks that start anew
 };
 
 /// A stretch of cycles in which nothing changes.
@@ -58,6 +58,9 @@ struct Wait {
   std::vector<std::size_t> restarted;
   /// Likewise of the clocks passed. It matters to nothing that follows; only what they read is another.
   std::vector<automata::ClockId> restarted_passed;
+  /// The components whose clocks restarts start anew in each round: they stay at 0, in sampled time as each cycle
+  /// begins. `bounds` are then readings as the wait begins, and it lasts a unit at least.
+  std::vector<automata::ComponentId> anew;
   bool endless = false;  ///< it may last for ever, and then nothing but a fault would ever end it; perhaps the program
                          ///< has ended
   /// Of an endless one: what clocks read from when on nothing but a fault would change anything. Until then a component
@@ -75,6 +78,7 @@ struct Turn {
   automata::ControlAction action;
   std::vector<Outcome> outcomes;  ///< those with fewer faults first
   std::vector<Wait> waits;
+  std::vector<automata::ComponentId> anew;  ///< whose clocks, of those that matter, restarts start anew in the cycle
   Exits exits;
   std::vector<ClockBound> faulty;  ///< where a fault of a component is certain, at the end of the cycle
 };
@@ -159,7 +163,8 @@ class Loop {
   /// a period.
   Round round(LoopStateId id);
   std::vector<Wait> waits(LoopStateId id);
-  Box settled_after(const std::vector<LoopStateId>& states);
+  Box settled_after(const std::vector<LoopStateId>& states, const std::vector<bool>& anew);
+  [[nodiscard]] bool leaves_anew(const Turn& turn, const automata::Modes& modes, std::size_t component) const;
   /// In dense time: where a wait may begin, and where it ends at the latest, as a fault that is certain begins there.
   [[nodiscard]] std::vector<Interval> stays(const std::vector<Choice>& choices, automata::ModeId mode) const;
   [[nodiscard]] std::vector<Choice> choices_of(const LoopState& state, const Turn& turn,

@@ -110,7 +110,12 @@ void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, std::uin
     if (clock) step.bounds.push_back({*clock, {begins, unbounded}});
     result.push_back(std::move(step));
   }
-  if (outcome.same) return;
+  const std::vector<automata::ComponentId>& anew = loop_.turn(state_of(from))->anew;
+  if (outcome.same) {
+    clocks_.add_restarts({from, move, *bounds, {}, false}, anew,
+                         [&](Instant&& one) { result.push_back(std::move(one)); });
+    return;
+  }
   Instant step{from, move, *bounds, {}, true};
   const LoopState& there = outcome.state;
   const bool stays = there.marking.empty() == here.marking.empty() && !ends_(there);
@@ -118,7 +123,7 @@ void LoopInstants::add_step(const Outcome& outcome, std::uint32_t move, std::uin
   if (node) {
     step.leads_on = false;
     step.target = *node;
-    step.restarts = clocks_.restarted(here.modes, there.modes);
+    step.restarts = clocks_.restarted(here.modes, there.modes, anew);
   }
   result.push_back(std::move(step));
 }

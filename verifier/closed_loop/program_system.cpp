@@ -113,10 +113,11 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
   const LoopStateId id = loop_state(state.discrete);
   const LoopState& from = loop_[id];
   const Outcome& outcome = turn.outcomes[move];
-  Arrival arrival{outcome.same ? std::optional(id) : std::nullopt,
+  const bool same = outcome.same && turn.anew.empty();
+  Arrival arrival{same ? std::optional(id) : std::nullopt,
                   faults_after(state, outcome),
                   state.discrete & (happened_bit | owed_bit),
-                  {move, no_wait, outcome.same}};
+                  {move, no_wait, same}};
   if (query_.filter.only && outcome.faults > 0) arrival.phase |= happened_bit;
   if (query_.aim == Query::Aim::undone) note_achieved(state, turn, outcome, arrival);
   // A program clock starts with the cycle, the clock of a component with its end.
@@ -134,7 +135,8 @@ void ProgramSystem::step(const SymbolicState& state, const Turn& turn, std::uint
   for (std::size_t clock = 1; clock <= extra(); ++clock) sources.push_back(clock);
   for (const std::size_t source : outcome.sources) sources.push_back(source == 0 ? old + 1 : extra() + source);
   for (const ComponentId component : loop_.live(outcome.state.modes)) {
-    const bool kept = from.modes[component.index()] == outcome.state.modes[component.index()];
+    const bool kept = from.modes[component.index()] == outcome.state.modes[component.index()] &&
+                      !std::binary_search(turn.anew.begin(), turn.anew.end(), component);
     sources.push_back(kept ? clock_of(component, from) : 0);
   }
   const auto go_on = [&](const Zone& at_end) {
@@ -235,14 +237,17 @@ bool ProgramSystem::wait(Zone& zone, const Wait& wait, LoopStateId id) const {
   for (const ClockBound& b : wait.bounds) {
     if (!zone.constrain(clock_of(b.component, state), b.clock)) return false;
   }
+  if (!wait.anew.empty()) zone.tick();
   zone.elapse();
   for (const ClockBound& b : wait.bounds) {
+    if (std::binary_search(wait.anew.begin(), wait.anew.end(), b.component)) continue;
     if (!zone.constrain(clock_of(b.component, state), {0, b.clock.upper})) return false;
   }
-  if (!wait.restarted.empty()) {
+  if (!wait.restarted.empty() || !wait.anew.empty()) {
     std::vector<std::size_t> sources(zone.clocks());
     std::iota(sources.begin(), sources.end(), std::size_t{1});
     for (const std::size_t g : wait.restarted) sources[extra() + g] = 0;
+    for (const ComponentId c : wait.anew) sources[clock_of(c, state) - 1] = 0;
     zone = zone.select(sources);
   }
   for (std::size_t g = 0; g < state.groups.size(); ++g) {

@@ -56,6 +56,8 @@ class LoopTimetable {
     for (std::size_t c = 0; c < restarted_.size(); ++c) {
       if (state(i).modes[c] != state(i - 1).modes[c]) restarted_[c] = end;
     }
+    const std::shared_ptr<const Turn> turn = loop_.turn(id(i - 1));
+    for (const automata::ComponentId c : turn->anew) restarted_[c.index()] = end;
     entered_.push_back(end);
     mark_started(i, begin);
     stay(i);
@@ -97,12 +99,18 @@ class LoopTimetable {
     if (path_[i].label.wait == ProgramSystem::no_wait) {
       schedule_.fix(entered_.back(), left, 0);
     } else {
-      schedule_.constrain(entered_.back(), left, {});
       const std::shared_ptr<const Turn> turn = loop_.turn(id(i));
-      for (const ClockBound& b : turn->waits[path_[i].label.wait].bounds) {
+      const Wait& wait = turn->waits[path_[i].label.wait];
+      schedule_.constrain(entered_.back(), left, {wait.anew.empty() ? 0 : 1, unbounded});
+      for (const ClockBound& b : wait.bounds) {
+        if (std::binary_search(wait.anew.begin(), wait.anew.end(), b.component)) {
+          schedule_.constrain(restarted(b), entered_.back(), b.clock);
+          continue;
+        }
         schedule_.constrain(restarted(b), entered_.back(), {b.clock.lower, unbounded});
         schedule_.constrain(restarted(b), left, {0, b.clock.upper});
       }
+      for (const automata::ComponentId c : wait.anew) restarted_[c.index()] = left;
     }
     left_.push_back(left);
     mark_restarted(i);
@@ -177,6 +185,10 @@ class LoopTimetable {
         event.time = loop_.time().ticks(times[entered_[i + 1]]);
         event.modes = state(i + 1).modes;
         event.cycle->next = state(i + 1).marking;
+        const std::shared_ptr<const Turn> turn = loop_.turn(id(i));
+        for (const automata::ComponentId c : turn->anew) {
+          if (state(i).modes[c.index()] == event.modes[c.index()]) event.restarted.push_back(c);
+        }
       }
       result.events.push_back(std::move(event));
     }

@@ -250,13 +250,20 @@ class Writer {
       locations.push_back(location("stops", false));
       edges.push_back(edge("stops", "acts", turn_is(c), {}));
     }
+    if (process.renews) {
+      locations.push_back(location("renews"));
+      Json wakes = turn_is(c);
+      conjoin(wakes, condition(clock(c), {1, unbounded}));
+      edges.push_back(edge("renews", "acts", std::move(wakes), Json::array({assignment(clock(c), 0)})));
+    }
     for (const RoundStep& step : process.steps) edges.push_back(edge_of(c, step));
     for (const RoundRest& one : process.rests) {
       Json guard = turn_is(rest);
       conjoin(guard, condition_of(one.where, after));
       conjoin(guard, condition(clock(c), one.clock));
-      const std::string place = one.urgent ? "stops" : one.clock.upper == unbounded ? "acts" : waits(one.clock.upper);
-      edges.push_back(edge("acts", place, std::move(guard), Json::array({assignment("turn", rest + 1)})));
+      Json effect = Json::array({assignment("turn", rest + 1)});
+      if (one.restarts) effect.push_back(assignment(clock(c), 0));
+      edges.push_back(edge("acts", place_of(one), std::move(guard), std::move(effect)));
     }
     return {{"name", "p" + std::to_string(c) + "_" + identifier(component.name)},
             {"locations", std::move(locations)},
@@ -264,6 +271,11 @@ class Writer {
             {"edges", std::move(edges)}};
   }
 
+  static std::string place_of(const RoundRest& rest) {
+    if (rest.urgent) return "stops";
+    if (rest.restarts) return "renews";
+    return rest.clock.upper == unbounded ? "acts" : waits(rest.clock.upper);
+  }
   /// The location where time passes up to a bound.
   static std::string waits(Units bound) { return "waits_" + std::to_string(bound); }
 

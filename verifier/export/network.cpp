@@ -312,24 +312,33 @@ class Building {
 
   void add_steps(ComponentProcess& process, ComponentId id, ModeId mode) const {
     const Guards& guards = guards_[id.index()][mode.index()];
-    std::map<Choice, Formula> all;
-    std::vector<std::pair<const Values*, std::vector<Choice>>> rows;
+    std::map<Taken, Formula> all;
+    std::vector<std::pair<const Values*, std::vector<Taken>>> rows;
     for (const auto& [values, enabled] : guards.rows) {
-      rows.emplace_back(&values, dull(choices(plant_[id], mode, enabled, network_.time)));
-      for (const Choice& choice : rows.back().second) all.emplace(choice, Formula{});
+      rows.emplace_back(&values, taken(id, mode, enabled));
+      for (const Taken& choice : rows.back().second) all.emplace(choice, Formula{});
     }
     for (auto& [choice, where] : all) {
-      if (choice.faults > question_.faults) continue;
+      if (choice.first.faults > question_.faults) continue;
       TruthTable table(guards.columns.variables);
       for (const auto& [values, of] : rows) table.add(*values, std::find(of.begin(), of.end(), choice) != of.end());
       where = both(consistent_, table.formula());
     }
-    for (const auto& [choice, where] : all) add_step(process, id, mode, choice, where);
+    for (const auto& [choice, where] : all) add_step(process, mode, choice, where);
     if (consistent_.empty()) return;
     const Formula contradicted = automata::negation(automata::conjunction(consistent_));
-    for (const Choice& choice : dull(choices(plant_[id], mode, everything(id, mode), network_.time))) {
-      add_step(process, id, mode, choice, contradicted);
+    for (const Taken& choice : taken(id, mode, everything(id, mode))) add_step(process, mode, choice, contradicted);
+  }
+
+  /// A choice, and whether the clock starts anew with it.
+  using Taken = std::pair<Choice, bool>;
+  [[nodiscard]] std::vector<Taken> taken(ComponentId id, ModeId mode, const Enabled& enabled) const {
+    std::vector<Taken> result;
+    for (const Choice& choice : dull(choices(plant_[id], mode, enabled, network_.time))) {
+      const bool anew = choice.mode != mode || automata::restarts(plant_[id], enabled);
+      result.emplace_back(choice, anew && plant_.has_timed_exit(id, choice.mode));
     }
+    return result;
   }
 
   /// Which ends of an interval are sharp is of no account for who has instants.
@@ -338,17 +347,19 @@ class Building {
     return choices;
   }
 
-  void add_step(ComponentProcess& process, ComponentId id, ModeId mode, const Choice& choice,
-                const Formula& where) const {
+  void add_step(ComponentProcess& process, ModeId mode, const Taken& taken, const Formula& where) const {
+    const auto& [choice, restarts] = taken;
     if (where == automata::constant(false) || choice.faults > question_.faults) return;
-    const bool restarts = choice.mode != mode && plant_.has_timed_exit(id, choice.mode);
     process.steps.push_back({mode, choice.mode, where, choice.clock, choice.faults > 0, restarts});
   }
 
   void add_rests(ComponentProcess& process, ComponentId id, ModeId mode) const {
     const Guards& guards = guards_[id.index()][mode.index()];
-    const auto waits_of = [&](const Enabled& enabled) { return waits(plant_[id], mode, enabled, network_.time); };
-    std::map<std::vector<Interval>, std::vector<const Values*>> all;
+    const auto waits_of = [&](const Enabled& enabled) {
+      const bool restarts = automata::restarts(plant_[id], enabled) && plant_.has_timed_exit(id, mode);
+      return Waits(waits(plant_[id], mode, enabled, network_.time), restarts);
+    };
+    std::map<Waits, std::vector<const Values*>> all;
     for (const auto& [values, enabled] : guards.idle_rows) all[waits_of(enabled)].push_back(&values);
     for (const auto& [waits, rows] : all) {
       TruthTable table(guards.columns.variables);
@@ -362,8 +373,16 @@ class Building {
     add_rests(process, mode, contradicted, waits_of(everything(id, mode)));
   }
 
-  static void add_rests(ComponentProcess& process, ModeId mode, const Formula& where,
-                        const std::vector<Interval>& waits) {
+  /// See `waits` in choices.hpp, and whether they are of a clock that restarts.
+  using Waits = std::pair<std::vector<Interval>, bool>;
+
+  static void add_rests(ComponentProcess& process, ModeId mode, const Formula& where, const Waits& of) {
+    const auto& [waits, restarts] = of;
+    if (restarts) {
+      for (const Interval& wait : waits) process.rests.push_back({mode, where, wait, false, true});
+      process.rests.push_back({mode, where, {}, true});
+      return;
+    }
     for (const Interval& wait : waits) process.rests.push_back({mode, where, wait, false});
     // At the end of a wait no time can pass either way.
     for (const Interval& halt : gaps(waits)) process.rests.push_back({mode, where, halt, true});

@@ -31,6 +31,7 @@ struct ProcessRest {
   automata::Formula where;  ///< of the modes of others as the round ends
   Interval clock;           ///< readings with which it begins; time passes up to the greatest
   bool urgent = false;      ///< no time passes
+  bool restarts = false;    ///< at least a unit passes, however long, and the clock reads 0 after it
 };
 
 struct ComponentProcess {

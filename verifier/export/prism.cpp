@@ -113,6 +113,7 @@ struct Command {
   ModeId mode;
   automata::Formula where;
   std::vector<Stretch> stretches;  ///< of readings over which the probabilities are the same
+  bool restarts = false;           ///< the clock starts anew
 };
 
 /// A conjunction that grows; empty where nothing is demanded.
@@ -269,7 +270,8 @@ class Writer {
       if (fresh) {
         const Units settled = settled_reading(id, mode);
         for (const EnabledClass& choice : enabled_classes(step_, id, mode, action, support.components, meter_)) {
-          known->second.push_back({mode, choice.where, stretches(step_, id, mode, choice.enabled, period_, settled)});
+          known->second.push_back({mode, choice.where, stretches(step_, id, mode, choice.enabled, period_, settled),
+                                   automata::restarts(plant_[id], choice.enabled)});
         }
       }
       commands.insert(commands.end(), known->second.begin(), known->second.end());
@@ -400,7 +402,7 @@ class Writer {
         if (stretch.first > 0) conjoin(where, x + ">=" + std::to_string(stretch.first));
         if (stretch.last) conjoin(where, x + "<=" + std::to_string(*stretch.last));
         if (!command.where.is_true()) conjoin(where, verifier::text_of(command.where, plant_, naming).operand());
-        find(find(by_updates, updates_of(id, command.mode, stretch.moves, settled, naming)), where)
+        find(find(by_updates, updates_of(id, command, stretch.moves, settled, naming)), where)
             .push_back(command.mode.index());
       }
     }
@@ -425,7 +427,7 @@ class Writer {
   }
 
   /// What stays as it is is not told.
-  [[nodiscard]] std::string updates_of(ComponentId id, ModeId mode, const std::vector<automata::Move>& moves,
+  [[nodiscard]] std::string updates_of(ComponentId id, const Command& command, const std::vector<automata::Move>& moves,
                                        Units settled, const Naming& naming) const {
     const std::string m = naming.mode(id);
     const std::string x = naming.clock(id);
@@ -433,9 +435,9 @@ class Writer {
     std::string text;
     for (const automata::Move& move : moves) {
       std::string update;
-      if (move.mode != mode) update = "(" + m + "'=" + std::to_string(move.mode.value) + ")";
+      if (move.mode != command.mode) update = "(" + m + "'=" + std::to_string(move.mode.value) + ")";
       if (clocked) {
-        const bool runs = move.mode == mode && settled > 0;
+        const bool runs = move.mode == command.mode && settled > 0 && !command.restarts;
         conjoin(update, "(" + x + "'=" + (runs ? "min(" + x + "+1," + std::to_string(settled) + ")" : "0") + ")");
       }
       text += (text.empty() ? "" : " + ") + number(move.probability) + ":" + (update.empty() ? "true" : update);

@@ -56,18 +56,19 @@ RoundProcess in_rounds(const automata::Plant& plant, automata::ComponentId compo
     const auto& [to, clock, fault, restarts] = what;
     result.steps.push_back({places.formula(mode, all), clock, to, fault, restarts});
   }
-  std::map<std::pair<Interval, bool>, Places> rests;
-  for (const ProcessRest& rest : process.rests) rests[{rest.clock, rest.urgent}].add(rest.mode, rest.where);
+  std::map<std::tuple<Interval, bool, bool>, Places> rests;
+  for (const ProcessRest& rest : process.rests) rests[{rest.clock, rest.urgent, rest.restarts}].add(rest.mode, rest.where);
   std::set<Units> bounds;
   for (const auto& [what, places] : rests) {
-    const auto& [clock, urgent] = what;
-    result.rests.push_back({places.formula(mode, all), clock, urgent});
+    const auto& [clock, urgent, restarts] = what;
+    result.rests.push_back({places.formula(mode, all), clock, urgent, restarts});
     result.stops = result.stops || urgent;
-    if (!urgent && clock.upper != unbounded) bounds.insert(clock.upper);
+    result.renews = result.renews || restarts;
+    if (!urgent && !restarts && clock.upper != unbounded) bounds.insert(clock.upper);
   }
   result.bounds.assign(bounds.begin(), bounds.end());
   const auto is_free = [](const RoundRest& rest) {
-    return !rest.urgent && rest.clock.is_trivial() && rest.where.is_true();
+    return !rest.urgent && !rest.restarts && rest.clock.is_trivial() && rest.where.is_true();
   };
   if (std::all_of(result.rests.begin(), result.rests.end(), is_free)) result.rests.clear();
   return result;

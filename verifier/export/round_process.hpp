@@ -24,6 +24,7 @@ struct RoundRest {
   automata::Formula where;  ///< of its own mode and those of others as the round ends
   Interval clock;           ///< readings with which it begins; time passes up to the greatest
   bool urgent = false;      ///< no time passes
+  bool restarts = false;    ///< at least a unit passes, however long, and the clock reads 0 after it
 };
 
 struct RoundProcess {
@@ -31,6 +32,7 @@ struct RoundProcess {
   std::vector<RoundRest> rests;  ///< none: it never stops time
   std::vector<Units> bounds;     ///< up to which it may wait somewhere, ascending, `unbounded` left out
   bool stops = false;            ///< whether some rest is urgent
+  bool renews = false;           ///< whether some rest restarts the clock
 };
 
 /// The component's process; its modes are those of the mode variable.

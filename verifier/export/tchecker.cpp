@@ -188,6 +188,11 @@ class Writer {
   }
 
   static std::string start(std::size_t number) { return "start" + std::to_string(number); }
+  static std::string place_of(const RoundRest& rest) {
+    if (rest.urgent) return "stops";
+    if (rest.restarts) return "renews";
+    return rest.clock.upper == unbounded ? "acts" : waits(rest.clock.upper);
+  }
   /// The location where time passes up to a bound.
   static std::string waits(Units bound) { return "waits" + std::to_string(bound); }
 
@@ -200,8 +205,14 @@ class Writer {
     for (const Units bound : process.bounds)
       location(name, waits(bound), "invariant:" + clock(c) + "<=" + constant(bound));
     if (process.stops) location(name, "stops", "urgent:");
+    if (process.renews) location(name, "renews", "");
     for (const Units bound : process.bounds) edge(name, waits(bound), "acts", guard_of(turn_is(c)), effect_of(""));
     if (process.stops) edge(name, "stops", "acts", guard_of(turn_is(c)), effect_of(""));
+    if (process.renews) {
+      Joined wakes = guard_of(turn_is(c));
+      wakes.add(clock(c) + ">=1");
+      edge(name, "renews", "acts", wakes, effect_of(clock(c) + "=0"));
+    }
     for (const RoundStep& step : process.steps) {
       Joined guard = guard_of(turn_is(c));
       guard.add(condition(step.where, When::before));
@@ -219,8 +230,9 @@ class Writer {
       Joined guard = guard_of(turn_is(rest));
       guard.add(condition(one.where, When::after));
       add_bounds(guard, clock(c), one.clock);
-      const std::string place = one.urgent ? "stops" : one.clock.upper == unbounded ? "acts" : waits(one.clock.upper);
-      edge(name, "acts", place, guard, effect_of(turn_to(rest + 1)));
+      Joined effect = effect_of(turn_to(rest + 1));
+      if (one.restarts) effect.add(clock(c) + "=0");
+      edge(name, "acts", place_of(one), guard, effect);
     }
   }
 

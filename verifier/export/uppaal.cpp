@@ -221,8 +221,8 @@ class Writer {
         rests.push_back(halt);
         continue;
       }
-      rests.push_back(
-          made.add_location(name + "_rests" + std::to_string(rests.size()), condition({0, rest.clock.upper})));
+      rests.push_back(made.add_location(name + "_rests" + std::to_string(rests.size()),
+                                        rest.restarts ? std::string() : condition({0, rest.clock.upper})));
     }
     made.set_initial(start);
     const std::string mine = "turn == i";
@@ -253,7 +253,7 @@ class Writer {
           operand(condition_text(rest.where, plant_, [&](VariableId v) { return parameters.name_of(v, "n"); })));
       add(guard, " && ", condition(rest.clock));
       made.add_edge(awake[rest.mode.index()], rests[r], guard,
-                    "m[i] = " + std::to_string(rest.mode.value) + ", turn++");
+                    "m[i] = " + std::to_string(rest.mode.value) + (rest.restarts ? ", x = 0" : "") + ", turn++");
     }
   }
 
@@ -262,7 +262,9 @@ class Writer {
                    const std::vector<std::string>& stopped, const std::vector<std::string>& awake) {
     for (std::size_t r = 0; r < rests.size(); ++r) {
       if (process.rests[r].urgent) continue;
-      made.add_edge(rests[r], awake[process.rests[r].mode.index()], "turn == i", "");
+      const bool restarts = process.rests[r].restarts;
+      made.add_edge(rests[r], awake[process.rests[r].mode.index()], restarts ? "turn == i && x >= 1" : "turn == i",
+                    restarts ? "x = 0" : "");
     }
     for (std::size_t m = 0; m < stopped.size(); ++m) {
       if (!stopped[m].empty()) made.add_edge(stopped[m], awake[m], "turn == i", "");

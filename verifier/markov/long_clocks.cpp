@@ -42,8 +42,8 @@ Ages::Ages(const automata::Plant& plant, automata::Ticks period, bool apart, boo
   }
 }
 
-Units Ages::after(std::size_t component, ModeId from, Units age, ModeId to) const {
-  if (from != to) return entered(component, to);
+Units Ages::after(std::size_t component, ModeId from, Units age, ModeId to, bool restarted) const {
+  if (from != to || restarted) return entered(component, to);
   return age == kept_apart ? kept_apart : std::min(age + 1, settled_[component][to.index()]);
 }
 

@@ -26,8 +26,9 @@ class Ages {
   [[nodiscard]] Units entered(std::size_t component, automata::ModeId mode) const {
     return quiet_[component][mode.index()] > longest_in_state ? kept_apart : 0;
   }
-  /// After a period in which the component came from one mode to the other.
-  [[nodiscard]] Units after(std::size_t component, automata::ModeId from, Units age, automata::ModeId to) const;
+  /// After a period in which the component came from one mode to the other, or a restart started its clock anew.
+  [[nodiscard]] Units after(std::size_t component, automata::ModeId from, Units age, automata::ModeId to,
+                            bool restarted) const;
   /// What a clock that is kept apart reads at most.
   [[nodiscard]] Units last(std::size_t component, automata::ModeId mode) const {
     return quiet_[component][mode.index()];

@@ -107,7 +107,8 @@ LongClocks::Settled LoopProcess::settle(StateNumber number_of_state, const std::
   return result;
 }
 
-Branch LoopProcess::branch_to(const State& state, const LoopState& here, const Outcome& outcome, const Draw& draw) {
+Branch LoopProcess::branch_to(const State& state, const LoopState& here, const automata::AllEnabled& enabled,
+                              const Outcome& outcome, const Draw& draw) {
   const auto apart_before = [&state](std::size_t group) {
     return static_cast<std::size_t>(
         std::count(state.readings.begin(), state.readings.begin() + static_cast<std::ptrdiff_t>(group), kept_apart));
@@ -131,9 +132,10 @@ Branch LoopProcess::branch_to(const State& state, const LoopState& here, const O
   Passage of_components;
   for (std::size_t c = 0; c < state.ages.size(); ++c) {
     const bool apart = state.ages[c] == kept_apart;
-    ages.push_back(ages_.after(c, here.modes[c], state.ages[c], draw.modes[c]));
+    const bool restarted = automata::restarts(step_.plant().components[c], enabled[c]);
+    ages.push_back(ages_.after(c, here.modes[c], state.ages[c], draw.modes[c], restarted));
     if (ages.back() == kept_apart) {
-      const bool goes_on = apart && draw.modes[c] == here.modes[c];
+      const bool goes_on = apart && !restarted && draw.modes[c] == here.modes[c];
       of_components.push_back(goes_on ? Source{clock, 0} : Source{std::nullopt, 0});
     }
     if (apart) ++clock;
@@ -167,7 +169,7 @@ const std::vector<Row>& LoopProcess::rows(StateNumber number_of_state, Real less
   Row row;
   row.left_out = drawn.left_out;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    row.edges.push_back(branch_to(state, here, outcomes[i], drawn.outcomes[i]));
+    row.edges.push_back(branch_to(state, here, kept, outcomes[i], drawn.outcomes[i]));
   }
   loop_.explored(state.loop);
   rows_.push_back(std::move(row));

@@ -37,7 +37,8 @@ class LoopProcess final : public LongClocks {
   /// in `state`.
   StateNumber enter(LoopState state, const std::vector<Units>& readings, std::vector<Units> ages, unsigned faults,
                     std::vector<std::size_t>& apart);
-  Branch branch_to(const State& state, const LoopState& here, const Outcome& outcome, const Draw& draw);
+  Branch branch_to(const State& state, const LoopState& here, const automata::AllEnabled& enabled,
+                   const Outcome& outcome, const Draw& draw);
 
   Loop& loop_;
   automata::PlantStep& step_;

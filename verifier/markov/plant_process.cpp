@@ -88,9 +88,10 @@ const std::vector<Row>& PlantProcess::rows(StateNumber number_of_state, Real les
       std::size_t clock = 0;  // of this state
       for (std::size_t c = 0; c < state.ages.size(); ++c) {
         const bool apart = state.ages[c] == kept_apart;
-        ages.push_back(ages_.after(c, state.modes[c], state.ages[c], draw.modes[c]));
+        const bool restarted = automata::restarts(step_.plant().components[c], kept[c]);
+        ages.push_back(ages_.after(c, state.modes[c], state.ages[c], draw.modes[c], restarted));
         if (ages.back() == kept_apart) {
-          const bool goes_on = apart && draw.modes[c] == state.modes[c];
+          const bool goes_on = apart && !restarted && draw.modes[c] == state.modes[c];
           passage.push_back(goes_on ? Source{clock, 0} : Source{std::nullopt, 0});
         }
         if (apart) ++clock;
@@ -101,7 +102,8 @@ const std::vector<Row>& PlantProcess::rows(StateNumber number_of_state, Real les
     const bool known = std::any_of(rows_.begin(), rows_.end(), [&](const Row& other) {
       return other.left_out == row.left_out && std::equal(other.edges.begin(), other.edges.end(), row.edges.begin(),
                                                           row.edges.end(), [](const Branch& a, const Branch& b) {
-                                                            return a.to == b.to && a.probability == b.probability;
+                                                            return a.to == b.to && a.probability == b.probability &&
+                                                                   a.passage == b.passage;
                                                           });
     });
     if (!known) rows_.push_back(std::move(row));

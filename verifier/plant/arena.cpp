@@ -35,6 +35,7 @@ Witness Arena::out(Witness witness) const {
   if (!part_) return witness;
   for (Event& event : witness.events) {
     event.modes = part_->out(event.modes, rest_);
+    for (automata::ComponentId& component : event.restarted) component = part_->out(component);
     event.action = part_->out(event.action);
   }
   return witness;

@@ -35,11 +35,12 @@ Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time)
   }
 }
 
-BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses) {
-  const auto [at, fresh] = numbers_.try_emplace({mode, all, pauses}, BehaviourId(table_.size()));
+BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses, bool restarts) {
+  const auto [at, fresh] = numbers_.try_emplace({mode, all, pauses, restarts}, BehaviourId(table_.size()));
   if (!fresh) return at->second;
   Behaviour behaviour{std::move(all), std::move(pauses)};
   behaviour.faulty = without_nominal(behaviour.choices);
+  behaviour.restarts = restarts;
   for (const Choice& choice : behaviour.choices) {
     if (choice.mode != mode) behaviour.changes = true;
     if (choice.mode == mode && choice.faults == 0 && choice.clock.lower <= 0)
@@ -51,7 +52,8 @@ BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector
 
 BehaviourId Behaviours::number(ComponentId component, ModeId mode, const Enabled& enabled) {
   const automata::Component& automaton = step_.plant()[component];
-  return number(mode, choices(automaton, mode, enabled, time_), waits(automaton, mode, enabled, time_));
+  const bool restarts = automata::restarts(automaton, enabled) && step_.plant().has_timed_exit(component, mode);
+  return number(mode, choices(automaton, mode, enabled, time_), waits(automaton, mode, enabled, time_), restarts);
 }
 
 BehaviourId Behaviours::folded(ModeId mode, BehaviourId id) {
@@ -65,7 +67,7 @@ BehaviourId Behaviours::folded(ModeId mode, BehaviourId id) {
       if (choice.faults == 0 && choice.mode != mode) continue;
       choices.push_back(choice.faults == 0 ? Choice{mode, 0, {}} : choice);
     }
-    result = number(mode, std::move(choices), {Interval{}});
+    result = number(mode, std::move(choices), {Interval{}}, false);
   }
   folded_.emplace(id, result);
   return result;

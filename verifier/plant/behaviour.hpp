@@ -24,6 +24,7 @@ struct Behaviour {
   std::vector<Choice> choices;        ///< see `choices` in choices.hpp
   std::vector<Interval> waits;        ///< see `waits` there
   bool changes = false;               ///< some choice is another mode
+  bool restarts = false;              ///< its clock, which matters, starts anew with each step
   std::vector<Interval> faulty = {};  ///< see `without_nominal` there
   Units stays_until = -1;             ///< it may stay while its clock reads at most this; below 0: not from the start
   [[nodiscard]] bool free_to_stay() const { return stays_until == unbounded; }
@@ -66,7 +67,7 @@ class Behaviours {
     automata::Memory<BehaviourId> rest;
   };
 
-  BehaviourId number(automata::ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses);
+  BehaviourId number(automata::ModeId mode, std::vector<Choice> all, std::vector<Interval> pauses, bool restarts);
   BehaviourId number(automata::ComponentId component, automata::ModeId mode, const automata::Enabled& enabled);
   BehaviourId look_up(automata::ComponentId component, automata::ModeId mode, const automata::ControlAction& action);
   /// Those of timers that are folded in the modes take the places of their own.
@@ -78,7 +79,7 @@ class Behaviours {
   LikeModes like_;
   automata::Modes seen_;  ///< the modes at hand, as the store tells them apart
   std::deque<Behaviour> table_;
-  std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>>, BehaviourId> numbers_;
+  std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>, bool>, BehaviourId> numbers_;
   std::vector<std::vector<Answers>> known_;  ///< per component, per mode
   /// Per component, then per control: the components whose guards, in some mode, could depend on it.
   std::vector<std::vector<automata::ComponentId>> readers_;

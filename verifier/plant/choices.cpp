@@ -177,11 +177,40 @@ std::vector<Interval> outside(Interval rest, const std::vector<Interval>& interv
 
 }  // namespace
 
+namespace {
+
+/// Where the component may stay in a step.
+std::vector<Interval> stays_of(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time) {
+  std::vector<Interval> stays;
+  for (const Choice& choice : choices(component, mode, enabled, time)) {
+    if (choice.mode == mode && choice.faults == 0) stays.push_back(choice.clock);
+  }
+  return merged(std::move(stays));
+}
+
+/// The waits of one whose clock restarts: nothing, where it may not stay after that.
+std::vector<Interval> restarted_waits(std::vector<Interval> stays, const TimeModel& time) {
+  const Units period = time.is_dense() ? 0 : 1;
+  const auto has = [period](const Interval& stay) { return stay.contains(period); };
+  if (std::none_of(stays.begin(), stays.end(), has)) return {};
+  for (Interval& stay : stays) {
+    stay.lower = std::max<Units>(stay.lower - period, 0);
+    if (stay.upper != unbounded) stay.upper -= period;
+  }
+  std::erase_if(stays, [](const Interval& stay) { return stay.empty(); });
+  return stays;
+}
+
+}  // namespace
+
 std::vector<Interval> waits(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time) {
   if (time.is_dense()) {
     const auto leaves = [&](TransitionId id) { return component.transitions[id.index()].to != mode; };
     if (std::any_of(enabled.untimed.begin(), enabled.untimed.end(), leaves)) return {};
     Interval wait;
+    if (automata::restarts(component, enabled)) {
+      return restarted_waits(stays_of(component, mode, enabled, time), time);
+    }
     if (!enabled.untimed.empty()) return {wait};
     for (const TransitionId id : enabled.timed) {
       if (!leaves(id)) continue;
@@ -191,11 +220,8 @@ std::vector<Interval> waits(const Component& component, ModeId mode, const Enabl
     return outside(wait, without_nominal(choices(component, mode, enabled, time)));
   }
   // A wait is a run of periods in each of which the component may stay; the first one ends a unit after it begins.
-  std::vector<Interval> stays;
-  for (const Choice& choice : choices(component, mode, enabled, time)) {
-    if (choice.mode == mode && choice.faults == 0) stays.push_back(choice.clock);
-  }
-  stays = merged(std::move(stays));
+  std::vector<Interval> stays = stays_of(component, mode, enabled, time);
+  if (automata::restarts(component, enabled)) return restarted_waits(std::move(stays), time);
   for (Interval& stay : stays) stay.lower = std::max<Units>(stay.lower - 1, 0);
   return stays;
 }

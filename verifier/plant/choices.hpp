@@ -50,6 +50,9 @@ std::vector<Interval> without_nominal(const std::vector<Choice>& choices);
 /// untimed nominal transition to another mode is enabled, else up to the least upper bound of the enabled timed exits.
 /// A transition to the same mode is staying: it stops no clock, and an untimed one leaves nothing to the timed exits
 /// while it is enabled.
+///
+/// Of a component that restarts, the intervals are readings at which a wait of one unit at least may begin. Its clock
+/// reads 0 from the first cycle on (in sampled time as each period begins), so that no upper bound ends the wait.
 std::vector<Interval> waits(const automata::Component& component, automata::ModeId mode,
                             const automata::Enabled& enabled, const TimeModel& time);
 

@@ -6,6 +6,7 @@
 
 #include "verifier/plant/timetable.hpp"
 #include "verifier/search/lasso.hpp"
+#include "verifier/witness/plant_run.hpp"
 
 namespace rmpl::verifier {
 
@@ -39,8 +40,9 @@ class PlantRuns : public Runs {
     left_ = left;
     const bool waited = PlantSystem::progressed(to.discrete);
     // In dense time a command lasts an instant: what stays enabled does while time passes.
-    if (situations_.time().is_dense()) return {waited ? &idle : nullptr, nullptr, waited};
-    return {&situations_.exits((*moves_)[label.move].exits), waited ? &idle : nullptr, true};
+    const JointStep& move = (*moves_)[label.move];
+    if (situations_.time().is_dense()) return {waited ? &idle : nullptr, nullptr, waited, move.restarted};
+    return {&situations_.exits(move.exits), waited ? &idle : nullptr, true, move.restarted};
   }
 
  private:
@@ -51,27 +53,18 @@ class PlantRuns : public Runs {
   std::shared_ptr<const std::vector<JointStep>> moves_;  ///< of that state
 };
 
-/// Since when each component has been in its mode, at an event.
-std::vector<Ticks> clocks_at(const Witness& witness, std::size_t event) {
-  const Modes& start = witness.events.front().modes;
-  automata::SystemState state{start, std::vector<Ticks>(start.size(), Ticks{0})};
-  for (std::size_t e = 0; e <= event; ++e) {
-    state = automata::advance(state, witness.events[e].modes, witness.events[e].time);
-  }
-  for (Ticks& start_of : state.clock_starts) start_of = witness.events[event].time - start_of;
-  return state.clock_starts;
-}
-
-/// Whether the components that move between two events read the same at both.
-bool same_readings(const Witness& witness, std::size_t first, std::size_t second) {
-  const std::vector<Ticks> before = clocks_at(witness, first);
-  const std::vector<Ticks> after = clocks_at(witness, second);
+/// Whether the components that move between two events, or whose clocks start anew, read the same at both.
+bool same_readings(automata::PlantStep& step, const TimeModel& time, const Witness& witness, std::size_t first,
+                   std::size_t second) {
+  const std::vector<Event>& events = witness.events;
+  std::optional<Ticks> period;
+  if (!time.is_dense()) period.emplace(time.unit());
+  const std::vector<Ticks> before = state_at(step, events, first, period).clock_starts;
+  const std::vector<Ticks> after = state_at(step, events, second, period).clock_starts;
   for (std::size_t c = 0; c < before.size(); ++c) {
-    bool moves = false;
-    for (std::size_t e = first; e < second; ++e) {
-      moves = moves || witness.events[e].modes[c] != witness.events[e + 1].modes[c];
-    }
-    if (moves && before[c] != after[c]) return false;
+    bool moves = before[c] != after[c];
+    for (std::size_t e = first; e < second; ++e) moves = moves || events[e].modes[c] != events[e + 1].modes[c];
+    if (moves && events[first].time - before[c] != events[second].time - after[c]) return false;
   }
   return true;
 }
@@ -99,7 +92,10 @@ std::optional<Witness> find_endless_run(PlantSystem& system, Meter& meter) {
     for (std::size_t r = 0; r <= rounds; ++r) ends.push_back(timed.entered[lasso->repeats_from + r * again.size()]);
     for (std::size_t end = 1; end < ends.size(); ++end) {
       for (std::size_t begin = end; begin-- > 0;) {
-        if (same_readings(timed.witness, ends[begin], ends[end])) return cut(timed.witness, ends[begin], ends[end]);
+        if (same_readings(system.situations().step(), system.situations().time(), timed.witness, ends[begin],
+                          ends[end])) {
+          return cut(timed.witness, ends[begin], ends[end]);
+        }
       }
     }
     if (!first) first = cut(timed.witness, ends[0], ends[1]);

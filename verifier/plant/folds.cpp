@@ -83,6 +83,7 @@ std::optional<Folds::Link> Folds::link_of(ComponentId id, ModeId mode) const {
   const Component& component = step_.plant()[id];
   std::optional<Link> result;
   for (const Transition& t : component.transitions) {
+    if (t.from == mode && t.restart) return {};
     if (t.from != mode || !t.timing) continue;
     if (result || component.is_fault(t) || t.to == mode || !t.guard.is_true() || !can_ever_be_taken(t)) return {};
     if (t.timing->upper.is_infinite() || t.timing->lower != t.timing->upper || t.timing->upper.count <= 0) return {};

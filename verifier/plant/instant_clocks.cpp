@@ -70,13 +70,26 @@ bool more_certain(const Zone& zone, std::span<const ClockBound> faulty, std::siz
          hold_together(zone, certain_faults(faulty, InstantClocks(live, others), time), left + 1);
 }
 
-std::vector<std::size_t> InstantClocks::restarted(const automata::Modes& from, const automata::Modes& to) const {
+std::vector<std::size_t> InstantClocks::restarted(const automata::Modes& from, const automata::Modes& to,
+                                                  const std::vector<ComponentId>& anew) const {
   std::vector<std::size_t> result;
   for (std::size_t c = 0; c < from.size(); ++c) {
-    if (from[c] == to[c]) continue;
+    if (from[c] == to[c] && !std::binary_search(anew.begin(), anew.end(), ComponentId(c))) continue;
     if (const auto clock = clock_of(ComponentId(c))) result.push_back(*clock);
   }
   return result;
+}
+
+void InstantClocks::add_restarts(const Instant& step, const std::vector<ComponentId>& anew,
+                                 base::FunctionRef<void(Instant&&)> add) const {
+  for (const ComponentId component : anew) {
+    const auto clock = clock_of(component);
+    if (!clock) continue;
+    Instant one = step;
+    one.bounds.push_back({*clock, {1, unbounded}});
+    one.restarts = {*clock};
+    add(std::move(one));
+  }
 }
 
 }  // namespace rmpl::verifier

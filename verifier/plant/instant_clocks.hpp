@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/function_ref.hpp"
 #include "verifier/plant/joint_choices.hpp"
 #include "verifier/search/standstill.hpp"
 #include "verifier/zone/time_model.hpp"
@@ -28,8 +29,13 @@ class InstantClocks {
   /// end of a cycle: an exit whose lower bound is met there has not been possible in it. Later in the same instant it
   /// is.
   [[nodiscard]] std::optional<ZoneBox> lasting(const Box& box, bool at_bound) const;
-  /// The clocks of those that change their modes.
-  [[nodiscard]] std::vector<std::size_t> restarted(const automata::Modes& from, const automata::Modes& to) const;
+  /// The clocks of those that change their modes, and of those that restarts start anew.
+  [[nodiscard]] std::vector<std::size_t> restarted(const automata::Modes& from, const automata::Modes& to,
+                                                   const std::vector<automata::ComponentId>& anew) const;
+  /// The step in which clocks start anew, and no mode changes, as steps that each start one that reads more than 0:
+  /// from `step`, which has the bounds.
+  void add_restarts(const Instant& step, const std::vector<automata::ComponentId>& anew,
+                    base::FunctionRef<void(Instant&&)> add) const;
 
  private:
   std::vector<automata::ComponentId> live_;

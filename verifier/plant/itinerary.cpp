@@ -26,10 +26,10 @@ Box renamed_box(const Box& box, const Permutation& permutation) {
   return result;
 }
 
-Late renamed_late(Late late, const Permutation& permutation) {
-  for (ComponentId& component : late) component = renamed_component(component, permutation);
-  std::sort(late.begin(), late.end());
-  return late;
+std::vector<ComponentId> renamed(std::vector<ComponentId> components, const Permutation& permutation) {
+  for (ComponentId& component : components) component = renamed_component(component, permutation);
+  std::sort(components.begin(), components.end());
+  return components;
 }
 
 /// The move from these modes that leads to the target in the same way.
@@ -37,10 +37,11 @@ JointStep counterpart(const JointStep& move, const Permutation& names, const Mod
                       unsigned faults, Situations& situations) {
   const SituationId target = situations.number(renamed(situations.modes(move.target), names));
   const Box bounds = renamed_box(move.bounds, names);
-  const auto moves = situations.moves(situations.number(from), renamed_late(late, names), faults);
+  const std::vector<ComponentId> restarted = renamed(move.restarted, names);
+  const auto moves = situations.moves(situations.number(from), renamed(late, names), faults);
   const auto found = std::find_if(moves->begin(), moves->end(), [&](const JointStep& m) {
     return m.target == target && m.faults == move.faults && m.hold == move.hold && m.bounds == bounds &&
-           m.exits == move.exits;
+           m.restarted == restarted && m.exits == move.exits;
   });
   CHECK(found != moves->end() && "what a permutation keeps is a move on both sides");
   return *found;
@@ -83,7 +84,7 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
       legs.back().cut_off = entered->phase;
       break;
     }
-    Leg leg{renamed(entered->situation->modes, names), entered->phase, std::nullopt, std::nullopt, std::nullopt};
+    Leg leg{renamed(entered->situation->modes, names), entered->phase, std::nullopt, std::nullopt, {}, std::nullopt};
     leg.progressed = entered->progressed;
     if (state) {
       const Late late = system.late(*state);
@@ -94,6 +95,7 @@ std::vector<Leg> itinerary(const std::vector<PathState>& path, PlantSystem& syst
     }
     if (next.label.wait != PlantSystem::no_wait) {
       leg.wait = renamed_box(entered->situation->waits[next.label.wait], names);
+      leg.restarted = renamed(entered->situation->restarted, names);
     }
     legs.push_back(std::move(leg));
 

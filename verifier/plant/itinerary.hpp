@@ -14,11 +14,12 @@ namespace rmpl::verifier {
 struct Leg {
   automata::Modes modes;
   Phase phase;
-  std::optional<JointStep> move;     ///< into this state; none for the first one
-  std::optional<Box> wait;           ///< within which time passes in it; none where it does not
-  std::optional<Box> end;            ///< where a run is cut off in the last one: within which it is
-  Phase cut_off = Phase::searching;  ///< and how
-  bool progressed = false;           ///< time passed before the move, where that is watched
+  std::optional<JointStep> move;                      ///< into this state; none for the first one
+  std::optional<Box> wait;                            ///< within which time passes in it; none where it does not
+  std::vector<automata::ComponentId> restarted = {};  ///< whose clocks restart in that wait
+  std::optional<Box> end;                             ///< where a run is cut off in the last one: within which it is
+  Phase cut_off = Phase::searching;                   ///< and how
+  bool progressed = false;                            ///< time passed before the move, where that is watched
 };
 
 /// The path without symmetry. Each state that was explored stands for one that a permutation leads to: the permutations

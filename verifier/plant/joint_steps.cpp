@@ -45,6 +45,8 @@ void JointSteps::enumerate(const ControlAction& action, const std::vector<Behavi
   const At at{*modes_, *late_, *due_, action, *idling_, here};
   ahead_.modes = *modes_;
   ahead_.decided.assign(modes_->size(), true);
+  restarts_ =
+      std::any_of(here.begin(), here.end(), [&](BehaviourId behaviour) { return behaviours_[behaviour].restarts; });
   return steps_ == Steps::irreducible ? irreducible(at, visit) : all(at, visit);
 }
 
@@ -118,14 +120,17 @@ unsigned JointSteps::faults_of(std::span<const Option> taken) {
 
 bool JointSteps::takes_action(const At& at, std::span<const Option> taken) const {
   return std::any_of(taken.begin(), taken.end(), [&](const Option& option) {
-    if (at.here[option.component] == at.idling[option.component]) return false;  // the same choices
-    const std::vector<Choice>& idling = behaviours_[at.idling[option.component]].choices;
-    return std::find(idling.begin(), idling.end(), *option.choice) == idling.end();
+    const BehaviourId here = at.here[option.component];
+    const BehaviourId idle = at.idling[option.component];
+    if (here == idle) return false;  // the same choices
+    const std::vector<Choice>& idling = behaviours_[idle].choices;
+    return behaviours_[here].restarts != behaviours_[idle].restarts ||
+           std::find(idling.begin(), idling.end(), *option.choice) == idling.end();
   });
 }
 
 void JointSteps::emit(const At& at, std::span<const Option> taken, const Visit& visit) {
-  if (after(at, taken) == at.modes || !nogoods_.possible(next_)) return;
+  if ((after(at, taken) == at.modes && !restarts_) || !nogoods_.possible(next_)) return;
   box_.clear();
   for (const Option& option : taken) {
     const Choice& choice = *option.choice;
@@ -180,6 +185,7 @@ bool JointSteps::calm(const At& at, const Modes& modes) {
 /// or reads what it reads here.
 bool JointSteps::may_stay(const At& at, std::size_t component, BehaviourId behaviour, const Modes& modes) const {
   const Behaviour& there = behaviours_[behaviour];
+  if (there.restarts) return false;  // a step that leaves it in its mode is one
   if (there.free_to_stay() || there.stays_until < 0) return there.free_to_stay();
   if (modes[component] != at.modes[component]) return true;
   return behaviour == at.idling[component] &&
@@ -211,7 +217,8 @@ bool JointSteps::goes_first(const At& at, const Option& option) {
       continue;
     }
     const bool same = then.behaviours[c] == at.idling[c] && there_commanded_[c] == at.here[c];
-    const bool active = behaviours_[at.here[c]].changes || !behaviours_[at.here[c]].free_to_stay();
+    const Behaviour& here = behaviours_[at.here[c]];
+    const bool active = here.changes || !here.free_to_stay() || here.restarts || commanded.restarts;
     if (!same && (active || !commanded.free_to_stay())) return false;
   }
   return true;

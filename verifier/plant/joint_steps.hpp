@@ -143,7 +143,8 @@ class JointSteps {
   const Late* late_ = nullptr;
   const Late* due_ = nullptr;
   const std::vector<BehaviourId>* idling_ = nullptr;
-  bool calm_ = false;  ///< whether every component may stay there
+  bool calm_ = false;      ///< whether every component may stay there
+  bool restarts_ = false;  ///< whether a clock starts anew with each step under the action at hand
   std::vector<Alone> alone_;
 
   // Of the step at hand; their memory serves the next:

@@ -33,7 +33,8 @@ class Course {
     end_ = run.events.size();
     // That time has come is no step.
     const Event& last = run.events.back();
-    if (end_ > 1 && last.action == idle && last.modes == run.events[end_ - 2].modes) --end_;
+    const bool changes_nothing = end_ > 1 && last.modes == run.events[end_ - 2].modes && last.restarted.empty();
+    if (changes_nothing && last.action == idle) --end_;
   }
   [[nodiscard]] bool over() const { return next_ == end_; }
   [[nodiscard]] automata::Ticks time() const { return run_.events[next_].time; }
@@ -42,6 +43,7 @@ class Course {
   void step(Event& event) {
     const Event& own = run_.events[next_++];
     for (const ComponentId c : cone_) event.modes[c.index()] = own.modes[c.index()];
+    event.restarted.insert(event.restarted.end(), own.restarted.begin(), own.restarted.end());
     for (std::size_t i = 0; i < idle_.size(); ++i) {
       if (own.action[i] != idle_[i]) event.action[i] = own.action[i];
     }

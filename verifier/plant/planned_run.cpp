@@ -117,8 +117,10 @@ class PlannedRun {
   }
 
   void enter(Ticks time, const ControlAction& action, const Modes& modes) {
+    const Ticks begin = time - period_.value_or(Ticks{0});
+    if (begin > now_) state_ = step_.advance(state_, idle_, state_.modes, begin);
     now_ = time;
-    state_ = automata::advance(state_, modes, now_);
+    state_ = step_.advance(state_, action, modes, now_);
     witness_.events.push_back({now_, modes, action});
   }
 

@@ -78,8 +78,14 @@ const Instant* PlantInstants::step(std::uint64_t node, std::size_t number) {
     if (move.faults > 0 || move.hold || (idle_ && !Situations::is_idle(move))) continue;
     auto bounds = clocks_.lasting(move.bounds, at_bound);
     if (!bounds || std::any_of(bounds->begin(), bounds->end(), misses)) continue;
-    found.push_back({move.target.value, static_cast<std::uint32_t>(looked_at), std::move(*bounds),
-                     clocks_.restarted(from->modes, situations_[move.target]->modes), false});
+    const auto there = situations_[move.target];
+    Instant taken{move.target.value, static_cast<std::uint32_t>(looked_at), std::move(*bounds),
+                  clocks_.restarted(from->modes, there->modes, move.restarted), false};
+    if (there->modes != from->modes) {
+      found.push_back(std::move(taken));
+    } else {
+      clocks_.add_restarts(taken, move.restarted, [&](Instant&& one) { found.push_back(std::move(one)); });
+    }
   }
   return number < found.size() ? &found[number] : nullptr;
 }

@@ -3,6 +3,7 @@
 #include "verifier/plant/plant_system.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/check.hpp"
 
@@ -92,11 +93,11 @@ void PlantSystem::enumerate_successors(const SymbolicState& state, std::uint32_t
 /// Where the clocks may be as the move ends.
 bool PlantSystem::pass(Zone& zone, const JointStep& move, const Place& place) const {
   if (move.hold) {
-    if (!progress_) return wait(zone, move.bounds, place);
+    if (!progress_ || !move.restarted.empty()) return wait(zone, move.bounds, move.restarted, place);
     // One period at least: a run without end takes time in it.
     if (!within(zone, move.bounds, place)) return false;
     zone.tick();
-    return wait(zone, move.bounds, place);
+    return wait(zone, move.bounds, {}, place);
   }
   if (!situations_.time().is_dense()) zone.tick();
   return within(zone, move.bounds, place);
@@ -114,10 +115,11 @@ void PlantSystem::take(const SymbolicState& state, const std::shared_ptr<const S
     std::vector<std::size_t> sources;
     if (has_extra(next)) sources.push_back(!progress_ && observer_.timed(phase) ? stopwatch : 0);
     for (const ComponentId component : target->live) {
-      const bool kept = here->modes[component.index()] == target->modes[component.index()];
+      const bool kept = here->modes[component.index()] == target->modes[component.index()] &&
+                        !std::binary_search(move.restarted.begin(), move.restarted.end(), component);
       sources.push_back(kept ? place.clock_of(component) : 0);
     }
-    const Label label{number, no_wait, move.hold};
+    const Label label{number, no_wait, move.hold || target->modes == here->modes};
     if (progress_) return enter(move.target, target, next, faults, from.select(sources), label, visit, progressed);
     enter_unfolded(*here, move.target, target, next, faults, from.select(sources), label, visit);
   };
@@ -315,7 +317,7 @@ void PlantSystem::enter(SituationId id, std::shared_ptr<const Situation> situati
   bool whole = false;
   for (std::size_t w = 0; w < situation->waits.size(); ++w) {
     Zone later = now;
-    if (!wait(later, situation->waits[w], place) || !in_time(later, phase, *situation)) continue;
+    if (!wait(later, situation->waits[w], situation->restarted, place) || !in_time(later, phase, *situation)) continue;
     whole = whole || later.includes(now);
     label.wait = static_cast<std::uint32_t>(w);
     visit({id, situation, phase, faults, std::move(later), label, progressed});
@@ -357,7 +359,9 @@ bool PlantSystem::may_wait_for_ever(const SymbolicState& state) const {
   const Place place{*here, has_extra(phase_of(state.discrete))};
   const bool endless = std::any_of(here->waits.begin(), here->waits.end(), [&](const Box& box) {
     return std::all_of(box.begin(), box.end(), [&](const ClockBound& bound) {
-      return bound.clock.upper == unbounded && state.zone.lower(place.clock_of(bound.component)) >= bound.clock.lower;
+      const Units least = state.zone.lower(place.clock_of(bound.component));
+      const bool restarts = std::binary_search(here->restarted.begin(), here->restarted.end(), bound.component);
+      return (bound.clock.upper == unbounded || (restarts && least <= bound.clock.upper)) && least >= bound.clock.lower;
     });
   });
   if (!endless) return false;
@@ -387,13 +391,23 @@ bool PlantSystem::within(Zone& zone, const Box& box, const Place& place) {
   });
 }
 
-bool PlantSystem::wait(Zone& zone, const Box& box, const Place& place) {
+bool PlantSystem::wait(Zone& zone, const Box& box, const std::vector<ComponentId>& restarted, const Place& place) {
   const auto clock = [&](const ClockBound& bound) { return place.clock_of(bound.component); };
   const auto may_begin = [&](const ClockBound& b) { return zone.constrain(clock(b), b.clock); };
-  const auto ends = [&](const ClockBound& b) { return zone.constrain(clock(b), {0, b.clock.upper}); };
+  const auto ends = [&](const ClockBound& b) {
+    return std::binary_search(restarted.begin(), restarted.end(), b.component) ||
+           zone.constrain(clock(b), {0, b.clock.upper});
+  };
   if (!std::all_of(box.begin(), box.end(), may_begin)) return false;
+  if (!restarted.empty()) zone.tick();
   zone.elapse();
-  return std::all_of(box.begin(), box.end(), ends);
+  if (!std::all_of(box.begin(), box.end(), ends)) return false;
+  if (restarted.empty()) return true;
+  std::vector<std::size_t> sources(zone.clocks());
+  std::iota(sources.begin(), sources.end(), std::size_t{1});
+  for (const ComponentId component : restarted) sources[place.clock_of(component) - 1] = 0;
+  zone = zone.select(sources);
+  return true;
 }
 
 bool PlantSystem::in_time(Zone& zone, Phase phase, const Situation& situation) const {

@@ -125,7 +125,9 @@ class PlantSystem : public TransitionSystem {
   /// The live components that may be at the bound up to which they stay, or beyond.
   [[nodiscard]] static Late due_in(const Situation& situation, const Place& place, const Zone& zone);
   [[nodiscard]] static bool within(Zone& zone, const Box& box, const Place& place);
-  [[nodiscard]] static bool wait(Zone& zone, const Box& box, const Place& place);
+  /// Time passes within the box of a wait, a unit at least where clocks restart in it.
+  [[nodiscard]] static bool wait(Zone& zone, const Box& box, const std::vector<automata::ComponentId>& restarted,
+                                 const Place& place);
   [[nodiscard]] bool in_time(Zone& zone, Phase phase, const Situation& situation) const;
   /// What the observer comes to there; its formulas are evaluated once for a situation.
   [[nodiscard]] Phase next(Phase phase, SituationId id, const Situation& situation);

@@ -93,7 +93,7 @@ std::shared_ptr<const Situation> Situations::operator[](SituationId id) {
 
 Situation Situations::describe(const Modes& modes) {
   behaviours_.read(modes, actions_.front(), behaviours_here_);
-  Situation result{modes, {}, waits(behaviours_here_), {}, {}, {}};
+  Situation result{modes, {}, waits(behaviours_here_), restarted(behaviours_here_), {}, {}, {}};
   result.live.reserve(modes.size());
   result.stays_until.reserve(modes.size());
   result.limits.reserve(modes.size());
@@ -105,6 +105,14 @@ Situation Situations::describe(const Modes& modes) {
     result.live.emplace_back(c);
     result.stays_until.push_back(behaviours_[behaviours_here_[c]].stays_until);
     result.limits.push_back(*limits);
+  }
+  return result;
+}
+
+std::vector<ComponentId> Situations::restarted(const std::vector<BehaviourId>& behaviours) const {
+  std::vector<ComponentId> result;
+  for (std::size_t c = 0; c < behaviours.size(); ++c) {
+    if (behaviours_[behaviours[c]].restarts) result.emplace_back(c);
   }
   return result;
 }
@@ -145,6 +153,7 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   std::vector<BehaviourId> idling;
   const bool may_idle = behaviours_.read(modes, actions_.front(), idling);
   const std::vector<Box> idle_waits = waits(idling);
+  const std::vector<ComponentId> idle_restarted = restarted(idling);
   const std::uint32_t idle_exits = tells_exits_ ? exits_in(modes, idling) : 0;
   joint_steps_.set_out(modes, late, due, idling);
   // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a
@@ -157,8 +166,10 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   };
   std::set<std::size_t, decltype(sooner)> seen_behaviours(sooner);  // where they begin
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(result[a].target, result[a].faults, result[a].bounds, result[a].exits) <
-           std::tie(result[b].target, result[b].faults, result[b].bounds, result[b].exits);
+    const JointStep& one = result[a];
+    const JointStep& other = result[b];
+    return std::tie(one.target, one.faults, one.hold, one.bounds, one.restarted, one.exits) <
+           std::tie(other.target, other.faults, other.hold, other.bounds, other.restarted, other.exits);
   };
   std::set<std::uint32_t, decltype(before)> seen_moves(before);  // positions in the result
   for_each_action(plant(), commands_, [&](const ControlAction& action) {
@@ -174,15 +185,16 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
       return;
     }
     const std::uint32_t exits = tells_exits_ ? exits_in(modes, behaviours_here_) : 0;
+    const std::vector<ComponentId> restarted = this->restarted(behaviours_here_);
     const auto add = [&](const Modes& target, unsigned taken, bool hold, const Box& bounds) {
-      result.push_back({number(target), position_of(action), taken, hold, bounds, exits});
+      result.push_back({number(target), position_of(action), taken, hold, bounds, restarted, exits});
       if (!seen_moves.insert(static_cast<std::uint32_t>(result.size() - 1)).second) result.pop_back();
     };
     if (!time().is_dense()) {
       for (const Box& box : waits(behaviours_here_)) {
         // What waiting under idle controls allows needs no command.
         const bool idle = std::count(idle_waits.begin(), idle_waits.end(), box) > 0;
-        if (!idle || exits != idle_exits) add(modes, 0, true, box);
+        if (!idle || exits != idle_exits || restarted != idle_restarted) add(modes, 0, true, box);
       }
     }
     joint_steps_.enumerate(action, behaviours_here_,

@@ -27,7 +27,8 @@ struct JointStep {
   unsigned faults = 0;
   bool hold = false;  ///< `bounds` is then like a wait's
   Box bounds;
-  std::uint32_t exits = 0;  ///< a position in `Situations::exits`, where exits are told
+  std::vector<automata::ComponentId> restarted = {};  ///< whose clocks restarts start anew in it; ascending
+  std::uint32_t exits = 0;                            ///< a position in `Situations::exits`, where exits are told
 };
 
 /// What may happen in given modes. The clocks that matter are those of components whose mode has a timed exit.
@@ -35,9 +36,10 @@ struct Situation {
   automata::Modes modes;
   std::vector<automata::ComponentId> live;  ///< ascending
   std::vector<Box> waits;                   ///< see `waits` in choices.hpp; within one of these boxes time may pass
-  std::vector<Units> stays_until;           ///< of the live ones: see `Behaviour`, with idle controls
-  std::vector<ClockBound> faulty;           ///< where a fault of a component is certain, with idle controls
-  std::vector<ClockLimits> limits;          ///< of the live ones: the greatest constants that their clocks meet
+  std::vector<automata::ComponentId> restarted;  ///< with idle controls, as of `JointStep`: in each cycle of a wait
+  std::vector<Units> stays_until;                ///< of the live ones: see `Behaviour`, with idle controls
+  std::vector<ClockBound> faulty;                ///< where a fault of a component is certain, with idle controls
+  std::vector<ClockLimits> limits;               ///< of the live ones: the greatest constants that their clocks meet
 };
 
 /// All situations met so far, by number, in the order in which they were met; what may happen in them is remembered for
@@ -88,8 +90,9 @@ class Situations {
   SituationId number(const automata::Modes& modes) { return SituationId(table_.intern(modes)); }
   [[nodiscard]] automata::Modes modes(SituationId id) const;
   [[nodiscard]] std::shared_ptr<const Situation> operator[](SituationId id);
-  /// Every joint step that changes a mode with no more faults than these; holds first. Always in the same order. `late`
-  /// matters only where steps are left out; those that are `due` stay no longer (JointSteps::set_out).
+  /// Every joint step that changes a mode, or starts a clock anew, with no more faults than these; holds first. Always
+  /// in the same order. `late` matters only where steps are left out; those that are `due` stay no longer
+  /// (JointSteps::set_out).
   std::shared_ptr<const std::vector<JointStep>> moves(SituationId id, const Late& late, unsigned faults,
                                                       const Late& due = {});
 
@@ -101,6 +104,7 @@ class Situations {
   std::uint32_t position_of(const automata::ControlAction& action);
   [[nodiscard]] Situation describe(const automata::Modes& modes);
   [[nodiscard]] std::vector<Box> waits(const std::vector<BehaviourId>& behaviours) const;
+  [[nodiscard]] std::vector<automata::ComponentId> restarted(const std::vector<BehaviourId>& behaviours) const;
   std::uint32_t exits_in(const automata::Modes& modes, const std::vector<BehaviourId>& behaviours);
   [[nodiscard]] std::vector<JointStep> work_out(const automata::Modes& modes, const Late& late, unsigned faults,
                                                 const Late& due);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/timetable.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "verifier/plant/itinerary.hpp"
 #include "verifier/zone/schedule.hpp"
@@ -47,7 +49,7 @@ class Timetable {
       schedule_.constrain(entered_.back(), left, waited);
     }
     if (taken.hold) {
-      pass(taken.bounds, left, entered);
+      pass(taken.bounds, taken.restarted, left, entered);
       if (progress_) schedule_.constrain(left, entered, {1, unbounded});
     } else {
       schedule_.fix(left, entered, situations_.time().is_dense() ? 0 : 1);
@@ -57,6 +59,7 @@ class Timetable {
     for (std::size_t c = 0; c < legs_[i].modes.size(); ++c) {
       if (legs_[i].modes[c] != legs_[i - 1].modes[c]) restarted_[c] = entered;
     }
+    for (const automata::ComponentId c : taken.restarted) restarted_[c.index()] = entered;
     if (observer_.timed(legs_[i].phase) && !observer_.timed(legs_[i - 1].phase)) stopwatch_ = entered;
     wait(i);
   }
@@ -64,7 +67,8 @@ class Timetable {
   void wait(std::size_t i) {
     const Schedule::Point left = schedule_.add_point();
     if (legs_[i].wait) {
-      pass(*legs_[i].wait, entered_.back(), left);
+      pass(*legs_[i].wait, legs_[i].restarted, entered_.back(), left);
+      for (const automata::ComponentId c : legs_[i].restarted) restarted_[c.index()] = left;
     } else {
       schedule_.fix(entered_.back(), left, 0);
     }
@@ -72,9 +76,13 @@ class Timetable {
   }
 
   /// Time passes within a box of waits.
-  void pass(const Box& box, Schedule::Point from, Schedule::Point to) {
-    schedule_.constrain(from, to, {});
+  void pass(const Box& box, const std::vector<automata::ComponentId>& anew, Schedule::Point from, Schedule::Point to) {
+    schedule_.constrain(from, to, {anew.empty() ? 0 : 1, unbounded});
     for (const ClockBound& b : box) {
+      if (std::binary_search(anew.begin(), anew.end(), b.component)) {
+        schedule_.constrain(restarted(b), from, b.clock);
+        continue;
+      }
       schedule_.constrain(restarted(b), from, {b.clock.lower, unbounded});
       schedule_.constrain(restarted(b), to, {0, b.clock.upper});
     }
@@ -108,6 +116,9 @@ class Timetable {
       const Units first = taken.hold ? times[left_[i - 1]] + 1 : times[entered_[i]];
       for (Units at = first; at <= times[entered_[i]]; ++at) {
         result.push_back({time.ticks(at), legs_[i].modes, situations_.action(taken.action)});
+        for (const automata::ComponentId c : taken.restarted) {
+          if (legs_[i].modes[c.index()] == legs_[i - 1].modes[c.index()]) result.back().restarted.push_back(c);
+        }
       }
       entered.push_back(result.size() - 1);
     }

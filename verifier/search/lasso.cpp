@@ -29,6 +29,7 @@ struct Edge {
   bool time;
   Index step;  ///< a position in `Graph::exits`, or `none`
   Index wait;  ///< another one
+  std::vector<automata::ComponentId> restarted;
 };
 
 struct Vertex {
@@ -69,10 +70,11 @@ class Graph {
       meter.used_faults(system.fault_count(state.faults));
       last_ = nullptr;
       system.successors(state, [&](SymbolicState&& next, const Label& label) {
-        const Runs::Passage passage = runs.passage(state, next, label);
+        Runs::Passage passage = runs.passage(state, next, label);
         const Index target = add(std::move(next), v, label);
         vertices[v].edges.push_back(static_cast<Index>(edges.size()));
-        edges.push_back({v, target, label, passage.time, number(passage.step), number(passage.wait)});
+        edges.push_back(
+            {v, target, label, passage.time, number(passage.step), number(passage.wait), std::move(passage.restarted)});
       });
     }
   }
@@ -233,7 +235,9 @@ class Lassos {
       const std::vector<ModeId> open = open_exits(loop, c);
       if (open.empty()) continue;
       duties.emplace_back([this, c, open](const Edge& edge) {
-        return modes_at(edge.source)[c] != modes_at(edge.target)[c] || is_patient(edge, c, open);
+        const auto& anew = edge.restarted;
+        return modes_at(edge.source)[c] != modes_at(edge.target)[c] ||
+               std::find(anew.begin(), anew.end(), automata::ComponentId(c)) != anew.end() || is_patient(edge, c, open);
       });
       if (is_met(duties.back(), loop)) continue;
       split(loop, c);

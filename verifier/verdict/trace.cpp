@@ -51,6 +51,10 @@ std::string changes_text(const Plant& plant, const Event& before, const Event& e
     result += (result.empty() ? "" : ", ") + t.component.name + ": " + t.from.name + " -> " + t.to.name;
     if (t.to.fault) result += " (fault)";
   }
+  for (const automata::ComponentId c : event.restarted) {
+    result += (result.empty() ? "" : ", ") + plant[c].name + ": " +
+              plant[c].modes[event.modes[c.index()].index()].name + " restarts";
+  }
   return result;
 }
 
@@ -174,6 +178,10 @@ ordered_json json_of(const Subject& subject, const Witness& witness) {
                           {"modes", json_of(plant, automata::assignments_of(plant, events[e].modes))},
                           {"command", json_of(plant, automata::commanded(plant, events[e].action))},
                           {"taken", std::move(moved)}};
+    if (!events[e].restarted.empty()) {
+      event["restarted"] = ordered_json::array();
+      for (const automata::ComponentId c : events[e].restarted) event["restarted"].push_back(plant[c].name);
+    }
     if (subject.program != nullptr) {
       // At the start nothing is asserted yet; the marking there is that of the first cycle.
       const Cycle& cycle = *events[std::max<std::size_t>(e, 1)].cycle;

@@ -129,7 +129,10 @@ class LoopReplay {
     const Readings started = started_;
     const auto answered = before_;
     const runtime::StrategyPosition position = position_;
+    const automata::SystemState plant = plant_.state();
+    anew_.assign(modes().size(), false);
     const bool comes_again = !go_round(now, now) && reads(cycle);
+    if (!comes_again) plant_.come_back(plant);
     if (!comes_again) std::tie(marking_, started_, before_, position_) = std::tie(marking, started, answered, position);
     begin(now, cycle.readings);
   }
@@ -159,6 +162,7 @@ class LoopReplay {
   std::optional<std::string> run(const Event& event) {
     const Cycle& cycle = *event.cycle;
     if (cycle.marking != marking_) return "another marking" + at(cycle.begin);
+    anew_.assign(modes().size(), false);
     if (!reads(cycle) && !rules_.period) {
       // Cycles that go round have started clocks anew at this instant.
       if (auto failure = go_round(cycle.begin, cycle.begin)) return failure;
@@ -180,9 +184,10 @@ class LoopReplay {
     const bool possible =
         plant_.rules().possible(event.modes) && plant_.may_step(action_, cycle.begin, event.time, event.modes);
     if (!possible) return "the step is not possible" + at(event.time);
+    if (plant_.tells_too_much(event)) return "no such clock starts anew" + at(event.time);
     finish(cycle.begin, event.modes);
     if (marking_ != cycle.next) return "another marking" + at(event.time);
-    plant_.advance(event.modes, event.time);
+    plant_.advance(action_, event.modes, event.time);
     return std::nullopt;
   }
 
@@ -221,9 +226,15 @@ class LoopReplay {
   std::optional<std::string> wait(Ticks from, Ticks to) {
     if (to < from) return "time runs backwards" + at(to);
     renewed_.assign(started_.size(), 0);
-    for (const Ticks now : telling(from, to)) {
+    anew_.assign(modes().size(), false);
+    std::set<Ticks> begins = telling(from, to);
+    if (begins.empty() && from < to && plant_.has_restarts()) begins.insert(from);
+    for (const Ticks now : begins) {
+      // What each round starts anew was started by the one before, which is not looked at.
+      plant_.restart(anew_, now);
       if (auto failure = go_round(now, to)) return failure;
     }
+    plant_.restart(anew_, to);
     return std::nullopt;
   }
 
@@ -233,6 +244,7 @@ class LoopReplay {
     for (std::size_t c = 0; c < started_.size(); ++c) {
       if (renewed_[c] >= 2 && started_[c]) started_[c] = std::max(*started_[c], now - Ticks{1});
     }
+    if (plant_.has_restarts() && !rules_.period) note_restarts(now);
     const Marking before = marking_;
     const Readings started_before = started_;
     std::set<std::pair<Marking, Readings>> met;  // a clock may be forgotten, or started anew, in one marking of a round
@@ -241,8 +253,11 @@ class LoopReplay {
       begin(now, seen(now));
       const bool stays = rules_.period
                              ? plant_.may_step(action_, now, now + *rules_.period, modes())
-                             : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, now, to);
+                             : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, now, to, anew_);
       if (!stays) return "nothing changing is not possible" + at(now);
+      const std::vector<bool> anew = plant_.restarted(action_);
+      for (std::size_t c = 0; c < anew.size(); ++c) anew_[c] = anew_[c] || anew[c];
+      plant_.restart(anew, now);
       finish(now, modes());
       if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);
     } while (marking_ != before);
@@ -250,6 +265,22 @@ class LoopReplay {
       renewed_[c] = started_[c] != started_before[c] ? renewed_[c] + 1 : 0;
     }
     return std::nullopt;
+  }
+
+  /// In dense time: the components whose clocks some cycle of the round starts anew.
+  void note_restarts(Ticks now) {
+    const Marking marking = marking_;
+    const Readings started = started_;
+    const auto answered = before_;
+    const runtime::StrategyPosition position = position_;
+    std::set<Marking> met;
+    while (met.insert(marking_).second) {
+      begin(now, seen(now));
+      const std::vector<bool> anew = plant_.restarted(action_);
+      for (std::size_t c = 0; c < anew.size(); ++c) anew_[c] = anew_[c] || anew[c];
+      finish(now, modes());
+    }
+    std::tie(marking_, started_, before_, position_) = std::tie(marking, started, answered, position);
   }
 
   /// The begins of those cycles from `from` on, and before `to`, that tell of all: the first, the last, and those in
@@ -304,6 +335,7 @@ class LoopReplay {
   automata::ProgramStep& sequencer_;
   Marking marking_;
   Readings started_;
+  std::vector<bool> anew_;              ///< by component: a restart has started its clock anew in the wait
   std::vector<std::size_t> renewed_;    ///< by clock: rounds of the wait, up to the last one, that forgot or started it
   bool round_ = false;                  ///< the cycle at hand is one of those that go round
   bool stands_still_ = false;           ///< no time passes in one of them

@@ -63,22 +63,49 @@ bool PlantRun::may_step(const ControlAction& action, Ticks before, Ticks now, co
   return automata::lead(moves, next);
 }
 
-bool PlantRun::may_wait(const ControlAction& action, Ticks before, Ticks now) {
-  return every_component(action, before, now,
-                         [&](const Rules& rules, std::size_t c) { return rules.allows_time(state_.modes[c]); });
+bool PlantRun::may_wait(const ControlAction& action, Ticks before, Ticks now, const std::vector<bool>& held) {
+  const std::vector<Enabled>& all = enabled(action);
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const Ticks start = state_.clock_starts[c];
+    const Ticks end = !held.empty() && held[c] ? before : now;
+    const Rules rules(plant().components[c], all[c], before - start, end - start, period_);
+    if (!rules.allows_time(state_.modes[c])) return false;
+  }
+  return true;
 }
 
-void PlantRun::age(const std::vector<Event>& events, std::size_t first, Ticks by) {
+void PlantRun::age(const automata::SystemState& begun, const std::vector<Event>& events, std::size_t first, Ticks by) {
   for (std::size_t c = 0; c < state_.modes.size(); ++c) {
     const bool moves = std::any_of(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(),
                                    [&](const Event& event) { return event.modes[c] != state_.modes[c]; });
-    if (!moves) state_.clock_starts[c] = state_.clock_starts[c] - by;
+    if (!moves && state_.clock_starts[c] == begun.clock_starts[c]) state_.clock_starts[c] = state_.clock_starts[c] - by;
   }
 }
 
-void PlantRun::advance(const Modes& next, Ticks now) {
+std::vector<bool> PlantRun::restarted(const ControlAction& action) {
+  std::vector<bool> result(state_.modes.size(), false);
+  if (!has_restarts_) return result;
+  const std::vector<Enabled>& all = enabled(action);
+  for (std::size_t c = 0; c < all.size(); ++c) result[c] = automata::restarts(plant().components[c], all[c]);
+  return result;
+}
+
+bool PlantRun::tells_too_much(const Event& event) {
+  if (event.restarted.empty()) return false;
+  const std::vector<bool> anew = restarted(event.action);
+  return std::any_of(event.restarted.begin(), event.restarted.end(), [&](ComponentId c) {
+    return !anew[c.index()] || event.modes[c.index()] != state_.modes[c.index()];
+  });
+}
+
+void PlantRun::restart(const std::vector<bool>& restarted, Ticks now) {
+  state_ = automata::advance(state_, restarted, state_.modes, now);
+}
+
+void PlantRun::advance(const ControlAction& action, const Modes& next, Ticks now) {
+  const std::vector<bool> anew = restarted(action);
   if (next != state_.modes) commanded_.reset();
-  state_ = automata::advance(state_, next, now);
+  state_ = automata::advance(state_, anew, next, now);
 }
 
 std::vector<Ticks> PlantRun::meets_bounds(Ticks longest) const {

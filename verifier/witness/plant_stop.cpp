@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "verifier/witness/plant_run.hpp"
 #include "verifier/witness/steps_at.hpp"
 
 namespace rmpl::verifier {
@@ -44,7 +45,7 @@ class Stops {
       if (!next) break;
       met_.emplace(state, witness_.events.size());
       witness_.events.push_back(*next);
-      state = automata::advance(state, next->modes, now_);
+      state = rules_.advance(state, next->action, next->modes, now_);
       if (const auto before = met_.find(state); before != met_.end()) witness_.repeats_from = before->second;
     }
     witness_.stop.emplace().still = true;
@@ -52,11 +53,8 @@ class Stops {
   }
 
  private:
-  [[nodiscard]] SystemState end_of_run() const {
-    const Modes& start = witness_.events.front().modes;
-    SystemState state{start, std::vector<Ticks>(start.size(), Ticks{0})};
-    for (const Event& event : witness_.events) state = automata::advance(state, event.modes, event.time);
-    return state;
+  [[nodiscard]] SystemState end_of_run() {
+    return state_at(rules_, witness_.events, witness_.events.size() - 1, period_);
   }
 
   bool fault_is_certain(const SystemState& state) {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/replay.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "verifier/witness/plant_run.hpp"
 
 namespace rmpl::verifier {
 
+using automata::Modes;
 using automata::Ticks;
 
 namespace {
@@ -38,7 +40,8 @@ class Replay {
     if (!is_free(plant_.plant(), rules_.commands, event.action)) return "the command is not free" + at(event.time);
     if (!plant_.rules().possible(event.modes)) return "the state is impossible" + at(event.time);
     auto failure = rules_.period ? sampled(before, event) : dense(before, event);
-    plant_.advance(event.modes, event.time);
+    if (!failure && plant_.tells_too_much(event)) failure = "no such clock starts anew" + at(event.time);
+    plant_.advance(event.action, event.modes, event.time);
     return failure;
   }
 
@@ -58,7 +61,7 @@ class Replay {
         if (!t.timing->upper.is_infinite()) longest = std::max(longest, t.timing->upper);
       }
     }
-    plant_.age(events, first, longest + longest + round);
+    plant_.age(begun_, events, first, longest + longest + round);
     for (std::size_t c = 0; c < begun_.modes.size(); ++c) {
       const bool same = plant_.state().clock_starts[c] == begun_.clock_starts[c] + round;
       const bool moves = plant_.state().clock_starts[c] > begun_.clock_starts[c];
@@ -73,9 +76,12 @@ class Replay {
   }
 
   std::optional<std::string> dense(Ticks before, const Event& event) {
-    if (event.time > before && !plant_.may_wait(idle_, before, event.time))
-      return "time may not pass up to" + at(event.time);
-    const bool waits_only = event.modes == plant_.state().modes && event.action == idle_;
+    if (event.time > before) {
+      if (!plant_.may_wait(idle_, before, event.time)) return "time may not pass up to" + at(event.time);
+      plant_.advance(idle_, plant_.state().modes, event.time);
+    }
+    const bool waits_only =
+        event.modes == plant_.state().modes && event.action == idle_ && (event.time > before || !restarts(idle_));
     if (!waits_only && !plant_.may_step(event.action, event.time, event.time, event.modes)) {
       return "the step is not possible" + at(event.time);
     }
@@ -86,15 +92,23 @@ class Replay {
     const Ticks period = *rules_.period;
     const Ticks last = event.time - period;
     if (last < before || event.time.count % period.count != 0) return "it is not on the period" + at(event.time);
+    const Modes here = plant_.state().modes;
     for (const Ticks end : telling_periods(before, last)) {
-      if (!plant_.may_step(idle_, end - period, end, plant_.state().modes)) {
+      if (end - period > before) plant_.advance(idle_, here, end - period);
+      if (!plant_.may_step(idle_, end - period, end, here)) {
         return "nothing changing is not possible" + at(end);
       }
     }
+    if (last > before) plant_.advance(idle_, here, last);
     if (!plant_.may_step(event.action, last, event.time, event.modes)) {
       return "the step is not possible" + at(event.time);
     }
     return std::nullopt;
+  }
+
+  [[nodiscard]] bool restarts(const automata::ControlAction& action) {
+    const std::vector<bool> all = plant_.restarted(action);
+    return std::find(all.begin(), all.end(), true) != all.end();
   }
 
   /// The ends of those periods after `before` and up to `last` in which a clock is near a bound, the first and the

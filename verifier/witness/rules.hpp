@@ -85,6 +85,8 @@ class Rules {
       const automata::Transition& t = transition(id);
       return t.timing && before_ < t.timing->lower && t.timing->lower < now_ && certain(t.timing->lower);
     };
+    // A clock that restarts reads 0 all the while.
+    if (automata::restarts(component_, enabled_)) return certain(before_) || certain(automata::Ticks{0});
     return certain(before_) || std::any_of(enabled_.faults.begin(), enabled_.faults.end(), begins);
   }
 

@@ -40,8 +40,19 @@ bool StepsAt::fault_is_certain(const ControlAction& action) {
   return std::any_of(all.begin(), all.end(), [](const auto& own) { return own.empty(); });
 }
 
+/// Whether a restart changes what a clock that matters reads.
+bool StepsAt::starts_anew(const ControlAction& action) {
+  const std::vector<bool> restarted = rules_.restarted(state_.modes, action);
+  for (std::size_t c = 0; c < restarted.size(); ++c) {
+    if (!restarted[c] || state_.clock_starts[c] == now_) continue;
+    if (rules_.plant().has_timed_exit(automata::ComponentId(c), state_.modes[c])) return true;
+  }
+  return false;
+}
+
 bool StepsAt::any(const ControlAction& action, base::FunctionRef<bool(const Modes&)> visit) {
   const auto options = this->options(action);
+  const bool only_changes = !period_ && !starts_anew(action);
   Modes next;
   std::size_t changes = 0;
   const auto is_change = [&](std::size_t c, std::size_t i) { return options[c][i] != state_.modes[c] ? 1U : 0U; };
@@ -57,7 +68,7 @@ bool StepsAt::any(const ControlAction& action, base::FunctionRef<bool(const Mode
         changes -= is_change(c, i);
       },
       [&] {
-        if (changes == 0 && !period_) return false;
+        if (changes == 0 && only_changes) return false;
         if (rules_.possible(next)) return visit(next);
         if (refused_.empty() || changes < changes_) {
           refused_ = next;

@@ -20,8 +20,9 @@ class StepsAt {
       : rules_(rules), state_(state), now_(now), period_(period), later_(later) {}
 
   /// Visits what each step leads to until `visit` returns true; then that is the answer. In dense time a step changes a
-  /// mode, what is due moves in it, and what exists at one instant only does not count (semantics 7, "an instant saves
-  /// no run"). What contradicts the constraints is no step: of such modes, those with the fewest changes are kept.
+  /// mode, or starts a clock anew that reads more than 0, what is due moves in it, and what exists at one instant only
+  /// does not count (semantics 7, "an instant saves no run"). What contradicts the constraints is no step: of such
+  /// modes, those with the fewest changes are kept.
   bool any(const automata::ControlAction& action, base::FunctionRef<bool(const automata::Modes&)> visit);
   /// Modes that no step leads to as they are impossible; empty where there are none.
   [[nodiscard]] const automata::Modes& refused() const { return refused_; }
@@ -32,6 +33,7 @@ class StepsAt {
 
  private:
   [[nodiscard]] std::vector<std::vector<automata::ModeId>> options(const automata::ControlAction& action);
+  [[nodiscard]] bool starts_anew(const automata::ControlAction& action);
 
   automata::PlainStep& rules_;
   const automata::SystemState& state_;

@@ -33,8 +33,9 @@ struct Cycle {
 struct Event {
   automata::Ticks time;
   automata::Modes modes;
-  automata::ControlAction action;             ///< in force for the step
-  std::optional<Cycle> cycle = std::nullopt;  ///< under a program; none at the start
+  automata::ControlAction action;                     ///< in force for the step
+  std::optional<Cycle> cycle = std::nullopt;          ///< under a program; none at the start
+  std::vector<automata::ComponentId> restarted = {};  ///< that stay in a mode with a timed exit, and restart its clock
 };
 
 /// What the last step of a run takes away, though a goal achieved it and none asks for that.

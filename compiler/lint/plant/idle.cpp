@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "automata/clock_use.hpp"
 #include "compiler/lint/plant/beside.hpp"
 #include "compiler/lint/plant/findings.hpp"
 #include "compiler/lint/plant/nominal.hpp"
@@ -49,6 +50,7 @@ std::vector<PlantTransition> find_idle_transitions(PlantAnalysis& analysis) {
     const auto counts = [&](const Transition& other) {
       return !component.is_fault(other) && (other.timing || !transition.timing);
     };
+    if (transition.restart && automata::needs_clock(component, transition.from)) return false;
     return transition.from == transition.to && !may_be_beside(analysis, id, counts);
   });
 }

@@ -34,7 +34,7 @@ void report_timers(PlantReport& report) {
   }
   const auto loops =
       nominal_where(report.analysis(), [](const Component& component, const Transition& own, PlantTransition) {
-        return own.from == own.to && timed_exit(component, own.from) != nullptr;
+        return own.from == own.to && !own.restart && timed_exit(component, own.from) != nullptr;
       });
   for (const PlantTransition& loop : loops) {
     const grammar::Span span = report.at(loop);
@@ -49,9 +49,9 @@ void report_timers(PlantReport& report) {
                                    " to the same mode does not restart its clock: the time to " + target + " goes on");
     finding.notes.push_back(
         {report.at(exit.origin), "this exit counts from when " + backquoted(mode) + " was entered"});
-    finding.suggestion = "a clock starts where its mode is entered from another one: with a twin of the mode, `" +
-                         mode + " -> " + mode + "-again when …` and `" + mode + "-again -> " + mode +
-                         " when …` restart it, and lose no step";
+    finding.suggestion = own.timing
+                             ? "a clock starts where its mode is entered from another one: go through one of its own"
+                             : "write `" + mode + " -> " + mode + " restart when …` where the clock is to start anew";
   }
 }
 

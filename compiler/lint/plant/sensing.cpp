@@ -35,7 +35,8 @@ bool left_alike(const Component& component, ModeId a, ModeId b) {
     return result;
   };
   const auto same = [](const Transition* x, const Transition* y) {
-    return std::tie(x->to, x->guard, x->timing, x->weight) == std::tie(y->to, y->guard, y->timing, y->weight);
+    return std::tie(x->to, x->guard, x->timing, x->weight, x->restart) ==
+           std::tie(y->to, y->guard, y->timing, y->weight, y->restart);
   };
   const auto left = exits(a);
   const auto right = exits(b);

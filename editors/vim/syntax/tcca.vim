@@ -12,7 +12,7 @@ syntax keyword tccaConstant false inf true
 syntax keyword tccaControl after when with
 syntax keyword tccaDeclaration component control domain fault import mode module observe plant
 syntax keyword tccaFunction erlang exponential likely noplan normal possible surprise uniform weibull
-syntax keyword tccaModifier any default initial input internal model nominal output progress rate reward
+syntax keyword tccaModifier any default initial input internal model nominal output progress rate restart reward
 syntax keyword tccaOperator and in not or
 syntax match tccaNumber "\<\d\+\(\.\d\+\)\?\([eE][+-]\?\d\+\)\?\(\s*\(d\|h\|min\|mins\|ms\|ns\|s\|us\|w\|weeks\)\>\)\?"
 syntax region tccaString start=+"+ skip=+\\["\\]+ end=+"+ oneline

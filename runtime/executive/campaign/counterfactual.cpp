@@ -40,7 +40,7 @@ bool Counterfactual::contradicted_by(const FlownStep& flown) {
   }
   parted_ = true;
   if (!step_.possible(next)) return true;
-  state_ = automata::PlantStep::advance(state_, next, flown.to);
+  state_ = step_.advance(state_, flown.command, next, flown.to);
   return !step_.explains(next, flown.readings);
 }
 

@@ -41,7 +41,7 @@ void CampaignWatch::observe(const CycleRecord& record) {
     const bool named = record.estimate[injected.fault.component.index()] == injected.fault.mode;
     if (injected.forced && !injected.named && named) injected.named = record.time;
   }
-  before_ = automata::PlantStep::advance(before_, *record.truth, record.time);
+  before_ = step_.advance(before_, record.command, *record.truth, record.time);
   from_ = record.time;
 }
 

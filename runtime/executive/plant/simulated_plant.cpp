@@ -154,10 +154,7 @@ const automata::Observation& SimulatedPlant::sense(automata::Ticks now) {
   } else {
     draw(moves, now);
   }
-  for (std::size_t c = 0; c < drawn_.size(); ++c) {
-    if (drawn_[c] != state_.modes[c]) state_.clock_starts[c] = now;
-  }
-  state_.modes = drawn_;
+  state_ = step_.advance(state_, action_, drawn_, now);
   time_ = now;
   readings_ = sensors_.read(state_.modes);
   script_.apply(readings_, now);

@@ -56,9 +56,10 @@ class Looking {
       const auto add = [&](const std::vector<TransitionId>& before, const std::vector<TransitionId>& after) {
         for (const TransitionId id : after) {
           const automata::Transition& transition = component.transitions[id.index()];
-          if (std::find(before.begin(), before.end(), id) != before.end() || transition.from == transition.to) continue;
+          if (std::find(before.begin(), before.end(), id) != before.end()) continue;
+          if (transition.from == transition.to && !transition.restart) continue;
           texts.push_back(component.name + ": " + component.modes[transition.from.index()].name + " -> " +
-                          component.modes[transition.to.index()].name);
+                          component.modes[transition.to.index()].name + (transition.restart ? " restart" : ""));
         }
       };
       add(now[c].untimed, then[c].untimed);

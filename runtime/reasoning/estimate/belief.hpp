@@ -41,10 +41,11 @@ class Clocks {
   Clocks(const automata::Plant& plant, bool live_only);
 
   /// The clock start of `component` after the step that ends at `now` and takes it from a mode entered at `start` to
-  /// `to`: PlantStep::advance for one component, without what is to be forgotten.
+  /// `to`: PlantStep::advance for one component, without what is to be forgotten. `restarted`: by a restart (see
+  /// PlantStep::restarted).
   [[nodiscard]] automata::Ticks advance(std::size_t component, automata::ModeId from, automata::Ticks start,
-                                        automata::ModeId to, automata::Ticks now) const {
-    if (from == to) return start;
+                                        automata::ModeId to, automata::Ticks now, bool restarted) const {
+    if (from == to && !restarted) return start;
     return live_only_ && !live(component, to) ? automata::Ticks{} : now;
   }
   /// Whether the clock makes a difference in the mode.

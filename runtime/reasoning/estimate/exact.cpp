@@ -47,7 +47,7 @@ class Exact final : public ListedFilter {
     const std::size_t components = step_.plant().components.size();
     const SystemState origin{Modes(components), std::vector<Ticks>(components)};
     Targets initial;
-    spread({origin, 1.0}, step_.initial_moves(), Ticks{}, initial);
+    spread({origin, 1.0}, step_.initial_moves(), std::vector<bool>(components), Ticks{}, initial);
     const bool explained = weigh(initial, observation);
     if (explained || weigh(initial, {})) settle();
     return explained;
@@ -62,7 +62,8 @@ class Exact final : public ListedFilter {
       const auto moves_of = [&](std::size_t c) { return std::span<const Move>(moves[c]); };
       const double share = possible_.of(entry.state.modes, moves_of).value;
       if (share == 0) continue;  // no state follows
-      spread({entry.state, entry.probability / share}, moves, input.now, targets_);
+      spread({entry.state, entry.probability / share}, moves, step_.restarted(entry.state.modes, input.action),
+             input.now, targets_);
     }
     estimate_.checked = targets_.size();
     return weigh(targets_, input.observation);
@@ -98,7 +99,8 @@ class Exact final : public ListedFilter {
 
  private:
   /// Adds to `targets` where an entry goes: step 2 of Fig. 6-10.
-  void spread(const BeliefEntry& entry, const std::vector<std::vector<Move>>& moves, Ticks now, Targets& targets) {
+  void spread(const BeliefEntry& entry, const std::vector<std::vector<Move>>& moves, const std::vector<bool>& restarted,
+              Ticks now, Targets& targets) {
     SystemState target = entry.state;
     std::vector<double> probabilities{entry.probability};  // of what is taken so far
     base::multiply_out(
@@ -106,8 +108,9 @@ class Exact final : public ListedFilter {
         [&](std::size_t component, std::size_t m) {
           const Move& move = moves[component][m];
           target.modes[component] = move.mode;
-          target.clock_starts[component] = clocks_.advance(component, entry.state.modes[component],
-                                                           entry.state.clock_starts[component], move.mode, now);
+          target.clock_starts[component] =
+              clocks_.advance(component, entry.state.modes[component], entry.state.clock_starts[component], move.mode,
+                              now, restarted[component]);
           probabilities.push_back(probabilities.back() * move.probability);
           return true;
         },

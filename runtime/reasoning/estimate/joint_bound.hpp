@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -29,6 +30,12 @@ struct Source {
   std::span<const double> scales = {};
   double slack = 1;
   std::span<const std::size_t> differing = {};  ///< the components whose clocks are not the same in all of `clocks`
+  std::span<const std::size_t> restarted = {};  ///< the components whose clocks restarts start anew, ascending
+
+  /// Whether the clock of the component goes on where it stays in its mode.
+  [[nodiscard]] bool goes_on(std::size_t component) const {
+    return !std::binary_search(restarted.begin(), restarted.end(), component);
+  }
 
   [[nodiscard]] double weight_of(std::size_t clock) const {
     if (scales.empty()) return clocks[clock].probability;

@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -171,6 +172,7 @@ class KBest final : public ListedFilter {
     if (widened_ == most_doublings) return search(all, {}, rest.now, options_.k, rest.deadline);
     ++widened_;
     obligatory_.clear();
+    obligatory_restarted_.clear();
     std::vector<Source> obligatory;
     if (widened_ > 1) obligatory = exact_on_blamed(context, rest);
     return search(all, obligatory, rest.now, options_.k << widened_, rest.deadline);
@@ -270,11 +272,13 @@ class KBest final : public ListedFilter {
     sources_.clear();
     std::size_t transient = 0;
     differing_.resize(std::max(differing_.size(), combinations_.size()));
+    restarted_.resize(std::max(restarted_.size(), combinations_.size()));
     for (const Combination& own : combinations_) {
       std::vector<std::size_t>& differing = differing_[sources_.size()];
       find_differing(own, differing);
       Source& source = sources_.emplace_back(Source{&own.modes, own.clocks, own.probability, nullptr});
       source.differing = differing;
+      source.restarted = restarted(own.modes, action, restarted_[sources_.size() - 1]);
       if (Remembered* const known = remembered(context, own, action, now)) {
         source.extensions = &known->extensions;
         source.slack = known->slack;
@@ -287,6 +291,17 @@ class KBest final : public ListedFilter {
     rest_.reset();
     if (transient == 0 && now > last_) rest_ = {&context, action, now - last_};
     return sources_;
+  }
+
+  /// The components whose clocks restarts start anew, as `result`.
+  std::span<const std::size_t> restarted(const Modes& modes, const ControlAction& action,
+                                         std::vector<std::size_t>& result) {
+    result.clear();
+    const std::vector<bool>& all = step_.restarted(modes, action);
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      if (all[c]) result.push_back(c);
+    }
+    return result;
   }
 
   static void find_differing(const Combination& own, std::vector<std::size_t>& differing) {
@@ -502,6 +517,7 @@ class KBest final : public ListedFilter {
       if (count > exact_limit) return {};
       obligatory_.push_back(std::make_unique<Extensions>(context.evidence, moves));
       result.push_back({&own.modes, own.clocks, own.probability, obligatory_.back().get()});
+      result.back().restarted = restarted(own.modes, rest.action, obligatory_restarted_.emplace_back());
     }
     return result;
   }
@@ -559,12 +575,14 @@ class KBest final : public ListedFilter {
   std::vector<Source> sources_;
   std::vector<PossibleShare::Share> shares_;         ///< of one source, by clock or of all
   std::vector<std::vector<std::size_t>> differing_;  ///< by source
+  std::vector<std::vector<std::size_t>> restarted_;  ///< by source
   std::optional<Rest> rest_;                         ///< of `sources_`, where no clock matters in any of them
   TrajectorySearch search_;
   std::shared_ptr<const ConflictSet> refuted_;  ///< by the readings that `condition` was asked about last
   Observation set_aside_;                       ///< in the last update
   std::size_t widened_ = 0;                     ///< cycles on end for these
   std::vector<std::unique_ptr<Extensions>> obligatory_;
+  std::deque<std::vector<std::size_t>> obligatory_restarted_;
   PossibleShare possible_;
   ClockMerging merging_;
   Combinations combinations_, combinations_before_;  ///< the belief, and the one that the last step started from

@@ -65,7 +65,8 @@ class PlantWindow::Part {
       const SystemState& last = states.back();
       SystemState next{way.modes[t], last.clock_starts};
       for (std::size_t c = 0; c < next.modes.size(); ++c) {
-        next.clock_starts[c] = clocks_.advance(c, last.modes[c], last.clock_starts[c], next.modes[c], told[t].now);
+        next.clock_starts[c] =
+            clocks_.advance(c, last.modes[c], last.clock_starts[c], next.modes[c], told[t].now, way.restarted[t][c]);
       }
       states.push_back(std::move(next));
     }
@@ -151,6 +152,7 @@ class PlantWindow::Part {
       const auto moves_of = [&](std::size_t c) { return std::span<const automata::Move>(moves[c]); };
       const double share = possible_.of(source.modes, moves_of).value;
       if (share == 0) continue;  // no state follows
+      const std::vector<bool> restarted = step_.restarted(source.modes, action);
       base::for_each_combination(moves, [&](const std::vector<automata::Move>& taken) {
         SystemState target;
         double probability = 1 / share;
@@ -158,7 +160,7 @@ class PlantWindow::Part {
           probability *= taken[c].probability;
           target.modes.push_back(taken[c].mode);
           target.clock_starts.push_back(
-              clocks_.advance(c, source.modes[c], source.clock_starts[c], taken[c].mode, now));
+              clocks_.advance(c, source.modes[c], source.clock_starts[c], taken[c].mode, now, restarted[c]));
         }
         probability *= step_.observation_factor(target.modes, observation);
         if (probability > 0) arrivals.push_back({number(target), from, probability});

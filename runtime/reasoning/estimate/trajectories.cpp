@@ -265,8 +265,8 @@ std::pair<TrajectorySearch::Target*, bool> TrajectorySearch::reach(const Source&
   fresh.state.modes = extension.modes;
   fresh.state.clock_starts.resize(options_.merge_trajectories ? 0 : extension.modes.size());
   for (std::size_t c = 0; c < fresh.state.clock_starts.size(); ++c) {
-    fresh.state.clock_starts[c] =
-        clocks_.advance(c, (*source.modes)[c], source.clocks.front().starts[c], extension.modes[c], now);
+    fresh.state.clock_starts[c] = clocks_.advance(c, (*source.modes)[c], source.clocks.front().starts[c],
+                                                  extension.modes[c], now, !source.goes_on(c));
   }
   const std::size_t mask = index_.size() - 1;
   std::size_t slot = SystemStateHash{}(fresh.state) & mask;
@@ -316,7 +316,7 @@ double TrajectorySearch::chance(std::uint32_t number, const Source& source, cons
     const double prior = source.extensions->prior(c, to.modes[c]);
     if (prior == 0 || options_.merge_trajectories) return prior;
     const automata::Ticks start = source.clocks.front().starts[c];
-    return to.clock_starts[c] == clocks_.advance(c, from[c], start, to.modes[c], now) ? prior : 0.0;
+    return to.clock_starts[c] == clocks_.advance(c, from[c], start, to.modes[c], now, !source.goes_on(c)) ? prior : 0.0;
   };
   if (barriers_[number] < to.modes.size() && move(barriers_[number]) == 0) return 0;
   double product = 1;
@@ -378,11 +378,11 @@ void TrajectorySearch::add_clocks(Combination& combination, const Source& source
   entered_.clear();
   for (std::size_t c = 0; c < combination.modes.size(); ++c) {
     const automata::ModeId from = (*source.modes)[c], to = combination.modes[c];
-    if (from != to) entered_.emplace_back(c, clocks_.advance(c, from, {}, to, now_));
+    if (from != to || !source.goes_on(c)) entered_.emplace_back(c, clocks_.advance(c, from, {}, to, now_, true));
   }
   const auto moved =
       static_cast<std::size_t>(std::count_if(source.differing.begin(), source.differing.end(), [&](std::size_t c) {
-        return (*source.modes)[c] != combination.modes[c];
+        return (*source.modes)[c] != combination.modes[c] || !source.goes_on(c);
       }));
   const auto starts = [&](std::size_t clock) {
     std::vector<automata::Ticks> result = source.clocks[clock].starts;

@@ -328,8 +328,10 @@ void WindowSearch::follow(std::uint32_t path, std::uint32_t place, const WindowP
   while (node.targets.size() <= place) {
     const Modes& modes = node.steps->found()[node.targets.size()].modes;
     SystemState state{modes, node.state.clock_starts};
+    const std::vector<bool>& restarted = step_.restarted(node.state.modes, layer.action);
     for (std::size_t c = 0; c < modes.size(); ++c) {
-      state.clock_starts[c] = clocks_.advance(c, node.state.modes[c], node.state.clock_starts[c], modes[c], layer.now);
+      state.clock_starts[c] =
+          clocks_.advance(c, node.state.modes[c], node.state.clock_starts[c], modes[c], layer.now, restarted[c]);
     }
     node.targets.push_back(number(behind, std::move(state)));
   }
@@ -339,15 +341,21 @@ void WindowSearch::follow(std::uint32_t path, std::uint32_t place, const WindowP
   push({own.worth + bound(node, place + 1), path, place + 1});
 }
 
-WindowSearch::Way WindowSearch::trace(std::uint32_t path) const {
+WindowSearch::Way WindowSearch::trace(std::uint32_t path) {
   Way way;
   for (; paths_[path].updates > 0; path = paths_[path].parent) {
     way.modes.push_back(layers_[paths_[path].updates].nodes[paths_[path].node].state.modes);
     way.worths.push_back(paths_[path].worth);
+    const Path& from = paths_[paths_[path].parent];
+    const Layer& layer = layers_[from.updates];
+    const Modes& modes = layer.nodes[from.node].state.modes;
+    way.restarted.push_back(layer.counted.stands ? std::vector<bool>(modes.size())
+                                                 : step_.restarted(modes, layer.action));
   }
   way.from = paths_[path].parent;
   std::reverse(way.modes.begin(), way.modes.end());
   std::reverse(way.worths.begin(), way.worths.end());
+  std::reverse(way.restarted.begin(), way.restarted.end());
   return way;
 }
 

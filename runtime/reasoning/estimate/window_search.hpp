@@ -39,6 +39,7 @@ class WindowSearch {
     std::vector<double> worths;  ///< after each update: the logarithm of what the way is worth until then
     std::size_t from = 0;
     std::vector<automata::Modes> modes;
+    std::vector<std::vector<bool>> restarted;  ///< by update, the components whose clocks restarts start anew
   };
   struct Result {
     std::vector<Way> ways;                ///< best first; some may be as good as the k-th, as of `Trellis::best`
@@ -122,7 +123,7 @@ class WindowSearch {
   static void limit(Node& node, std::size_t updates, const WindowProspects& prospects);
   static double bound(const Node& node, std::size_t place);
   void follow(std::uint32_t path, std::uint32_t place, const WindowProspects& prospects);
-  [[nodiscard]] Way trace(std::uint32_t path) const;
+  [[nodiscard]] Way trace(std::uint32_t path);
   void learn(const Way& best);
 
   automata::PlantStep& step_;

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "automata/clock_use.hpp"
 #include "base/hash.hpp"
 #include "runtime/reasoning/nominal/idling.hpp"
 
@@ -181,6 +182,7 @@ LocalMoves Arena::moves_of(ComponentId c, const Modes& modes, const ControlActio
   const automata::Enabled enabled = enabled_of(c, modes, action);
   LocalMoves result;
   result.untimed = !enabled.untimed.empty();
+  result.restarts = automata::restarts(component, enabled) && automata::needs_clock(component, modes[c.index()]);
   for (const automata::TransitionId id : result.untimed ? enabled.untimed : enabled.timed) {
     const automata::Transition& t = component.transitions[id.index()];
     if (t.timing && t.to == modes[c.index()]) {

@@ -31,6 +31,7 @@ struct LocalMoves {
   };
   /// Untimed: one of the exits is taken, in the next step. Timed: each may come between its bounds.
   bool untimed = false;
+  bool restarts = false;    ///< the clock of its mode, which matters, starts anew
   bool dawdles = false;     ///< a timed self-transition competes with the timed exits, so that none of them is ever due
   std::vector<Exit> exits;  ///< untimed ones once a target; staying is an exit to the own mode where it is one
   bool operator==(const LocalMoves&) const = default;

@@ -172,6 +172,10 @@ bool Game::list_choices(std::uint32_t node, const Position& position, const Posi
     auto& choices = turn.choices.emplace_back();
     std::int64_t& due = turn.dues.emplace_back(Cycles::never);
     if (moves.untimed) {
+      // What makes a clock younger is a step of its own; then it may be held.
+      const bool renews =
+          moves.restarts && memory_ == Memory::ages && (ages(node)[i].least != 0 || ages(node)[i].most != 0);
+      turn.waits = turn.waits && !renews;
       for (const LocalMoves::Exit& exit : moves.exits) {
         turn.waits = turn.waits && exit.to == mode;
         choices.push_back({exit.to, &exit, Cycles{0, Cycles::never}});
@@ -285,7 +289,7 @@ void Game::add_outcome(std::uint32_t node, const Position& position, const Turn&
       charge = std::min(charge, std::max(least, turn.dues[i] - ages[i].charged));
     }
     for (std::size_t i = 0; i < ages.size(); ++i) {
-      const bool stays = modes[i] == position.modes[components[i].index()].index();
+      const bool stays = modes[i] == position.modes[components[i].index()].index() && !turn.moves[i]->restarts;
       key.ages.push_back(!stays ? Age{}
                                 : Age{ages[i].least + cycles.first,
                                       std::min(sum(ages[i].most, cycles.last), rules_.oldest(turn.dues[i])),

@@ -117,8 +117,25 @@ TEST_F(Heater, AStoreThatContradictsIsImpossible) {
 
 TEST_F(Heater, AClockRestartsWhenItsModeChanges) {
   const SystemState state{{ModeId(off)}, {s(3)}};
-  EXPECT_EQ(PlantStep::advance(state, {ModeId(off)}, s(9)).clock_starts[0], s(3));
-  EXPECT_EQ(PlantStep::advance(state, {ModeId(warming)}, s(9)).clock_starts[0], s(9));
+  PlantStep plant_step(plant);
+  const ControlAction action = idle_action(plant);
+  EXPECT_EQ(plant_step.advance(state, action, {ModeId(off)}, s(9)).clock_starts[0], s(3));
+  EXPECT_EQ(plant_step.advance(state, action, {ModeId(warming)}, s(9)).clock_starts[0], s(9));
+}
+
+TEST_F(Heater, ARestartStartsTheClockOfItsModeAnew) {
+  Component& heater = plant.components.front();
+  heater.transitions.push_back({ModeId(warming), ModeId(warming), constant(true), {}, {}, 0, {}});
+  const SystemState state{{ModeId(warming)}, {s(3)}};
+  const ControlAction action = idle_action(plant);
+  EXPECT_EQ(PlantStep(plant).advance(state, action, {ModeId(warming)}, s(9)).clock_starts[0], s(3));
+  heater.transitions.back().restart = true;
+  PlantStep plant_step(plant);
+  EXPECT_EQ(plant_step.advance(state, action, {ModeId(warming)}, s(9)).clock_starts[0], s(9));
+  EXPECT_TRUE(plant_step.restarted({ModeId(warming)}, action)[0]);
+  EXPECT_FALSE(plant_step.restarted({ModeId(off)}, action)[0]);
+  heater.transitions.back().weight = {Weight::Kind::probability, 0};  // never taken
+  EXPECT_FALSE(PlantStep(plant).restarted({ModeId(warming)}, action)[0]);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Belief posterior(PlantStep& step, const Belief& belief, const ControlAction& act
         return;
       }
       const double p = entry.probability * step.probability(entry.state, action, before, now, next);
-      SystemState to = PlantStep::advance(entry.state, next, now);
+      SystemState to = step.advance(entry.state, action, next, now);
       for (std::size_t i = 0; options.live_clocks_only && i < next.size(); ++i) {
         if (!automata::needs_clock(step.plant().components[i], next[i])) to.clock_starts[i] = {};
       }
