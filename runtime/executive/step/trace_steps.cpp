@@ -5,46 +5,16 @@
 #include <utility>
 
 #include "automata/store/model.hpp"
+#include "runtime/executive/trace/told_estimator.hpp"
 #include "runtime/reasoning/estimate/insight.hpp"
 
 namespace rmpl::runtime {
-
-/// What a trace tells of the estimator: the estimate, and whether readings were set aside.
-class TraceEstimator final : public Estimator {
- public:
-  void set(const automata::Modes& modes, const automata::Observation& set_aside) {
-    estimate_.modes = modes;
-    estimate_.set_aside = set_aside;
-    estimate_.consistent = set_aside.empty();
-    estimate_.probability = 1;
-    belief_ = {{{modes, {}}, 1.0}};
-  }
-  const Estimate& start(const automata::Observation&) override { return estimate_; }
-  const Estimate& update(const automata::ControlAction&, const automata::Observation&, automata::Ticks) override {
-    return estimate_;
-  }
-  [[nodiscard]] const Belief& belief() const override { return belief_; }
-  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
-  [[nodiscard]] std::optional<automata::Modes> likeliest_without(automata::ComponentId, automata::ModeId,
-                                                                 const std::vector<RefutedModes>&) const override {
-    return std::nullopt;
-  }
-  [[nodiscard]] bool tells_rivals() const override { return false; }
-  [[nodiscard]] double probability_of(const automata::Modes&) const override { return 1; }
-  [[nodiscard]] std::size_t groups() const override { return 1; }
-  [[nodiscard]] std::size_t questions() const override { return 0; }
-  [[nodiscard]] std::size_t solver_calls() const override { return 0; }
-
- private:
-  Estimate estimate_;
-  Belief belief_;
-};
 
 TraceSteps::TraceSteps(const automata::Plant& plant, const automata::Program& program, const std::string& text,
                        const std::string& name)
     : plant_(plant), program_(program), theory_(automata::model_theory(plant)) {
   moments_ = read_moments(plant, program, text, name);
-  estimator_ = std::make_unique<TraceEstimator>();
+  estimator_ = std::make_unique<ToldEstimator>();
   tell_changes();
 }
 
@@ -72,7 +42,7 @@ bool TraceSteps::advance(const Look& look) {
   const TraceMoment& moment = moments_[++at_];
   story_.insert(story_.end(), moment.story.begin(), moment.story.end());
   if (!look) return true;
-  estimator_->set(moment.estimate, moment.set_aside);
+  estimator_->set(moment.estimate, moment.set_aside, {{{moment.estimate, {}}, 1.0}});
   record_.cycle = moment.stop.cycle;
   record_.time = moment.stop.time;
   record_.command = moment.command;

@@ -12,7 +12,7 @@
 
 namespace rmpl::runtime {
 
-class TraceEstimator;
+class ToldEstimator;
 
 /// A position is a line of the trace, or an event of the witness: cycles in which nothing changed are passed over.
 class TraceSteps final : public SteppedRun {
@@ -46,7 +46,7 @@ class TraceSteps final : public SteppedRun {
   std::vector<TraceMoment> moments_;
   std::size_t at_ = 0;
   std::vector<std::string> story_;
-  std::unique_ptr<TraceEstimator> estimator_;
+  std::unique_ptr<ToldEstimator> estimator_;
   CycleRecord record_;
 };
 

@@ -12,6 +12,7 @@
 #include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/executive/trace/log_names.hpp"
 #include "runtime/executive/trace/reasons.hpp"
+#include "runtime/executive/trace/told_estimator.hpp"
 #include "runtime/reasoning/reconfigure/outcome.hpp"
 
 namespace rmpl::runtime {
@@ -19,44 +20,6 @@ namespace rmpl::runtime {
 using automata::ComponentId;
 using automata::Json;
 using automata::ModeId;
-
-/// The belief that a trace tells.
-class ToldEstimator final : public Estimator {
- public:
-  void set(const automata::Modes& modes, const automata::Observation& set_aside, Belief belief) {
-    belief_ = std::move(belief);
-    estimate_.modes = modes;
-    estimate_.set_aside = set_aside;
-    estimate_.consistent = set_aside.empty();
-    estimate_.probability = probability_of(modes);
-  }
-  const Estimate& start(const automata::Observation&) override { return estimate_; }
-  const Estimate& update(const automata::ControlAction&, const automata::Observation&, automata::Ticks) override {
-    return estimate_;
-  }
-  [[nodiscard]] const Belief& belief() const override { return belief_; }
-  [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
-  [[nodiscard]] std::optional<automata::Modes> likeliest_without(ComponentId, ModeId,
-                                                                 const std::vector<RefutedModes>&) const override {
-    return std::nullopt;
-  }
-  [[nodiscard]] bool tells_rivals() const override { return false; }
-  [[nodiscard]] double probability_of(const automata::Modes& modes) const override {
-    double all = 0, own = 0;
-    for (const BeliefEntry& entry : belief_) {
-      all += entry.probability;
-      if (entry.state.modes == modes) own += entry.probability;
-    }
-    return all > 0 ? own / all : 1;
-  }
-  [[nodiscard]] std::size_t groups() const override { return 1; }
-  [[nodiscard]] std::size_t questions() const override { return 0; }
-  [[nodiscard]] std::size_t solver_calls() const override { return 0; }
-
- private:
-  Estimate estimate_;
-  Belief belief_;
-};
 
 namespace {
 

@@ -198,7 +198,7 @@ void TrajectorySearch::tighten(std::span<const Source> sources) {
 double TrajectorySearch::unexplored(std::span<const Source> sources) {
   constexpr double rounding = 1e-14;
   double mass = 0;
-  for (const Source& source : sources) mass += following(source);
+  for (const Source& source : sources) mass += source.following();
   if (!options_.merge_trajectories || !options_.observation_factor) {
     return std::max(0.0, mass - explored_) + rounding * mass;
   }
@@ -207,7 +207,7 @@ double TrajectorySearch::unexplored(std::span<const Source> sources) {
   // Of each source by its shares or by its priors. A share may be more than the prior, so that only like is taken from
   // like. Shares are known once the mass was asked for.
   std::vector<double> most, shares(sources.size()), priors(sources.size());
-  for (const Source& source : sources) most.push_back(mass_of(source));
+  for (const Source& source : sources) most.push_back(source.greatest_worth());
   for (const Way& way : ways_) {
     const Source& source = sources[way.source];
     const double prior = source.weight * way.chance;
@@ -216,44 +216,10 @@ double TrajectorySearch::unexplored(std::span<const Source> sources) {
   }
   double left = 0;
   for (std::size_t s = 0; s < sources.size(); ++s) {
-    const double all = following(sources[s]);
+    const double all = sources[s].following();
     left += std::max(0.0, std::min(all - priors[s], most[s] - shares[s])) + rounding * std::min(all, most[s]);
   }
   return left;
-}
-
-/// The probability of all that follows a source.
-double TrajectorySearch::following(const Source& source) {
-  double sum = 0;
-  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
-    if (source.weight_of(e) > 0) sum += source.clocks[e].probability;
-  }
-  return sum;
-}
-
-/// An upper bound of the worth of all that a source leads to. What holds for the best moves of all clocks is too much.
-double TrajectorySearch::mass_of(const Source& source) {
-  if (std::isinf(source.slack)) return source.slack;
-  const double most = source.extensions->mass() * source.slack;
-  if (source.varied.empty() || !source.extensions->informed()) return source.weight * most;
-  const auto promise = [&](std::size_t component, const std::vector<double>& priors) {
-    double sum = 0;
-    for (std::size_t m = 0; m < priors.size(); ++m) {
-      if (priors[m] > 0) sum += priors[m] * source.extensions->gain(component, automata::ModeId(m));
-    }
-    return sum;
-  };
-  std::vector<double> best;
-  for (const std::size_t c : source.varied) best.push_back(promise(c, source.extensions->moves(c).priors()));
-  double mass = 0;
-  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
-    double own = source.weight_of(e) * most;
-    for (std::size_t v = 0; v < source.varied.size(); ++v) {
-      own *= promise(source.varied[v], source.moves[e * source.varied.size() + v]->priors()) / best[v];
-    }
-    mass += own;
-  }
-  return mass;
 }
 
 /// The target of an extension, and whether it is new; then it has no worth yet. Valid until the next call.

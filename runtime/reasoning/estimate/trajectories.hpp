@@ -92,8 +92,6 @@ class TrajectorySearch {
   void find_ways(Target& target, std::span<const Source> sources, automata::Ticks now);
   void weigh(Target& target, std::span<const Way> ways, std::span<const Source> sources) const;
   double chance(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now);
-  [[nodiscard]] static double following(const Source& source);
-  [[nodiscard]] static double mass_of(const Source& source);
   [[nodiscard]] Combination combination(const Target& target, std::span<const Way> ways,
                                         std::span<const Source> sources);
   void add_clocks(Combination& combination, const Source& source, double worth);
