@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 #include "automata/step/plant_step.hpp"
 #include "automata/time/time.hpp"
 #include "base/error.hpp"
+#include "base/work_together.hpp"
 #include "compiler/session/provider.hpp"
 #include "python/errors.hpp"
 #include "runtime/executive/answer/diagnosis_answer.hpp"
@@ -121,34 +119,17 @@ std::string campaign(const ModelPointer& model, const std::optional<std::string>
   runtime::expect_faults(document, flown, faults);
   std::vector<std::optional<runtime::CampaignRun>> results(runs);
   run_interruptibly([&](const std::atomic<bool>& stop) {
-    std::atomic<bool> failed = false;
     runtime::ScenarioOptions options;
     options.graph = runtime::reconfiguration_graph(document.plants[flown.plant]);
-    options.interrupted = [&] { return stop || failed; };
+    options.interrupted = [&] { return stop.load(); };
     runtime::CampaignPlan plan;
     plan.seed = seed;
     plan.faults = faults;
     plan.unmodelled = unmodelled;
     plan.cycles = runtime::cycles_without_faults(document, flown, options);
-    std::atomic<std::uint64_t> next = 0;
-    std::mutex mutex;
-    std::exception_ptr failure;
-    const auto work = [&] {
-      try {
-        for (std::uint64_t run = next++; run < runs && !options.interrupted(); run = next++) {
-          results[run] = runtime::fly_run(document, flown, plan, run, options);
-        }
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        failed = true;
-      }
-    };
-    std::vector<std::thread> others;
-    for (unsigned j = 1; j < std::min<std::uint64_t>(jobs, runs); ++j) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
-    if (failure) std::rethrow_exception(failure);
+    base::share_tasks(jobs, runs, [&](std::size_t run, std::size_t) {
+      if (!options.interrupted()) results[run] = runtime::fly_run(document, flown, plan, run, options);
+    });
   });
   JsonLine json;
   json.open('[');

@@ -5,6 +5,7 @@
 
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
+#include "verifier/closed_loop/check_all.hpp"
 #include "verifier/plant/check.hpp"
 #include "verifier/plant/check_all.hpp"
 #include "verifier/verdict/question_json.hpp"
@@ -81,6 +82,26 @@ RC_GTEST_PROP(SeveralProperties, AreEachByItself, ()) {
     RC_ASSERT(is_partial(together[q]) == is_partial(single));
     RC_ASSERT(together[q].witness.has_value() == single.witness.has_value());
     if (!fastest(questions[q].property)) RC_ASSERT(changes(together[q].witness) == changes(single.witness));
+  }
+}
+
+RC_GTEST_PROP(SeveralProperties, AreTheSameByThreads, ()) {
+  Shape shape;
+  shape.max_components = 3;
+  const Model model = *models(shape);
+  const std::size_t count = up_to(2, 6);
+  std::vector<verifier::Question> questions;
+  for (std::size_t q = 0; q < count; ++q) questions.push_back({draw_property(model.plant), draw_options()});
+  verifier::Slices slices(model.plant);
+  const auto one = verifier::check_all({model.plant}, slices, questions, {});
+  const auto several = verifier::check_all({model.plant}, slices, questions, {}, up_to(2, 4));
+  RC_ASSERT(one.size() == several.size());
+  for (std::size_t q = 0; q < count; ++q) {
+    log(model, questions[q], "by one thread", one[q]);
+    log(model, questions[q], "by several", several[q]);
+    RC_ASSERT(one[q].verdict == several[q].verdict);
+    RC_ASSERT(one[q].progress.states == several[q].progress.states);
+    RC_ASSERT(changes(one[q].witness) == changes(several[q].witness));
   }
 }
 

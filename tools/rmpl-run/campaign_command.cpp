@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <limits>
 #include <map>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/work_together.hpp"
 #include "runtime/executive/campaign/flight.hpp"
 #include "runtime/executive/campaign/table.hpp"
 #include "runtime/executive/scenario/report.hpp"
@@ -203,16 +203,8 @@ class Crew {
 
   /// Returns once every run has its result, or at an interruption; false then. Throws what a thread threw.
   bool work() {
-    std::vector<std::thread> others;
     const std::uint64_t jobs = std::min<std::uint64_t>(options_.jobs, std::max<std::uint64_t>(campaign_.runs, 1));
-    try {
-      for (std::uint64_t j = 1; j < jobs; ++j) others.emplace_back([this] { one(); });
-    } catch (const std::system_error&) {
-      // The system gives no more threads: those that there are do it.
-    }
-    one();
-    for (std::thread& other : others) other.join();
-    if (failure_) std::rethrow_exception(failure_);
+    base::work_together(jobs, [this] { one(); });
     return !interrupted();
   }
 
@@ -230,9 +222,8 @@ class Crew {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
       }
     } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
       stop_ = true;
+      throw;
     }
   }
 
@@ -288,7 +279,6 @@ class Crew {
   bool tells_;
   std::atomic<bool> stop_ = false;
   std::mutex mutex_;
-  std::exception_ptr failure_;
   std::chrono::steady_clock::time_point next_;
 };
 

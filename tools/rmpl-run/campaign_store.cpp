@@ -8,8 +8,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
@@ -81,18 +79,6 @@ class CampaignStore::Statement {
   int bound_ = 0;
   int read_ = 0;
 };
-
-ForgottenDatabase::ForgottenDatabase() {
-  std::error_code unknown;
-  const std::filesystem::path where = std::filesystem::temp_directory_path(unknown);
-  folder_ = ((unknown ? std::filesystem::path("/tmp") : where) / "rmpl-campaign-XXXXXX").string();
-  if (::mkdtemp(folder_.data()) == nullptr) throw base::InputError(folder_ + ": " + std::strerror(errno));
-}
-
-ForgottenDatabase::~ForgottenDatabase() {
-  std::error_code ignored;  // what is left there is nobody's
-  std::filesystem::remove_all(folder_, ignored);
-}
 
 CampaignStore::CampaignStore(std::string path, const automata::Plant& plant,
                              const std::map<std::string, std::string>& identity)

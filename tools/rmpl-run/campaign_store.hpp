@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/temporary_folder.hpp"
 #include "runtime/executive/campaign/flight.hpp"
 
 struct sqlite3;
@@ -23,15 +24,10 @@ inline constexpr const char* in_memory = ":memory:";
 /// A database in a folder of its own, removed with this. Throws base::InputError where there can be none.
 class ForgottenDatabase {
  public:
-  ForgottenDatabase();
-  ~ForgottenDatabase();
-  ForgottenDatabase(const ForgottenDatabase&) = delete;
-  ForgottenDatabase& operator=(const ForgottenDatabase&) = delete;
-
-  [[nodiscard]] std::string path() const { return folder_ + "/runs.sqlite"; }
+  [[nodiscard]] std::string path() const { return (folder_.path() / "runs.sqlite").string(); }
 
  private:
-  std::string folder_;
+  base::TemporaryFolder folder_ = base::TemporaryFolder::of_system("rmpl-campaign-");
 };
 
 /// One connection; each thread has its own. Throws base::InputError where the file is no database of a campaign, or

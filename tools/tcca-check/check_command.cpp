@@ -38,6 +38,7 @@ struct Options {
   bool statistics = false;
   std::string report;    ///< where to write a page to look at traces; empty: nowhere
   std::string coverage;  ///< where to write what traces come to; empty: nowhere
+  unsigned jobs = 1;     ///< searches at a time
 };
 
 /// The properties that were asked for, and where they are stated.
@@ -154,7 +155,7 @@ ExitStatus run(const Options& options, const Common& common) {
   verifier::Slices slices(plant);
   auto warnings = warn_of_questions(questions, slices, subject.program, common, places);
   std::vector<verifier::Answer> answers =
-      verifier::check_all(subject, slices, questions, limits(options.budget, common));
+      verifier::check_all(subject, slices, questions, limits(options.budget, common), options.jobs);
   warn_of_answers(questions, std::move(warnings), answers, slices, common, places);
   const std::vector<verifier::Claim> claims = asked.with(std::move(answers), limits(options.budget, common));
   print_answer(
@@ -192,6 +193,9 @@ void add_check(Program& program) {
   add_text(command, "--coverage", options->coverage, "OUT.json",
            "write the modes, transitions, faults and locations that the traces come to");
   add_budget(command, options->budget);
+  constexpr std::uint64_t most_jobs = 256;
+  add_whole_number(command, "--jobs,-j", options->jobs, 1, most_jobs,
+                   "how many searches at a time (default: 1); verdicts are the same for any number");
   add_answer_form(command, program.common(), options->statistics);
   command.footer(notes);
   program.add({command,

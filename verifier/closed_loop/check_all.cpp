@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <tuple>
 
+#include "base/work_together.hpp"
 #include "verifier/closed_loop/check.hpp"
 #include "verifier/plant/check_all.hpp"
 
@@ -56,21 +59,30 @@ std::vector<Group> groups_of(Slices& slices, const std::vector<Question>& questi
 
 class Turns {
  public:
-  Turns(const Subject& subject, Slices& slices, const std::vector<Question>& questions, const Limits& limits)
+  Turns(const Subject& subject, Slices& slices, const std::vector<Question>& questions, const Limits& limits,
+        std::size_t threads)
       : subject_(subject),
-        slices_(slices),
         questions_(questions),
         limits_(limits),
         open_(groups_of(slices, questions)),
-        answers_(questions.size()) {
+        answers_(questions.size()),
+        slices_(std::clamp<std::size_t>(open_.size(), 1, threads)) {
     for (Answer& answer : answers_) answer.limit = Limit::time;  // until it is begun
+    slices_.front() = &slices;
+    others_.resize(slices_.size());
+    if (limits.report && slices_.size() > 1) {
+      limits_.report = [this, report = limits.report](const Progress& progress) {
+        const std::lock_guard lock(report_);
+        report(progress);
+      };
+    }
   }
 
   std::vector<Answer> run() {
     constexpr double first_turn = 0.05, growth = 10, longest_turn = 5;
     bool last = open_.size() < 2;
     for (double turn = first_turn; !open_.empty(); turn *= growth) {
-      last = last || left() / static_cast<double>(open_.size()) <= turn || (!limits_.time && turn > longest_turn);
+      last = last || share_of_left(open_.size()) <= turn || (!limits_.time && turn > longest_turn);
       take_turns(last ? std::nullopt : std::optional(turn));
       if (last) break;
     }
@@ -85,22 +97,40 @@ class Turns {
     if (!limits_.time) return std::numeric_limits<double>::infinity();
     return std::max(0.0, (*limits_.time - Seconds(std::chrono::steady_clock::now() - begin_)).count());
   }
+  /// What one of so many groups may have of that.
+  [[nodiscard]] double share_of_left(std::size_t groups) const {
+    const std::size_t rounds = (groups + slices_.size() - 1) / slices_.size();
+    return left() / static_cast<double>(rounds);
+  }
 
   /// A turn of so many seconds for each that is open; without a number of them the last, which shares what is left.
   void take_turns(std::optional<double> seconds) {
+    std::vector<char> settled(open_.size());
+    base::share_tasks(slices_.size(), open_.size(), [&](std::size_t g, std::size_t thread) {
+      Limits limits = limits_;
+      const double share = std::min(share_of_left(open_.size() - g), seconds.value_or(left()));
+      if (seconds || limits_.time) limits.time = Seconds(share);
+      settled[g] = take_turn(open_[g], slices_of(thread), limits);
+    });
     std::vector<Group> still_open;
     for (std::size_t g = 0; g < open_.size(); ++g) {
-      Limits limits = limits_;
-      const double share = std::min(left() / static_cast<double>(open_.size() - g), seconds.value_or(left()));
-      if (seconds || limits_.time) limits.time = Seconds(share);
-      if (!take_turn(open_[g], limits)) still_open.push_back(open_[g]);
+      if (!settled[g]) still_open.push_back(std::move(open_[g]));
     }
     open_ = std::move(still_open);
   }
 
+  /// Those of a thread, which makes them when it first has something to do.
+  Slices& slices_of(std::size_t thread) {
+    if (slices_[thread] == nullptr) {
+      others_[thread] = std::make_unique<Slices>(subject_.plant);
+      slices_[thread] = others_[thread].get();
+    }
+    return *slices_[thread];
+  }
+
   /// Whether more time would make no difference. What an earlier turn decided, and this one does not, stays.
-  bool take_turn(const Group& group, const Limits& limits) {
-    std::vector<Answer> found = ask(group, limits);
+  bool take_turn(const Group& group, Slices& slices, const Limits& limits) {
+    std::vector<Answer> found = ask(group, slices, limits);
     bool settled = true;
     for (std::size_t i = 0; i < group.size(); ++i) {
       Answer& known = answers_[group[i]];
@@ -116,33 +146,35 @@ class Turns {
     return settled;
   }
 
-  std::vector<Answer> ask(const Group& group, const Limits& limits) {
+  std::vector<Answer> ask(const Group& group, Slices& slices, const Limits& limits) {
     const Question& first = questions_[group.front()];
     if (!std::holds_alternative<ProgramProperty>(first.property)) {
-      return check_all(slices_, at(questions_, group), limits);
+      return check_all(slices, at(questions_, group), limits);
     }
     std::vector<Property> asked;
     for (const std::size_t q : group) asked.push_back(questions_[q].property);
-    std::vector<Answer> found = check(*subject_.program, slices_.whole(), asked, first.options, limits);
+    std::vector<Answer> found = check(*subject_.program, slices.whole(), asked, first.options, limits);
     // Each stands for itself: a trace that two have in common is told by both.
     for (Answer& answer : found) answer.same_as.reset();
     return found;
   }
 
   const Subject& subject_;
-  Slices& slices_;
   const std::vector<Question>& questions_;
-  const Limits& limits_;
+  Limits limits_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::vector<Group> open_;
   std::vector<Answer> answers_;
+  std::vector<Slices*> slices_;  ///< by thread
+  std::vector<std::unique_ptr<Slices>> others_;
+  std::mutex report_;
 };
 
 }  // namespace
 
 std::vector<Answer> check_all(const Subject& subject, Slices& slices, const std::vector<Question>& questions,
-                              const Limits& limits) {
-  return Turns(subject, slices, questions, limits).run();
+                              const Limits& limits, std::size_t threads) {
+  return Turns(subject, slices, questions, limits, threads).run();
 }
 
 }  // namespace rmpl::verifier

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "verifier/slice/slices.hpp"
@@ -18,7 +19,10 @@ namespace rmpl::verifier {
 /// much, and so on. `limits.time` is for all together: where what is left of it does not suffice for the next turn,
 /// those that are left share it evenly, and what one does not use the others get. Turns begin anew, which costs a tenth
 /// more; what comes of a search is the same in any turn. `limits.states` is for each search.
+///
+/// So many `threads` take turns at once, with slices of their own but for the first. Answers do not depend on their
+/// number, but for what a limit of time or memory leaves undecided, and what a search is told to have cost.
 std::vector<Answer> check_all(const Subject& subject, Slices& slices, const std::vector<Question>& questions,
-                              const Limits& limits);
+                              const Limits& limits, std::size_t threads = 1);
 
 }  // namespace rmpl::verifier

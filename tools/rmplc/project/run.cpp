@@ -1,22 +1,19 @@
-// A queue of lints and calls, and the threads that take from it.
+// Lints and calls as tasks that threads share.
 // SPDX-License-Identifier: MIT
 #include "tools/rmplc/project/run.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <set>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/temporary_folder.hpp"
+#include "base/work_together.hpp"
 #include "compiler/lint/lint.hpp"
 #include "grammar/source/render.hpp"
 #include "tools/rmplc/project/baseline.hpp"
@@ -35,27 +32,6 @@ using Outcome = ProjectTest::Outcome;
 using Kind = ProjectTest::Kind;
 
 double seconds_from(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// A folder for what the other programs write, which goes with everything in it.
-class Folder {
- public:
-  Folder() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "rmplc-test-XXXXXX").string();
-    if (error || ::mkdtemp(name.data()) == nullptr) throw base::InputError("there is no folder for temporary files");
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] std::string file(std::size_t number) const { return (path_ / std::to_string(number)).string(); }
-
- private:
-  fs::path path_;
-};
 
 /// A program of this toolchain: the one beside this one, else the one that PATH knows.
 std::string program_of(const std::string& name) {
@@ -128,36 +104,17 @@ class Run {
 
   ProjectOutcomes run(unsigned jobs) {
     const auto start = Clock::now();
-    std::vector<std::thread> others;
-    const std::size_t threads = std::min<std::size_t>(jobs, tests_.size());
-    try {
-      for (std::size_t t = 1; t < threads; ++t) others.emplace_back([this] { work(); });
-    } catch (const std::system_error&) {
-      // The system gives no more threads: those that there are do it.
-    }
-    work();
-    for (std::thread& other : others) other.join();
-    if (failure_) std::rethrow_exception(failure_);
+    base::share_tasks(jobs, tests_.size(), [this](std::size_t task, std::size_t) {
+      if (task < lints_) {
+        lint(task);
+      } else {
+        call(task);
+      }
+    });
     return collected(start);
   }
 
  private:
-  void work() {
-    while (!failed_) {
-      const std::size_t task = next_++;
-      if (task >= tests_.size()) return;
-      try {
-        if (task < lints_) {
-          lint(task);
-        } else {
-          call(task);
-        }
-      } catch (...) {
-        if (!failed_.exchange(true)) failure_ = std::current_exception();
-      }
-    }
-  }
-
   void lint(std::size_t task) {
     ProjectTest test;
     test.set = plan_.sets[task].name;
@@ -211,7 +168,7 @@ class Run {
   ChildEnd run_program(const PlannedCall& call, std::size_t task) {
     ChildCall child{.arguments = call.arguments, .interrupted = interrupted};
     child.arguments.front() = program_of(call.arguments.front());
-    child.arguments.insert(child.arguments.end(), {"--coverage", folder_.file(task)});
+    child.arguments.insert(child.arguments.end(), {"--coverage", file_of(task)});
     if (choice_.patience) {
       child.time_limit = std::chrono::duration<double>(static_cast<double>(choice_.patience->count) /
                                                        static_cast<double>(automata::Ticks::per_second));
@@ -260,8 +217,8 @@ class Run {
   }
 
   void read_coverage(std::size_t task) {
-    if (!fs::exists(folder_.file(task))) return;
-    coverage_[task - lints_] = runtime::read_coverage(base::read_file(folder_.file(task)));
+    if (!fs::exists(file_of(task))) return;
+    coverage_[task - lints_] = runtime::read_coverage(base::read_file(file_of(task)));
   }
 
   /// A finding in what several sets have in common is one of the first of them.
@@ -301,18 +258,18 @@ class Run {
     return result;
   }
 
+  /// Where the program of a call writes what it covers.
+  [[nodiscard]] std::string file_of(std::size_t task) const { return (folder_.path() / std::to_string(task)).string(); }
+
   const TestPlan& plan_;
   const TestChoice& choice_;
   const Settings& settings_;
-  Folder folder_;
-  Baseline baseline_;  ///< each set begins with all of it
-  std::size_t lints_;  ///< tasks from the front
+  base::TemporaryFolder folder_ = base::TemporaryFolder::of_system("rmplc-test-");  ///< for what programs write
+  Baseline baseline_;                                                               ///< each set begins with all of it
+  std::size_t lints_;                                                               ///< tasks from the front
   std::vector<SetFindings> found_;
   std::vector<std::vector<ProjectTest>> tests_;  ///< by task
   std::vector<std::vector<runtime::CoverageItem>> coverage_;
-  std::atomic<std::size_t> next_ = 0;
-  std::atomic<bool> failed_ = false;
-  std::exception_ptr failure_;
 };
 
 }  // namespace

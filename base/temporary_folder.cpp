@@ -1,0 +1,31 @@
+// What cannot be removed stays: nobody waits for it.
+// SPDX-License-Identifier: MIT
+#include "base/temporary_folder.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+
+#include "base/error.hpp"
+
+namespace rmpl::base {
+
+TemporaryFolder::TemporaryFolder(const std::string& prefix) {
+  std::string name = prefix + "XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) throw InputError(prefix + ": " + std::strerror(errno));
+  path_ = name;
+}
+
+TemporaryFolder TemporaryFolder::of_system(const std::string& prefix) {
+  std::error_code unknown;
+  const std::filesystem::path where = std::filesystem::temp_directory_path(unknown);
+  return TemporaryFolder(((unknown ? std::filesystem::path("/tmp") : where) / prefix).string());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace rmpl::base
