@@ -135,8 +135,9 @@ std::vector<Commands> Board::commands_of(Node node, GameStep::Action action) {
   const Modes modes = arena_.modes(node);
   const auto& actions = step().actions();
   const auto rest = this->rest(node);
+  const auto& own = step().freedom(modes, action);
   for (GameStep::Action a = 0; a < actions.size(); ++a) {
-    if (step().freedom(modes, a) != step().freedom(modes, action)) continue;
+    if (step().freedom(modes, a) != own) continue;
     Commands& commands = all.emplace_back();
     for (std::size_t i = 0; i < actions[a].size(); ++i)
       if (actions[a][i] != actions[*rest][i]) commands.emplace(i, actions[a][i]);

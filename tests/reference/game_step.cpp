@@ -60,9 +60,11 @@ bool GameStep::can_be_taken(std::size_t component, const Transition& transition)
 }
 
 const std::optional<std::vector<Freedom>>& GameStep::freedom(const Modes& modes, Action action) {
-  auto& known = freedoms_[modes];
-  const auto at = known.find(action);
-  return at != known.end() ? at->second : known.emplace(action, find_freedom(modes, action)).first->second;
+  Freedoms& known = freedoms_[modes];
+  known.resize(actions_.size());
+  auto& own = known[action];
+  if (!own) own = std::make_unique<const std::optional<std::vector<Freedom>>>(find_freedom(modes, action));
+  return *own;
 }
 
 std::optional<std::vector<Freedom>> GameStep::find_freedom(const Modes& modes, Action action) {

@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -60,7 +62,9 @@ class GameStep {
   const automata::Plant& plant_;
   std::vector<automata::ControlAction> actions_;
   automata::Theory theory_;
-  std::map<automata::Modes, std::map<Action, std::optional<std::vector<Freedom>>>> freedoms_;
+  /// By action, as far as it was asked for.
+  using Freedoms = std::vector<std::unique_ptr<const std::optional<std::vector<Freedom>>>>;
+  std::unordered_map<automata::Modes, Freedoms, automata::ModesHash> freedoms_;  ///< looked up, never iterated
   std::map<automata::Modes, std::vector<Nogood>> nogoods_;
 };
 
