@@ -175,10 +175,6 @@ std::vector<Interval> outside(Interval rest, const std::vector<Interval>& interv
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// Where the component may stay in a step.
 std::vector<Interval> stays_of(const Component& component, ModeId mode, const Enabled& enabled, const TimeModel& time) {
   std::vector<Interval> stays;
@@ -207,10 +203,8 @@ std::vector<Interval> waits(const Component& component, ModeId mode, const Enabl
   if (time.is_dense()) {
     const auto leaves = [&](TransitionId id) { return component.transitions[id.index()].to != mode; };
     if (std::any_of(enabled.untimed.begin(), enabled.untimed.end(), leaves)) return {};
+    if (automata::restarts(component, enabled)) return restarted_waits(stays_of(component, mode, enabled, time), time);
     Interval wait;
-    if (automata::restarts(component, enabled)) {
-      return restarted_waits(stays_of(component, mode, enabled, time), time);
-    }
     if (!enabled.untimed.empty()) return {wait};
     for (const TransitionId id : enabled.timed) {
       if (!leaves(id)) continue;
