@@ -314,7 +314,10 @@ void PlantSystem::enter(SituationId id, std::shared_ptr<const Situation> situati
                         Zone now, Label label, const VisitEntered& visit, bool progressed) const {
   if (!in_time(now, phase, *situation)) return;
   const Place place{*situation, has_extra(phase)};
-  bool whole = false;
+  // A wait in which clocks restart takes a unit at least: it holds nothing of what is there at once, which goes first,
+  // so that witnesses lose no time.
+  bool whole = !situation->restarted.empty();
+  if (whole) visit({id, situation, phase, faults, now, label, progressed});
   for (std::size_t w = 0; w < situation->waits.size(); ++w) {
     Zone later = now;
     if (!wait(later, situation->waits[w], situation->restarted, place) || !in_time(later, phase, *situation)) continue;
