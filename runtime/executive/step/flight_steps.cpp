@@ -69,14 +69,6 @@ std::vector<Stop::Believed> believed(const CycleRecord& record, const automata::
   return result;
 }
 
-void note_changes(const automata::Modes& now, automata::Modes& before, std::vector<Ticks>& since, Ticks time) {
-  since.resize(now.size());
-  for (std::size_t c = 0; c < now.size(); ++c) {
-    if (before.empty() || now[c] != before[c]) since[c] = time;
-  }
-  before = now;
-}
-
 }  // namespace
 
 FlightSteps::FlightSteps(const automata::Document& document, automata::Scenario scenario, ScenarioOptions options,
@@ -111,8 +103,8 @@ void FlightSteps::look_at(const CycleRecord& record) {
   time_ = record.time;
   ended_ = flight_->executive().ended();
   last_ = record;
-  if (record.truth != nullptr) note_changes(shown(*record.truth, plant()), truth_, truth_since_, time_);
-  note_changes(shown(record.estimate, plant()), estimate_, estimate_since_, time_);
+  if (record.truth != nullptr) go_on(truth_, truth_since_, shown(*record.truth, plant()));
+  go_on(estimate_, estimate_since_, shown(record.estimate, plant()));
   for (std::size_t c = 0; c < diagnosed_.size(); ++c) {
     if (!plant().components[c].modes[estimate_[c].index()].fault) diagnosed_[c].reset();
   }
@@ -121,6 +113,19 @@ void FlightSteps::look_at(const CycleRecord& record) {
     diagnosed_[evidence.component.index()] = to_text(evidence, record.estimate, plant());
   }
   story_->observe(record);
+}
+
+/// To the modes at the end of a cycle, with when their clocks began.
+void FlightSteps::go_on(automata::Modes& modes, std::vector<Ticks>& since, automata::Modes now) {
+  since.resize(now.size(), time_);
+  if (step_ && !modes.empty()) {
+    since = step_->advance({std::move(modes), std::move(since)}, last_.command, now, time_).clock_starts;
+  } else {
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      if (modes.empty() || now[c] != modes[c]) since[c] = time_;
+    }
+  }
+  modes = std::move(now);
 }
 
 /// The first half of the next cycle, unless the run is over.

@@ -72,6 +72,7 @@ class FlightSteps final : public SteppedRun {
   void choose(Choice choice);
   void assemble();
   void fly_again_to(std::uint64_t position);
+  void go_on(automata::Modes& modes, std::vector<automata::Ticks>& since, automata::Modes now);
   void look_at(const CycleRecord& record);
   void begin();
   const CycleRecord& carry_out();
@@ -92,7 +93,7 @@ class FlightSteps final : public SteppedRun {
   CycleRecord last_;
   std::vector<std::optional<std::string>> diagnosed_;  ///< per component: the evidence of its fault
   automata::Modes truth_, estimate_;
-  std::vector<automata::Ticks> truth_since_, estimate_since_;
+  std::vector<automata::Ticks> truth_since_, estimate_since_;  ///< by component: when its clock began
 };
 
 }  // namespace rmpl::runtime

@@ -20,7 +20,7 @@ struct Stop {
   struct Fact {
     std::string name, value;
     bool fault = false;
-    std::optional<automata::Ticks> since;  ///< of a mode: when it was entered, where that is known
+    std::optional<automata::Ticks> since;  ///< of a mode: when its clock began, where that is known
   };
   struct Line {
     std::string text;
