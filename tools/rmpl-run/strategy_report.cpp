@@ -58,11 +58,11 @@ std::string modes_text(const Plant& plant, const Modes& modes, const std::vector
   return text;
 }
 
-/// `; engine for 0 to 60 s`: how old modes are with timed exits, where that is known.
+/// `engine for 0 to 60 s`: how old modes are with timed exits, where that is known.
 std::string ages_text(const Plant& plant, const Strategy::Node& node) {
   std::string text;
   for (const Strategy::KnownAge& age : node.ages) {
-    text += (text.empty() ? "; " : ", ") + plant[age.component].name + " for " + automata::format_seconds(age.least);
+    text += (text.empty() ? "" : ", ") + plant[age.component].name + " for " + automata::format_seconds(age.least);
     if (age.most > age.least) text += " to " + automata::format_seconds(age.most);
     text += " s";
   }
@@ -118,8 +118,9 @@ std::string strategy_text(const Plant& plant, const Strategy& strategy) {
   for (std::size_t n = 0; n < strategy.nodes.size(); ++n) {
     const Strategy::Node& node = strategy.nodes[n];
     const std::string modes = modes_text(plant, node.modes, n == 0 ? std::vector<bool>(shown.size(), true) : shown);
-    text += std::to_string(n) + (node.goal ? " (goal): " : ": ") + modes + ages_text(plant, node) + "\n    " +
-            doing(plant, node) + "\n";
+    const std::string ages = ages_text(plant, node);
+    text += std::to_string(n) + (node.goal ? " (goal): " : ": ") + modes + (modes.empty() || ages.empty() ? "" : "; ") +
+            ages + "\n    " + doing(plant, node) + "\n";
     for (const Strategy::Edge& edge : node.next)
       text += "    " + change_text(plant, node.modes, edge.modes) + ": to " + std::to_string(edge.node) + "\n";
   }
