@@ -4,8 +4,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
@@ -95,6 +96,20 @@ bool met(const Plant& plant, const Moment& moment, const std::vector<Assignment>
   return true;
 }
 
+/// Two letters a component, with the seconds where an exit is timed: thousands of moments are looked up, and built
+/// without optimisation.
+std::string key_of(const Plant& plant, const Moment& moment) {
+  std::string key;
+  for (std::size_t c = 0; c < moment.modes.size(); ++c) {
+    const auto& transitions = plant.components[c].transitions;
+    const bool timed = std::any_of(transitions.begin(), transitions.end(),
+                                   [&](const auto& t) { return t.from == moment.modes[c] && t.timing; });
+    key += static_cast<char>(moment.modes[c].value);
+    key += static_cast<char>(timed ? moment.seconds[c] : 0);
+  }
+  return key;
+}
+
 /// Whether the goal holds from a moment on with nothing commanded. From a moment one run goes on, so that each is
 /// looked at once.
 class Held {
@@ -103,23 +118,23 @@ class Held {
 
   bool operator()(Moment moment) {
     const ControlAction idle = automata::idle_action(step_.plant());
-    std::vector<std::map<Moment, bool>::iterator> way;
+    std::vector<bool*> way;
     bool held = true;
     while (held) {
-      const auto [known, fresh] = known_.emplace(moment, true);
+      const auto [known, fresh] = known_.emplace(key_of(step_.plant(), moment), true);
       held = known->second && met(step_.plant(), moment, goal_);
-      way.push_back(known);
+      way.push_back(&known->second);
       if (!fresh) break;  // known, or round and round
       go_on(step_, moment, idle);
     }
-    for (const auto& one : way) one->second = held;
+    for (bool* const one : way) *one = held;
     return held;
   }
 
  private:
   PlantStep& step_;
   const std::vector<Assignment>& goal_;
-  std::map<Moment, bool> known_;
+  std::unordered_map<std::string, bool> known_;
 };
 
 /// None, or one command.
@@ -138,7 +153,7 @@ std::vector<ControlAction> some_actions(const Plant& plant) {
 bool can_be_held(PlantStep& step, const std::vector<Assignment>& goal) {
   const std::vector<ControlAction> actions = some_actions(step.plant());
   std::vector<Moment> open{at_rest(step.plant())};
-  std::set<Moment> seen(open.begin(), open.end());
+  std::unordered_set<std::string> seen{key_of(step.plant(), open.front())};
   Held held(step, goal);
   while (!open.empty()) {
     const Moment from = open.back();
@@ -147,7 +162,7 @@ bool can_be_held(PlantStep& step, const std::vector<Assignment>& goal) {
     for (const ControlAction& action : actions) {
       Moment to = from;
       go_on(step, to, action);
-      if (seen.insert(to).second) open.push_back(std::move(to));
+      if (seen.insert(key_of(step.plant(), to)).second) open.push_back(std::move(to));
     }
   }
   return false;
