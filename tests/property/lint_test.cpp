@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "automata/clock_use.hpp"
 #include "automata/dependencies/dependencies.hpp"
 #include "automata/step/plain_step.hpp"
 #include "compiler/lint/plant/alike.hpp"
@@ -258,6 +259,7 @@ RC_GTEST_PROP(PlantLint, IdleTransitionsAreThoseThatNothingElseGoesWith, ()) {
   const Pairs found = of_transitions(find_idle_transitions(analysis));
   RC_ASSERT(found == nominal_where(model.plant, analysis, [&](std::size_t c, std::size_t t, const Transition& own) {
               const auto counts = [&](const Transition& other) { return other.timing || !own.timing; };
+              if (own.restart && automata::needs_clock(model.plant.components[c], own.from)) return false;
               return own.from == own.to && !is_beside(model.plant, analysis, slow, c, t, counts);
             }));
   if (found.empty()) return;

@@ -21,7 +21,8 @@ std::optional<Support> awaited(const PlantAnalysis& analysis, std::size_t c) {
   std::optional<Support> result;
   const automata::Component& component = analysis.plant().components[c];
   for (const automata::Transition& t : component.transitions) {
-    if (component.is_fault(t) || t.guard.is_true() || t.from == t.to || !can_ever_be_taken(t)) continue;
+    const bool stays = t.from == t.to && !t.restart;
+    if (component.is_fault(t) || t.guard.is_true() || stays || !can_ever_be_taken(t)) continue;
     if (!analysis.reach().reached[c][t.from.index()]) continue;
     if (!result) result.emplace();
     result->join(analysis.locality().support_of(t.guard));

@@ -22,10 +22,18 @@ namespace {
 
 constexpr ValueId yes(1);
 
-/// The plant's variables, and for each mode one that excludes it where it is assumed.
+/// How many guards may be asked about again, with what was tried in vain excluded, and how often each: of a plant whose
+/// faults leave most guards open. Others stay open whether others imply them.
+constexpr std::size_t most_searches = 128;
+constexpr std::size_t patience = 256;
+constexpr std::size_t whole_patience = 4096;  ///< of all guards together
+
+/// The plant's variables, for each mode one that excludes it where it is assumed, and for each search one under which
+/// it tells what it excludes.
 automata::Variables with_exclusions(const automata::Plant& plant) {
   automata::Variables result = plant.variables;
   add_exclusions(result, plant);
+  for (std::size_t s = 0; s < most_searches; ++s) result.add({"search " + std::to_string(s), {"no", "yes"}});
   return result;
 }
 
@@ -39,8 +47,11 @@ std::vector<std::size_t> first_exclusions(const automata::Plant& plant) {
   return result;
 }
 
-/// How many modes and commands are tried that leave a guard open, before it stays open whether others imply it.
-constexpr std::size_t patience = 256;
+std::size_t count_modes(const automata::Plant& plant) {
+  std::size_t count = 0;
+  for (const automata::Component& component : plant.components) count += component.modes.size();
+  return count;
+}
 
 }  // namespace
 
@@ -55,6 +66,7 @@ PlantQuestions::PlantQuestions(const automata::Plant& plant)
       locality_(plant),
       index_(plant),
       first_exclusion_(first_exclusions(plant)),
+      first_search_(plant.variables.size() + count_modes(plant)),
       theory_(with_exclusions(plant), automata::Theory::Upkeep::maintained),
       excluded_(plant.components.size()),
       parts_(automata::Dependencies(plant).parts()),
@@ -137,7 +149,7 @@ bool PlantQuestions::possible(std::span<const Assignment> assumptions, const For
 std::vector<Assignment> PlantQuestions::due_to() const {
   std::vector<Assignment> result;
   for (const Assignment& a : theory_.conflict()) {
-    if (a.variable.index() < plant_.variables.size()) continue;
+    if (a.variable.index() < plant_.variables.size() || a.variable.index() >= first_search_) continue;
     const auto after = std::upper_bound(first_exclusion_.begin(), first_exclusion_.end(), a.variable.index());
     const auto component = static_cast<std::size_t>(after - first_exclusion_.begin()) - 1;
     result.push_back({plant_.components[component].mode, ValueId(a.variable.index() - first_exclusion_[component])});
@@ -202,18 +214,35 @@ Implied PlantQuestions::implied(ComponentId component, ModeId mode, std::span<co
     result.verdict = Implied::Verdict::yes;
     return result;
   }
-  for (std::size_t tried = 0; tried < patience; ++tried) {
-    if (!possible({&own, 1}, conjunction(parts))) {
+  if (!possible({&own, 1}, conjunction(parts))) {
+    result.verdict = Implied::Verdict::no;
+    result.due_to = due_to();
+    return result;
+  }
+  if (is_implied()) {
+    result.verdict = Implied::Verdict::yes;
+    return result;
+  }
+  if (searches_ == most_searches) return result;
+  // What is excluded is told under a variable of the search: a clause each, which is satisfied for good afterwards.
+  const Assignment search{VariableId(first_search_ + searches_++), yes};
+  std::vector<Assignment> assumptions = assumed({&own, 1}, variables);
+  assumptions.push_back(search);
+  for (std::size_t tried = 1; tried < patience && tried_ < whole_patience; ++tried, ++tried_) {
+    std::vector<Formula> others;
+    for (const Assignment& a : result.context) others.push_back(negation(is(a.variable, a.value)));
+    theory_.tell_if(search, automata::disjunction(std::move(others)));
+    if (!theory_.allows(assumptions, theory_.encode(conjunction(parts)))) {
       result.verdict = Implied::Verdict::no;
       result.due_to = due_to();
-      return result;
+      break;
     }
     if (is_implied()) {
       result.verdict = Implied::Verdict::yes;
-      return result;
+      break;
     }
-    parts.push_back(negation(conjunction_of(result.context)));
   }
+  theory_.tell(negation(is(search.variable, search.value)));
   return result;
 }
 

@@ -84,11 +84,14 @@ class PlantQuestions {
   automata::Locality locality_;
   automata::PlantIndex index_;
   std::vector<std::size_t> first_exclusion_;  ///< by component, its first variable "not in mode 0"
+  std::size_t first_search_;                  ///< the first variable of a search for what implies a guard
   automata::Theory theory_;
   std::vector<std::vector<automata::Assignment>> excluded_;  ///< by component, what is assumed of its exclusions
   automata::Classes parts_;
   std::vector<std::vector<std::size_t>> components_;  ///< by part
   std::optional<bool> all_can_be_;                    ///< as far as it was asked
+  std::size_t searches_ = 0;                          ///< so far
+  std::size_t tried_ = 0;                             ///< modes and commands that left a guard open, in all searches
 };
 
 /// All modes of all components.
