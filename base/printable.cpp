@@ -25,10 +25,22 @@ std::size_t colour_length(std::string_view text) {
   return end != std::string_view::npos && text[end] == 'm' ? end + 1 : 0;
 }
 
-/// Nothing steers in most texts: then they are copied as they are.
+/// Nothing steers in most texts: then they are copied as they are. Block by block, with no branch within one, so that
+/// many bytes are looked at together.
 bool is_harmless(std::string_view text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char c) { return c == '\n' || (static_cast<unsigned char>(c) < 0x80 && !is_control(c)); });
+  constexpr std::size_t block = 64;
+  const auto suspects = [&text](std::size_t count) {
+    unsigned char any = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto byte = static_cast<unsigned char>(text[i]);
+      any = static_cast<unsigned char>(any | (byte != '\n' && (byte < 0x20 || byte >= 0x7f)));
+    }
+    return any != 0;
+  };
+  for (; text.size() >= block; text.remove_prefix(block)) {
+    if (suspects(block)) return false;
+  }
+  return !suspects(text.size());
 }
 
 std::string escaped(std::string_view text, bool tabs_stay) {

@@ -52,7 +52,7 @@ const std::string& Estimator::update(const std::string& line) {
 
 void Estimator::answer() {
   if (plant_) {
-    write(json_, plant_->answer(line_), model_->plant(), [] {});
+    writer_.write(json_, plant_->answer(line_), model_->plant(), [] {});
   } else {
     write(json_, markings_->answer(line_), model_->model_program(), stats_);
   }

@@ -42,6 +42,7 @@ class Estimator {
   std::optional<std::vector<std::string>> variables_;
   bool stats_;
   runtime::LogLine line_;
+  runtime::AnswerWriter writer_;
   runtime::JsonLine json_;
   bool spent_ = false;
 };

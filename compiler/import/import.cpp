@@ -27,7 +27,8 @@ Format format_of(const std::string& path, std::string_view text) {
   if (ending == ".xml") return Format::xml;
   if (ending == ".dft") return Format::galileo;
   throw base::InputError("'" + path +
-                         "' is no netlist and no fault tree: expected a file that ends in .bench, .xml, .dft or .xmpl");
+                         "' is no netlist and no fault tree: expected a file that ends in .bench, .xml, .dft, .xmpl "
+                         "or .l2");
 }
 
 bool is_open_psa(std::string_view text) { return text.find("<opsa-mef") != std::string_view::npos; }
@@ -55,19 +56,25 @@ ImportedPlant import_plant(const std::string& path, FaultModel faults) {
   return result;
 }
 
-bool is_livingstone(const std::string& path) { return std::filesystem::path(path).extension() == ".xmpl"; }
+bool is_livingstone(const std::string& path) {
+  const std::filesystem::path ending = std::filesystem::path(path).extension();
+  return ending == ".xmpl" || ending == ".l2";
+}
 
 ImportedPlant import_livingstone(const std::string& path) {
   ImportedPlant result;
   auto& [sources, diagnostics] = result.findings;
   XmplModel model;
-  bool whole = read_xmpl(sources, sources.add(path, Disk().read(path)), model, diagnostics);
+  const bool compiled = std::filesystem::path(path).extension() == ".l2";
+  const std::uint32_t file = sources.add(path, Disk().read(path));
+  bool whole = compiled ? read_l2(sources, file, model, diagnostics) : read_xmpl(sources, file, model, diagnostics);
   for (const char* ending : {".hrn", ".ini"}) {
     const std::filesystem::path beside = std::filesystem::path(path).replace_extension(ending);
-    if (!std::filesystem::exists(beside)) continue;
+    if (compiled || !std::filesystem::exists(beside)) continue;
     whole = read_xmpl(sources, sources.add(beside.string(), Disk().read(beside.string())), model, diagnostics) && whole;
   }
   if (!whole) return result;
+  if (model.name.empty()) model.name = std::filesystem::path(path).stem().string();
   if (model.components.empty()) {
     diagnostics.error(grammar::Code::netlist_syntax, {0, 0, 0}, "the model has no component");
     return result;

@@ -22,7 +22,7 @@ struct ImportedPlant {
 /// has another ending, or has a name that cannot be said.
 ImportedPlant import_plant(const std::string& path, FaultModel faults);
 
-/// Whether the path names a Livingstone2 model: it ends in `.xmpl`.
+/// Whether the path names a Livingstone2 model: it ends in `.xmpl` or `.l2`.
 bool is_livingstone(const std::string& path);
 
 /// Imports a Livingstone2 model, with the harness (`.hrn`) and the start (`.ini`) of its name beside it, where they

@@ -18,7 +18,8 @@
 
 namespace rmpl::compiler {
 
-/// `a=b` or `!a=b`; the right side is a value of the left one's domain, or a variable.
+/// `a=b` or `!a=b`; the right side is a value of the left one's domain, or a variable. Variables are named as of their
+/// component, or in full.
 struct XmplTerm {
   bool negated = false;
   std::string left, right;
@@ -63,11 +64,15 @@ struct XmplModel {
   std::vector<std::pair<std::string, grammar::Span>> initial;              ///< `name=value`
 };
 
-/// Adds what a file says: a model, a harness (`.hrn`) or a start (`.ini`), in either dialect: elements of the name
-/// space `ci` with a term an element, or elements without one, with clauses in the attribute `disj`. False where the
+/// Adds what a file says: a model, a harness (`.hrn`) or a start (`.ini`), in any dialect: elements of the name space
+/// `ci` with a term an element; elements without one, with clauses in the attribute `disj`; the same below a root
+/// `mplModel`, with variables in full and what is commanded, seen and a mode told of each attribute. False where the
 /// text has errors; then they have been reported.
 bool read_xmpl(const grammar::Sources& sources, std::uint32_t file, XmplModel& model,
                grammar::Diagnostics& diagnostics);
+
+/// The same of a whole model in `.l2` (L211), what Livingstone2 compiles XMPL to, where names are in it.
+bool read_l2(const grammar::Sources& sources, std::uint32_t file, XmplModel& model, grammar::Diagnostics& diagnostics);
 
 /// The model as a plant in the surface language: names are kept, components that are alike share a type, ranks become
 /// probabilities. Nothing where something has no counterpart, or names what is not there; then that has been reported.

@@ -1,4 +1,4 @@
-// XMPL in its two dialects, read into one form.
+// XMPL in its three dialects, read into one form.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -80,7 +80,7 @@ class XmplReader {
   }
 
   void part(pugi::xml_node element) {
-    if (is(element, "componentInstance")) return instance(element);
+    if (is(element, "componentInstance") || is(element, "mplModel")) return instance(element);
     if (is(element, "mplHarness")) {
       for (const pugi::xml_node& child : element.children()) {
         if (is(child, "obs")) model_.observed.emplace_back(attribute(child, "name"), span(child));
@@ -123,6 +123,7 @@ class XmplReader {
         if (variables.size() == 1) made.state = variables.front();
       } else if (is(child, "attribute")) {
         made.attributes.push_back({attribute(child, "name"), attribute(child, "type"), span(child)});
+        part_of_harness(child, made);
       } else if (is(child, "clause")) {
         made.clauses.push_back(clause(child));
       } else if (is(child, "transition")) {
@@ -133,13 +134,23 @@ class XmplReader {
     }
   }
 
+  /// What the attribute read last is to the outside, where the model says so itself.
+  void part_of_harness(pugi::xml_node element, XmplComponent& component) {
+    const std::string_view role = element.attribute("interface").value();
+    const std::string& own = component.attributes.back().name;
+    if (role == "state") component.state = own;
+    if (role == "cmd" || role == "command") model_.commanded.emplace_back(component.name + "." + own, span(element));
+    if (role == "obs" || role == "monitor") model_.observed.emplace_back(component.name + "." + own, span(element));
+  }
+
   void transition(pugi::xml_node element, XmplComponent& component) {
     XmplTransition& made = component.transitions.emplace_back();
     made.from = attribute(element, "from");
     made.to = attribute(element, "to");
     made.place = span(element);
-    const pugi::xml_attribute other = element.attribute("var");
-    if (other && !component.state.empty() && component.state != other.value()) {
+    const std::string_view other = element.attribute("var").value();
+    if (!other.empty() && !component.state.empty() && other != component.state &&
+        other != component.name + "." + component.state) {
       refuse(element, "a transition of a variable other than the mode has no counterpart");
     }
     for (const char* name : {"probability", "prob"}) {
@@ -170,7 +181,9 @@ class XmplReader {
     made.place = span(element);
     for (const std::string& text : words(element.attribute("disj").value())) term(element, text, made);
     for (const pugi::xml_node& child : element.children()) {
-      if (is(child, "term")) term(child, child.child_value(), made);
+      if (!is(child, "term")) continue;
+      const pugi::xml_attribute text = child.attribute("disj");
+      term(child, text ? text.value() : child.child_value(), made);
     }
     return made;
   }

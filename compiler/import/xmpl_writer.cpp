@@ -82,6 +82,7 @@ class XmplWriter {
       }
       variables_[component.name + "." + attribute.name] = attribute.type;
     }
+    if (!component.state.empty()) modes_.insert(component.name + "." + component.state);
   }
 
   /// The domain of a variable in full; null where it is not there, which has been reported.
@@ -104,19 +105,39 @@ class XmplWriter {
     }
   }
 
+  /// The variable that a clause of the component names: one of its own or of its parts, or, in full, of any.
+  std::string in_full(const std::string& variable, const XmplComponent& scope) const {
+    std::string own = scope.name + "." + variable;
+    return variables_.contains(own) || !variables_.contains(variable) ? own : variable;
+  }
+
+  /// A variable in full, as it is called where the clause stands: in the plant, where a mode has the name of its
+  /// component, or in the component.
+  std::string called(const std::string& variable, const XmplComponent& scope, Span place, bool full) {
+    if (full && modes_.contains(variable)) return name(variable.substr(0, variable.rfind('.')), place);
+    if (full) return path(variable, place);
+    if (variable.starts_with(scope.name + ".")) return name(variable.substr(scope.name.size() + 1), place);
+    diagnostics_.error(Code::netlist_gate, place,
+                       "component " + backquoted(scope.name) + " reads " + backquoted(variable) +
+                           " of another component, which has no counterpart");
+    return "_";
+  }
+
   /// A term relative to `scope`; what it says of `mode`, the state of the component at hand, is decided: true or false
   /// as a text is "true" or "false".
   std::string term(const XmplTerm& term, const XmplComponent& scope, const std::string* mode, Span place, bool full) {
-    const std::string left = scope.name + "." + term.left;
-    if (mode != nullptr && term.left == scope.state) return (term.right == *mode) != term.negated ? "true" : "false";
+    const std::string left = in_full(term.left, scope);
+    if (mode != nullptr && left == scope.name + "." + scope.state) {
+      return (term.right == *mode) != term.negated ? "true" : "false";
+    }
     const Type* type = type_of(left, place);
     if (type == nullptr) return "true";
-    const std::string shown = full ? path(left, place) : name(term.left, place);
+    const std::string shown = called(left, scope, place, full);
     const char* sign = term.negated ? " != " : " = ";
     if (std::find(type->begin(), type->end(), term.right) != type->end()) return shown + sign + name(term.right, place);
-    const std::string right = scope.name + "." + term.right;
+    const std::string right = in_full(term.right, scope);
     if (type_of(right, place) == nullptr) return "true";
-    return shown + sign + (full ? path(right, place) : name(term.right, place));
+    return shown + sign + called(right, scope, place, full);
   }
 
   /// The clause, in a mode where one is given; empty where it says nothing there.
@@ -299,6 +320,7 @@ class XmplWriter {
   const XmplModel& model_;
   grammar::Diagnostics& diagnostics_;
   std::map<std::string, std::string> variables_;  ///< in full, with their types
+  std::set<std::string> modes_;                   ///< variables that are modes of components
   std::set<std::string> commanded_;
   std::map<std::string, std::pair<std::string, Span>> initial_;
   std::map<std::pair<std::string, std::string>, std::string> types_;  ///< names of types by name and body

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "base/error.hpp"
@@ -80,7 +81,7 @@ class WholeLines {
   WholeLines(const WholeLines&) = delete;
   WholeLines& operator=(const WholeLines&) = delete;
 
-  void add(const std::string& line) {
+  void add(std::string_view line) {
     waiting_ += line;
     if (waiting_.size() >= bytes_) write();
   }
@@ -124,7 +125,7 @@ bool answer_log(const std::string& log, const Names& names, const LogOptions& op
   WholeLines out(lines && !output_is_seen() ? std::size_t{1} << 15 : 0);
   while (const auto line = of.next()) {
     if (!options.quiet) of.tell_remarks();
-    const std::optional<std::string> text = answer(*line, of.name());
+    const std::optional<std::string_view> text = answer(*line, of.name());
     if (!text) break;
     out.add(*text);
     ++answered;

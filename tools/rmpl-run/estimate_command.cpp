@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "base/limit_error.hpp"
 #include "runtime/executive/answer/marking_log_estimator.hpp"
-#include "runtime/executive/trace/json_line.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "tools/rmpl-run/answer_log.hpp"
@@ -24,7 +23,6 @@
 namespace rmpl::tools {
 namespace {
 
-using runtime::JsonLine;
 using runtime::LogLine;
 
 using Engine = runtime::LogEstimatorOptions::Engine;
@@ -105,16 +103,17 @@ class Flight {
   Flight(const Flight&) = delete;
   Flight& operator=(const Flight&) = delete;
 
-  /// The answer to the next line; `name` is the log's, for messages. Nothing where an interruption came within it.
-  std::optional<std::string> answer(const LogLine& line, const std::string& name) {
+  /// The answer to the next line, until it is asked again; `name` is the log's, for messages. Nothing where an
+  /// interruption came within it.
+  std::optional<std::string_view> answer(const LogLine& line, const std::string& name) {
     const auto at_line = [&] { return name + ":" + std::to_string(line.number) + ": "; };
     try {
       const runtime::PlantAnswer answer = estimator_.answer(line);
-      if (options_.text) return as_text(answer, plant_);
-      write(json_, answer, plant_, [] {
+      if (options_.text) return text_ = as_text(answer, plant_);
+      writer_.write(json_, answer, plant_, [] {
         if (interrupted()) throw runtime::Interrupted();
       });
-      return std::string(json_.text()) + "\n";
+      return json_.raw("\n").text();
     } catch (const runtime::Interrupted&) {
       return std::nullopt;
     } catch (const runtime::MemorySpent& error) {
@@ -134,7 +133,9 @@ class Flight {
   const automata::Plant& plant_;
   const Options& options_;
   runtime::LogEstimator estimator_;
-  JsonLine json_;
+  runtime::AnswerWriter writer_;
+  runtime::JsonLine json_;
+  std::string text_;
 };
 
 /// A model program is estimated by markings.

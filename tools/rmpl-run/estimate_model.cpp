@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "base/limit_error.hpp"
 #include "runtime/executive/answer/marking_log_estimator.hpp"
@@ -32,13 +33,13 @@ class ModelFlight {
     if (!estimator_.starts()) refuse_start(program, options.model);
   }
 
-  /// Nothing where an interruption came within it.
-  std::optional<std::string> answer(const LogLine& line, const std::string& name) {
+  /// Until it is asked again; nothing where an interruption came within it.
+  std::optional<std::string_view> answer(const LogLine& line, const std::string& name) {
     try {
       const runtime::MarkingAnswer& answer = estimator_.answer(line);
-      if (options_.text) return as_text(answer, program_);
+      if (options_.text) return text_ = as_text(answer, program_);
       write(json_, answer, program_, options_.stats);
-      return json_.text() + "\n";
+      return json_.raw("\n").text();
     } catch (const runtime::Interrupted&) {
       return std::nullopt;
     } catch (const runtime::TooManyStates& error) {
@@ -70,6 +71,7 @@ class ModelFlight {
   Latency latency_;
   runtime::MarkingLogEstimator estimator_;
   runtime::JsonLine json_;
+  std::string text_;
 };
 
 }  // namespace

@@ -43,9 +43,10 @@ void add_import(Program& program) {
   Command command = program.add_command("import", "turn a circuit, a fault tree or a Livingstone2 model into a plant");
   const auto options = std::make_shared<Options>();
   command
-      .add_option("FILE", options->file,
-                  "a netlist, .bench or .xml of the diagnostic competition, or a fault tree, .xml (Open-PSA) or .dft "
-                  "(Galileo), or a Livingstone2 model, .xmpl, with its .hrn and .ini beside it; - is standard input")
+      .add_option(
+          "FILE", options->file,
+          "a netlist, .bench or .xml of the diagnostic competition, or a fault tree, .xml (Open-PSA) or .dft "
+          "(Galileo), or a Livingstone2 model, .xmpl, with its .hrn and .ini beside it, or .l2; - is standard input")
       .required();
   add_output(command, options->output, "OUT.tcca", "write the plant to this file");
   add_choice<FaultModel>(command, "--faults", options->faults,

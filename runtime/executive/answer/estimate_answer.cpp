@@ -43,11 +43,37 @@ void write(JsonLine& json, const PlantHistory& history, const automata::Plant& p
   if (history.cut) json.key("history_cut").boolean(true);
 }
 
-/// What was sampled, and what it was read as.
-void write_samples(JsonLine& json, const LogLine& line, const std::vector<std::string>& channels,
-                   const automata::Plant& plant) {
-  write_channels(json.key("channels"), line.samples, channels);
-  json.key("observations").assignments(line.observations, plant.variables);
+/// All but when it was, and what was sampled.
+void write_rest(JsonLine& json, const PlantAnswer& answer, const automata::Plant& plant,
+                base::FunctionRef<void()> go_on) {
+  const LogLine& line = answer.line;
+  const Estimate& estimate = answer.estimate;
+  if (answer.channels != nullptr) json.key("observations").assignments(line.observations, plant.variables);
+  json.key("estimate").modes(estimate.modes, plant);
+  json.key("belief").belief(answer.belief, plant, line.time, answer.clocks, answer.ranks ? &estimate.rank : nullptr,
+                            go_on);
+  if (!estimate.set_aside.empty()) json.key("set_aside").assignments(estimate.set_aside, plant.variables);
+  if (answer.history != nullptr) write(json, *answer.history, plant, answer.clocks);
+  if (estimate.cut) json.key("cut").boolean(true);
+  if (answer.missing) json.key("missing_mass").number(*answer.missing);
+  if (answer.cost != nullptr) {
+    json.key("checked").number(answer.cost->checked);
+    if (!answer.ranks) json.key("dropped").number(answer.cost->dropped);
+  }
+  std::vector<Event> events;
+  if (auto surprise = surprise_of(estimate, plant.variables)) events.push_back(*std::move(surprise));
+  if (estimate.cut) {
+    events.push_back(
+        {Event::Kind::cut, "the search ended early; the belief may lack states", std::nullopt, std::nullopt});
+  }
+  if (answer.history != nullptr && !answer.history->unexplained.empty()) {
+    events.push_back(
+        {Event::Kind::inconsistent, to_text(answer.history->unexplained, plant.variables), std::nullopt, std::nullopt});
+  }
+  if (!events.empty()) {
+    json.key("events");
+    write_events(json, events, &plant);
+  }
 }
 
 }  // namespace
@@ -103,40 +129,18 @@ std::string to_text(const std::vector<UnexplainedByHistory>& unexplained, const 
   return "no history explains " + text + ": set aside";
 }
 
-void write(JsonLine& json, const PlantAnswer& answer, const automata::Plant& plant, base::FunctionRef<void()> go_on) {
-  const LogLine& line = answer.line;
-  const Estimate& estimate = answer.estimate;
+void AnswerWriter::write(JsonLine& json, const PlantAnswer& answer, const automata::Plant& plant,
+                         base::FunctionRef<void()> go_on) {
   json.clear();
   json.open('{');
-  if (line.cycle) json.key("cycle").number(*line.cycle);
-  json.key("time").seconds(line.time);
-  if (answer.channels != nullptr) write_samples(json, line, *answer.channels, plant);
-  json.key("estimate").modes(estimate.modes, plant);
-  json.key("belief").belief(answer.belief, plant, line.time, answer.clocks, answer.ranks ? &estimate.rank : nullptr,
-                            go_on);
-  if (!estimate.set_aside.empty()) json.key("set_aside").assignments(estimate.set_aside, plant.variables);
-  if (answer.history != nullptr) write(json, *answer.history, plant, answer.clocks);
-  if (estimate.cut) json.key("cut").boolean(true);
-  if (answer.missing) json.key("missing_mass").number(*answer.missing);
-  if (answer.cost != nullptr) {
-    json.key("checked").number(answer.cost->checked);
-    if (!answer.ranks) json.key("dropped").number(answer.cost->dropped);
-  }
-  std::vector<Event> events;
-  if (auto surprise = surprise_of(estimate, plant.variables)) events.push_back(*std::move(surprise));
-  if (estimate.cut) {
-    events.push_back(
-        {Event::Kind::cut, "the search ended early; the belief may lack states", std::nullopt, std::nullopt});
-  }
-  if (answer.history != nullptr && !answer.history->unexplained.empty()) {
-    events.push_back(
-        {Event::Kind::inconsistent, to_text(answer.history->unexplained, plant.variables), std::nullopt, std::nullopt});
-  }
-  if (!events.empty()) {
-    json.key("events");
-    write_events(json, events, &plant);
-  }
+  if (answer.line.cycle) json.key("cycle").number(*answer.line.cycle);
+  json.key("time").seconds(answer.line.time);
+  if (answer.channels != nullptr) write_channels(json.key("channels"), answer.line.samples, *answer.channels);
+  const std::size_t begin = json.text().size();
+  if (answer.repeats) return void(json.raw(rest_));
+  write_rest(json, answer, plant, go_on);
   json.close('}');
+  rest_.assign(json.text(), begin);
 }
 
 }  // namespace rmpl::runtime

@@ -53,6 +53,7 @@ struct PlantAnswer {
   const ClockTable* clocks;       ///< those that are told; all where it is empty
   bool ranks;                     ///< in place of probabilities
   const std::vector<std::string>* channels = nullptr;  ///< names of what was sampled, where there are monitors
+  bool repeats = false;                                ///< but for cycle, time and samples, the answer before it
 };
 
 /// From such a share on it is told unasked what may be missing from a belief.
@@ -66,8 +67,14 @@ std::string to_text(const std::vector<UnexplainedByHistory>& unexplained, const 
 /// For people: the samples, what they were read as, and the states of the belief, best first.
 std::string as_text(const PlantAnswer& answer, const automata::Plant& plant);
 
-/// One line of JSON, without its end. Keeps nothing; `json` is the buffer. `go_on` is called for each state of the
-/// belief, and may throw.
-void write(JsonLine& json, const PlantAnswer& answer, const automata::Plant& plant, base::FunctionRef<void()> go_on);
+/// Writes answers as lines of JSON, in the order in which they came. What an answer repeats is not written anew.
+class AnswerWriter {
+ public:
+  /// Without the end of the line; `json` is the buffer. `go_on` is called for each state of a belief, and may throw.
+  void write(JsonLine& json, const PlantAnswer& answer, const automata::Plant& plant, base::FunctionRef<void()> go_on);
+
+ private:
+  std::string rest_;  ///< of the last line, from what the next answer may repeat
+};
 
 }  // namespace rmpl::runtime

@@ -59,6 +59,7 @@ Belief LogEstimator::listed(const Belief& belief) const {
 
 PlantAnswer LogEstimator::answer(const LogLine& line) {
   const bool start = !begun_ && line.is_of_start();
+  const bool read_again = before_.observations == line.observations;
   if (start) {
     take_in(line.observations);
     estimator_->start(at_start_);
@@ -76,7 +77,8 @@ PlantAnswer LogEstimator::answer(const LogLine& line) {
   before_.command = line.command;
   before_.observations = line.observations;
   if (!start) update(before_, line.time, true);
-  belief_ = listed(estimator_->belief());
+  const bool repeats = !start && stayed_ && read_again && !tells_clocks_ && !window_;
+  if (start || !stayed_) list_belief();
   if (window_) tell_history();
   const Estimate& estimate = estimator_->estimate();
   cost_ = {estimate.checked, estimate.missing_mass};
@@ -96,7 +98,19 @@ PlantAnswer LogEstimator::answer(const LogLine& line) {
           window_ ? &history_ : nullptr,
           live_ ? &*live_ : nullptr,
           options_.ranks,
-          options_.sampled ? &*options_.sampled : nullptr};
+          options_.sampled ? &*options_.sampled : nullptr,
+          repeats};
+}
+
+void LogEstimator::list_belief() {
+  belief_ = listed(estimator_->belief());
+  stayed_ = true;
+  tells_clocks_ = std::any_of(belief_.begin(), belief_.end(), [&](const BeliefEntry& entry) {
+    for (std::size_t c = 0; c < entry.state.clock_starts.size(); ++c) {
+      if (!live_ || (*live_)[c][entry.state.modes[c].index()]) return true;
+    }
+    return false;
+  });
 }
 
 /// `answered`: what most likely happened is told after it.
@@ -106,6 +120,7 @@ void LogEstimator::update(const Step& told, automata::Ticks time, bool answered)
   std::optional<Stopwatch> stopwatch;  // which asks the system, as often as there are lines
   if (options_.took) stopwatch.emplace();
   estimator_->update(action, told.observations, time);
+  stayed_ = stayed_ && estimator_->stayed();
   if (window_) {
     window_->update(action, told.observations, time);
     if (answered) found_ = window_->trajectories();

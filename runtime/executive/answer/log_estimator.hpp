@@ -81,6 +81,7 @@ class LogEstimator {
   [[nodiscard]] Belief listed(const Belief& belief) const;
   void take_in(const automata::Observation& observation);
   void update(const Step& told, automata::Ticks time, bool answered);
+  void list_belief();
   void tell_history();
 
   const automata::Plant& plant_;
@@ -93,6 +94,8 @@ class LogEstimator {
   automata::Observation at_start_;
   Step before_;
   Belief belief_;
+  bool stayed_ = false;        ///< since it was listed
+  bool tells_clocks_ = false;  ///< of it, which grow
   UpdateCost cost_;
   std::optional<PlantWindow> window_;
   std::vector<PlantTrajectory> found_;  ///< by it, after the last line

@@ -113,6 +113,12 @@ JsonLine& JsonLine::digits(std::string_view number) {
   return *this;
 }
 
+JsonLine& JsonLine::raw(std::string_view text) {
+  text_ += text;
+  first_ = false;
+  return *this;
+}
+
 JsonLine& JsonLine::boolean(bool value) {
   separate();
   text_ += value ? "true" : "false";

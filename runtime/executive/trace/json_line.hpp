@@ -42,6 +42,7 @@ class JsonLine {
   }
   JsonLine& seconds(automata::Ticks value);   ///< finite
   JsonLine& digits(std::string_view number);  ///< a number that is written already
+  JsonLine& raw(std::string_view text);       ///< as it stands, with the commas that it needs
   JsonLine& boolean(bool value);
   JsonLine& null();
 

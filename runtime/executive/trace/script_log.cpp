@@ -20,10 +20,22 @@ namespace {
 using automata::Assignment;
 
 /// What Livingstone2's shell is asked or told beside steps and readings.
-constexpr std::array<std::string_view, 23> passed_over{
+constexpr std::array<std::string_view, 24> passed_over{
     "fc",      "scenario", "echo",  "propagate",  "ltms-stats", "cclauses",    "cover",       "prune",
     "explain", "cprops",   "times", "conflict",   "exit",       "assumptions", "oldest-time", "values",
-    "cmdt",    "truncate", "wait",  "plan-steps", "obs",        "offassign",   "onassign"};
+    "cmdt",    "truncate", "wait",  "plan-steps", "obs",        "offassign",   "onassign",    "stats"};
+
+/// Without blanks around the signs of assignments, where they mean nothing.
+std::string closed_up(std::string_view text) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  std::string result;
+  for (const char c : text) {
+    if (is_blank(c) && result.ends_with('=')) continue;
+    while (c == '=' && !result.empty() && is_blank(result.back())) result.pop_back();
+    result += c;
+  }
+  return result;
+}
 
 /// Of two assignments to one variable the later one counts.
 void put(std::vector<Assignment>& into, Assignment assignment) {
@@ -61,7 +73,7 @@ bool ScriptLog::read_line() {
   }
   ++number_;
   text.resize(std::min({text.size(), text.find("//"), text.find(';')}));
-  std::istringstream words(text);
+  std::istringstream words(closed_up(text));
   std::string verb;
   if (!(words >> verb)) return true;
   const bool step = verb == "progress" || verb == "min-progress";

@@ -14,6 +14,7 @@ namespace rmpl::runtime {
 struct Clocked {
   std::vector<automata::Ticks> starts;  ///< by component
   double probability = 0;
+  bool operator==(const Clocked&) const = default;
 };
 
 /// One mode combination: its probability is the sum over its clocks, of which there is at least one.
@@ -21,6 +22,7 @@ struct Combination {
   automata::Modes modes;
   double probability = 0;
   std::vector<Clocked> clocks;
+  bool operator==(const Combination&) const = default;
 };
 
 /// Most probable first; ties in order of modes, then of the first clocks.

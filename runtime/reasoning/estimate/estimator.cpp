@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/bounded_cache.hpp"
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/conditioning.hpp"
@@ -65,28 +66,32 @@ class FactoredEstimator final : public Estimator {
     CHECK(now >= last_);
     Deadline deadline;
     if (options_.deadline) deadline = std::chrono::steady_clock::now() + *options_.deadline;
-    if (parts_.size() > 1) {
-      observations_ = groups_->divide(observation);
-      actions_.clear();
-      for (const Part& part : parts_) {
-        auto& own = actions_.emplace_back();
-        for (const std::size_t i : part.group->controls) own.push_back(action[i]);
-      }
-      if (!all_permit()) fuse();
+    const bool told_again = updated_ && action == action_ && observation == observation_;
+    if (told_again) {
+      for (Part& part : parts_) part.told_again = true;
+    } else {
+      tell_parts(action, observation);
     }
-    if (parts_.size() == 1) {
-      actions_.assign(1, action);
-      observations_.assign(1, observation);
+    if (parts_.size() > 1 && !(told_again && stayed_) && !all_permit()) {
+      fuse();
+      parts_.front().tell(action, observation);
     }
+    const bool as_long = updated_ && base::caches_on() && now - last_ == last_ - before_;
     forget_set_aside();
     bool consistent = true;
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      Part& part = parts_[p];
-      consistent = note(part, part.conditioning->update(*part.filter, input(p, now, deadline), last_)) && consistent;
+    stayed_ = true;
+    for (Part& part : parts_) {
+      if (as_long && part.told_again && part.filter->steady()) {
+        part.filter->repeat(now);
+        continue;
+      }
+      stayed_ = false;
+      const StepInput input{part.action, part.observation, now, deadline};
+      consistent = note(part, part.conditioning->update(*part.filter, input, last_)) && consistent;
     }
     before_ = std::exchange(last_, now);
     updated_ = true;
-    summarise(consistent);
+    if (!stayed_) summarise(consistent);
     return estimate_;
   }
 
@@ -123,18 +128,18 @@ class FactoredEstimator final : public Estimator {
     return result;
   }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
+  [[nodiscard]] bool stayed() const override { return stayed_; }
   [[nodiscard]] std::optional<automata::Modes> likeliest_without(
       automata::ComponentId component, automata::ModeId mode, const std::vector<RefutedModes>& refuted) const override {
     if (!updated_) return std::nullopt;
     automata::Modes whole(step_.plant().components.size());
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      const Part& part = parts_[p];
+    for (const Part& part : parts_) {
       ConflictSet avoided;
       if (const auto own = decisions_of(part, {{component, mode}})) avoided.add(*own);
       for (const RefutedModes& modes : refuted) {
         if (const auto own = decisions_of(part, modes)) avoided.add(*own);
       }
-      const auto own = likeliest_successor(*part.step, part.filter->before(), actions_[p], before_, last_, avoided);
+      const auto own = likeliest_successor(*part.step, part.filter->before(), part.action, before_, last_, avoided);
       if (!own) return std::nullopt;
       for (std::size_t i = 0; i < part.components.size(); ++i) whole[part.components[i].index()] = (*own)[i];
     }
@@ -174,7 +179,29 @@ class FactoredEstimator final : public Estimator {
     PlantStep* step = nullptr;
     std::unique_ptr<Filter> filter;
     std::unique_ptr<Conditioning> conditioning;
+    ControlAction action;  ///< of the last update, as the next two
+    Observation observation;
+    bool told_again = false;  ///< the update before had the same
+
+    void tell(ControlAction own_action, Observation own_observation) {
+      told_again = action == own_action && observation == own_observation;
+      action = std::move(own_action);
+      observation = std::move(own_observation);
+    }
   };
+
+  /// Gives each part its own of the input.
+  void tell_parts(const ControlAction& action, const Observation& observation) {
+    action_ = action;
+    observation_ = observation;
+    if (parts_.size() == 1) return parts_.front().tell(action, observation);
+    auto observations = groups_->divide(observation);
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      ControlAction own;
+      for (const std::size_t i : parts_[p].group->controls) own.push_back(action[i]);
+      parts_[p].tell(std::move(own), std::move(observations[p]));
+    }
+  }
 
   void forget_set_aside() {
     estimate_.follows = true;
@@ -216,10 +243,6 @@ class FactoredEstimator final : public Estimator {
     part.conditioning = std::make_unique<Conditioning>(step_);
   }
 
-  [[nodiscard]] StepInput input(std::size_t part, Ticks now, const Deadline& deadline) const {
-    return {actions_[part], observations_[part], now, deadline};
-  }
-
   [[nodiscard]] std::vector<Factor> factors() const {
     std::vector<Factor> result;
     for (const Part& part : parts_) result.push_back({&part.filter->belief(), part.components});
@@ -234,10 +257,9 @@ class FactoredEstimator final : public Estimator {
 
   /// Whether the control action is consistent with all that each group may be in.
   bool all_permit() {
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      const Part& part = parts_[p];
+    for (const Part& part : parts_) {
       if (!part.group->constrains_controls) continue;
-      const auto permits = [&](const automata::Modes& modes) { return part.step->permits(modes, actions_[p]); };
+      const auto permits = [&](const automata::Modes& modes) { return part.step->permits(modes, part.action); };
       if (!part.filter->all_modes(permits)) return false;
     }
     return true;
@@ -291,11 +313,12 @@ class FactoredEstimator final : public Estimator {
   const bool by_modes_;
   std::optional<Groups> groups_;
   std::vector<Part> parts_;
-  std::vector<ControlAction> actions_;     ///< per part
-  std::vector<Observation> observations_;  ///< per part
-  Ticks before_;                           ///< the update before the last
+  ControlAction action_;     ///< of the last update
+  Observation observation_;  ///< likewise
+  Ticks before_;             ///< the update before the last
   Ticks last_;
   bool updated_ = false;
+  bool stayed_ = false;  ///< all parts, in the last update
   Estimate estimate_;
   mutable Belief joint_;
   mutable bool multiplied_ = false;

@@ -138,6 +138,8 @@ class Estimator {
   /// to the best few thousand states. The modes of all others are those of the estimate. Clocks are not told.
   [[nodiscard]] virtual Belief belief_about(std::span<const automata::ComponentId>) const { return belief(); }
   [[nodiscard]] virtual const Estimate& estimate() const = 0;  ///< of the last update, or of the initial belief
+  /// Whether the last update is known to have left belief and estimate as they were, all but the time.
+  [[nodiscard]] virtual bool stayed() const { return false; }
   /// What was most likely at the last update, before its observation was looked at, without one mode of one component
   /// and without what is `refuted`: where the likeliest step leads that some state of the belief before can take.
   /// Nothing where no step avoids all that, or before the first update. A search; for explanations

@@ -40,6 +40,11 @@ class Filter {
   virtual void adopt(const StepInput& input, bool consistent) = 0;
   /// Keeps the belief, where no state follows; only time goes on.
   virtual void stay(const StepInput& input) = 0;
+  /// Whether the last step changed nothing but the time, and the next one does the same where it is like it: as long,
+  /// under the same action, with the same readings.
+  [[nodiscard]] virtual bool steady() const = 0;
+  /// In place of such a step.
+  virtual void repeat(automata::Ticks now) = 0;
   /// Goes on from another belief, normalised, as of `now`; `missing` as in `Estimate::missing_total`.
   virtual void resume(Belief belief, double missing, automata::Ticks now) = 0;
 

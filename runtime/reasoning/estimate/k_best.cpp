@@ -1,7 +1,8 @@
 // The k-best estimator: TimedME of thesis Fig. 6-11 with the corrections of 6.2.3.
 //
 // What is kept are mode combinations, each with its clocks as a distribution. Where the sources of the search are those
-// of the last cycle and no clock matters in them, only what they weigh is new: a plant at rest costs no search.
+// of the last cycle and no clock matters in them, only what they weigh is new: a plant at rest costs no search. Where
+// they weigh what they weighed, too, and lead to themselves, nothing is new: such a cycle costs nothing.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -102,12 +103,17 @@ class KBest final : public ListedFilter {
   }
 
   void adopt(const StepInput& input, bool consistent) override {
+    const std::pair missing(missing_ratio_, replaced_);
     settle(options_.account && consistent && missing_ratio_ > 0 ? greatest_factor(input.observation) : 1);
+    // No clock starts at the end of the step: what is as it was before has none.
+    steady_ = consistent && search_.only_weighed() && !merged_ && missing == std::pair(missing_ratio_, replaced_) &&
+              combinations_ == combinations_before_;
     if (consistent) set_aside_.clear();
     last_ = input.now;
   }
 
   void stay(const StepInput& input) override {
+    steady_ = false;
     combinations_before_ = combinations_;
     forget_lists();
     estimate_.missing_total = share_missing();
@@ -121,12 +127,14 @@ class KBest final : public ListedFilter {
     normalise(combinations_);
     forget_lists();
     tell_first();
+    steady_ = false;
     missing_ratio_ = missing / (1 - missing);
     replaced_ = missing;  // clocks may have been merged
     estimate_.missing_total = share_missing();
     last_ = now;
   }
 
+  [[nodiscard]] bool steady() const override { return steady_; }
   [[nodiscard]] const Belief& belief() const override { return listed(belief_, combinations_, belief_listed_); }
   [[nodiscard]] bool all_modes(base::FunctionRef<bool(const Modes&)> test) const override {
     return std::all_of(combinations_.begin(), combinations_.end(),
@@ -199,6 +207,7 @@ class KBest final : public ListedFilter {
     } else if (combinations_.front().probability < least_scale) {
       scale(combinations_, 1 / combinations_.front().probability);
     }
+    merged_ = false;
     if (options_.merge_trajectories) merge_clocks();
     estimate_.missing_total = share_missing();
     tell_first();
@@ -207,7 +216,11 @@ class KBest final : public ListedFilter {
 
   void merge_clocks() {
     double changed = 0;
-    for (Combination& combination : combinations_) changed += merging_.limit(combination, now_);
+    for (Combination& combination : combinations_) {
+      const std::size_t clocks = combination.clocks.size();
+      changed += merging_.limit(combination, now_);
+      merged_ = merged_ || combination.clocks.size() != clocks;
+    }
     if (!(changed > 0)) return;
     changed /= total(combinations_);
     missing_ratio_ += changed;
@@ -225,6 +238,8 @@ class KBest final : public ListedFilter {
   ClockMerging merging_;
   Combinations combinations_, combinations_before_;  ///< the belief, and the one that the last step started from
   mutable bool belief_listed_ = false, before_listed_ = false;
+  bool merged_ = false;       ///< clocks, in the last step
+  bool steady_ = false;       ///< as `steady` says
   Ticks now_;                 ///< the end of the step that is being worked out
   double missing_ratio_ = 0;  ///< what is missing since the start, at most, by what was kept
   double replaced_ = 0;       ///< the share of the belief, at most, that took the place of something else

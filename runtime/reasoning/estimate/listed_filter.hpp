@@ -8,6 +8,8 @@ namespace rmpl::runtime {
 
 class ListedFilter : public Filter {
  public:
+  [[nodiscard]] bool steady() const override { return false; }
+  void repeat(automata::Ticks now) override { last_ = now; }
   [[nodiscard]] const Belief& belief() const override { return belief_; }
   [[nodiscard]] const Belief& before() const override { return before_; }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }

@@ -50,6 +50,7 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
   if (may_tighten() && long_) tighten(sources);
   enumerate(sources, now, deadline);
   needed_ = count_;
+  only_weighed_ = false;
   repeatable_ =
       options_.merge_trajectories && !options_.ranks && obligatory.empty() && !cut_ && tight_ != may_tighten();
   for (const Source& source : obligatory) {
@@ -75,6 +76,7 @@ void TrajectorySearch::run_again(std::span<const Source> sources, automata::Tick
   line_up(sources);
   enumerate(sources, now, deadline);
   repeatable_ = !cut_ && tight_ != may_tighten() && count_ <= outgrown * (needed_ + k_);
+  only_weighed_ = repeatable_ && !looked_further_;
   keep(sources);
 }
 
@@ -107,6 +109,7 @@ void TrajectorySearch::take_up(std::span<const Source> sources, automata::Ticks 
 }
 
 void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline) {
+  looked_further_ = false;
   while (!fronts_.empty()) {
     if (!tight_ && checked_ >= options_.patience) tighten(sources);
     if (deadline && count_ > 0 && std::chrono::steady_clock::now() >= *deadline) {
@@ -114,6 +117,7 @@ void TrajectorySearch::enumerate(std::span<const Source> sources, automata::Tick
       break;
     }
     if (best_.size() == k_ && enough_found(sources)) break;
+    looked_further_ = true;
     std::pop_heap(fronts_.begin(), fronts_.end(), Front::ByBound{});
     const std::uint32_t s = fronts_.back().source;
     fronts_.pop_back();

@@ -40,6 +40,10 @@ class TrajectorySearch {
   /// the search goes on from there where that is not enough. Costs a product for each known way from source to target.
   void run_again(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline);
 
+  /// Whether the last run was one of these, and what was found before was enough: it told nothing but how the known
+  /// targets weigh, so that weights alone decide what another one gives.
+  [[nodiscard]] bool only_weighed() const { return only_weighed_; }
+
   /// What was kept, in order, not normalised; the caller may take it away.
   [[nodiscard]] Combinations& kept() { return kept_; }
   /// An upper bound of the worth of all consistent trajectories that are not in `kept`.
@@ -115,7 +119,9 @@ class TrajectorySearch {
   std::vector<double> best_;  ///< a heap: the k best worths, the least on top
   automata::Ticks now_;       ///< the time of the targets
   bool repeatable_ = false;
-  std::size_t needed_ = 0;  ///< targets of the last run that began anew
+  bool only_weighed_ = false;
+  bool looked_further_ = false;  ///< the last run looked at an extension, or for one
+  std::size_t needed_ = 0;       ///< targets of the last run that began anew
   JointBound joint_;
   bool joint_known_ = false;   ///< `joint_` has looked at the sources as they are
   std::size_t next_look_ = 0;  ///< how many candidates are checked before it is asked again,
