@@ -57,7 +57,8 @@ RoundProcess in_rounds(const automata::Plant& plant, automata::ComponentId compo
     result.steps.push_back({places.formula(mode, all), clock, to, fault, restarts});
   }
   std::map<std::tuple<Interval, bool, bool>, Places> rests;
-  for (const ProcessRest& rest : process.rests) rests[{rest.clock, rest.urgent, rest.restarts}].add(rest.mode, rest.where);
+  for (const ProcessRest& rest : process.rests)
+    rests[{rest.clock, rest.urgent, rest.restarts}].add(rest.mode, rest.where);
   std::set<Units> bounds;
   for (const auto& [what, places] : rests) {
     const auto& [clock, urgent, restarts] = what;
