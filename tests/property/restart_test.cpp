@@ -221,14 +221,18 @@ void compare_verdicts(std::optional<Ticks> period) {
   const auto compare = [&](const verifier::Property& one, const verifier::Property& two) {
     const verifier::Answer a = verifier::check(whole, one, options, {});
     const verifier::Answer b = verifier::check(parts, two, options, {});
-    RC_ASSERT(a.verdict == b.verdict);
-    RC_ASSERT(a.witness.has_value() == b.witness.has_value());
+    // Two modes can lead to each other in no time, where a restart changes nothing: one run stands still, the other is
+    // stuck.
+    const bool still = b.cut_off.still || (b.witness && b.witness->stop);
+    RC_ASSERT(still || a.verdict == b.verdict);
+    RC_ASSERT(still || a.witness.has_value() == b.witness.has_value());
   };
   compare(verifier::Reachability{.target = target, .window = {}},
           verifier::Reachability{.target = split_target, .window = {}});
   compare(verifier::Safety{.never = target, .window = {}}, verifier::Safety{.never = split_target, .window = {}});
   compare(verifier::Response{target, then, within}, verifier::Response{split_target, split_then, within});
-  compare(verifier::Stuck{}, verifier::Stuck{});
+  RC_ASSERT(verifier::check(whole, verifier::Stuck{}, options, {}).verdict ==
+            verifier::check(parts, verifier::Stuck{}, options, {}).verdict);
 }
 
 RC_GTEST_PROP(Restart, DenseVerdictsAreThoseOfTwoModes, ()) { compare_verdicts(std::nullopt); }

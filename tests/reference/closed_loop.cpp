@@ -279,7 +279,8 @@ class Explorer {
   void add_edge(std::size_t from, const State& state, const State& next, bool time, const ControlAction& action,
                 int lasts = 2) {
     std::vector<bool> moves;
-    for (std::size_t c = 0; c < state.modes.size(); ++c) moves.push_back(state.modes[c] != next.modes[c]);
+    for (std::size_t c = 0; c < state.modes.size(); ++c)
+      moves.push_back(state.modes[c] != next.modes[c] || step_.restarts(c, state.modes, action));
     edges_.push_back({from, arrive(next), time, state.faults == next.faults, std::move(moves),
                       &moves_.exits(state.modes, action), lasts});
   }

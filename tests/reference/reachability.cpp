@@ -140,8 +140,7 @@ class Search {
         const State next = enter(target);
         std::vector<bool> changes;
         for (std::size_t c = 0; c < state.modes.size(); ++c)
-          changes.push_back(state.modes[c] != next.modes[c] ||
-                            (!takes_time_ && step_.restarts(c, state.modes, action_)));
+          changes.push_back(state.modes[c] != next.modes[c] || step_.restarts(c, state.modes, action_));
         // A command of an instant keeps nothing from staying enabled.
         const Exits* exits = moves == nullptr || !takes_time_ ? nullptr : &moves->exits(state.modes, action_);
         result.edges.push_back(

@@ -220,7 +220,8 @@ class LoopRuns : public Runs {
     const LoopStateId id = ProgramSystem::loop_state(from.discrete);
     if (!turn_ || id_ != id) turn_ = loop_.turn(id);
     id_ = id;
-    return {&turn_->exits, nullptr, !loop_.time().is_dense() || ProgramSystem::progressed(to.discrete)};
+    const bool time = !loop_.time().is_dense() || ProgramSystem::progressed(to.discrete);
+    return {&turn_->exits, nullptr, time, turn_->anew};
   }
 
  private:

@@ -42,7 +42,7 @@ class PlantRuns : public Runs {
     // In dense time a command lasts an instant: what stays enabled does while time passes.
     const JointStep& move = (*moves_)[label.move];
     if (situations_.time().is_dense()) return {waited ? &idle : nullptr, nullptr, waited, move.restarted};
-    return {&situations_.exits(move.exits), waited ? &idle : nullptr, true};
+    return {&situations_.exits(move.exits), waited ? &idle : nullptr, true, move.restarted};
   }
 
  private:

@@ -35,7 +35,7 @@ class Runs {
         nullptr;  ///< what is enabled in it; kept as long as this object is; none where it does not count
     const Exits* wait = nullptr;  ///< the same while time passes before it; none where that is `step`, or none passes
     bool time = false;            ///< time passes before or in it
-    std::vector<automata::ComponentId> restarted = {};  ///< whose clocks a command of an instant starts anew
+    std::vector<automata::ComponentId> restarted = {};  ///< whose clocks restarts start anew in it
   };
 
   virtual ~Runs() = default;
