@@ -84,7 +84,7 @@ const Instant* PlantInstants::step(std::uint64_t node, std::size_t number) {
     if (there->modes != from->modes) {
       found.push_back(std::move(taken));
     } else {
-      clocks_.add_restarts(taken, move.restarted, [&](Instant&& one) { found.push_back(std::move(one)); });
+      clocks_.add_restarts(taken, move.restarted, [&all = found](Instant&& one) { all.push_back(std::move(one)); });
     }
   }
   return number < found.size() ? &found[number] : nullptr;
