@@ -33,7 +33,7 @@ bool is_harmless(std::string_view text) {
     unsigned char any = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const auto byte = static_cast<unsigned char>(text[i]);
-      any = static_cast<unsigned char>(any | (byte != '\n' && (byte < 0x20 || byte >= 0x7f)));
+      any = static_cast<unsigned char>(any | (text[i] != '\n' && (is_control(text[i]) || byte >= 0x80)));
     }
     return any != 0;
   };

@@ -11,16 +11,21 @@
 
 namespace rmpl::base {
 
-TemporaryFolder::TemporaryFolder(const std::string& prefix) {
+TemporaryFolder::TemporaryFolder(const std::string& prefix, const std::string& told) {
   std::string name = prefix + "XXXXXX";
-  if (::mkdtemp(name.data()) == nullptr) throw InputError(prefix + ": " + std::strerror(errno));
+  if (::mkdtemp(name.data()) == nullptr) throw InputError(told + ": " + std::strerror(errno));
   path_ = name;
 }
 
 TemporaryFolder TemporaryFolder::of_system(const std::string& prefix) {
   std::error_code unknown;
   const std::filesystem::path where = std::filesystem::temp_directory_path(unknown);
-  return TemporaryFolder(((unknown ? std::filesystem::path("/tmp") : where) / prefix).string());
+  const std::string whole = ((unknown ? std::filesystem::path("/tmp") : where) / prefix).string();
+  return {whole, whole};
+}
+
+TemporaryFolder TemporaryFolder::beside(const std::filesystem::path& path) {
+  return {path.string() + ".", path.string()};
 }
 
 TemporaryFolder::~TemporaryFolder() {

@@ -4,16 +4,17 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace rmpl::base {
 
 class TemporaryFolder {
  public:
-  /// Makes a folder whose name is the prefix and six random letters, for this user alone. Throws base::InputError with
-  /// the prefix and the reason.
-  explicit TemporaryFolder(const std::string& prefix);
-  /// The same where the system keeps such folders.
+  /// Makes a folder where the system keeps such folders, for this user alone: its name is the prefix and six random
+  /// letters. Throws base::InputError with its place and the reason.
   static TemporaryFolder of_system(const std::string& prefix);
+  /// The same beside the path, with a name that begins with that. Throws base::InputError with the path and the reason.
+  static TemporaryFolder beside(const std::filesystem::path& path);
   ~TemporaryFolder();
   TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::move(other.path_)) { other.path_.clear(); }
   TemporaryFolder& operator=(TemporaryFolder&&) = delete;
@@ -23,6 +24,9 @@ class TemporaryFolder {
   void release() { path_.clear(); }
 
  private:
+  /// `told`: what messages call it.
+  TemporaryFolder(const std::string& prefix, const std::string& told);
+
   std::filesystem::path path_;  ///< empty: of none
 };
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "base/function_ref.hpp"
 #include "compiler/check/vocabulary.hpp"
 #include "compiler/import/xmpl.hpp"
 
@@ -101,6 +102,15 @@ class L2Reader {
     if (!next_line()) return fail({}, "expected how many lines come");
     return number(0, std::string_view::npos, value);
   }
+  /// A line with how many lines come, and these.
+  bool lines(base::FunctionRef<bool()> read_one) {
+    std::size_t left = 0;
+    if (!count(left)) return false;
+    for (; left > 0; --left) {
+      if (!read_one()) return false;
+    }
+    return true;
+  }
   bool next_of(std::size_t words) {
     if (!next_line()) return fail({}, "the file ends within a section");
     if (line_.size() < words) return fail(line_.front().place, "expected " + std::to_string(words) + " words or more");
@@ -126,28 +136,24 @@ class L2Reader {
   }
 
   bool read_enumerations() {
-    std::size_t lines = 0;
-    if (!count(lines)) return false;
-    for (; lines > 0; --lines) {
+    return lines([this] {
       std::size_t members = 0;
       if (!next_of(2) || !number(0, std::string_view::npos, members)) return false;
       if (line_.size() != members + 2) return fail(line_.front().place, "expected as many members as it says");
       auto& [name, values] = enumerations_.emplace_back(std::string(line_[1].text), std::vector<std::string>{});
       for (std::size_t i = 2; i < line_.size(); ++i) values.emplace_back(line_[i].text);
       model_.types[name] = values;
-    }
-    return true;
+      return true;
+    });
   }
 
   bool read_variables() {
-    std::size_t lines = 0;
-    if (!count(lines)) return false;
-    for (; lines > 0; --lines) {
+    return lines([this] {
       std::size_t type = 0;
       if (!next_of(2) || !number(0, enumerations_.size(), type)) return false;
       variables_.push_back({type, std::string(line_[1].text), line_[1].place});
-    }
-    return true;
+      return true;
+    });
   }
 
   bool variable(std::size_t word, std::size_t& value) { return number(word, variables_.size(), value); }
@@ -181,9 +187,7 @@ class L2Reader {
   }
 
   bool read_clauses() {
-    std::size_t lines = 0;
-    if (!count(lines)) return false;
-    for (; lines > 0; --lines) {
+    return lines([this] {
       if (!next_of(1)) return false;
       Clause& made = clauses_.emplace_back(Clause{std::string(line_.front().text), {{}, line_.front().place}});
       for (std::size_t i = 1; i < line_.size(); ++i) {
@@ -191,19 +195,17 @@ class L2Reader {
         if (!number(i, propositions_.size(), proposition)) return false;
         made.clause.terms.push_back(propositions_[proposition]);
       }
-    }
-    return true;
+      return true;
+    });
   }
 
   bool read_background() {
-    std::size_t lines = 0;
-    if (!count(lines)) return false;
-    for (; lines > 0; --lines) {
+    return lines([this] {
       std::size_t clause = 0;
       if (!next_of(1) || !number(0, clauses_.size(), clause)) return false;
       background_.push_back(clause);
-    }
-    return true;
+      return true;
+    });
   }
 
   bool read_transitions() {
@@ -245,15 +247,13 @@ class L2Reader {
   }
 
   bool read_initial() {
-    std::size_t lines = 0;
-    if (!count(lines)) return false;
-    for (; lines > 0; --lines) {
+    return lines([this] {
       std::size_t of = 0;
       std::string value;
       if (!next_of(2) || !variable(0, of) || !member(1, of, value)) return false;
       model_.initial.emplace_back(variables_[of].name + "=" + value, line_.front().place);
-    }
-    return true;
+      return true;
+    });
   }
 
   static std::string above(const std::string& name) {

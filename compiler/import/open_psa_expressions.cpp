@@ -14,22 +14,25 @@ using grammar::Code;
 
 std::string open_psa_name(pugi::xml_node element) { return element.attribute("name").value(); }
 
+namespace {
+
+/// An element that is no label and no attributes.
+bool says_something(pugi::xml_node node) {
+  const std::string_view kind = node.name();
+  return node.type() == pugi::node_element && kind != "label" && kind != "attributes";
+}
+
+}  // namespace
+
 std::vector<pugi::xml_node> open_psa_children(pugi::xml_node element) {
   std::vector<pugi::xml_node> result;
   for (const pugi::xml_node child : element.children()) {
-    const std::string_view kind = child.name();
-    if (child.type() == pugi::node_element && kind != "label" && kind != "attributes") result.push_back(child);
+    if (says_something(child)) result.push_back(child);
   }
   return result;
 }
 
-pugi::xml_node open_psa_child(pugi::xml_node element) {
-  for (const pugi::xml_node child : element.children()) {
-    const std::string_view kind = child.name();
-    if (child.type() == pugi::node_element && kind != "label" && kind != "attributes") return child;
-  }
-  return {};
-}
+pugi::xml_node open_psa_child(pugi::xml_node element) { return element.find_child(says_something); }
 
 std::string open_psa_number(double number) {
   char buffer[40];

@@ -35,12 +35,13 @@ class ComponentLowering {
   void add_transitions(const grammar::TransitionText& text, Resolver& resolver);
   void add_transition(const grammar::TransitionText& text, const grammar::Branch& branch, automata::Weight weight,
                       automata::Transition common);
-  /// Warns where the transition stands there already: same ends, guard and bounds. Looks at the first few of the same
-  /// ends only, so that a large model does not cost its square.
+  /// Whether the text may say `restart`; else an error.
   bool may_restart(const grammar::TransitionText& text, const grammar::Branch& branch, automata::ModeId target,
                    const std::vector<automata::ModeId>& sources);
   void repair_with_rate(const grammar::TransitionText& text, const grammar::Branch& branch, automata::ModeId target,
                         const std::vector<automata::ModeId>& sources, automata::Transition& common);
+  /// Warns where the transition stands there already: same ends, guard and bounds. Looks at the first few of the same
+  /// ends only, so that a large model does not cost its square.
   void report_twin(const automata::Transition& transition, grammar::Span span);
   std::vector<automata::ModeId> sources_of(const grammar::TransitionText& text, automata::ModeId target);
   std::optional<automata::ModeId> mode(const grammar::Name& name);

@@ -256,7 +256,7 @@ class LoopReplay {
                              : plant_.may_step(action_, now, now, modes()) && plant_.may_wait(action_, now, to, anew_);
       if (!stays) return "nothing changing is not possible" + at(now);
       const std::vector<bool> anew = plant_.restarted(action_);
-      for (std::size_t c = 0; c < anew.size(); ++c) anew_[c] = anew_[c] || anew[c];
+      note_anew(anew);
       plant_.restart(anew, now);
       finish(now, modes());
       if (rules_.period && marking_ != before) return "waiting changes the marking" + at(now);
@@ -265,6 +265,10 @@ class LoopReplay {
       renewed_[c] = started_[c] != started_before[c] ? renewed_[c] + 1 : 0;
     }
     return std::nullopt;
+  }
+
+  void note_anew(const std::vector<bool>& anew) {
+    for (std::size_t c = 0; c < anew.size(); ++c) anew_[c] = anew_[c] || anew[c];
   }
 
   /// In dense time: the components whose clocks some cycle of the round starts anew.
@@ -276,8 +280,7 @@ class LoopReplay {
     std::set<Marking> met;
     while (met.insert(marking_).second) {
       begin(now, seen(now));
-      const std::vector<bool> anew = plant_.restarted(action_);
-      for (std::size_t c = 0; c < anew.size(); ++c) anew_[c] = anew_[c] || anew[c];
+      note_anew(plant_.restarted(action_));
       finish(now, modes());
     }
     std::tie(marking_, started_, before_, position_) = std::tie(marking, started, answered, position);

@@ -44,13 +44,8 @@ std::vector<std::size_t> first_exclusions(const automata::Plant& plant) {
     result.push_back(next);
     next += component.modes.size();
   }
+  result.push_back(next);
   return result;
-}
-
-std::size_t count_modes(const automata::Plant& plant) {
-  std::size_t count = 0;
-  for (const automata::Component& component : plant.components) count += component.modes.size();
-  return count;
 }
 
 }  // namespace
@@ -66,7 +61,6 @@ PlantQuestions::PlantQuestions(const automata::Plant& plant)
       locality_(plant),
       index_(plant),
       first_exclusion_(first_exclusions(plant)),
-      first_search_(plant.variables.size() + count_modes(plant)),
       theory_(with_exclusions(plant), automata::Theory::Upkeep::maintained),
       excluded_(plant.components.size()),
       parts_(automata::Dependencies(plant).parts()),
@@ -149,7 +143,7 @@ bool PlantQuestions::possible(std::span<const Assignment> assumptions, const For
 std::vector<Assignment> PlantQuestions::due_to() const {
   std::vector<Assignment> result;
   for (const Assignment& a : theory_.conflict()) {
-    if (a.variable.index() < plant_.variables.size() || a.variable.index() >= first_search_) continue;
+    if (a.variable.index() < plant_.variables.size() || a.variable.index() >= first_exclusion_.back()) continue;
     const auto after = std::upper_bound(first_exclusion_.begin(), first_exclusion_.end(), a.variable.index());
     const auto component = static_cast<std::size_t>(after - first_exclusion_.begin()) - 1;
     result.push_back({plant_.components[component].mode, ValueId(a.variable.index() - first_exclusion_[component])});
@@ -223,9 +217,9 @@ Implied PlantQuestions::implied(ComponentId component, ModeId mode, std::span<co
     result.verdict = Implied::Verdict::yes;
     return result;
   }
-  if (searches_ == most_searches) return result;
+  if (searches_ == most_searches || tried_ >= whole_patience) return result;
   // What is excluded is told under a variable of the search: a clause each, which is satisfied for good afterwards.
-  const Assignment search{VariableId(first_search_ + searches_++), yes};
+  const Assignment search{VariableId(first_exclusion_.back() + searches_++), yes};
   std::vector<Assignment> assumptions = assumed({&own, 1}, variables);
   assumptions.push_back(search);
   for (std::size_t tried = 1; tried < patience && tried_ < whole_patience; ++tried, ++tried_) {

@@ -83,8 +83,8 @@ class PlantQuestions {
   const automata::Plant& plant_;
   automata::Locality locality_;
   automata::PlantIndex index_;
-  std::vector<std::size_t> first_exclusion_;  ///< by component, its first variable "not in mode 0"
-  std::size_t first_search_;                  ///< the first variable of a search for what implies a guard
+  /// By component, its first variable "not in mode 0"; then the first of a search for what implies a guard.
+  std::vector<std::size_t> first_exclusion_;
   automata::Theory theory_;
   std::vector<std::vector<automata::Assignment>> excluded_;  ///< by component, what is assumed of its exclusions
   automata::Classes parts_;

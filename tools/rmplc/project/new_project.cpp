@@ -8,13 +8,13 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
 
 #include "base/error.hpp"
 #include "base/output_file.hpp"
+#include "base/temporary_folder.hpp"
 #include "base/utf8.hpp"
 
 namespace rmpl::tools {
@@ -198,34 +198,16 @@ std::string as_toml(const std::string& text) {
   throw base::InputError(folder + ": " + std::strerror(reason));
 }
 
-/// A folder of a random name beside the target, which goes unless it is kept.
-class Draft {
- public:
-  explicit Draft(const fs::path& target) : target_(target) {
-    std::string name = target.string() + ".XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) fail(target.string(), errno);
-    path_ = name;
+/// Gives a folder the name of the target, with the rights that a new one has.
+void keep(base::TemporaryFolder& folder, const fs::path& target) {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  if (::chmod(folder.path().c_str(), 0777 & ~mask) != 0) fail(target.string(), errno);
+  if (::renameat2(AT_FDCWD, folder.path().c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0) {
+    fail(target.string(), errno);
   }
-  ~Draft() {
-    std::error_code error;
-    if (!path_.empty()) fs::remove_all(path_, error);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-  void keep() {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::chmod(path_.c_str(), 0777 & ~mask) != 0) fail(target_.string(), errno);
-    if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) != 0) {
-      fail(target_.string(), errno);
-    }
-    path_.clear();
-  }
-
- private:
-  fs::path target_, path_;
-};
+  folder.release();
+}
 
 }  // namespace
 
@@ -241,7 +223,7 @@ void make_project(const std::string& folder) {
     rest.remove_prefix(length);
   }
   if (fs::exists(fs::symlink_status(target, error))) throw base::InputError(folder + ": this is there already");
-  Draft draft(target);
+  base::TemporaryFolder draft = base::TemporaryFolder::beside(target);
   for (const NewFile& file : files) {
     const fs::path path = draft.path() / file.name;
     fs::create_directories(path.parent_path(), error);
@@ -250,7 +232,7 @@ void make_project(const std::string& folder) {
     if (const std::size_t at = text.find("@NAME@"); at != std::string::npos) text.replace(at, 6, as_toml(name));
     base::write_file(path.string(), text);
   }
-  draft.keep();
+  keep(draft, target);
 }
 
 }  // namespace rmpl::tools
