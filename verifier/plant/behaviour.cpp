@@ -41,6 +41,7 @@ BehaviourId Behaviours::number(ModeId mode, std::vector<Choice> all, std::vector
   Behaviour behaviour{std::move(all), std::move(pauses)};
   behaviour.faulty = without_nominal(behaviour.choices);
   behaviour.restarts = restarts;
+  some_restart_ = some_restart_ || restarts;
   for (const Choice& choice : behaviour.choices) {
     if (choice.mode != mode) behaviour.changes = true;
     if (choice.mode == mode && choice.faults == 0 && choice.clock.lower <= 0)

@@ -47,6 +47,8 @@ class Behaviours {
   /// read.
   void fold(Folds& folds) { folds_ = &folds; }
   [[nodiscard]] const Behaviour& operator[](BehaviourId id) const { return table_[id.index()]; }
+  /// Whether any behaviour met so far restarts.
+  [[nodiscard]] bool some_restart() const { return some_restart_; }
   /// Per component, in possible modes under a control action; whether the store is consistent with it there.
   bool read(const automata::Modes& modes, const automata::ControlAction& action, std::vector<BehaviourId>& result);
   /// What has been read somewhere else. Keeps references.
@@ -79,6 +81,7 @@ class Behaviours {
   LikeModes like_;
   automata::Modes seen_;  ///< the modes at hand, as the store tells them apart
   std::deque<Behaviour> table_;
+  bool some_restart_ = false;
   std::map<std::tuple<automata::ModeId, std::vector<Choice>, std::vector<Interval>, bool>, BehaviourId> numbers_;
   std::vector<std::vector<Answers>> known_;  ///< per component, per mode
   /// Per component, then per control: the components whose guards, in some mode, could depend on it.

@@ -24,19 +24,14 @@ bool hold_together(const Zone& zone, std::span<const ZoneBox> boxes, std::size_t
 
 }  // namespace
 
-std::optional<std::size_t> InstantClocks::clock_of(ComponentId component) const {
-  const auto at = std::lower_bound(live_.begin(), live_.end(), component);
-  if (at == live_.end() || *at != component) return std::nullopt;
-  return 1 + others_ + static_cast<std::size_t>(at - live_.begin());
-}
-
-std::optional<ZoneBox> InstantClocks::translated(const Box& box, Units earlier, Units before_end) const {
+template <class Range>
+std::optional<ZoneBox> InstantClocks::translated(const Box& box, const Range& range_of) const {
   ZoneBox result;
   for (const ClockBound& bound : box) {
-    Interval range{std::max<Units>(bound.clock.lower - earlier, 0), bound.clock.upper};
-    if (range.upper != unbounded) range.upper -= before_end;
+    const Interval range = range_of(bound);
     if (range.empty()) return std::nullopt;
     if (const auto clock = clock_of(bound.component)) {
+      if (result.empty()) result.reserve(box.size());
       result.push_back({*clock, range});
     } else if (!range.contains(0)) {
       return std::nullopt;
@@ -45,13 +40,27 @@ std::optional<ZoneBox> InstantClocks::translated(const Box& box, Units earlier, 
   return result;
 }
 
+std::optional<std::size_t> InstantClocks::clock_of(ComponentId component) const {
+  const auto at = std::lower_bound(live_.begin(), live_.end(), component);
+  if (at == live_.end() || *at != component) return std::nullopt;
+  return 1 + others_ + static_cast<std::size_t>(at - live_.begin());
+}
+
+std::optional<ZoneBox> InstantClocks::translated(const Box& box, Units earlier, Units before_end) const {
+  return translated(box, [&](const ClockBound& bound) {
+    Interval range{std::max<Units>(bound.clock.lower - earlier, 0), bound.clock.upper};
+    if (range.upper != unbounded) range.upper -= before_end;
+    return range;
+  });
+}
+
 std::optional<ZoneBox> InstantClocks::lasting(const Box& box, bool at_bound) const {
-  Box inner = box;
-  for (ClockBound& bound : inner) {
-    if (bound.sharp.upper) --bound.clock.upper;
-    if (bound.sharp.lower && at_bound) ++bound.clock.lower;
-  }
-  return translated(inner, 0, 0);
+  return translated(box, [&](const ClockBound& bound) {
+    Interval range{std::max<Units>(bound.clock.lower, 0), bound.clock.upper};
+    if (bound.sharp.upper) --range.upper;
+    if (bound.sharp.lower && at_bound) ++range.lower;
+    return range;
+  });
 }
 
 std::vector<ZoneBox> certain_faults(std::span<const ClockBound> faulty, const InstantClocks& clocks,

@@ -38,6 +38,10 @@ class InstantClocks {
                     base::FunctionRef<void(Instant&&)> add) const;
 
  private:
+  /// The box with the ranges that `range_of` makes of its bounds.
+  template <class Range>
+  [[nodiscard]] std::optional<ZoneBox> translated(const Box& box, const Range& range_of) const;
+
   std::vector<automata::ComponentId> live_;
   std::size_t others_;
 };

@@ -38,15 +38,27 @@ void JointSteps::set_out(const Modes& modes, const Late& late, const Late& due,
   idling_ = &idling;
   alone_.clear();
   calm_ = false;
-  calm_ = steps_ == Steps::irreducible && calm({modes, late, due, idle_, idling, idling}, modes);
+  if (steps_ != Steps::irreducible) return;
+  const At at{modes, late, due, idle_, idling, idling};
+  calm_ = calm(at, modes);
+  at_rest_.assign(modes.size(), false);
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const auto does_something = [&](const Choice& choice) {
+      return choice.mode != modes[c] && choice.faults <= faults_;
+    };
+    const std::vector<Choice>& choices = behaviours_[idling[c]].choices;
+    at_rest_[c] = may_stay(at, c, idling[c], modes) && std::none_of(choices.begin(), choices.end(), does_something);
+  }
 }
 
 void JointSteps::enumerate(const ControlAction& action, const std::vector<BehaviourId>& here, const Visit& visit) {
   const At at{*modes_, *late_, *due_, action, *idling_, here};
   ahead_.modes = *modes_;
   ahead_.decided.assign(modes_->size(), true);
-  restarts_ =
-      std::any_of(here.begin(), here.end(), [&](BehaviourId behaviour) { return behaviours_[behaviour].restarts; });
+  restarts_ = behaviours_.some_restart() && std::any_of(here.begin(), here.end(), [&](BehaviourId behaviour) {
+                return behaviours_[behaviour].restarts;
+              });
+  taken_.clear();
   return steps_ == Steps::irreducible ? irreducible(at, visit) : all(at, visit);
 }
 
@@ -74,11 +86,10 @@ std::vector<std::size_t> JointSteps::likes(const At& at, const Options& options)
 }
 
 template <class Leaf>
-void JointSteps::product(const At& at, const Options& options, unsigned faults, std::vector<Option>& taken,
-                         const Leaf& leaf) {
+void JointSteps::product(const At& at, const Options& options, const Leaf& leaf) {
   const std::vector<std::size_t> like = likes(at, options);
   std::vector<std::size_t> chosen(like.size());
-  unsigned so_far = faults;
+  unsigned so_far = faults_of(taken_);
   base::multiply_out(
       options,
       [&](std::size_t position, std::size_t i) {
@@ -90,14 +101,14 @@ void JointSteps::product(const At& at, const Options& options, unsigned faults, 
         if (nogoods_.refutes(ahead_, ComponentId(option.component))) return false;
         if (!like.empty()) chosen[position] = i;
         ahead_.decided[option.component] = true;
-        taken.push_back(option);
+        if (option.choice != &stays) taken_.push_back(option);
         so_far += option.choice->faults;
         return true;
       },
       [&](std::size_t position, std::size_t i) {
         const Option& option = options[position][i];
         so_far -= option.choice->faults;
-        taken.pop_back();
+        if (option.choice != &stays) taken_.pop_back();
         ahead_.decided[option.component] = false;
       },
       [&] {
@@ -162,9 +173,8 @@ void JointSteps::all(const At& at, const Visit& visit) {
     if (!add_choices(at, c, options)) return;
     ahead_.decided[c] = false;
   }
-  std::vector<Option> taken;
-  product(at, options, 0, taken, [&] {
-    if (steps_ == Steps::every_action || at.action == idle_ || takes_action(at, taken)) emit(at, taken, visit);
+  product(at, options, [&] {
+    if (steps_ == Steps::every_action || at.action == idle_ || takes_action(at, taken_)) emit(at, taken_, visit);
   });
 }
 
@@ -230,8 +240,9 @@ void JointSteps::irreducible(const At& at, const Visit& visit) {
   core_.clear();
   free_.clear();
   for (std::size_t c = 0; c < at.modes.size(); ++c) {
-    const Behaviour& behaviour = behaviours_[at.here[c]];
     const bool concerned = at.here[c] != at.idling[c];
+    if (!concerned && at_rest_[c]) continue;
+    const Behaviour& behaviour = behaviours_[at.here[c]];
     if (concerned || !may_stay(at, c, at.here[c], at.modes)) {
       if (!add_choices(at, c, core_)) return;
       ahead_.decided[c] = false;
@@ -246,20 +257,20 @@ void JointSteps::irreducible(const At& at, const Visit& visit) {
       ahead_.decided[c] = false;
     }
   }
-  std::vector<Option> taken;
-  product(at, core_, 0, taken, [&] {
-    if (is_idle || takes_action(at, taken)) rest(at, taken, free_, visit);
+  product(at, core_, [&] {
+    if (is_idle || takes_action(at, taken_)) rest(at, free_, 0, visit);
   });
 }
 
-/// The steps in which these changes are made, alone or together with others that are free to be made.
-void JointSteps::rest(const At& at, std::span<const Option> core, const Options& free, const Visit& visit) {
-  emit(at, core, visit);
+void JointSteps::rest(const At& at, const Options& free, std::size_t depth, const Visit& visit) {
+  emit(at, taken_, visit);
   if (free.size() == 0) return;
-  const bool still = after(at, core) == at.modes;
+  const bool still = after(at, taken_) == at.modes;
   const bool some_wait = !still && calm(at, next_);
-  Options now;
-  Options later;
+  if (parts_.size() <= depth) parts_.emplace_back();
+  auto& [now, later] = parts_[depth];
+  now.clear();
+  later.clear();
   for (std::size_t i = 0; i < free.size(); ++i) {
     const std::span<const Option> own = free[i];
     // What the core leaves alone can follow a step later; what it touches cannot wait.
@@ -273,19 +284,15 @@ void JointSteps::rest(const At& at, std::span<const Option> core, const Options&
   }
   if (now.size() == 0) return;
 
-  std::vector<Option> others;
-  product(at, now, faults_of(core), others, [&] {
-    std::vector<Option> taken(core.begin(), core.end());
-    for (const Option& option : others) {
-      if (option.choice != &stays) taken.push_back(option);
-    }
-    const std::size_t more = taken.size() - core.size();
+  const std::size_t before = taken_.size();
+  product(at, now, [&] {
+    const std::size_t more = taken_.size() - before;
     // One change alone, where all may stay, has been visited.
     if (more == 0 || (more == 1 && still && calm_)) return;
     if (later.size() == 0) {
-      emit(at, taken, visit);
+      emit(at, taken_, visit);
     } else {
-      rest(at, taken, later, visit);
+      rest(at, later, depth + 1, visit);
     }
   });
 }

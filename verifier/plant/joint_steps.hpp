@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -108,14 +109,16 @@ class JointSteps {
   bool add_choices(const At& at, std::size_t component, Options& options) const;
   void all(const At& at, const Visit& visit);
   void irreducible(const At& at, const Visit& visit);
-  void rest(const At& at, std::span<const Option> core, const Options& free, const Visit& visit);
+  /// The steps in which what is `taken_` is done, alone or together with others that are free to be done.
+  void rest(const At& at, const Options& free, std::size_t depth, const Visit& visit);
   [[nodiscard]] static unsigned faults_of(std::span<const Option> taken);
   /// Whether it takes the action to do these: with idle controls some component could not. What it does not take is
   /// enumerated with idle controls.
   [[nodiscard]] bool takes_action(const At& at, std::span<const Option> taken) const;
-  /// Calls `leaf` for every way of taking one of each list, within the faults that are left after `faults`.
+  /// Calls `leaf` for every way of taking one of each list beside what is `taken_`, within the faults that are left.
+  /// What changes nothing is not added to `taken_`.
   template <class Leaf>
-  void product(const At& at, const Options& options, unsigned faults, std::vector<Option>& taken, const Leaf& leaf);
+  void product(const At& at, const Options& options, const Leaf& leaf);
   /// For each list the last one before it whose component can be exchanged with its own, or itself; none where there is
   /// no symmetry.
   [[nodiscard]] std::vector<std::size_t> likes(const At& at, const Options& options) const;
@@ -143,13 +146,19 @@ class JointSteps {
   const Late* late_ = nullptr;
   const Late* due_ = nullptr;
   const std::vector<BehaviourId>* idling_ = nullptr;
-  bool calm_ = false;      ///< whether every component may stay there
-  bool restarts_ = false;  ///< whether a clock starts anew with each step under the action at hand
+  bool calm_ = false;          ///< whether every component may stay there
+  std::vector<bool> at_rest_;  ///< by component: it may stay there, and has nothing else to do, with idle controls
+  bool restarts_ = false;      ///< whether a clock starts anew with each step under the action at hand
   std::vector<Alone> alone_;
 
   // Of the step at hand; their memory serves the next:
   Options core_, free_;
-  PartialModes ahead_;  ///< what is decided of the modes that a step leads to
+  std::vector<Option> taken_;
+  struct Parts {
+    Options now, later;
+  };
+  std::deque<Parts> parts_;  ///< of `rest`, by depth
+  PartialModes ahead_;       ///< what is decided of the modes that a step leads to
   automata::Modes next_;
   std::vector<BehaviourId> there_, there_commanded_;
   Box box_;

@@ -103,16 +103,27 @@ bool PlantSystem::pass(Zone& zone, const JointStep& move, const Place& place) co
   return within(zone, move.bounds, place);
 }
 
+/// Whether a step, in dense time, is possible at no reading: seen from each bound alone, before anything is copied.
+bool PlantSystem::misses(const Zone& zone, const JointStep& move, const Place& place) const {
+  if (!situations_.time().is_dense()) return false;
+  return std::any_of(move.bounds.begin(), move.bounds.end(), [&](const ClockBound& bound) {
+    const std::size_t clock = place.clock_of(bound.component);
+    return zone.upper(clock) < bound.clock.lower || zone.lower(clock) > bound.clock.upper;
+  });
+}
+
 void PlantSystem::take(const SymbolicState& state, const std::shared_ptr<const Situation>& here, std::uint32_t number,
                        const JointStep& move, const VisitEntered& visit) {
   const Phase phase = phase_of(state.discrete);
   const Place place{*here, has_extra(phase)};
+  if (misses(state.zone, move, place)) return;
   const auto target = situations_[move.target];
   const unsigned faults =
       sets_ == nullptr ? state.faults + move.faults
                        : sets_->after(state.faults, situations_.plant(), here->modes, target->modes, move.faults);
   const auto step_into = [&](Phase next, const Zone& from, bool progressed) {
-    std::vector<std::size_t> sources;
+    std::vector<std::size_t>& sources = sources_;
+    sources.clear();
     if (has_extra(next)) sources.push_back(!progress_ && observer_.timed(phase) ? stopwatch : 0);
     for (const ComponentId component : target->live) {
       const bool kept = here->modes[component.index()] == target->modes[component.index()] &&

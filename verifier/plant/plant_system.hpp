@@ -114,6 +114,7 @@ class PlantSystem : public TransitionSystem {
   /// Visits what the move at a position leads to.
   void take(const SymbolicState& state, const std::shared_ptr<const Situation>& here, std::uint32_t number,
             const JointStep& move, const VisitEntered& visit);
+  [[nodiscard]] bool misses(const Zone& zone, const JointStep& move, const Place& place) const;
   [[nodiscard]] bool pass(Zone& zone, const JointStep& move, const Place& place) const;
   /// Visits the state entered with `zone`, as it is when it has waited in each way that it can.
   void enter(SituationId id, std::shared_ptr<const Situation> situation, Phase phase, unsigned faults, Zone zone,
@@ -154,6 +155,7 @@ class PlantSystem : public TransitionSystem {
   Folds* folds_ = nullptr;  ///< none: timers are modes
   const std::vector<automata::Modes>& start_;
   ModeRanks ranks_;
+  std::vector<std::size_t> sources_;        ///< of the step at hand; its memory serves the next
   std::vector<std::optional<Phase>> next_;  ///< by situation, while the observer owes nothing and while it does
 };
 

@@ -3,7 +3,6 @@
 #include "verifier/plant/situation.hpp"
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 #include "verifier/plant/folds.hpp"
@@ -111,6 +110,7 @@ Situation Situations::describe(const Modes& modes) {
 
 std::vector<ComponentId> Situations::restarted(const std::vector<BehaviourId>& behaviours) const {
   std::vector<ComponentId> result;
+  if (!behaviours_.some_restart()) return result;
   for (std::size_t c = 0; c < behaviours.size(); ++c) {
     if (behaviours_[behaviours[c]].restarts) result.emplace_back(c);
   }
@@ -150,57 +150,67 @@ std::shared_ptr<const std::vector<JointStep>> Situations::moves(SituationId id, 
 std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late, unsigned faults, const Late& due) {
   std::vector<JointStep> result;
   joint_steps_.allow(faults);
-  std::vector<BehaviourId> idling;
-  const bool may_idle = behaviours_.read(modes, actions_.front(), idling);
-  const std::vector<Box> idle_waits = waits(idling);
-  const std::vector<ComponentId> idle_restarted = restarted(idling);
-  const std::uint32_t idle_exits = tells_exits_ ? exits_in(modes, idling) : 0;
-  joint_steps_.set_out(modes, late, due, idling);
+  const bool may_idle = behaviours_.read(modes, actions_.front(), idling_);
+  const bool sampled = !time().is_dense();
+  const std::vector<Box> idle_waits = sampled ? waits(idling_) : std::vector<Box>{};
+  const std::vector<ComponentId> idle_restarted = restarted(idling_);
+  const std::uint32_t idle_exits = tells_exits_ ? exits_in(modes, idling_) : 0;
+  joint_steps_.set_out(modes, late, due, idling_);
   // Many control actions enable the same: what the components may do tells whether an action is worth a look, and a
   // step that two actions lead to is listed with the first.
-  std::vector<BehaviourId> behaviours;  // of one action after the other
+  std::vector<BehaviourId>& rows = rows_;  // of one action after the other
+  rows.clear();
+  seen_rows_.clear();
+  seen_steps_.clear();
   const std::size_t width = modes.size();
-  const auto from = [&](std::size_t first) { return behaviours.cbegin() + static_cast<std::ptrdiff_t>(first); };
-  const auto sooner = [&](std::size_t a, std::size_t b) {
-    return std::lexicographical_compare(from(a), from(a + width), from(b), from(b + width));
+  const auto row = [&](std::size_t first) { return rows.cbegin() + static_cast<std::ptrdiff_t>(first); };
+  const auto row_before = [&](std::size_t a, std::size_t b) {
+    return std::lexicographical_compare(row(a), row(a + width), row(b), row(b + width));
   };
-  std::set<std::size_t, decltype(sooner)> seen_behaviours(sooner);  // where they begin
-  const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    const JointStep& one = result[a];
-    const JointStep& other = result[b];
-    return std::tie(one.target, one.faults, one.hold, one.bounds, one.restarted, one.exits) <
-           std::tie(other.target, other.faults, other.hold, other.bounds, other.restarted, other.exits);
+  const auto in_order = [](const JointStep& step) {
+    return std::tie(step.target, step.faults, step.hold, step.bounds, step.restarted, step.exits);
   };
-  std::set<std::uint32_t, decltype(before)> seen_moves(before);  // positions in the result
   for_each_action(plant(), commands_, [&](const ControlAction& action) {
     meter_.poll();
     if (may_idle) {
-      behaviours_.read({modes, actions_.front(), idling}, modes, action, behaviours_here_);
+      behaviours_.read({modes, actions_.front(), idling_}, modes, action, behaviours_here_);
     } else {
       behaviours_.read(modes, action, behaviours_here_);
     }
-    behaviours.insert(behaviours.end(), behaviours_here_.begin(), behaviours_here_.end());
-    if (!seen_behaviours.insert(behaviours.size() - width).second) {
-      behaviours.resize(behaviours.size() - width);
+    const std::size_t own = rows.size();
+    rows.insert(rows.end(), behaviours_here_.begin(), behaviours_here_.end());
+    const auto at = std::lower_bound(seen_rows_.begin(), seen_rows_.end(), own, row_before);
+    if (at != seen_rows_.end() && !row_before(own, *at)) {
+      rows.resize(own);
       return;
     }
-    const std::uint32_t exits = tells_exits_ ? exits_in(modes, behaviours_here_) : 0;
-    const std::vector<ComponentId> restarted = this->restarted(behaviours_here_);
+    seen_rows_.insert(at, own);
+    JointStep step{{}, 0, 0, false, {}, restarted(behaviours_here_), 0};
+    step.exits = tells_exits_ ? exits_in(modes, behaviours_here_) : 0;
     const auto add = [&](const Modes& target, unsigned taken, bool hold, const Box& bounds) {
-      result.push_back({number(target), position_of(action), taken, hold, bounds, restarted, exits});
-      if (!seen_moves.insert(static_cast<std::uint32_t>(result.size() - 1)).second) result.pop_back();
+      step.target = number(target);
+      step.faults = taken;
+      step.hold = hold;
+      step.bounds = bounds;
+      const auto place = std::lower_bound(
+          seen_steps_.begin(), seen_steps_.end(), step,
+          [&](std::uint32_t known, const JointStep& one) { return in_order(result[known]) < in_order(one); });
+      if (place != seen_steps_.end() && in_order(result[*place]) == in_order(step)) return;
+      step.action = position_of(action);
+      seen_steps_.insert(place, static_cast<std::uint32_t>(result.size()));
+      result.push_back(step);
     };
-    if (!time().is_dense()) {
+    if (sampled) {
       for (const Box& box : waits(behaviours_here_)) {
         // What waiting under idle controls allows needs no command.
         const bool idle = std::count(idle_waits.begin(), idle_waits.end(), box) > 0;
-        if (!idle || exits != idle_exits || restarted != idle_restarted) add(modes, 0, true, box);
+        if (!idle || step.exits != idle_exits || step.restarted != idle_restarted) add(modes, 0, true, box);
       }
     }
     joint_steps_.enumerate(action, behaviours_here_,
                            [&](const Modes& next, unsigned taken, const Box& box) { add(next, taken, false, box); });
   });
-  std::stable_partition(result.begin(), result.end(), [](const JointStep& m) { return m.hold; });
+  if (sampled) std::stable_partition(result.begin(), result.end(), [](const JointStep& m) { return m.hold; });
   return result;
 }
 

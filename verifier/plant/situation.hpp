@@ -123,7 +123,11 @@ class Situations {
   std::map<Exits, std::uint32_t> exits_positions_;
   std::vector<const Exits*> exits_;
   std::map<SituationId, std::uint32_t> idle_exits_;
-  std::vector<BehaviourId> behaviours_here_;
+  // Of the moves at hand; their memory serves the next:
+  std::vector<BehaviourId> behaviours_here_, idling_;
+  std::vector<BehaviourId> rows_;          ///< what all may do, by action
+  std::vector<std::size_t> seen_rows_;     ///< where they begin, in order
+  std::vector<std::uint32_t> seen_steps_;  ///< positions in the result, in order
   base::BoundedCache<std::uint32_t, std::shared_ptr<const Situation>, std::hash<std::uint32_t>> described_;
   std::map<std::tuple<SituationId, Late, unsigned, Late>, std::shared_ptr<const std::vector<JointStep>>>
       moves_;  ///< a few of the last
