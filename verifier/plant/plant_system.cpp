@@ -247,6 +247,11 @@ bool PlantSystem::plainly_goes_on(const Place& place, const Zone& zone, const st
     if (!then.constrain(place.clock_of(due.component), {due.clock.upper, due.clock.upper})) return true;
     // Steps are told without those that only stay: what is due as well has to move, too.
     const Late all_due = due_in(place.situation, place, then);
+    const auto own = std::find(all_due.begin(), all_due.end(), due.component);
+    if (own != all_due.end() && late(place.situation, place, then).empty() &&
+        situations_.leave_together(place.situation.modes, all_due, static_cast<std::size_t>(own - all_due.begin()))) {
+      return true;
+    }
     return std::any_of(moves.begin(), moves.end(), [&](const JointStep& move) {
       const std::size_t c = due.component.index();
       return move.faults == 0 && (goes_on_ == GoesOn::somehow || situations_.is_idle(move)) &&

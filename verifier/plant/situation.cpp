@@ -214,6 +214,35 @@ std::vector<JointStep> Situations::work_out(const Modes& modes, const Late& late
   return result;
 }
 
+bool Situations::leave_together(const Modes& modes, const Late& due, std::size_t first) {
+  constexpr std::size_t most = 5;  // all subsets of the others are looked at
+  if (due.size() > most) return false;
+  behaviours_.read(modes, actions_.front(), behaviours_here_);
+  std::vector<ModeId> into;
+  for (const ComponentId c : due) {
+    const Behaviour& behaviour = behaviours_[behaviours_here_[c.index()]];
+    const auto leaves = [&](const Choice& choice) {
+      // An exit that exists at this instant only is none.
+      const Units last = choice.sharp.upper ? choice.clock.upper - 1 : choice.clock.upper;
+      const Units from = choice.sharp.lower ? choice.clock.lower + 1 : choice.clock.lower;
+      return choice.faults == 0 && choice.mode != modes[c.index()] &&
+             Interval{from, last}.contains(behaviour.stays_until);
+    };
+    const auto exit = std::find_if(behaviour.choices.begin(), behaviour.choices.end(), leaves);
+    if (exit == behaviour.choices.end()) return false;
+    into.push_back(exit->mode);
+  }
+  Modes next = modes;
+  for (std::size_t chosen = 0; chosen < std::size_t{1} << due.size(); ++chosen) {
+    if ((chosen >> first & 1) == 0) continue;
+    for (std::size_t i = 0; i < due.size(); ++i) {
+      next[due[i].index()] = (chosen >> i & 1) != 0 ? into[i] : modes[due[i].index()];
+    }
+    if (!step_.possible(next)) return false;
+  }
+  return true;
+}
+
 std::uint32_t Situations::exits_in(const Modes& modes, const std::vector<BehaviourId>& behaviours) {
   Exits result;
   std::vector<std::vector<Choice>> all;

@@ -96,6 +96,10 @@ class Situations {
   std::shared_ptr<const std::vector<JointStep>> moves(SituationId id, const Late& late, unsigned faults,
                                                       const Late& due = {});
 
+  /// Whether, with idle controls, the first of the components, which are at the bounds up to which they stay, can leave
+  /// its mode, beside any of the others that leave theirs. In dense time; for few components, else no.
+  [[nodiscard]] bool leave_together(const automata::Modes& modes, const Late& due, std::size_t first);
+
   /// The possible modes of the initial distribution, or with the given modes in its place for their components.
   std::vector<automata::Modes> initial(const std::vector<automata::Assignment>& from);
 
