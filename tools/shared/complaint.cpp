@@ -1,4 +1,4 @@
-// The parser's errors in the words of the house.
+// Rewrites the errors of the command-line parser in the style of the programs' own.
 // SPDX-License-Identifier: MIT
 #include "tools/shared/complaint.hpp"
 

@@ -1,4 +1,4 @@
-// Closing.
+// Closes a file descriptor.
 // SPDX-License-Identifier: MIT
 #include "tools/shared/descriptor.hpp"
 

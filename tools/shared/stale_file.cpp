@@ -1,4 +1,4 @@
-// Removed, and said.
+// Removes an output file of an earlier run, and says so.
 // SPDX-License-Identifier: MIT
 #include "tools/shared/stale_file.hpp"
 

@@ -1,4 +1,4 @@
-// What an earlier run left under a name that this one was given, and has nothing for.
+// Removes an output file of an earlier run when this run has nothing to write under its name.
 // SPDX-License-Identifier: MIT
 #pragma once
 

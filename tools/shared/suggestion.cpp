@@ -1,4 +1,4 @@
-// The nearest name, or the list.
+// Finds the nearest name, or lists all.
 // SPDX-License-Identifier: MIT
 #include "tools/shared/suggestion.hpp"
 

@@ -1,4 +1,4 @@
-// What to say of a name that there is not: the nearest one, or all that there are.
+// The suggestion for an unknown name: the nearest known one, or the list of all.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,5 +1,5 @@
-// A flight without the fault, one with it, which is compared step by step with what it would have been, and one without
-// it that has the luck of that one.
+// A flight without the fault; one with it, compared step by step with its twin without it; and one without it that has
+// the random numbers of the second.
 // SPDX-License-Identifier: MIT
 #include "tools/tcca-check/fmea_flights.hpp"
 

@@ -1,4 +1,4 @@
-// Decisions.
+// Looks up answers about modes under a control action.
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/decisions.hpp"
 

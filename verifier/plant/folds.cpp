@@ -1,4 +1,4 @@
-// Folds.
+// Timers that nothing asks for, represented by their clocks.
 // SPDX-License-Identifier: MIT
 #include "verifier/plant/folds.hpp"
 

@@ -1,4 +1,4 @@
-// Standing still.
+// Timelocks: searches the steps of one instant for a state in which time can pass.
 // SPDX-License-Identifier: MIT
 #include "verifier/search/standstill.hpp"
 

@@ -1,4 +1,4 @@
-// How the run of a plant is cut off where it ends.
+// How the run of a plant ends: in a deadlock, a timelock or a certain fault.
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/plant_stop.hpp"
 

@@ -21,7 +21,7 @@ struct RunningClock {
 };
 
 /// Clocks that were started in one cycle read the same, and one that was started in an earlier cycle reads more than
-/// one that was started later (semantics 6).
+/// one that was started later (semantics 7).
 class ClockOrder {
  public:
   /// Of clocks that are compared with the bounds in these formulas.

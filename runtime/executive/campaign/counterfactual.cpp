@@ -1,4 +1,4 @@
-// What would have been.
+// The twin flight without the injected fault.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/campaign/counterfactual.hpp"
 

@@ -1,4 +1,4 @@
-// A scenario, with faults injected and somebody who looks on.
+// Flies a scenario with injected faults, and observes it.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/campaign/flight.hpp"
 

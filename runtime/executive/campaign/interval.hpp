@@ -1,4 +1,4 @@
-// How sure one is of a share that was counted.
+// The confidence interval of a counted share.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,4 @@
-// One order of columns for both.
+// Writes runs as CSV and as JSON, with one order of columns.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/campaign/table.hpp"
 

@@ -1,4 +1,4 @@
-// What a run of a campaign tells.
+// Collects the result of one run of a campaign.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/campaign/watch.hpp"
 

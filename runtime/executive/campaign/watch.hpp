@@ -1,4 +1,4 @@
-// Looks on at one run of a campaign: estimate against truth, and what became of each injected fault.
+// Observes one run of a campaign: estimate against truth, and what became of each injected fault.
 // SPDX-License-Identifier: MIT
 #pragma once
 

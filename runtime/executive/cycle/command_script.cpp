@@ -1,4 +1,4 @@
-// Later commands are written over earlier ones.
+// Of several commands in force for a control, the one that began last counts.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/cycle/command_script.hpp"
 

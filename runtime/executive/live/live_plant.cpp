@@ -1,4 +1,4 @@
-// Commands out, answers in, and what is said where either fails.
+// Sends commands, reads answers, and reports where either fails.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/live/live_plant.hpp"
 

@@ -1,4 +1,4 @@
-// Numbers by step and by who draws them.
+// Random numbers of a flight, looked up by step and by component or sensor.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/plant/luck.hpp"
 

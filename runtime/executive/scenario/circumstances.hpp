@@ -1,4 +1,4 @@
-// What was the case when an expectation failed, in a few words.
+// The modes, readings and places at the time when an expectation failed, in a few words.
 // SPDX-License-Identifier: MIT
 #pragma once
 

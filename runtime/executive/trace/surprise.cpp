@@ -1,4 +1,4 @@
-// Readings in words.
+// Lists the readings that were set aside, in words.
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/trace/surprise.hpp"
 

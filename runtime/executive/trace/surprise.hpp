@@ -1,4 +1,4 @@
-// What is said of an update in which readings were set aside.
+// The message of an update in which readings were set aside.
 // SPDX-License-Identifier: MIT
 #pragma once
 

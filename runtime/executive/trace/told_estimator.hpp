@@ -1,4 +1,4 @@
-// The estimator of a run that is over: it says what the trace says.
+// An estimator for replay: it returns the estimates that a trace lists.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,4 @@
-// Counting what is known.
+// Counts the known findings.
 // SPDX-License-Identifier: MIT
 #include "tools/rmplc/project/baseline.hpp"
 

@@ -1,4 +1,4 @@
-// A fork, a pipe, and what comes through it.
+// A child process, and the pipe through which it answers.
 // SPDX-License-Identifier: MIT
 #include "tools/rmplc/server/background.hpp"
 

@@ -1,4 +1,4 @@
-// Work beside the conversation: in a child process, so that it can be dropped at any moment, whatever it is at.
+// Background work of the server, in a child process that can be dropped at any moment.
 // SPDX-License-Identifier: MIT
 #pragma once
 

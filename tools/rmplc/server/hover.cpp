@@ -1,4 +1,4 @@
-// What one wants to know of a name: its declaration, its values, what leads into a mode and out of it.
+// The text shown for a name: its declaration, its values, the transitions into a mode and out of it.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
