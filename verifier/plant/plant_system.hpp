@@ -97,6 +97,7 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] const Observer& observer() const { return observer_; }
 
  private:
+  static constexpr std::size_t stopwatch = 1;  ///< the clock of the observer, where it is timed
   static constexpr unsigned phase_bits = 4;
   static constexpr std::uint64_t progressed_bit = 8;
   static std::uint64_t discrete_of(SituationId situation, Phase phase, bool progressed) {
@@ -123,8 +124,6 @@ class PlantSystem : public TransitionSystem {
   void enter_unfolded(const Situation& from, SituationId id, std::shared_ptr<const Situation> situation, Phase phase,
                       unsigned faults, Zone zone, Label label, const VisitEntered& visit) const;
   [[nodiscard]] Late late(const Situation& situation, const Place& place, const Zone& zone) const;
-  /// The live components that may be at the bound up to which they stay, or beyond.
-  [[nodiscard]] static Late due_in(const Situation& situation, const Place& place, const Zone& zone);
   [[nodiscard]] static bool within(Zone& zone, const Box& box, const Place& place);
   /// Time passes within the box of a wait, a unit at least where clocks restart in it.
   [[nodiscard]] static bool wait(Zone& zone, const Box& box, const std::vector<automata::ComponentId>& restarted,
@@ -136,17 +135,20 @@ class PlantSystem : public TransitionSystem {
   [[nodiscard]] bool may_wait_for_ever(const SymbolicState& state) const;
   void abstract(SymbolicState& state);
 
-  Situations& situations_;
-  Observer observer_;
-  const Symmetry& symmetry_;
+  // Where runs are cut off (plant_ends.cpp):
   void enter_end(const std::shared_ptr<const Situation>& here, SituationId id, Phase phase, const SymbolicState& state,
                  const std::vector<JointStep>& moves, const VisitEntered& visit);
   /// Whether there is.
   bool enter_end(SituationId id, Phase phase, unsigned faults, const Zone& zone, const VisitEntered& visit);
+  /// The live components that may be at the bound up to which they stay, or beyond.
+  [[nodiscard]] static Late due_in(const Situation& situation, const Place& place, const Zone& zone);
   [[nodiscard]] static std::optional<ClockBound> worth_a_cut(const Place& place, const Zone& zone);
   [[nodiscard]] bool plainly_goes_on(const Place& place, const Zone& zone, const std::vector<JointStep>& moves) const;
   [[nodiscard]] bool answered_in(const Standstill& found, Phase phase) const;
 
+  Situations& situations_;
+  Observer observer_;
+  const Symmetry& symmetry_;
   mutable CutOff cut_off_;
   bool progress_ = false;                ///< time that passes is told
   FaultSets* sets_ = nullptr;            ///< none: faults are counted
