@@ -268,7 +268,8 @@ void JointSteps::rest(const At& at, const Options& free, std::size_t depth, cons
   const bool still = after(at, taken_) == at.modes;
   const bool some_wait = !still && calm(at, next_);
   if (parts_.size() <= depth) parts_.emplace_back();
-  auto& [now, later] = parts_[depth];
+  Options& now = parts_[depth].now;
+  Options& later = parts_[depth].later;
   now.clear();
   later.clear();
   for (std::size_t i = 0; i < free.size(); ++i) {
