@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -116,6 +117,32 @@ TEST(SimulatedPlant, SaysSoWhereNoStateIsConsistent) {
   model.interconnections.push_back(is(temp, high));
   PlantStep step(model);
   EXPECT_THROW(SimulatedPlant(step, heater::scenario(), 1), base::InputError);
+}
+
+/// The heater may neither heat nor break: all that can follow is looked at, and few draws are made in vain. Where it
+/// may break it goes on, as rarely as that comes.
+TEST(SimulatedPlant, LooksWhetherAnythingCanFollow) {
+  Plant model = heater::plant();
+  for (Transition& t : model.components[0].transitions) {
+    if (t.weight.kind == Weight::Kind::rate) t.weight = {Weight::Kind::probability, 0.001};
+  }
+  model.interconnections.push_back(negation(is(mode, ValueId(heating.index()))));
+  PlantStep step(model);
+  const Scenario scenario = heater::scenario();
+  SimulatedPlant plant(step, scenario, 1);
+  plant.issue({turn_on}, Ticks{});
+  plant.sense(half_second);
+  EXPECT_EQ(*plant.truth(), Modes{broken});
+  model.interconnections.push_back(negation(is(mode, ValueId(broken.index()))));
+  PlantStep dead_end(model);
+  SimulatedPlant stuck(dead_end, scenario, 1);
+  stuck.issue({turn_on}, Ticks{});
+  try {
+    stuck.sense(half_second);
+    FAIL() << "something followed";
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("the last of 256"), std::string::npos) << error.what();
+  }
 }
 
 /// A component whose one mode leaves two connected sensors free: both read alike.
