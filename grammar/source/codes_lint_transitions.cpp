@@ -12,8 +12,8 @@ constexpr std::array lint_transitions_table = {
              "A fault is drawn anew in each step; with time bounds, in each step at whose end the clock is within the "
              "bounds. How many steps these are depends on the cycle. A step over all of the bounds never draws the "
              "fault, and after the bounds it cannot happen. To draw a fault as a timed transition ends, lead the "
-             "transition to a mode of its own, and draw the outcome there, without bounds. A fault with bounds by "
-             "itself is a note.",
+             "transition to a mode of its own, and draw the outcome there, without bounds. A density has no "
+             "part in it. A fault with bounds and no density, by itself, is a note.",
              R"(component Latch {
   output seen : { moving, locked, jammed };
   initial moving;

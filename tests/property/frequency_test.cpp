@@ -35,10 +35,11 @@ struct Step {
 /// How often flights are in which modes after the steps; those that get stuck are no flights.
 std::map<Modes, double> frequencies(const automata::Plant& plant, const std::vector<Step>& steps, double& total) {
   std::map<Modes, double> result;
+  automata::PlantStep rules(plant);
   const automata::Scenario scenario;
   for (std::uint64_t seed = 1; seed <= flights(); ++seed) {
     try {
-      runtime::SimulatedPlant flown(plant, scenario, seed);
+      runtime::SimulatedPlant flown(rules, scenario, seed);
       Ticks before;
       for (const Step& step : steps) {
         flown.issue(step.action, before);

@@ -261,7 +261,8 @@ RC_GTEST_PROP(Reachability, SampledStopsAreThoseOfTheTicks, ()) {
 }
 
 /// A dense proof is about the limit of ever shorter cycles: cycles that are short against all bounds, of which the
-/// least is a second, bear it out. Commands are left out, as they are held in cycles alone.
+/// least is a second, bear it out, unless it ends at a certain fault: one that is so at a reading of 0 alone comes in no
+/// cycle. Commands are left out, as they are held in cycles alone.
 RC_GTEST_PROP(Reachability, ShortCyclesBearOutThatNothingGetsStuck, ()) {
   const Model model = *models(tangled);
   Drawn drawn = draw_question(model.plant);
@@ -277,7 +278,8 @@ RC_GTEST_PROP(Reachability, ShortCyclesBearOutThatNothingGetsStuck, ()) {
     const verifier::Answer sampled = ask(cycle);
     RC_CLASSIFY(sampled.witness.has_value());
     RC_LOG() << "cycle " << automata::format_seconds(cycle) << " s" << std::endl;
-    if (dense.verdict == verifier::Verdict::holds) RC_ASSERT(sampled.verdict == verifier::Verdict::holds);
+    if (dense.verdict != verifier::Verdict::holds || dense.cut_off.spent) continue;
+    RC_ASSERT(sampled.verdict == verifier::Verdict::holds);
   }
 }
 

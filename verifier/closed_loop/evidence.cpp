@@ -92,8 +92,9 @@ void Evidence::explain(Witness& witness) {
     if (begin > events[e - 1].time) state = rules.advance(state, events[e].action, state.modes, begin);
     state = rules.advance(state, events[e].action, events[e].modes, events[e].time);
   }
-  StepsAt steps(rules, state, events.back().time + options_.period.value_or(Ticks{0}), options_.period);
-  steps.any(events.back().action, [](const Modes&) { return true; });
+  const automata::ControlAction& held = events.back().action;
+  StepsAt steps(rules, state, events.back().time + options_.period.value_or(Ticks{0}), options_.period, &held);
+  steps.any(held, [](const Modes&) { return true; });
   witness.stop->refused = steps.refused();
   if (!steps.refused().empty()) witness.stop->conflict = conflict_of(step_.plant(), steps.refused());
 }

@@ -207,7 +207,7 @@ class LoopReplay {
   /// Whether nothing follows under the last command, no fault either, and in dense time no time passes.
   bool is_stuck() {
     const Ticks now = witness_.events.back().time + rules_.period.value_or(Ticks{0});
-    StepsAt steps(plant_.rules(), plant_.state(), now, rules_.period);
+    StepsAt steps(plant_.rules(), plant_.state(), now, rules_.period, &action_);
     if (steps.fault_is_certain(action_)) return false;
     if (!rules_.period && steps.time_passes(action_)) return false;
     return !steps.any(action_, [](const Modes&) { return true; });

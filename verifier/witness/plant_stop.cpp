@@ -67,7 +67,7 @@ class Stops {
     const Ticks at = now_ + period_.value_or(Ticks{0});
     for_each_action(rules_.plant(), commands_, [&](const ControlAction& action) {
       if (result) return;
-      StepsAt(rules_, state, at, period_, !first_).any(action, [&](const Modes& modes) {
+      StepsAt(rules_, state, at, period_, first_ ? &idle_ : nullptr).any(action, [&](const Modes& modes) {
         result = Event{at, modes, action};
         return true;
       });
@@ -78,7 +78,7 @@ class Stops {
   std::optional<std::string> blame(const SystemState& state) {
     if (fault_is_certain(state)) return "a fault is certain";
     if (!period_ && StepsAt(rules_, state, now_, std::nullopt).time_passes(idle_)) return "time can pass";
-    StepsAt steps(rules_, state, now_ + period_.value_or(Ticks{0}), period_);
+    StepsAt steps(rules_, state, now_ + period_.value_or(Ticks{0}), period_, &idle_);
     steps.any(idle_, [](const Modes&) { return true; });
     witness_.stop.emplace().refused = steps.refused();
     if (!steps.refused().empty()) witness_.stop->conflict = conflict_of(rules_.plant(), steps.refused());

@@ -14,22 +14,29 @@ using automata::ModeId;
 using automata::Modes;
 using automata::Ticks;
 
+bool StepsAt::at_bound() {
+  if (held_ == nullptr) return false;
+  const std::vector<automata::Enabled> enabled = rules_.enabled(state_.modes, *held_);
+  for (std::size_t c = 0; c < state_.modes.size(); ++c) {
+    const Ticks clock = now_ - state_.clock_starts[c];
+    const Rules rules(rules_.plant().components[c], enabled[c], clock, clock, period_);
+    if (!rules.may_rest(state_.modes[c])) return false;
+  }
+  return true;
+}
+
 /// Of each component the modes that it may be in next without a fault.
 std::vector<std::vector<ModeId>> StepsAt::options(const ControlAction& action) {
   const automata::Plant& plant = rules_.plant();
+  const bool bound = at_bound();
   const std::vector<automata::Enabled> enabled = rules_.enabled(state_.modes, action);
-  std::vector<Rules> all;
-  bool at_bound = !later_;
-  for (std::size_t c = 0; c < state_.modes.size(); ++c) {
-    const Ticks clock = now_ - state_.clock_starts[c];
-    all.emplace_back(plant.components[c], enabled[c], clock - period_.value_or(Ticks{0}), clock, period_);
-    at_bound = at_bound && all.back().may_rest(state_.modes[c]);
-  }
   std::vector<std::vector<ModeId>> result;
   for (std::size_t c = 0; c < state_.modes.size(); ++c) {
+    const Ticks clock = now_ - state_.clock_starts[c];
+    const Rules rules(plant.components[c], enabled[c], clock - period_.value_or(Ticks{0}), clock, period_);
     auto& own = result.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
-      if (all[c].allows_lastingly(state_.modes[c], ModeId(m), at_bound)) own.emplace_back(m);
+      if (rules.allows_lastingly(state_.modes[c], ModeId(m), bound)) own.emplace_back(m);
     }
   }
   return result;

@@ -14,10 +14,11 @@ namespace rmpl::verifier {
 class StepsAt {
  public:
   /// `period`: sampled time, the step ends at `now`.
-  /// `later`: in dense time, another step has been taken at this instant.
+  /// `held`: in dense time, the action under which time passed up to now; none where another step has been taken at
+  /// this instant. Keeps a reference.
   StepsAt(automata::PlainStep& rules, const automata::SystemState& state, automata::Ticks now,
-          std::optional<automata::Ticks> period, bool later = false)
-      : rules_(rules), state_(state), now_(now), period_(period), later_(later) {}
+          std::optional<automata::Ticks> period, const automata::ControlAction* held = nullptr)
+      : rules_(rules), state_(state), now_(now), period_(period), held_(held) {}
 
   /// Visits what each step leads to until `visit` returns true; then that is the answer. In dense time a step changes a
   /// mode, or starts a clock anew that reads more than 0, what is due moves in it, and what exists at one instant only
@@ -33,13 +34,15 @@ class StepsAt {
 
  private:
   [[nodiscard]] std::vector<std::vector<automata::ModeId>> options(const automata::ControlAction& action);
+  /// Whether the end of a cycle is what stops time: no component had to leave its mode whatever its clock read.
+  [[nodiscard]] bool at_bound();
   [[nodiscard]] bool starts_anew(const automata::ControlAction& action);
 
   automata::PlainStep& rules_;
   const automata::SystemState& state_;
   automata::Ticks now_;
   std::optional<automata::Ticks> period_;
-  bool later_;
+  const automata::ControlAction* held_;
   automata::Modes refused_;
   std::size_t changes_ = 0;
 };

@@ -31,16 +31,19 @@ void report_timed_faults(PlantReport& report) {
       const grammar::Span span = report.at(transition.origin);
       if (!told.insert(span).second) continue;
       const bool outcome = is_outcome(component, transition);
+      const bool spread = transition.timing->density.kind != automata::Density::Kind::uniform;
       auto& finding =
           report.add(grammar::Code::timed_fault, span,
                      "fault " + backquoted(component.modes[transition.to.index()].name) + " of " +
                          backquoted(component.type) + " is drawn in every step that ends within the time bounds" +
-                         (outcome ? ", and not as the transition fires" : ": how likely it is depends on the cycle"));
-      if (!outcome) finding.severity = grammar::Severity::note;
-      finding.suggestion = outcome ? "let the transition lead to a mode of its own, and from there, without bounds, to "
-                                     "what is drawn"
-                                   : "a mode that is entered when the bounds begin, and the fault from there, say how "
-                                     "long it may happen";
+                         (outcome  ? ", and not as the transition fires"
+                          : spread ? ", and the density has no part in it"
+                                   : ": how likely it is depends on the cycle"));
+      if (!outcome && !spread) finding.severity = grammar::Severity::note;
+      finding.suggestion = outcome || spread ? "let the transition lead to a mode of its own, and from there, without "
+                                               "bounds, to what is drawn"
+                                             : "a mode that is entered when the bounds begin, and the fault from "
+                                               "there, say how long it may happen";
     }
   }
 }

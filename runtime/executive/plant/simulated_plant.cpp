@@ -4,18 +4,24 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "automata/assignment_text.hpp"
 #include "base/error.hpp"
 #include "base/partition.hpp"
+#include "base/product.hpp"
 
 namespace rmpl::runtime {
 namespace {
 
 /// A model whose consistent next states are rarer than one in this many is taken to have none.
 constexpr int draws_limit = 100'000;
+/// After so many draws in vain it is asked whether there is any.
+constexpr int draws_in_doubt = 256;
+/// So many next states of one part of the store are looked at for that.
+constexpr std::size_t outcomes_limit = 1u << 14;
 
 constexpr std::uint64_t state_stream = 1;
 constexpr std::uint64_t sensor_stream = 2;
@@ -32,26 +38,26 @@ base::Partition parts_of(const automata::PlantStep& step) {
 
 }  // namespace
 
-SimulatedPlant::SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed,
+SimulatedPlant::SimulatedPlant(automata::PlantStep& step, const automata::Scenario& scenario, std::uint64_t seed,
                                std::vector<automata::ForcedMode> awaited, LuckUse luck)
-    : plant_(plant),
-      step_(plant),
+    : plant_(step.plant()),
+      step_(step),
       luck_(std::move(luck)),
       numbers_(seed, state_stream, luck_.noted ? &luck_.noted->moves : nullptr,
                luck_.followed ? &luck_.followed->moves : nullptr),
       sensors_(step_, {seed, sensor_stream, luck_.noted ? &luck_.noted->readings : nullptr,
                        luck_.followed ? &luck_.followed->readings : nullptr}),
-      script_(plant, scenario),
+      script_(step.plant(), scenario),
       forced_(scenario.forced),
       awaited_(std::move(awaited)),
-      action_(automata::idle_action(plant)) {
+      action_(automata::idle_action(step.plant())) {
   std::stable_sort(forced_.begin(), forced_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
   std::reverse(forced_.begin(), forced_.end());
   auto initial = step_.initial_moves();
   for (const automata::Assignment& given : scenario.truth) {
-    initial[plant.component_of(given.variable)->index()] = {{automata::ModeId(given.value.index()), 1.0}};
+    initial[plant_.component_of(given.variable)->index()] = {{automata::ModeId(given.value.index()), 1.0}};
   }
-  state_.clock_starts.assign(plant.components.size(), automata::Ticks{});
+  state_.clock_starts.assign(plant_.components.size(), automata::Ticks{});
   force(initial, time_);
   draw(initial, time_);
   state_.modes = drawn_;
@@ -112,9 +118,38 @@ void SimulatedPlant::draw_whole(const std::vector<std::vector<automata::Move>>& 
   for (int attempt = 0; attempt < draws_limit; ++attempt) {
     for (std::size_t c = 0; c < moves.size(); ++c) drawn_[c] = choose(moves[c], c);
     if (step_.possible(drawn_)) return;
+    if (attempt + 1 == draws_in_doubt && is_stuck(moves)) give_up(now, draws_in_doubt);
     numbers_.begin_again();
   }
-  give_up(now);
+  give_up(now, draws_limit);
+}
+
+/// A part is stuck whatever the others do: they stay where they are, which is possible.
+bool SimulatedPlant::is_stuck(const std::vector<std::vector<automata::Move>>& moves) const {
+  const bool begins = state_.modes.empty();  // then all is one part
+  base::Partition parts = parts_of(step_);
+  std::vector<std::vector<std::size_t>> members(moves.size());
+  for (std::size_t c = 0; c < moves.size(); ++c) members[begins ? 0 : parts.root(c)].push_back(c);
+  automata::Modes modes = begins ? drawn_ : state_.modes;
+  return std::any_of(members.begin(), members.end(), [&](const std::vector<std::size_t>& part) {
+    if (part.empty()) return false;
+    std::vector<std::span<const automata::Move>> open;
+    std::size_t outcomes = 1;
+    for (const std::size_t c : part) {
+      open.emplace_back(moves[c]);
+      outcomes *= std::min(moves[c].size(), outcomes_limit);
+      if (outcomes > outcomes_limit) return false;
+    }
+    const bool possible = base::multiply_out(
+        open,
+        [&](std::size_t j, std::size_t i) {
+          modes[part[j]] = open[j][i].mode;
+          return true;
+        },
+        [](std::size_t, std::size_t) {}, [&] { return step_.possible(modes); });
+    for (const std::size_t c : part) modes[c] = begins ? drawn_[c] : state_.modes[c];
+    return !possible;
+  });
 }
 
 /// The parts are independent of each other. So it is the same chance whether all draw again until all fit, or each part
@@ -124,7 +159,8 @@ void SimulatedPlant::draw_in_parts(const std::vector<std::vector<automata::Move>
   std::optional<base::Partition> parts;
   for (int attempt = 0; !step_.possible(drawn_); ++attempt) {
     const std::vector<automata::ComponentId> blamed = step_.conflict(drawn_);
-    if (attempt == draws_limit || blamed.empty()) give_up(now);
+    if (attempt == draws_limit || blamed.empty()) give_up(now, attempt);
+    if (attempt + 1 == draws_in_doubt && is_stuck(moves)) give_up(now, draws_in_doubt);
     if (!parts) parts = parts_of(step_);
     const std::size_t part = parts->root(blamed.front().index());
     for (std::size_t c = 0; c < moves.size(); ++c) {
@@ -133,13 +169,13 @@ void SimulatedPlant::draw_in_parts(const std::vector<std::vector<automata::Move>
   }
 }
 
-void SimulatedPlant::give_up(automata::Ticks now) const {
+void SimulatedPlant::give_up(automata::Ticks now, int draws) const {
   std::string message = "the simulated plant '" + plant_.name + "' has no consistent state to go to at " +
                         automata::format_seconds(now) + " s";
   for (const Event& event : happenings_) {
     message += ", with " + to_text(plant_[*event.component], drawn_[event.component->index()]) + " forced";
   }
-  throw base::InputError(message + "; the last of " + std::to_string(draws_limit) +
+  throw base::InputError(message + "; the last of " + std::to_string(draws) +
                          " that were drawn contradicts the interconnections and mode constraints");
 }
 

@@ -23,8 +23,9 @@ namespace rmpl::runtime {
 /// store is inconsistent only those components draw again that have to do, by it, with one of those to blame.
 class SimulatedPlant final : public PlantInterface {
  public:
-  /// Keeps references to all. Throws base::InputError where no consistent initial state is found.
-  SimulatedPlant(const automata::Plant& plant, const automata::Scenario& scenario, std::uint64_t seed,
+  /// Keeps references to all. The step function may serve several flights. Throws base::InputError
+  /// where no consistent initial state is found.
+  SimulatedPlant(automata::PlantStep& step, const automata::Scenario& scenario, std::uint64_t seed,
                  std::vector<automata::ForcedMode> awaited = {}, LuckUse luck = {});
 
   void issue(const automata::ControlAction& action, automata::Ticks now) override;
@@ -51,10 +52,13 @@ class SimulatedPlant final : public PlantInterface {
   void release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
   void force(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
   void force(std::vector<automata::Move>& moves, const automata::ForcedMode& forced);
-  [[noreturn]] void give_up(automata::Ticks now) const;
+  /// Whether no outcome of these moves is possible; false where they are too many to look at.
+  [[nodiscard]] bool is_stuck(const std::vector<std::vector<automata::Move>>& moves) const;
+  /// After so many draws.
+  [[noreturn]] void give_up(automata::Ticks now, int draws) const;
 
   const automata::Plant& plant_;
-  automata::PlantStep step_;
+  automata::PlantStep& step_;
   LuckUse luck_;
   NumberSource numbers_;
   Sensors sensors_;

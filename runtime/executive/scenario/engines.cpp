@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/executive/scenario/engines.hpp"
 
+#include <optional>
+
 #include "automata/step/marked_plant.hpp"
 #include "automata/store/model.hpp"
 #include "base/error.hpp"
@@ -50,7 +52,8 @@ class PlantEngines final : public Engines {
   [[nodiscard]] automata::Theory& theory() override { return step_.theory(); }
   [[nodiscard]] std::unique_ptr<PlantInterface> simulate(const automata::Scenario& scenario,
                                                          std::uint64_t seed) override {
-    return std::make_unique<SimulatedPlant>(plant_, scenario, seed, awaited_, luck_);
+    if (!flown_) flown_.emplace(plant_);
+    return std::make_unique<SimulatedPlant>(*flown_, scenario, seed, awaited_, luck_);
   }
 
  private:
@@ -58,6 +61,7 @@ class PlantEngines final : public Engines {
   std::vector<automata::ForcedMode> awaited_;
   LuckUse luck_;
   automata::PlantStep step_;
+  std::optional<automata::PlantStep> flown_;  ///< of the simulated plant, which shares no memory with the estimator
 };
 
 MarkingOptions marking_options(const ScenarioOptions& options) {

@@ -128,9 +128,9 @@ std::vector<ClockMerging::Pair> ClockMerging::neighbours(const Combination& comb
   return pairs;
 }
 
-double ClockMerging::limit(Combination& combination, Ticks now) const {
+double ClockMerging::limit(Combination& combination, std::size_t most, Ticks now) const {
   std::vector<Clocked>& clocks = combination.clocks;
-  if (clocks.size() <= most_) return 0;
+  if (clocks.size() <= most) return 0;
   std::vector<std::size_t> varied;
   for (std::size_t c = 0; c < combination.modes.size(); ++c) {
     const bool varies = std::any_of(clocks.begin(), clocks.end(), [&](const Clocked& clocked) {
@@ -138,7 +138,7 @@ double ClockMerging::limit(Combination& combination, Ticks now) const {
     });
     if (varies) varied.push_back(c);
   }
-  const std::size_t most = most_ * varied.size();
+  most *= varied.size();
   if (clocks.size() <= most) return 0;
   const std::size_t enough = most - most / 8;
   double changed = 0;

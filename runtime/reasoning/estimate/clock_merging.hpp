@@ -19,15 +19,14 @@ namespace rmpl::runtime {
 
 class ClockMerging {
  public:
-  /// `most`: values of the clock of one component in one mode combination. `excluding`, by component: whether others
-  /// may exclude a mode of it. Keeps references.
-  ClockMerging(const automata::Plant& plant, const std::vector<bool>& excluding, std::size_t most)
-      : plant_(plant), excluding_(excluding), most_(most) {}
+  /// `excluding`, by component: whether others may exclude a mode of it. Keeps references.
+  ClockMerging(const automata::Plant& plant, const std::vector<bool>& excluding)
+      : plant_(plant), excluding_(excluding) {}
 
   /// Merges clocks of a combination at `now` where they are more than `most` for each component that they tell apart;
   /// then to some fewer, so that not every step has to. Returns an upper bound of the probability, in the unit of the
   /// combination's, of all ways on that this changes.
-  double limit(Combination& combination, automata::Ticks now) const;
+  double limit(Combination& combination, std::size_t most, automata::Ticks now) const;
   /// An upper bound of the total variation distance between what a component in a mode does whose clock started at
   /// `a`, and at `b`.
   [[nodiscard]] double distance(std::size_t component, automata::ModeId mode, automata::Ticks a, automata::Ticks b,
@@ -40,7 +39,6 @@ class ClockMerging {
 
   const automata::Plant& plant_;
   const std::vector<bool>& excluding_;
-  std::size_t most_;
 };
 
 }  // namespace rmpl::runtime

@@ -74,7 +74,7 @@ struct Estimate {
 
 struct EstimatorOptions {
   std::size_t k = 16;                ///< mode combinations kept by k-best (of `--thesis`: states); at least 1
-  std::size_t clocks = 64;           ///< k-best: values of the clock of a component in one mode combination; at least 1
+  std::size_t clocks = 64;           ///< k-best: values of the clock of a component in each of k combinations
   std::size_t candidates = 100'000;  ///< k-best: how many candidates an update may check before it is cut
   /// k-best: a search that has checked so many candidates takes the observation factor into its bounds; most end
   /// before. The one after it does so at once, until half as many are enough.

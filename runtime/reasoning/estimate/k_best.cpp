@@ -44,7 +44,7 @@ class KBest final : public ListedFilter {
         clocks_(step.plant(), options.live_clocks_only),
         sources_(step, options_),
         search_(clocks_, options_),
-        merging_(step.plant(), sources_.excluding(), options.clocks) {
+        merging_(step.plant(), sources_.excluding()) {
     CHECK(options.k > 0);
     estimate_.modes = likeliest_initial_modes(step.plant());
     estimate_.consistent = start({});
@@ -214,11 +214,13 @@ class KBest final : public ListedFilter {
     if (options_.ranks) estimate_.modes = combinations_.front().modes;
   }
 
+  /// Combinations that there are not leave their clocks to the others.
   void merge_clocks() {
     double changed = 0;
+    const std::size_t most = options_.clocks * std::max<std::size_t>(1, options_.k / combinations_.size());
     for (Combination& combination : combinations_) {
       const std::size_t clocks = combination.clocks.size();
-      changed += merging_.limit(combination, now_);
+      changed += merging_.limit(combination, most, now_);
       merged_ = merged_ || combination.clocks.size() != clocks;
     }
     if (!(changed > 0)) return;

@@ -321,79 +321,59 @@ void TrajectorySearch::note(double worth) {
   std::push_heap(best_.begin(), best_.end(), std::greater<>{});
 }
 
-std::size_t TrajectorySearch::StartsHash::operator()(const std::vector<automata::Ticks>& starts) const noexcept {
-  std::size_t hash = 0;
-  for (const automata::Ticks start : starts) hash = (hash ^ static_cast<std::size_t>(start.count)) * 0x100000001b3u;
-  return hash ^ (hash >> 32);
-}
-
-/// A target with the clocks that the ways into it lead to.
-Combination TrajectorySearch::combination(const Target& target, std::span<const Way> ways,
-                                          std::span<const Source> sources) {
+/// A target with the clocks that the ways into it lead to, in place of another.
+void TrajectorySearch::tell(const Target& target, std::span<const Way> ways, std::span<const Source> sources,
+                            Combination& result) {
+  result.modes = target.state.modes;
+  result.probability = target.worth;
   if (!options_.merge_trajectories) {
-    return {target.state.modes, target.worth, {{target.state.clock_starts, target.worth}}};
+    result.clocks = {{target.state.clock_starts, target.worth}};
+    return;
   }
-  Combination result{target.state.modes, target.worth, {}};
-  places_.clear();
+  telling_.clear();
+  for (std::size_t c = 0; c < result.modes.size(); ++c) {
+    if (clocks_.live(c, result.modes[c])) telling_.push_back(c);
+  }
+  collected_.begin(result.clocks, telling_);
   for (const Way& way : ways) {
     const double worth = sources[way.source].weight * way.chance * target.factor;
-    if (worth > 0) add_clocks(result, sources[way.source], worth);
+    if (worth > 0) add_clocks(result.modes, sources[way.source], worth);
   }
-  return result;
+  collected_.end();
 }
 
 /// What the clocks of a source become, with what all of them are worth together there. They stay apart where no clock
 /// that tells them apart starts anew; where all of these do, they become one.
-void TrajectorySearch::add_clocks(Combination& combination, const Source& source, double worth) {
+void TrajectorySearch::add_clocks(const automata::Modes& modes, const Source& source, double worth) {
   entered_.clear();
-  for (std::size_t c = 0; c < combination.modes.size(); ++c) {
-    const automata::ModeId from = (*source.modes)[c], to = combination.modes[c];
+  for (std::size_t c = 0; c < modes.size(); ++c) {
+    const automata::ModeId from = (*source.modes)[c], to = modes[c];
     if (from != to || !source.goes_on(c)) entered_.emplace_back(c, clocks_.advance(c, from, {}, to, now_, true));
   }
   const auto moved =
       static_cast<std::size_t>(std::count_if(source.differing.begin(), source.differing.end(), [&](std::size_t c) {
-        return (*source.modes)[c] != combination.modes[c] || !source.goes_on(c);
+        return (*source.modes)[c] != modes[c] || !source.goes_on(c);
       }));
-  const auto starts = [&](std::size_t clock) {
-    std::vector<automata::Ticks> result = source.clocks[clock].starts;
-    for (const auto& [c, start] : entered_) result[c] = start;
-    return result;
+  const auto add = [&](std::size_t clock, std::size_t among, double probability) {
+    std::vector<automata::Ticks>& starts = collected_.draft(source.clocks[clock].starts);
+    for (const auto& [c, start] : entered_) starts[c] = start;
+    collected_.add(among, probability);
   };
-  std::vector<Clocked>& known = combination.clocks;
-  if (moved == source.differing.size()) return add_clock(known, known.size(), {starts(0), worth});
+  const std::size_t before = collected_.size();
+  if (moved == source.differing.size()) return add(0, before, worth);
   shares_.clear();
   double sum = 0;
   for (std::size_t e = 0; e < source.clocks.size(); ++e) {
-    shares_.push_back(source.weight_into(e, combination.modes));
+    shares_.push_back(source.weight_into(e, modes));
     sum += shares_.back();
   }
-  const std::size_t before = known.size();
   for (std::size_t e = 0; e < source.clocks.size(); ++e) {
-    if (shares_[e] > 0) add_clock(known, moved == 0 ? before : known.size(), {starts(e), worth * shares_[e] / sum});
-  }
-}
-
-/// Adds it to the same one among the first `count`, if that is there.
-void TrajectorySearch::add_clock(std::vector<Clocked>& clocks, std::size_t count, Clocked clock) {
-  constexpr std::size_t few = 4;
-  const auto end = clocks.begin() + static_cast<std::ptrdiff_t>(count);
-  auto same = end;
-  if (count <= few) {
-    same = std::find_if(clocks.begin(), end, [&](const Clocked& known) { return known.starts == clock.starts; });
-  } else {
-    for (std::size_t i = places_.size(); i < count; ++i) places_.emplace(clocks[i].starts, i);
-    const auto place = places_.find(clock.starts);
-    if (place != places_.end()) same = clocks.begin() + static_cast<std::ptrdiff_t>(place->second);
-  }
-  if (same == end) {
-    clocks.push_back(std::move(clock));
-  } else {
-    same->probability += clock.probability;
+    if (shares_[e] > 0) add(e, moved == 0 ? before : collected_.size(), worth * shares_[e] / sum);
   }
 }
 
 void TrajectorySearch::keep(std::span<const Source> sources) {
-  kept_.clear();
+  std::size_t kept = 0;
   double lost = dropped_;
   Combinations obligatory;
   // Ties with the k-th best are told apart by state.
@@ -404,12 +384,14 @@ void TrajectorySearch::keep(std::span<const Source> sources) {
     auto end = ways;
     while (end != ways_.cend() && end->target == i) ++end;
     if (target.worth > 0 && (target.obligatory || target.worth >= least)) {
-      (target.obligatory ? obligatory : kept_).push_back(combination(target, {ways, end}, sources));
+      if (!target.obligatory && kept == kept_.size()) kept_.emplace_back();
+      tell(target, {ways, end}, sources, target.obligatory ? obligatory.emplace_back() : kept_[kept++]);
     } else {
       lost += target.worth;
     }
     ways = end;
   }
+  kept_.resize(kept);
   put_in_order(kept_);
   // Whole sets of equal rank are kept.
   for (; !options_.ranks && kept_.size() > k_; kept_.pop_back()) lost += kept_.back().probability;

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "runtime/reasoning/estimate/belief.hpp"
+#include "runtime/reasoning/estimate/clock_collector.hpp"
 #include "runtime/reasoning/estimate/combination.hpp"
 #include "runtime/reasoning/estimate/extensions.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
@@ -44,7 +44,7 @@ class TrajectorySearch {
   /// targets weigh, so that weights alone decide what another one gives.
   [[nodiscard]] bool only_weighed() const { return only_weighed_; }
 
-  /// What was kept, in order, not normalised; the caller may take it away.
+  /// What was kept, in order, not normalised; the caller may take it away, and leave others for their memory.
   [[nodiscard]] Combinations& kept() { return kept_; }
   /// An upper bound of the worth of all consistent trajectories that are not in `kept`.
   [[nodiscard]] double lost() const { return lost_; }
@@ -73,9 +73,6 @@ class TrajectorySearch {
       }
     };
   };
-  struct StartsHash {
-    std::size_t operator()(const std::vector<automata::Ticks>& starts) const noexcept;
-  };
   /// One way into a target, that is possible before the observation; `chance` is the product of the moves' priors, on
   /// average over the clocks of the source.
   struct Way {
@@ -96,10 +93,8 @@ class TrajectorySearch {
   void find_ways(Target& target, std::span<const Source> sources, automata::Ticks now);
   void weigh(Target& target, std::span<const Way> ways, std::span<const Source> sources) const;
   double chance(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now);
-  [[nodiscard]] Combination combination(const Target& target, std::span<const Way> ways,
-                                        std::span<const Source> sources);
-  void add_clocks(Combination& combination, const Source& source, double worth);
-  void add_clock(std::vector<Clocked>& clocks, std::size_t count, Clocked clock);
+  void tell(const Target& target, std::span<const Way> ways, std::span<const Source> sources, Combination& result);
+  void add_clocks(const automata::Modes& modes, const Source& source, double worth);
   void note(double worth);
   void keep(std::span<const Source> sources);
   void rebuild_index(std::size_t slots);
@@ -134,10 +129,10 @@ class TrajectorySearch {
   bool cut_ = false;
   /// The last run was long, so that the next one takes the observation factor into account at once.
   bool long_ = false;
-  bool tight_ = false;  ///< the sources were told to take the observation factor into account, or need not
-  Combinations kept_;
-  /// Of the clocks of the target that is being put together, up to some of them; looked up, never iterated.
-  std::unordered_map<std::vector<automata::Ticks>, std::size_t, StartsHash> places_;
+  bool tight_ = false;        ///< the sources were told to take the observation factor into account, or need not
+  Combinations kept_;         ///< its memory serves the next run
+  ClockCollector collected_;  ///< of the target that is being told,
+  std::vector<std::size_t> telling_;  ///< and the components whose clocks matter there
   std::vector<std::pair<std::size_t, automata::Ticks>>
       entered_;                 ///< components that a way moves, and their clock starts
   std::vector<double> shares_;  ///< by clock of a source, for one target

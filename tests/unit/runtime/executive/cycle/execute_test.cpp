@@ -22,13 +22,14 @@ struct Flight {
         estimator(make_exact_estimator(step, {.live_clocks_only = true})),
         reconfigurer(make_reconfigurer(step)),
         plant(scenario.rules_only ? std::unique_ptr<PlantInterface>(std::make_unique<ScriptedPlant>(model, scenario))
-                                  : std::make_unique<SimulatedPlant>(model, scenario, 1)),
+                                  : std::make_unique<SimulatedPlant>(flown_step, scenario, 1)),
         executive(program, model, *estimator, *reconfigurer, *plant, clock, scenario.cycle) {}
 
   Scenario scenario;
   Program program;
   Plant model = heater::plant();
   PlantStep step{model};
+  PlantStep flown_step{model};
   std::unique_ptr<Estimator> estimator;
   std::unique_ptr<Reconfigurer> reconfigurer;
   std::unique_ptr<PlantInterface> plant;

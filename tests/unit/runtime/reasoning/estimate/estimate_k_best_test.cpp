@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <utility>
 
 #include "automata/clock_use.hpp"
 #include "runtime/reasoning/estimate/belief.hpp"
@@ -203,6 +204,31 @@ TEST(KBest, WhatIsEnteredAfterARestIsEnteredThen) {
       EXPECT_EQ(entered->state.clock_starts[0], at(5));
     }
   }
+}
+
+/// A link of which nothing is read for two hours, a minute a step: it may have gone down at any of them, so that its
+/// clock has some seventy values. Of sixteen combinations there are two, and what the others might have had is enough.
+TEST(KBest, FewCombinationsHaveManyClocks) {
+  PlantWriter w;
+  const auto link = w.component("link", {{"up"}, {"down", true}});
+  w.fault(link, "down", 0.1, true);
+  w.transition(link, "down", "up").timing = uniform(3000, 4200);
+  PlantStep step(w.plant);
+  EstimatorOptions options;
+  options.live_clocks_only = true;
+  const auto most = [&](std::size_t k) {
+    options.k = k;
+    const auto k_best = make_k_best_estimator(step, options);
+    std::size_t clocks = 0;
+    for (int minute = 1; minute <= 120; ++minute) {
+      k_best->update({}, {}, at(60 * minute));
+      clocks = std::max(clocks, k_best->belief().size());
+    }
+    return std::pair(clocks, k_best->estimate().missing_total);
+  };
+  EXPECT_EQ(most(16), std::pair(std::size_t{71}, 0.0));
+  EXPECT_EQ(most(2).first, 65u);
+  EXPECT_GT(most(2).second, 0);
 }
 
 TEST(KBest, TheThesisNumbersAreTheBestTrajectories) {
