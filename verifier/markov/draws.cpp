@@ -22,11 +22,7 @@ namespace {
 constexpr Real error_of_move = 2e-14L;
 constexpr Real error_of_series = 4e-12L;
 
-struct Option {
-  ModeId mode;
-  Enclosure probability;
-  unsigned faults = 0;
-};
+using Option = DrawOption;
 
 bool takes_series(const Component& component, const Enabled& enabled) {
   using Kind = automata::Density::Kind;
@@ -157,19 +153,25 @@ std::vector<Option> options_in(const Component& component, ModeId mode, const st
 
 }  // namespace
 
-Draws draws(automata::PlantStep& step, const Modes& modes, const automata::AllEnabled& enabled,
-            const std::vector<Units>& ages, automata::Ticks period, const LeftOut& left_out, Meter& meter) {
-  const automata::Plant& plant = step.plant();
-  std::vector<std::vector<Option>> options;
-  options.reserve(modes.size());
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    const Component& component = plant.components[c];
-    const automata::Ticks clock{(std::max<Units>(ages[c], 0) + 1) * period.count};
-    const std::vector<Move> moves = automata::moves_of(component, modes[c], enabled[c], clock, period);
-    const Real error = takes_series(component, enabled[c]) ? error_of_series : error_of_move;
-    options.push_back(options_in(component, modes[c], moves, error));
+StepDraws::StepDraws(automata::PlantStep& step, Modes modes, automata::AllEnabled enabled, automata::Ticks period)
+    : step_(step), modes_(std::move(modes)), enabled_(std::move(enabled)), period_(period), options_(modes_.size()) {
+  for (std::size_t c = 0; c < modes_.size(); ++c) {
+    ask(c, 0);
+    if (automata::clock_matters(step.plant().components[c], enabled_[c])) timed_.push_back(c);
   }
-  return Product(step, options, left_out, meter).run();
+}
+
+void StepDraws::ask(std::size_t c, Units age) {
+  const Component& component = step_.plant().components[c];
+  const automata::Ticks clock{(std::max<Units>(age, 0) + 1) * period_.count};
+  const std::vector<Move> moves = automata::moves_of(component, modes_[c], enabled_[c], clock, period_);
+  const Real error = takes_series(component, enabled_[c]) ? error_of_series : error_of_move;
+  options_[c] = options_in(component, modes_[c], moves, error);
+}
+
+Draws StepDraws::at(const std::vector<Units>& ages, const LeftOut& left_out, Meter& meter) {
+  for (const std::size_t c : timed_) ask(c, ages[c]);
+  return Product(step_, options_, left_out, meter).run();
 }
 
 Draws instant_draws(automata::PlantStep& step, const Modes& modes, const automata::AllEnabled& enabled,

@@ -20,6 +20,7 @@ struct Walked {
   std::vector<automata::Assignment> from;
   LeftOut left_out;  ///< of each step; `faults_beyond` counts the faults of a run
   bool for_ever = false;
+  Units longest_in_state = 0;  ///< clocks are kept apart on which nothing depends for more steps
 };
 
 /// States are modes, the clocks of components, and faults where they are bounded.
@@ -40,10 +41,12 @@ class PlantProcess final : public LongClocks {
     std::vector<Units> ages;  ///< by component
     unsigned faults = 0;
     std::vector<Units> longest;
+    InState in_state;
     std::int8_t wanted = -1;  ///< below 0: not asked yet
   };
 
   [[nodiscard]] const std::vector<Units>& longest(StateNumber state) const override { return states_[state].longest; }
+  [[nodiscard]] const InState& in_state(StateNumber state) const override { return states_[state].in_state; }
   Settled settle(StateNumber state, const std::vector<Units>& readings) override;
   StateNumber enter(automata::Modes modes, std::vector<Units> ages, unsigned faults);
 

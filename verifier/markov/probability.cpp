@@ -31,6 +31,8 @@ constexpr Real least_ignored = 1e-60L;
 /// Of what is explored as a whole, outcomes of a step that are less likely than this are left out: where there are many
 /// components, most outcomes are many coincidences at once.
 constexpr Real coincidence = 1e-50L;
+/// Clocks on which nothing depends for more steps than this are kept apart from states.
+constexpr Units longest_in_state = 64;
 
 std::function<bool(const Modes&)> holds_in(automata::PlantStep& step, const ProbabilityQuestion& question) {
   using Answers = base::BoundedCache<Modes, bool, automata::ModesHash>;
@@ -173,7 +175,8 @@ Walked walked_of(automata::PlantStep& step, const ProbabilityQuestion& question)
           .wanted = holds_in(step, question),
           .from = question.from,
           .left_out = {},
-          .for_ever = !question.within || question.mean_time};
+          .for_ever = !question.within || question.mean_time,
+          .longest_in_state = longest_in_state};
 }
 
 /// The answer that `decide` gives, or what ended it.

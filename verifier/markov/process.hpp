@@ -61,6 +61,16 @@ class Process {
   virtual Point follow(const Point& /*from*/, const Branch& edge, Units /*now*/) { return {edge.to, 0}; }
   /// The last step that may end there without a long clock coming to a bound.
   virtual Units lasts_until(const Point& /*at*/) { return unbounded; }
+
+  // What follows a point depends on what clocks read, and not on the step: later, it is the same, later.
+
+  /// Whether clocks run there.
+  virtual bool has_clocks(const Point& /*at*/) { return false; }
+  /// Where clocks begin to run that may run for long, and no other clock has run for more than a few steps: the point
+  /// that it would be at step 0.
+  virtual std::optional<Point> as_begun(const Point& /*at*/, Units /*now*/) { return std::nullopt; }
+  /// The same, so many steps later.
+  virtual Point later(const Point& at, Units /*steps*/) { return at; }
 };
 
 }  // namespace rmpl::verifier
