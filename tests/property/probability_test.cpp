@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "tests/property/advice.hpp"
 #include "tests/property/draw.hpp"
@@ -13,6 +15,7 @@
 #include "verifier/markov/loop_process.hpp"
 #include "verifier/markov/plant_process.hpp"
 #include "verifier/markov/probability.hpp"
+#include "verifier/markov/prospects.hpp"
 #include "verifier/markov/walk.hpp"
 
 namespace rmpl::property {
@@ -103,13 +106,24 @@ void compare_walked(verifier::Process& process, std::size_t last, verifier::Mete
   }
 }
 
-verifier::Walked walked_of(automata::PlantStep& step, const reference::Question& asked, Ticks period) {
+/// What may be known beforehand of how likely the target can become.
+std::optional<verifier::Prospects> prospects_of(const automata::Plant& plant, const reference::Question& asked,
+                                                verifier::Commands commands, Ticks period, std::size_t steps,
+                                                verifier::Meter& meter) {
+  const std::vector<automata::Assignment> from;
+  return verifier::Prospects(
+      plant, {asked.target, asked.entailed, commands, from, period, static_cast<verifier::Units>(steps)}, meter);
+}
+
+verifier::Walked walked_of(automata::PlantStep& step, const reference::Question& asked, Ticks period,
+                           const std::optional<verifier::Prospects>& prospects) {
   return {.period = period,
           .wanted = holds(step, asked.target, asked.entailed),
           .from = {},
           .left_out = {},
           .for_ever = false,
-          .longest_in_state = static_cast<verifier::Units>(pick<std::size_t>({0, 0, 1, 2, 4, 8}))};
+          .longest_in_state = static_cast<verifier::Units>(pick<std::size_t>({0, 0, 1, 2, 4, 8})),
+          .prospects = prospects ? &*prospects : nullptr};
 }
 
 reference::Question something_rare(const automata::Plant& plant) {
@@ -123,6 +137,30 @@ reference::Question something_rare(const automata::Plant& plant) {
   return asked;
 }
 
+/// Under the commands that make the target most likely, no more than was foreseen of the modes to start in.
+RC_GTEST_PROP(Probability, ProspectsAreNeverExceeded, ()) {
+  const Model model = *models({.tangled = chance(30)});
+  reference::Question asked = something_rare(model.plant);
+  asked.commands = chance(40) ? reference::Question::Commands::none : reference::Question::Commands::one;
+  const Ticks period{pick<std::int64_t>({Ticks::per_second, Ticks::per_second / 2})};
+  const std::size_t steps = up_to(0, 4);
+  const verifier::Limits limits;
+  verifier::Meter meter(limits);
+  const auto prospects = prospects_of(model.plant, asked, static_cast<verifier::Commands>(asked.commands), period,
+                                      std::max<std::size_t>(steps, 1), meter);
+  automata::PlantStep step(model.plant);
+  verifier::Real foreseen = 0;
+  for (const verifier::Draw& draw : verifier::initial_draws(step, {}, meter).outcomes) {
+    const verifier::Prospect prospect = prospects->of(draw.modes);
+    foreseen += draw.probability.upper * prospect.within(static_cast<verifier::Units>(steps));
+  }
+  const reference::Step slow(model.plant);
+  const Rational exact = reference::probabilities(slow, asked, period, steps).greatest;
+  RC_TAG(foreseen == 0 ? "never" : foreseen < 1 ? "less than certain" : "perhaps certain");
+  const auto high = static_cast<double>(verifier::rounding::up(foreseen, 8));
+  RC_ASSERT(exact <= Rational(std::nextafter(high, 2.0)) + rounding);
+}
+
 RC_GTEST_PROP(Probability, EpisodesAreFollowedOnce, ()) {
   const Model model = *models({.tangled = chance(30)});
   const reference::Question asked = something_rare(model.plant);
@@ -131,9 +169,12 @@ RC_GTEST_PROP(Probability, EpisodesAreFollowedOnce, ()) {
   automata::PlantStep step(model.plant);
   const verifier::Limits limits;
   verifier::Meter meter(limits);
-  const verifier::Walked walked = walked_of(step, asked, period);
+  const std::size_t last = up_to(1, 9);
+  std::optional<verifier::Prospects> prospects;
+  if (chance(70)) prospects = prospects_of(model.plant, asked, verifier::Commands::none, period, last, meter);
+  const verifier::Walked walked = walked_of(step, asked, period, prospects);
   verifier::PlantProcess process(step, verifier::Commands::none, walked, true, meter);
-  compare_walked(process, up_to(1, 9), meter, [&](std::size_t steps) -> std::optional<Rational> {
+  compare_walked(process, last, meter, [&](std::size_t steps) -> std::optional<Rational> {
     return reference::probabilities(slow, asked, period, steps).least;
   });
 }
@@ -175,7 +216,9 @@ void compare_loop(bool knows, bool episodes) {
   }
   const verifier::Limits limits;
   verifier::Meter meter(limits);
-  const verifier::Walked walked = walked_of(step, asked, period);
+  std::optional<verifier::Prospects> prospects;
+  if (chance(70)) prospects = prospects_of(model.plant, asked, verifier::Commands::any, period, last, meter);
+  const verifier::Walked walked = walked_of(step, asked, period, prospects);
   verifier::Loop loop(program, step, *reconfigurer, verifier::TimeModel::sampled(period), 0, meter, {});
   verifier::LoopProcess process(loop, step, walked, true, meter);
   compare_walked(process, last, meter, exactly);

@@ -174,6 +174,68 @@ Draws StepDraws::at(const std::vector<Units>& ages, const LeftOut& left_out, Met
   return Product(step_, options_, left_out, meter).run();
 }
 
+/// At any age one of these is a mixture of them. Where the clock has nothing to do with faults, they are the same in
+/// all.
+std::vector<std::vector<Option>> StepDraws::extremes_of(std::size_t c) const {
+  const Component& component = step_.plant().components[c];
+  const Enabled& enabled = enabled_[c];
+  const auto transition = [&](automata::TransitionId t) -> const automata::Transition& {
+    return component.transitions[t.index()];
+  };
+  const auto option = [&](ModeId mode, const Enclosure& probability) {
+    return Option{mode, probability, mode != modes_[c] && component.modes[mode.index()].fault ? 1u : 0u};
+  };
+  std::vector<Option> faults;
+  Enclosure faulty;
+  bool apart = true;
+  for (const automata::TransitionId t : enabled.faults) {
+    const Real p = static_cast<Real>(transition(t).weight.fault_probability(period_));
+    faults.push_back(option(transition(t).to, outward({p * (1 - error_of_move), p * (1 + error_of_move)}, 2)));
+    faulty = faulty + faults.back().probability;
+    apart = apart && !transition(t).timing;
+  }
+  constexpr Real few = 0.5L;
+  apart = apart && faulty.upper < few;
+  if (apart && !enabled.untimed.empty()) return {options_[c]};
+  std::vector<ModeId> modes;
+  if (enabled.untimed.empty()) modes.push_back(modes_[c]);
+  for (const automata::TransitionId t : enabled.untimed) modes.push_back(transition(t).to);
+  for (const automata::TransitionId t : enabled.timed) modes.push_back(transition(t).to);
+  std::vector<std::vector<Option>> result;
+  for (const ModeId mode : modes) {
+    if (!apart) {
+      result.push_back({option(mode, certain())});
+      continue;
+    }
+    const Enclosure share = faults.empty() ? certain() : outward({1 - faulty.upper, 1 - faulty.lower}, 1);
+    result.push_back({option(mode, as_probability(share))});
+    result.back().insert(result.back().end(), faults.begin(), faults.end());
+  }
+  for (std::size_t f = 0; !apart && f < faults.size(); ++f) result.push_back({option(faults[f].mode, certain())});
+  return result;
+}
+
+std::vector<Draws> StepDraws::extremes(Meter& meter) {
+  constexpr std::size_t most = 64;
+  std::vector<std::vector<std::vector<Option>>> combinations{options_};
+  for (const std::size_t c : timed_) {
+    const std::vector<std::vector<Option>> own = extremes_of(c);
+    std::vector<std::vector<std::vector<Option>>> longer;
+    for (const auto& one : combinations) {
+      for (const std::vector<Option>& options : own) {
+        longer.push_back(one);
+        longer.back()[c] = options;
+      }
+    }
+    if (longer.size() > most) return {};
+    combinations = std::move(longer);
+  }
+  std::vector<Draws> result;
+  const LeftOut nothing;
+  for (const auto& options : combinations) result.push_back(Product(step_, options, nothing, meter).run());
+  return result;
+}
+
 Draws instant_draws(automata::PlantStep& step, const Modes& modes, const automata::AllEnabled& enabled,
                     const LeftOut& left_out, Meter& meter) {
   std::vector<std::vector<Option>> options;

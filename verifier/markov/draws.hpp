@@ -47,9 +47,12 @@ class StepDraws {
   /// yet. What contradicts the interconnections is dropped, and the rest is scaled to 1. Cost: the outcomes, and those
   /// that are dropped.
   Draws at(const std::vector<Units>& ages, const LeftOut& left_out, Meter& meter);
+  /// What may be drawn at any ages is a mixture of these, with nothing left out. Nothing where there are too many.
+  std::vector<Draws> extremes(Meter& meter);
 
  private:
   void ask(std::size_t component, Units age);
+  [[nodiscard]] std::vector<std::vector<DrawOption>> extremes_of(std::size_t component) const;
 
   automata::PlantStep& step_;
   automata::Modes modes_;

@@ -18,10 +18,10 @@ const Episode::Stage no_stage;
 
 }  // namespace
 
-Episode::Episode(Process& process, RowMemory& rows, const Point& start, Real ignored, Meter& meter)
-    : process_(process), meter_(meter), front_(process, rows, ignored) {
+Episode::Episode(Process& process, RowMemory& rows, const Point& start, Units last, Real ignored, Meter& meter)
+    : process_(process), meter_(meter), front_(process, rows, last, ignored) {
   front_.arrive(start, certain());
-  front_.settle([](const Point&, const Enclosure&) { return false; });
+  front_.settle(0, [](const Point&, const Enclosure&) { return false; });
 }
 
 const Episode::Stage& Episode::after(Units steps) {
@@ -35,7 +35,7 @@ void Episode::go_on() {
   const auto now = static_cast<Units>(stages_.size() + 1);
   Stage stage;
   front_.leave(now);
-  front_.settle([&](const Point& point, const Enclosure& mass) {
+  front_.settle(now, [&](const Point& point, const Enclosure& mass) {
     const std::optional<Point> exit = process_.has_clocks(point) ? process_.as_begun(point, now) : point;
     if (exit) stage.ends.emplace_back(exits_.number(*exit), mass);
     return exit.has_value();
@@ -71,7 +71,8 @@ bool Episodes::takes(const Point& point, const Enclosure& mass, Units now, Front
 /// What the finer episode leaves out may be what the other one has followed until now: all of it counts as unknown.
 void Episodes::follow_finer(const Point& start, Begun& begun, Units now, Front& front) {
   begun.foreseen = begun.all * more_to_come;
-  begun.episode = std::make_unique<Episode>(process_, rows_, start, ignored_ / begun.foreseen, meter_);
+  const Units first = begun.going_on.empty() ? now : begun.going_on.front().first;
+  begun.episode = std::make_unique<Episode>(process_, rows_, start, last_ - first, ignored_ / begun.foreseen, meter_);
   for (const auto& [since, mass] : begun.going_on) {
     front.add_unknown(rounding::up(mass.upper * begun.episode->unknown_within(now - since), 1));
   }

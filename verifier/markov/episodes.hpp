@@ -28,8 +28,9 @@ class Episode {
     Real unknown = 0;
   };
 
-  /// From a point, as it is at step 0. What is less likely than `ignored` is not followed. Keeps references.
-  Episode(Process& process, RowMemory& rows, const Point& start, Real ignored, Meter& meter);
+  /// From a point, as it is at step 0, for so many steps. What is less likely than `ignored` to come to what is wanted
+  /// by then is not followed. Keeps references.
+  Episode(Process& process, RowMemory& rows, const Point& start, Units last, Real ignored, Meter& meter);
 
   /// After so many steps; it is followed that far.
   const Stage& after(Units steps);
@@ -55,8 +56,8 @@ class Episode {
 /// Episodes that have been begun, beside a front that is followed step by step.
 class Episodes {
  public:
-  Episodes(Process& process, RowMemory& rows, Real ignored, Meter& meter)
-      : process_(process), rows_(rows), ignored_(ignored), meter_(meter) {}
+  Episodes(Process& process, RowMemory& rows, Units last, Real ignored, Meter& meter)
+      : process_(process), rows_(rows), last_(last), ignored_(ignored), meter_(meter) {}
 
   /// Whether what has come to the point at that step is followed here: where runs come to its start in one step after
   /// the other. Clocks that begin to run now and then are followed best one by one, many steps at once.
@@ -78,6 +79,7 @@ class Episodes {
 
   Process& process_;
   RowMemory& rows_;
+  Units last_;
   Real ignored_;
   Meter& meter_;
   PointNumbers starts_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/markov/front.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "base/hash.hpp"
 
@@ -11,6 +13,8 @@ namespace {
 
 /// A row is worked out for outcomes that are so much less likely than is asked for, as masses grow.
 constexpr Real finer_than_asked = 64;
+/// What is left out of a row is as if it were wanted, in each of many steps.
+constexpr Real many_steps = 1024;
 
 }  // namespace
 
@@ -21,12 +25,12 @@ const KnownRow& RowMemory::of(StateNumber state, Real less_likely_than) {
     const Real least = less_likely_than / finer_than_asked;
     const std::vector<Row>& choices = process_.rows(state, least);
     CHECK(choices.size() <= 1 && "a chain has no choices");
-    known = KnownRow{choices.empty() ? Row{} : choices.front(), least, {}};
-    const std::vector<Branch>& edges = known->row.edges;
-    known->rest.resize(edges.size() + 1, 0);
-    for (std::size_t e = edges.size(); e-- > 0;) {
-      known->rest[e] = rounding::up(known->rest[e + 1] + edges[e].probability.upper, 1);
-    }
+    known = KnownRow{choices.empty() ? Row{} : choices.front(), least, 0, {}};
+    std::vector<Branch>& edges = known->row.edges;
+    const auto unwanted = std::stable_partition(edges.begin(), edges.end(),
+                                                [this](const Branch& edge) { return process_.wanted(edge.to); });
+    known->wanted = static_cast<std::size_t>(unwanted - edges.begin());
+    for (const Branch& edge : edges) known->prospects.push_back(process_.prospect(edge.to));
   }
   return *known;
 }
@@ -78,16 +82,21 @@ void Front::begin_anew() {
 
 void Front::leave(Units now) {
   for (const auto& [point, mass] : points_) {
-    const KnownRow& next = rows_.of(point.state, ignored_ / mass.upper);
+    const KnownRow& next = rows_.of(point.state, ignored_ / (mass.upper * many_steps));
     Real rest = next.row.left_out;
     for (std::size_t e = 0; e < next.row.edges.size(); ++e) {
       const Branch& edge = next.row.edges[e];
       const Enclosure part = mass * edge.probability;
-      if (part.upper < ignored_) {
-        rest = rounding::up(rest + next.rest[e], 1);
-        break;
+      if (e < next.wanted) {
+        add_wanted(part);
+        continue;
       }
-      arrive(process_.follow(point, edge, now), part);
+      const Real prospect = next.prospects[e].within(last_ - now);
+      if (part.upper * prospect < ignored_) {
+        rest = rounding::up(rest + edge.probability.upper * prospect, 2);
+      } else {
+        arrive(process_.follow(point, edge, now), part);
+      }
     }
     if (rest > 0) unknown_ = rounding::up(unknown_ + mass.upper * rest, 2);
   }

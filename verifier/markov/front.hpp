@@ -54,8 +54,10 @@ class Front {
     Enclosure mass;
   };
 
-  /// What is less likely than `ignored`, where it stands at a step, is not followed. Keeps references.
-  Front(Process& process, RowMemory& rows, Real ignored) : process_(process), rows_(rows), ignored_(ignored) {}
+  /// Up to the step `last`. What is less likely than `ignored` to come to what is wanted by then is not followed. Keeps
+  /// references.
+  Front(Process& process, RowMemory& rows, Units last, Real ignored)
+      : process_(process), rows_(rows), last_(last), ignored_(ignored) {}
 
   [[nodiscard]] const std::vector<Entry>& points() const { return points_; }
   [[nodiscard]] const Enclosure& wanted() const { return wanted_; }
@@ -71,15 +73,16 @@ class Front {
   void arrive(const Point& point, const Enclosure& mass);
   /// All points go a step on, which ends at `now`, and arrive.
   void leave(Units now);
-  /// What has arrived is where the next step begins, but for what `takes(point, mass)` takes away.
+  /// What has arrived at `now` is where the next step begins, but for what `takes(point, mass)` takes away.
   template <class Takes>
-  void settle(const Takes& takes);
+  void settle(Units now, const Takes& takes);
   /// As if it began here, where nobody is.
   void begin_anew();
 
  private:
   Process& process_;
   RowMemory& rows_;
+  Units last_;
   Real ignored_;
   std::vector<Entry> points_;
   PointNumbers arrived_;
@@ -91,12 +94,13 @@ class Front {
 };
 
 template <class Takes>
-void Front::settle(const Takes& takes) {
+void Front::settle(Units now, const Takes& takes) {
   points_.clear();
   const std::vector<Point>& arrived = arrived_.points();
   for (std::size_t i = 0; i < arrived.size(); ++i) {
-    if (masses_[i].upper < ignored_) {
-      add_unknown(masses_[i].upper);
+    const Real worth = masses_[i].upper * process_.prospect(arrived[i].state).within(last_ - now);
+    if (worth < ignored_) {
+      add_unknown(rounding::up(worth, 1));
     } else if (!takes(arrived[i], masses_[i])) {
       points_.push_back({arrived[i], masses_[i]});
     }

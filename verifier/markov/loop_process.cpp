@@ -69,7 +69,7 @@ LoopStateId LoopProcess::go_on(LoopStateId at, const std::vector<Units>& reading
 
 StateNumber LoopProcess::enter(LoopStateId at, const std::vector<Units>& readings, std::vector<Units> ages,
                                unsigned faults, std::vector<std::size_t>& apart) {
-  State entered{{}, walked_.left_out.faults_beyond ? faults : 0, std::move(ages), {}, {}, {}, -1};
+  State entered{{}, walked_.left_out.faults_beyond ? faults : 0, std::move(ages), {}, {}, {}, {}, -1};
   apart.clear();
   std::vector<std::size_t> groups(readings.size());
   std::iota(groups.begin(), groups.end(), std::size_t{0});
@@ -93,6 +93,7 @@ StateNumber LoopProcess::enter(LoopStateId at, const std::vector<Units>& reading
   const StateNumber result = numbers_.number(list);
   if (result < states_.size()) return result;
   const Modes& modes = loop_[entered.loop].modes;
+  entered.prospect = prospect_of(walked_, modes);
   for (std::size_t c = 0; c < entered.ages.size(); ++c) {
     if (entered.ages[c] == kept_apart) {
       entered.longest.push_back(ages_.last(c, modes[c]));

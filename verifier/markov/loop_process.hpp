@@ -22,6 +22,7 @@ class LoopProcess final : public LongClocks {
   std::vector<Start> initial() override;
   const std::vector<Row>& rows(StateNumber state, Real less_likely_than) override;
   bool wanted(StateNumber state) override;
+  Prospect prospect(StateNumber state) override { return states_[state].prospect; }
   [[nodiscard]] std::size_t states() const override { return states_.size(); }
 
  private:
@@ -32,6 +33,7 @@ class LoopProcess final : public LongClocks {
     std::vector<Units> readings;  ///< by group of clocks
     std::vector<Units> longest;   ///< of groups, then of components
     InState in_state;
+    Prospect prospect;
     std::int8_t wanted = -1;  ///< below 0: not asked yet
   };
   /// Where the loop comes to while the clocks of the program stay in their cells.

@@ -31,7 +31,8 @@ StateNumber PlantProcess::enter(Modes modes, std::vector<Units> ages, unsigned f
   const StateNumber result = numbers_.number(list);
   if (result < states_.size()) return result;
   meter_.count_state();
-  State& state = states_.emplace_back(State{std::move(modes), std::move(ages), faults, {}, {}, -1});
+  const Prospect prospect = prospect_of(walked_, modes);
+  State& state = states_.emplace_back(State{std::move(modes), std::move(ages), faults, {}, {}, prospect, -1});
   for (std::size_t c = 0; c < state.ages.size(); ++c) {
     if (state.ages[c] == kept_apart) {
       state.longest.push_back(ages_.last(c, state.modes[c]));

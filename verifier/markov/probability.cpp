@@ -116,7 +116,8 @@ class Decision {
     constexpr Real least_factor = 1e3L;
     constexpr Real greatest_factor = 1e9L;
     const Real apart = (found.upper - found.lower) / (precision() * found.upper);
-    return ignored / std::clamp(apart * apart, least_factor, greatest_factor);
+    constexpr Real more = 16;
+    return ignored / std::clamp(more * apart * apart, least_factor, greatest_factor);
   }
 
   void note(const std::vector<Reached>& reached, Likelihood& result) const {
@@ -176,7 +177,17 @@ Walked walked_of(automata::PlantStep& step, const ProbabilityQuestion& question)
           .from = question.from,
           .left_out = {},
           .for_ever = !question.within || question.mean_time,
-          .longest_in_state = longest_in_state};
+          .longest_in_state = longest_in_state,
+          .prospects = nullptr};
+}
+
+/// Where there is an end by which they tell something.
+std::unique_ptr<const Prospects> prospects_of(const automata::Plant& plant, const ProbabilityQuestion& question,
+                                              Commands commands, Meter& meter) {
+  if (!question.within) return nullptr;
+  const Prospects::Question asked{question.target, question.entailed, commands,
+                                  question.from,   *question.period,  steps_of(question).back()};
+  return std::make_unique<const Prospects>(plant, asked, meter);
 }
 
 /// The answer that `decide` gives, or what ended it.
@@ -200,10 +211,12 @@ ProbabilityAnswer probability(automata::PlantStep& step, const ProbabilityQuesti
   if (!question.period) {
     return limited(meter, [&] { return dense_probability(step, question, holds_in(step, question), meter); });
   }
-  const Walked walked = walked_of(step, question);
+  Walked walked = walked_of(step, question);
   std::size_t actions = 0;
   for_each_action(step.plant(), question.commands, [&](const automata::ControlAction&) { ++actions; });
   return limited(meter, [&] {
+    const auto prospects = actions == 1 ? prospects_of(step.plant(), question, question.commands, meter) : nullptr;
+    walked.prospects = prospects.get();
     const auto make = [&](const Walked& own, bool apart) -> std::unique_ptr<Process> {
       return std::make_unique<PlantProcess>(step, question.commands, own, apart, meter);
     };
@@ -218,10 +231,12 @@ ProbabilityAnswer probability(const automata::Program& program, automata::PlantS
         "dense time: the probability of a program is told for its cycles alone; expected --time with a cycle");
   }
   Meter meter(limits);
-  const Walked walked = walked_of(step, question);
+  Walked walked = walked_of(step, question);
   const auto reconfigurer = runtime::make_reconfigurer(step, nullptr, *question.period);
   Loop loop(program, step, *reconfigurer, TimeModel::sampled(*question.period), 0, meter, {});
   return limited(meter, [&] {
+    const auto prospects = prospects_of(step.plant(), question, Commands::any, meter);
+    walked.prospects = prospects.get();
     const auto make = [&](const Walked& own, bool apart) -> std::unique_ptr<Process> {
       return std::make_unique<LoopProcess>(loop, step, own, apart, meter);
     };

@@ -32,13 +32,14 @@ using Positions = std::unordered_map<Point, std::uint32_t, PointHash>;  ///< loo
 
 class Walk {
  public:
-  Walk(Process& process, Real ignored, KnownRows& known, Meter& meter)
+  Walk(Process& process, Units last, Real ignored, KnownRows& known, Meter& meter)
       : process_(process),
+        last_(last),
         ignored_(ignored),
         rows_(process, known),
         meter_(meter),
-        front_(process, rows_, ignored),
-        episodes_(process, rows_, ignored, meter) {}
+        front_(process, rows_, last, ignored),
+        episodes_(process, rows_, last, ignored, meter) {}
 
   std::vector<Reached> run(const std::vector<Units>& steps) {
     for (const Process::Start& start : process_.initial()) front_.arrive(start.point, start.probability);
@@ -63,7 +64,7 @@ class Walk {
 
   void settle() {
     front_.settle(
-        [this](const Point& point, const Enclosure& mass) { return episodes_.takes(point, mass, now_, front_); });
+        now_, [this](const Point& point, const Enclosure& mass) { return episodes_.takes(point, mass, now_, front_); });
   }
 
   void walk_step() {
@@ -132,19 +133,16 @@ class Walk {
       own.unknown = next.row.left_out;
       for (std::size_t e = 0; e < next.row.edges.size(); ++e) {
         const Branch& edge = next.row.edges[e];
-        if (edge.probability.upper < least) {
-          own.unknown = rounding::up(own.unknown + next.rest[e], 1);
-          break;
-        }
-        const Point to = process_.follow(point, edge, now_ + 1);
-        if (process_.wanted(to.state)) {
+        if (e < next.wanted) {
           own.wanted = own.wanted + edge.probability;
           continue;
         }
         const Real mass = likely[i] * std::min<Real>(1, steps * edge.probability.upper);
+        const Real prospect = next.prospects[e].within(last_ - now_);
+        const Point to = process_.follow(point, edge, now_ + 1);
         const bool known = positions.contains(to);
-        if (!known && mass < ignored_) {
-          own.unknown = rounding::up(own.unknown + edge.probability.upper, 1);
+        if (!known && mass * prospect < ignored_) {
+          own.unknown = rounding::up(own.unknown + edge.probability.upper * prospect, 2);
           continue;
         }
         if (process_.follow(point, edge, until) != to || process_.lasts_until(to) < until) return std::nullopt;
@@ -165,6 +163,7 @@ class Walk {
   }
 
   Process& process_;
+  Units last_;
   Real ignored_;
   RowMemory rows_;
   Meter& meter_;
@@ -179,7 +178,7 @@ class Walk {
 
 std::vector<Reached> walk(Process& process, const std::vector<Units>& steps, Real ignored, KnownRows& known,
                           Meter& meter) {
-  return Walk(process, ignored, known, meter).run(steps);
+  return Walk(process, steps.back(), ignored, known, meter).run(steps);
 }
 
 }  // namespace rmpl::verifier
