@@ -97,7 +97,10 @@ void compare_walked(verifier::Process& process, std::size_t last, verifier::Mete
   if (chance(50)) steps.insert(steps.begin(), static_cast<verifier::Units>(up_to(0, last)));
   const bool coarse = chance(30);
   verifier::KnownRows known;
-  const auto reached = verifier::walk(process, steps, coarse ? 1e-3L : 1e-40L, known, meter);
+  verifier::Tolerance tolerance{coarse ? 1e-3L : 1e-40L, 0, 0};
+  if (coarse) tolerance.all = pick<verifier::Real>({0, 1e-2L, 0.5L});
+  if (coarse) tolerance.part = pick<verifier::Real>({0, 1e-2L, 0.5L});
+  const auto reached = verifier::walk(process, steps, tolerance, known, meter);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::optional<Rational> exact = exactly(static_cast<std::size_t>(steps[i]));
     RC_PRE(exact.has_value());

@@ -18,8 +18,11 @@ const Episode::Stage no_stage;
 
 }  // namespace
 
-Episode::Episode(Process& process, RowMemory& rows, const Point& start, Units last, Real ignored, Meter& meter)
-    : process_(process), meter_(meter), front_(process, rows, last, ignored) {
+Episode::Episode(Process& process, RowMemory& rows, const Point& start, Units last, const Tolerance& tolerance,
+                 Meter& meter)
+    : process_(process),
+      meter_(meter),
+      front_(process, rows, last, tolerance.ignored, tolerance.part * process.prospect(start.state).within(last)) {
   front_.arrive(start, certain());
   front_.settle(0, [](const Point&, const Enclosure&) { return false; });
 }
@@ -72,7 +75,8 @@ bool Episodes::takes(const Point& point, const Enclosure& mass, Units now, Front
 void Episodes::follow_finer(const Point& start, Begun& begun, Units now, Front& front) {
   begun.foreseen = begun.all * more_to_come;
   const Units first = begun.going_on.empty() ? now : begun.going_on.front().first;
-  begun.episode = std::make_unique<Episode>(process_, rows_, start, last_ - first, ignored_ / begun.foreseen, meter_);
+  const Tolerance own{tolerance_.ignored / begun.foreseen, 0, tolerance_.part};
+  begun.episode = std::make_unique<Episode>(process_, rows_, start, last_ - first, own, meter_);
   for (const auto& [since, mass] : begun.going_on) {
     front.add_unknown(rounding::up(mass.upper * begun.episode->unknown_within(now - since), 1));
   }

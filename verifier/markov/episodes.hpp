@@ -28,9 +28,8 @@ class Episode {
     Real unknown = 0;
   };
 
-  /// From a point, as it is at step 0, for so many steps. What is less likely than `ignored` to come to what is wanted
-  /// by then is not followed. Keeps references.
-  Episode(Process& process, RowMemory& rows, const Point& start, Units last, Real ignored, Meter& meter);
+  /// From a point, as it is at step 0, for so many steps. Keeps references.
+  Episode(Process& process, RowMemory& rows, const Point& start, Units last, const Tolerance& tolerance, Meter& meter);
 
   /// After so many steps; it is followed that far.
   const Stage& after(Units steps);
@@ -56,8 +55,8 @@ class Episode {
 /// Episodes that have been begun, beside a front that is followed step by step.
 class Episodes {
  public:
-  Episodes(Process& process, RowMemory& rows, Units last, Real ignored, Meter& meter)
-      : process_(process), rows_(rows), last_(last), ignored_(ignored), meter_(meter) {}
+  Episodes(Process& process, RowMemory& rows, Units last, const Tolerance& tolerance, Meter& meter)
+      : process_(process), rows_(rows), last_(last), tolerance_(tolerance), meter_(meter) {}
 
   /// Whether what has come to the point at that step is followed here: where runs come to its start in one step after
   /// the other. Clocks that begin to run now and then are followed best one by one, many steps at once.
@@ -80,7 +79,7 @@ class Episodes {
   Process& process_;
   RowMemory& rows_;
   Units last_;
-  Real ignored_;
+  Tolerance tolerance_;
   Meter& meter_;
   PointNumbers starts_;
   std::vector<Begun> begun_;  ///< by start

@@ -3,6 +3,7 @@
 #include "verifier/markov/front.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/check.hpp"
 #include "base/hash.hpp"
@@ -78,6 +79,28 @@ void Front::arrive(const Point& point, const Enclosure& mass) {
 void Front::begin_anew() {
   points_.clear();
   before_.clear();
+}
+
+Real Front::find_worths(Units now) {
+  const std::vector<Point>& arrived = arrived_.points();
+  worths_.clear();
+  for (std::size_t i = 0; i < arrived.size(); ++i) {
+    worths_.push_back(rounding::up(masses_[i].upper * process_.prospect(arrived[i].state).within(last_ - now), 1));
+  }
+  if (last_ <= 0 || all_ == 0) return ignored_;
+  const Real left = all_ * static_cast<Real>(std::min(now, last_)) / static_cast<Real>(last_) - spent_;
+  least_ = worths_;
+  std::sort(least_.begin(), least_.end());
+  Real sum = 0;
+  for (const Real worth : least_) {
+    if (sum + worth > left) {
+      spent_ += sum;
+      return std::max(ignored_, worth);
+    }
+    sum += worth;
+  }
+  spent_ += sum;
+  return std::numeric_limits<Real>::infinity();
 }
 
 void Front::leave(Units now) {

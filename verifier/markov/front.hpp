@@ -54,10 +54,9 @@ class Front {
     Enclosure mass;
   };
 
-  /// Up to the step `last`. What is less likely than `ignored` to come to what is wanted by then is not followed. Keeps
-  /// references.
-  Front(Process& process, RowMemory& rows, Units last, Real ignored)
-      : process_(process), rows_(rows), last_(last), ignored_(ignored) {}
+  /// Up to the step `last`; `ignored` and `all` are those of a tolerance. Keeps references.
+  Front(Process& process, RowMemory& rows, Units last, Real ignored, Real all)
+      : process_(process), rows_(rows), last_(last), ignored_(ignored), all_(all) {}
 
   [[nodiscard]] const std::vector<Entry>& points() const { return points_; }
   [[nodiscard]] const Enclosure& wanted() const { return wanted_; }
@@ -80,13 +79,21 @@ class Front {
   void begin_anew();
 
  private:
+  /// How likely what has arrived is to come to what is wanted, by `worths_`; and how likely it has to be to be
+  /// followed.
+  Real find_worths(Units now);
+
   Process& process_;
   RowMemory& rows_;
   Units last_;
   Real ignored_;
+  Real all_;
+  Real spent_ = 0;  ///< of it
   std::vector<Entry> points_;
   PointNumbers arrived_;
   std::vector<Enclosure> masses_;  ///< of what has arrived
+  std::vector<Real> worths_;       ///< likewise
+  std::vector<Real> least_;        ///< kept for its memory
   PointNumbers before_;            ///< what had arrived a step ago
   bool same_ = false;
   Enclosure wanted_;
@@ -96,16 +103,20 @@ class Front {
 template <class Takes>
 void Front::settle(Units now, const Takes& takes) {
   points_.clear();
+  const Real least = find_worths(now);
   const std::vector<Point>& arrived = arrived_.points();
+  bool all_here = true;
   for (std::size_t i = 0; i < arrived.size(); ++i) {
-    const Real worth = masses_[i].upper * process_.prospect(arrived[i].state).within(last_ - now);
-    if (worth < ignored_) {
-      add_unknown(rounding::up(worth, 1));
-    } else if (!takes(arrived[i], masses_[i])) {
+    if (worths_[i] < least) {
+      add_unknown(worths_[i]);
+      all_here = all_here && worths_[i] >= ignored_;
+    } else if (takes(arrived[i], masses_[i])) {
+      all_here = false;
+    } else {
       points_.push_back({arrived[i], masses_[i]});
     }
   }
-  same_ = arrived.size() == points_.size() && arrived.size() == before_.points().size() &&
+  same_ = all_here && arrived.size() == before_.points().size() &&
           std::all_of(arrived.begin(), arrived.end(), [&](const Point& point) { return before_.contains(point); });
   std::swap(arrived_, before_);
   arrived_.clear();

@@ -28,6 +28,10 @@ constexpr std::size_t answers_remembered = std::size_t{1} << 16;
 /// Of what is walked: first what is less likely than this is left out, then less and less.
 constexpr Real first_ignored = 1e-12L;
 constexpr Real least_ignored = 1e-60L;
+/// Once something is known of the probability, such parts of what bounds may be apart are left out at will: of all, and
+/// of an episode, within which others may begin.
+constexpr Real of_all = 0.4L;
+constexpr Real of_episode = 0.05L;
 /// Of what is explored as a whole, outcomes of a step that are less likely than this are left out: where there are many
 /// components, most outcomes are many coincidences at once.
 constexpr Real coincidence = 1e-50L;
@@ -98,16 +102,20 @@ class Decision {
     std::optional<Real> width;
     const std::unique_ptr<Process> process = make_(walked_, true);
     KnownRows known;
-    Real ignored = first_ignored;
-    while (ignored > least_ignored) {
-      const std::vector<Reached> reached = walk(*process, steps, ignored, known, meter_);
+    Tolerance tolerance{first_ignored, 0, 0};
+    Real share = 1;
+    while (tolerance.ignored > least_ignored) {
+      const std::vector<Reached> reached = walk(*process, steps, tolerance, known, meter_);
       note(reached, result);
       answer_.startless = process->initial().empty();
       const Real now = result.probability.upper - result.probability.lower;
       if (is_within(result.probability, precision())) return;
       if (question_.faults && width && now > *width / 2) return;
       width = now;
-      ignored = less_than(ignored, result.probability);
+      tolerance.ignored = less_than(tolerance.ignored, result.probability);
+      tolerance.all = share * of_all * precision() * result.probability.lower;
+      tolerance.part = share * of_episode * precision();
+      share /= 2;
     }
   }
 

@@ -32,14 +32,14 @@ using Positions = std::unordered_map<Point, std::uint32_t, PointHash>;  ///< loo
 
 class Walk {
  public:
-  Walk(Process& process, Units last, Real ignored, KnownRows& known, Meter& meter)
+  Walk(Process& process, Units last, const Tolerance& tolerance, KnownRows& known, Meter& meter)
       : process_(process),
         last_(last),
-        ignored_(ignored),
+        ignored_(tolerance.ignored),
         rows_(process, known),
         meter_(meter),
-        front_(process, rows_, last, ignored),
-        episodes_(process, rows_, last, ignored, meter) {}
+        front_(process, rows_, last, tolerance.ignored, tolerance.all),
+        episodes_(process, rows_, last, tolerance, meter) {}
 
   std::vector<Reached> run(const std::vector<Units>& steps) {
     for (const Process::Start& start : process_.initial()) front_.arrive(start.point, start.probability);
@@ -176,9 +176,9 @@ class Walk {
 
 }  // namespace
 
-std::vector<Reached> walk(Process& process, const std::vector<Units>& steps, Real ignored, KnownRows& known,
-                          Meter& meter) {
-  return Walk(process, steps.back(), ignored, known, meter).run(steps);
+std::vector<Reached> walk(Process& process, const std::vector<Units>& steps, const Tolerance& tolerance,
+                          KnownRows& known, Meter& meter) {
+  return Walk(process, steps.back(), tolerance, known, meter).run(steps);
 }
 
 }  // namespace rmpl::verifier
