@@ -74,30 +74,6 @@ automata::Program chain(const automata::Plant& plant) {
   return program;
 }
 
-/// The reconfigurer as adviser; keeps a reference.
-reference::Adviser adviser_of(runtime::Reconfigurer& reconfigurer) {
-  using Position = reference::Adviser::Position;
-  using Goal = std::vector<automata::Assignment>;
-  struct Positions {
-    std::vector<runtime::StrategyPosition> known{{}};
-    std::map<runtime::StrategyPosition, Position> numbers{{{}, 0}};
-  };
-  const auto positions = std::make_shared<Positions>();
-  const auto ask = [&reconfigurer, positions](const automata::Modes& modes, const Goal& goal, Position position) {
-    return reconfigurer.go_on(modes, automata::conjunction_of(goal), positions->known[position]);
-  };
-  return {
-      [ask](const automata::Modes& modes, const Goal& goal, Position position) {
-        return told(ask(modes, goal, position));
-      },
-      [ask, positions](const automata::Modes& modes, const Goal& goal, Position position, const automata::Modes& then) {
-        runtime::StrategyPosition next = position_after(ask(modes, goal, position), then);
-        const auto [at, fresh] = positions->numbers.try_emplace(next, positions->known.size());
-        if (fresh) positions->known.push_back(std::move(next));
-        return at->second;
-      }};
-}
-
 /// A program whose conditions ask of the executive's knowledge; its goals are modes, all asked for together.
 automata::Program that_knows(const automata::Plant& plant) {
   automata::Program program = (*programs_that_know(plant)).program;

@@ -22,11 +22,7 @@ namespace {
 constexpr Real error_of_move = 2e-14L;
 constexpr Real error_of_series = 4e-12L;
 
-struct Option {
-  ModeId mode;
-  Enclosure probability;
-  unsigned faults = 0;
-};
+using Option = DrawOption;
 
 bool takes_series(const Component& component, const Enabled& enabled) {
   using Kind = automata::Density::Kind;
@@ -157,19 +153,87 @@ std::vector<Option> options_in(const Component& component, ModeId mode, const st
 
 }  // namespace
 
-Draws draws(automata::PlantStep& step, const Modes& modes, const automata::AllEnabled& enabled,
-            const std::vector<Units>& ages, automata::Ticks period, const LeftOut& left_out, Meter& meter) {
-  const automata::Plant& plant = step.plant();
-  std::vector<std::vector<Option>> options;
-  options.reserve(modes.size());
-  for (std::size_t c = 0; c < modes.size(); ++c) {
-    const Component& component = plant.components[c];
-    const automata::Ticks clock{(std::max<Units>(ages[c], 0) + 1) * period.count};
-    const std::vector<Move> moves = automata::moves_of(component, modes[c], enabled[c], clock, period);
-    const Real error = takes_series(component, enabled[c]) ? error_of_series : error_of_move;
-    options.push_back(options_in(component, modes[c], moves, error));
+StepDraws::StepDraws(automata::PlantStep& step, Modes modes, automata::AllEnabled enabled, automata::Ticks period)
+    : step_(step), modes_(std::move(modes)), enabled_(std::move(enabled)), period_(period), options_(modes_.size()) {
+  for (std::size_t c = 0; c < modes_.size(); ++c) {
+    ask(c, 0);
+    if (automata::clock_matters(step.plant().components[c], enabled_[c])) timed_.push_back(c);
   }
-  return Product(step, options, left_out, meter).run();
+}
+
+void StepDraws::ask(std::size_t c, Units age) {
+  const Component& component = step_.plant().components[c];
+  const automata::Ticks clock{(std::max<Units>(age, 0) + 1) * period_.count};
+  const std::vector<Move> moves = automata::moves_of(component, modes_[c], enabled_[c], clock, period_);
+  const Real error = takes_series(component, enabled_[c]) ? error_of_series : error_of_move;
+  options_[c] = options_in(component, modes_[c], moves, error);
+}
+
+Draws StepDraws::at(const std::vector<Units>& ages, const LeftOut& left_out, Meter& meter) {
+  for (const std::size_t c : timed_) ask(c, ages[c]);
+  return Product(step_, options_, left_out, meter).run();
+}
+
+/// At any age one of these is a mixture of them. Where the clock has nothing to do with faults, they are the same in
+/// all.
+std::vector<std::vector<Option>> StepDraws::extremes_of(std::size_t c) const {
+  const Component& component = step_.plant().components[c];
+  const Enabled& enabled = enabled_[c];
+  const auto transition = [&](automata::TransitionId t) -> const automata::Transition& {
+    return component.transitions[t.index()];
+  };
+  const auto option = [&](ModeId mode, const Enclosure& probability) {
+    return Option{mode, probability, mode != modes_[c] && component.modes[mode.index()].fault ? 1u : 0u};
+  };
+  std::vector<Option> faults;
+  Enclosure faulty;
+  bool apart = true;
+  for (const automata::TransitionId t : enabled.faults) {
+    const Real p = static_cast<Real>(transition(t).weight.fault_probability(period_));
+    faults.push_back(option(transition(t).to, outward({p * (1 - error_of_move), p * (1 + error_of_move)}, 2)));
+    faulty = faulty + faults.back().probability;
+    apart = apart && !transition(t).timing;
+  }
+  constexpr Real few = 0.5L;
+  apart = apart && faulty.upper < few;
+  if (apart && !enabled.untimed.empty()) return {options_[c]};
+  std::vector<ModeId> modes;
+  if (enabled.untimed.empty()) modes.push_back(modes_[c]);
+  for (const automata::TransitionId t : enabled.untimed) modes.push_back(transition(t).to);
+  for (const automata::TransitionId t : enabled.timed) modes.push_back(transition(t).to);
+  std::vector<std::vector<Option>> result;
+  for (const ModeId mode : modes) {
+    if (!apart) {
+      result.push_back({option(mode, certain())});
+      continue;
+    }
+    const Enclosure share = faults.empty() ? certain() : outward({1 - faulty.upper, 1 - faulty.lower}, 1);
+    result.push_back({option(mode, as_probability(share))});
+    result.back().insert(result.back().end(), faults.begin(), faults.end());
+  }
+  for (std::size_t f = 0; !apart && f < faults.size(); ++f) result.push_back({option(faults[f].mode, certain())});
+  return result;
+}
+
+std::vector<Draws> StepDraws::extremes(Meter& meter) {
+  constexpr std::size_t most = 64;
+  std::vector<std::vector<std::vector<Option>>> combinations{options_};
+  for (const std::size_t c : timed_) {
+    const std::vector<std::vector<Option>> own = extremes_of(c);
+    std::vector<std::vector<std::vector<Option>>> longer;
+    for (const auto& one : combinations) {
+      for (const std::vector<Option>& options : own) {
+        longer.push_back(one);
+        longer.back()[c] = options;
+      }
+    }
+    if (longer.size() > most) return {};
+    combinations = std::move(longer);
+  }
+  std::vector<Draws> result;
+  const LeftOut nothing;
+  for (const auto& options : combinations) result.push_back(Product(step_, options, nothing, meter).run());
+  return result;
 }
 
 Draws instant_draws(automata::PlantStep& step, const Modes& modes, const automata::AllEnabled& enabled,

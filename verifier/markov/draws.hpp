@@ -31,12 +31,36 @@ struct LeftOut {
   std::optional<unsigned> faults_beyond{};  ///< outcomes with more faults than this
 };
 
-/// The step from `modes` under the command, which they permit; `ages` are the clocks of all components as the step
-/// begins, in periods, or
-/// below 0 where nothing depends on them yet. What contradicts the interconnections is dropped, and the rest is scaled
-/// to 1. Cost: the outcomes, and those that are dropped.
-Draws draws(automata::PlantStep& step, const automata::Modes& modes, const automata::AllEnabled& enabled,
-            const std::vector<Units>& ages, automata::Ticks period, const LeftOut& left_out, Meter& meter);
+/// One thing that a component may do.
+struct DrawOption {
+  automata::ModeId mode;
+  Enclosure probability;
+  unsigned faults = 0;
+};
+
+/// The step from some modes under a command, which they permit, whatever clocks read. Keeps a reference.
+class StepDraws {
+ public:
+  StepDraws(automata::PlantStep& step, automata::Modes modes, automata::AllEnabled enabled, automata::Ticks period);
+
+  /// `ages` are the clocks of all components as the step begins, in periods, or below 0 where nothing depends on them
+  /// yet. What contradicts the interconnections is dropped, and the rest is scaled to 1. Cost: the outcomes, and those
+  /// that are dropped.
+  Draws at(const std::vector<Units>& ages, const LeftOut& left_out, Meter& meter);
+  /// What may be drawn at any ages is a mixture of these, with nothing left out. Nothing where there are too many.
+  std::vector<Draws> extremes(Meter& meter);
+
+ private:
+  void ask(std::size_t component, Units age);
+  [[nodiscard]] std::vector<std::vector<DrawOption>> extremes_of(std::size_t component) const;
+
+  automata::PlantStep& step_;
+  automata::Modes modes_;
+  automata::AllEnabled enabled_;
+  automata::Ticks period_;
+  std::vector<std::vector<DrawOption>> options_;  ///< by component
+  std::vector<std::size_t> timed_;                ///< components whose options depend on their clocks
+};
 
 /// The same at an instant, in which rates and densities weigh nothing: of faults only those with a probability a step
 /// happen. None of them may have time bounds.

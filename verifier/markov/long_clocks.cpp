@@ -24,7 +24,8 @@ Units quiet_until(const automata::Component& component, ModeId mode, automata::T
 
 }  // namespace
 
-Ages::Ages(const automata::Plant& plant, automata::Ticks period, bool apart, bool for_ever) {
+Ages::Ages(const automata::Plant& plant, automata::Ticks period, std::optional<Units> longest_in_state, bool for_ever)
+    : longest_in_state_(longest_in_state.value_or(unbounded)) {
   for (const automata::Component& component : plant.components) {
     auto& settled = settled_.emplace_back();
     auto& quiet = quiet_.emplace_back();
@@ -37,7 +38,7 @@ Ages::Ages(const automata::Plant& plant, automata::Ticks period, bool apart, boo
                                "a time in --within");
       }
       settled.push_back(own.value_or(unbounded));
-      quiet.push_back(apart ? quiet_until(component, ModeId(m), period) : 0);
+      quiet.push_back(quiet_until(component, ModeId(m), period));
     }
   }
 }
@@ -47,7 +48,7 @@ Units Ages::after(std::size_t component, ModeId from, Units age, ModeId to, bool
   return age == kept_apart ? kept_apart : std::min(age + 1, settled_[component][to.index()]);
 }
 
-LongClocks::LongClocks() {
+LongClocks::LongClocks(Units longest_in_state) : longest_in_state_(longest_in_state) {
   number_of({});
   passages_.push_back(nullptr);  // 0: all long clocks go on
 }
@@ -99,6 +100,33 @@ Units LongClocks::lasts_until(const Point& at) {
   const Starts& starts = *starts_[at.starts];
   for (std::size_t i = 0; i < most.size(); ++i) result = std::min(result, starts[i] + most[i]);
   return result;
+}
+
+bool LongClocks::has_clocks(const Point& at) {
+  return in_state(at.state).youngest != unbounded || !starts_[at.starts]->empty();
+}
+
+std::optional<Point> LongClocks::as_begun(const Point& at, Units now) {
+  const InState& others = in_state(at.state);
+  const Starts& starts = *starts_[at.starts];
+  if (starts.empty() && others.most_left <= longest_in_state_) return std::nullopt;
+  Units youngest = others.youngest;
+  Units oldest = others.oldest;
+  for (const Units start : starts) {
+    youngest = std::min(youngest, now - start);
+    oldest = std::max(oldest, now - start);
+  }
+  // A clock of a program that starts in a step reads 1 at its end. Those that have run for a few steps are as good as
+  // new.
+  if (youngest > 1 || oldest > std::max<Units>(longest_in_state_ / 4, 1)) return std::nullopt;
+  return later(at, -now);
+}
+
+Point LongClocks::later(const Point& at, Units steps) {
+  if (at.starts == 0) return at;
+  Starts starts = *starts_[at.starts];
+  for (Units& start : starts) start += steps;
+  return {at.state, number_of(starts)};
 }
 
 }  // namespace rmpl::verifier

@@ -12,7 +12,12 @@ using automata::Modes;
 
 PlantProcess::PlantProcess(automata::PlantStep& step, Commands commands, const Walked& walked, bool long_clocks,
                            Meter& meter)
-    : step_(step), walked_(walked), meter_(meter), ages_(step.plant(), walked.period, long_clocks, walked.for_ever) {
+    : LongClocks(walked.longest_in_state),
+      step_(step),
+      walked_(walked),
+      meter_(meter),
+      ages_(step.plant(), walked.period, long_clocks ? std::optional(walked.longest_in_state) : std::nullopt,
+            walked.for_ever) {
   for_each_action(step.plant(), commands, [this](const ControlAction& action) { actions_.push_back(action); });
 }
 
@@ -26,9 +31,14 @@ StateNumber PlantProcess::enter(Modes modes, std::vector<Units> ages, unsigned f
   const StateNumber result = numbers_.number(list);
   if (result < states_.size()) return result;
   meter_.count_state();
-  State& state = states_.emplace_back(State{std::move(modes), std::move(ages), faults, {}, -1});
+  const Prospect prospect = prospect_of(walked_, modes);
+  State& state = states_.emplace_back(State{std::move(modes), std::move(ages), faults, {}, {}, prospect, -1});
   for (std::size_t c = 0; c < state.ages.size(); ++c) {
-    if (state.ages[c] == kept_apart) state.longest.push_back(ages_.last(c, state.modes[c]));
+    if (state.ages[c] == kept_apart) {
+      state.longest.push_back(ages_.last(c, state.modes[c]));
+    } else if (const Units left = ages_.left(c, state.modes[c], state.ages[c]); left > 0) {
+      state.in_state.add(state.ages[c], left);
+    }
   }
   return result;
 }
@@ -78,7 +88,7 @@ const std::vector<Row>& PlantProcess::rows(StateNumber number_of_state, Real les
     const automata::AllEnabled* enabled = step_.enabled_if_permitted(state.modes, action);
     if (enabled == nullptr) continue;
     const automata::AllEnabled kept = *enabled;
-    const Draws drawn = draws(step_, state.modes, kept, state.ages, walked_.period, left_out, meter_);
+    const Draws drawn = StepDraws(step_, state.modes, kept, walked_.period).at(state.ages, left_out, meter_);
     if (drawn.outcomes.empty() && drawn.left_out == 0) continue;
     Row row;
     row.left_out = drawn.left_out;

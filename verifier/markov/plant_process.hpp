@@ -9,6 +9,7 @@
 #include "verifier/markov/draws.hpp"
 #include "verifier/markov/list_numbers.hpp"
 #include "verifier/markov/long_clocks.hpp"
+#include "verifier/markov/prospects.hpp"
 #include "verifier/property/commands.hpp"
 
 namespace rmpl::verifier {
@@ -20,7 +21,13 @@ struct Walked {
   std::vector<automata::Assignment> from;
   LeftOut left_out;  ///< of each step; `faults_beyond` counts the faults of a run
   bool for_ever = false;
+  Units longest_in_state = 0;            ///< clocks are kept apart on which nothing depends for more steps
+  const Prospects* prospects = nullptr;  ///< null: nothing is known of them
 };
+
+inline Prospect prospect_of(const Walked& walked, const automata::Modes& modes) {
+  return walked.prospects == nullptr ? Prospect{} : walked.prospects->of(modes);
+}
 
 /// States are modes, the clocks of components, and faults where they are bounded.
 class PlantProcess final : public LongClocks {
@@ -32,6 +39,7 @@ class PlantProcess final : public LongClocks {
   std::vector<Start> initial() override;
   const std::vector<Row>& rows(StateNumber state, Real less_likely_than) override;
   bool wanted(StateNumber state) override;
+  Prospect prospect(StateNumber state) override { return states_[state].prospect; }
   [[nodiscard]] std::size_t states() const override { return numbers_.size(); }
 
  private:
@@ -40,10 +48,13 @@ class PlantProcess final : public LongClocks {
     std::vector<Units> ages;  ///< by component
     unsigned faults = 0;
     std::vector<Units> longest;
+    InState in_state;
+    Prospect prospect;
     std::int8_t wanted = -1;  ///< below 0: not asked yet
   };
 
   [[nodiscard]] const std::vector<Units>& longest(StateNumber state) const override { return states_[state].longest; }
+  [[nodiscard]] const InState& in_state(StateNumber state) const override { return states_[state].in_state; }
   Settled settle(StateNumber state, const std::vector<Units>& readings) override;
   StateNumber enter(automata::Modes modes, std::vector<Units> ages, unsigned faults);
 

@@ -28,9 +28,15 @@ constexpr std::size_t answers_remembered = std::size_t{1} << 16;
 /// Of what is walked: first what is less likely than this is left out, then less and less.
 constexpr Real first_ignored = 1e-12L;
 constexpr Real least_ignored = 1e-60L;
+/// Once something is known of the probability, such parts of what bounds may be apart are left out at will: of all, and
+/// of an episode, within which others may begin.
+constexpr Real of_all = 0.4L;
+constexpr Real of_episode = 0.05L;
 /// Of what is explored as a whole, outcomes of a step that are less likely than this are left out: where there are many
 /// components, most outcomes are many coincidences at once.
 constexpr Real coincidence = 1e-50L;
+/// Clocks on which nothing depends for more steps than this are kept apart from states.
+constexpr Units longest_in_state = 64;
 
 std::function<bool(const Modes&)> holds_in(automata::PlantStep& step, const ProbabilityQuestion& question) {
   using Answers = base::BoundedCache<Modes, bool, automata::ModesHash>;
@@ -96,16 +102,20 @@ class Decision {
     std::optional<Real> width;
     const std::unique_ptr<Process> process = make_(walked_, true);
     KnownRows known;
-    Real ignored = first_ignored;
-    while (ignored > least_ignored) {
-      const std::vector<Reached> reached = walk(*process, steps, ignored, known, meter_);
+    Tolerance tolerance{first_ignored, 0, 0};
+    Real share = 1;
+    while (tolerance.ignored > least_ignored) {
+      const std::vector<Reached> reached = walk(*process, steps, tolerance, known, meter_);
       note(reached, result);
       answer_.startless = process->initial().empty();
       const Real now = result.probability.upper - result.probability.lower;
       if (is_within(result.probability, precision())) return;
       if (question_.faults && width && now > *width / 2) return;
       width = now;
-      ignored = less_than(ignored, result.probability);
+      tolerance.ignored = less_than(tolerance.ignored, result.probability);
+      tolerance.all = share * of_all * precision() * result.probability.lower;
+      tolerance.part = share * of_episode * precision();
+      share /= 2;
     }
   }
 
@@ -114,7 +124,8 @@ class Decision {
     constexpr Real least_factor = 1e3L;
     constexpr Real greatest_factor = 1e9L;
     const Real apart = (found.upper - found.lower) / (precision() * found.upper);
-    return ignored / std::clamp(apart * apart, least_factor, greatest_factor);
+    constexpr Real more = 16;
+    return ignored / std::clamp(more * apart * apart, least_factor, greatest_factor);
   }
 
   void note(const std::vector<Reached>& reached, Likelihood& result) const {
@@ -173,7 +184,18 @@ Walked walked_of(automata::PlantStep& step, const ProbabilityQuestion& question)
           .wanted = holds_in(step, question),
           .from = question.from,
           .left_out = {},
-          .for_ever = !question.within || question.mean_time};
+          .for_ever = !question.within || question.mean_time,
+          .longest_in_state = longest_in_state,
+          .prospects = nullptr};
+}
+
+/// Where there is an end by which they tell something.
+std::unique_ptr<const Prospects> prospects_of(const automata::Plant& plant, const ProbabilityQuestion& question,
+                                              Commands commands, Meter& meter) {
+  if (!question.within) return nullptr;
+  const Prospects::Question asked{question.target, question.entailed, commands,
+                                  question.from,   *question.period,  steps_of(question).back()};
+  return std::make_unique<const Prospects>(plant, asked, meter);
 }
 
 /// The answer that `decide` gives, or what ended it.
@@ -197,10 +219,12 @@ ProbabilityAnswer probability(automata::PlantStep& step, const ProbabilityQuesti
   if (!question.period) {
     return limited(meter, [&] { return dense_probability(step, question, holds_in(step, question), meter); });
   }
-  const Walked walked = walked_of(step, question);
+  Walked walked = walked_of(step, question);
   std::size_t actions = 0;
   for_each_action(step.plant(), question.commands, [&](const automata::ControlAction&) { ++actions; });
   return limited(meter, [&] {
+    const auto prospects = actions == 1 ? prospects_of(step.plant(), question, question.commands, meter) : nullptr;
+    walked.prospects = prospects.get();
     const auto make = [&](const Walked& own, bool apart) -> std::unique_ptr<Process> {
       return std::make_unique<PlantProcess>(step, question.commands, own, apart, meter);
     };
@@ -215,10 +239,12 @@ ProbabilityAnswer probability(const automata::Program& program, automata::PlantS
         "dense time: the probability of a program is told for its cycles alone; expected --time with a cycle");
   }
   Meter meter(limits);
-  const Walked walked = walked_of(step, question);
+  Walked walked = walked_of(step, question);
   const auto reconfigurer = runtime::make_reconfigurer(step, nullptr, *question.period);
   Loop loop(program, step, *reconfigurer, TimeModel::sampled(*question.period), 0, meter, {});
   return limited(meter, [&] {
+    const auto prospects = prospects_of(step.plant(), question, Commands::any, meter);
+    walked.prospects = prospects.get();
     const auto make = [&](const Walked& own, bool apart) -> std::unique_ptr<Process> {
       return std::make_unique<LoopProcess>(loop, step, own, apart, meter);
     };

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -37,6 +38,17 @@ struct Row {
   Real left_out = 0;          ///< at most the probability of what the edges do not lead to
 };
 
+/// At most how likely it is to come to what is wanted: once and for all, and for each step more.
+struct Prospect {
+  Real once = 1;
+  Real each_step = 0;
+
+  [[nodiscard]] Real within(Units steps) const {
+    const Real all = once + each_step * static_cast<Real>(std::max<Units>(steps, 0));
+    return std::min<Real>(rounding::up(all, 2), 1);
+  }
+};
+
 class Process {
  public:
   Process() = default;
@@ -54,6 +66,8 @@ class Process {
   virtual const std::vector<Row>& rows(StateNumber state, Real less_likely_than) = 0;
   /// Whether it is a state that the question asks for.
   virtual bool wanted(StateNumber state) = 0;
+  /// From a state on, whatever clocks read.
+  virtual Prospect prospect(StateNumber /*state*/) { return {}; }
   /// How many states have been met.
   [[nodiscard]] virtual std::size_t states() const = 0;
 
@@ -61,6 +75,16 @@ class Process {
   virtual Point follow(const Point& /*from*/, const Branch& edge, Units /*now*/) { return {edge.to, 0}; }
   /// The last step that may end there without a long clock coming to a bound.
   virtual Units lasts_until(const Point& /*at*/) { return unbounded; }
+
+  // What follows a point depends on what clocks read, and not on the step: later, it is the same, later.
+
+  /// Whether clocks run there.
+  virtual bool has_clocks(const Point& /*at*/) { return false; }
+  /// Where clocks begin to run that may run for long, and no other clock has run for more than a few steps: the point
+  /// that it would be at step 0.
+  virtual std::optional<Point> as_begun(const Point& /*at*/, Units /*now*/) { return std::nullopt; }
+  /// The same, so many steps later.
+  virtual Point later(const Point& at, Units /*steps*/) { return at; }
 };
 
 }  // namespace rmpl::verifier

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/check.hpp"
+#include "verifier/markov/episodes.hpp"
 #include "verifier/markov/sparse.hpp"
 
 namespace rmpl::verifier {
@@ -32,15 +32,21 @@ using Positions = std::unordered_map<Point, std::uint32_t, PointHash>;  ///< loo
 
 class Walk {
  public:
-  Walk(Process& process, Real ignored, KnownRows& known, Meter& meter)
-      : process_(process), ignored_(ignored), rows_(known), meter_(meter) {}
+  Walk(Process& process, Units last, const Tolerance& tolerance, KnownRows& known, Meter& meter)
+      : process_(process),
+        last_(last),
+        ignored_(tolerance.ignored),
+        rows_(process, known),
+        meter_(meter),
+        front_(process, rows_, last, tolerance.ignored, tolerance.all),
+        episodes_(process, rows_, last, tolerance, meter) {}
 
   std::vector<Reached> run(const std::vector<Units>& steps) {
-    for (const Process::Start& start : process_.initial()) arrive(start.point, start.probability);
+    for (const Process::Start& start : process_.initial()) front_.arrive(start.point, start.probability);
     settle();
     std::vector<Reached> result;
     for (const Units step : steps) {
-      while (now_ < step && !points_.empty()) {
+      while (now_ < step && !(front_.points().empty() && episodes_.none_goes_on())) {
         if (!stretch(step)) walk_step();
       }
       now_ = step;
@@ -50,82 +56,31 @@ class Walk {
   }
 
  private:
-  /// With all outcomes that are as likely as that. The reference lasts until the next call.
-  const KnownRow& row(StateNumber state, Real less_likely_than) {
-    if (rows_.size() <= state) rows_.resize(std::max<std::size_t>(state + std::size_t{1}, 2 * rows_.size()));
-    std::optional<KnownRow>& known = rows_[state];
-    if (!known || known->less_likely_than > less_likely_than) {
-      // Some more than is asked for, as masses grow.
-      const Real least = less_likely_than / finer;
-      const std::vector<Row>& choices = process_.rows(state, least);
-      CHECK(choices.size() <= 1 && "a chain has no choices");
-      known = KnownRow{choices.empty() ? Row{} : choices.front(), least, {}};
-      const std::vector<Branch>& edges = known->row.edges;
-      known->rest.resize(edges.size() + 1, 0);
-      for (std::size_t e = edges.size(); e-- > 0;) {
-        known->rest[e] = rounding::up(known->rest[e + 1] + edges[e].probability.upper, 1);
-      }
-    }
-    return *known;
-  }
-
   /// What has been reached, and at most all that is not known.
   [[nodiscard]] Enclosure reached() const {
-    const Enclosure all{wanted_.lower, rounding::up(wanted_.upper + unknown_, 1)};
+    const Enclosure all{front_.wanted().lower, rounding::up(front_.wanted().upper + front_.unknown(), 1)};
     return as_probability(all);
   }
 
-  void arrive(const Point& point, const Enclosure& mass) {
-    if (process_.wanted(point.state)) {
-      wanted_ = wanted_ + mass;
-    } else if (mass.upper < ignored_) {
-      unknown_ = rounding::up(unknown_ + mass.upper, 1);
-    } else {
-      const auto [at, fresh] = positions_.try_emplace(point, static_cast<std::uint32_t>(next_.size()));
-      if (fresh) {
-        next_.emplace_back(point, mass);
-      } else {
-        next_[at->second].second = next_[at->second].second + mass;
-      }
-    }
-  }
-
-  /// What has arrived is where the next step begins.
   void settle() {
-    std::sort(next_.begin(), next_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    same_ = std::equal(points_.begin(), points_.end(), next_.begin(), next_.end(),
-                       [](const auto& a, const auto& b) { return a.first == b.first; });
-    points_.swap(next_);
-    next_.clear();
-    positions_.clear();
+    front_.settle(
+        now_, [this](const Point& point, const Enclosure& mass) { return episodes_.takes(point, mass, now_, front_); });
   }
 
   void walk_step() {
     meter_.poll();
-    meter_.at_steps(static_cast<std::size_t>(now_), points_.size());
+    meter_.at_steps(static_cast<std::size_t>(now_), front_.points().size());
     ++now_;
-    for (const auto& [point, mass] : points_) {
-      const KnownRow& next = row(point.state, ignored_ / mass.upper);
-      Real rest = next.row.left_out;
-      for (std::size_t e = 0; e < next.row.edges.size(); ++e) {
-        const Branch& edge = next.row.edges[e];
-        const Enclosure part = mass * edge.probability;
-        if (part.upper < ignored_) {
-          rest = rounding::up(rest + next.rest[e], 1);
-          break;
-        }
-        arrive(process_.follow(point, edge, now_), part);
-      }
-      if (rest > 0) unknown_ = rounding::up(unknown_ + mass.upper * rest, 2);
-    }
+    front_.leave(now_);
+    episodes_.leave(now_, front_);
     settle();
   }
 
   /// Many steps at once, none later than `end`; none where they are not all alike.
   bool stretch(Units end) {
-    if (!same_ || now_ < not_before_) return false;
+    if (!front_.is_same() || !episodes_.none_goes_on() || now_ < not_before_) return false;
     Units until = end;
-    for (const auto& [point, mass] : points_) until = std::min(until, process_.lasts_until(point));
+    for (const auto& [point, mass] : front_.points()) until = std::min(until, process_.lasts_until(point));
     if (until - now_ < shortest_stretch) return false;
     auto matrix = matrix_until(until);
     if (!matrix) {
@@ -133,16 +88,15 @@ class Walk {
       return false;
     }
     std::vector<Enclosure> masses(stay_.size() + 2);
-    for (std::size_t i = 0; i < points_.size(); ++i) masses[i] = points_[i].second;
+    for (std::size_t i = 0; i < front_.points().size(); ++i) masses[i] = front_.points()[i].mass;
     masses =
         after_steps(std::move(masses), std::move(*matrix), static_cast<std::uint64_t>(until - now_), ignored_, meter_);
     now_ = until;
-    points_.clear();
-    wanted_ = wanted_ + masses[stay_.size()];
-    unknown_ = rounding::up(unknown_ + masses[stay_.size() + 1].upper, 1);
-    for (std::size_t i = 0; i < stay_.size(); ++i) arrive(stay_[i], masses[i]);
+    front_.begin_anew();
+    front_.add_wanted(masses[stay_.size()]);
+    front_.add_unknown(masses[stay_.size() + 1].upper);
+    for (std::size_t i = 0; i < stay_.size(); ++i) front_.arrive(stay_[i], masses[i]);
     settle();
-    same_ = false;
     return true;
   }
 
@@ -161,7 +115,7 @@ class Walk {
       }
       return at->second;
     };
-    for (const auto& [point, mass] : points_) meet(point, mass.upper);
+    for (const auto& [point, mass] : front_.points()) meet(point, mass.upper);
     struct Raw {
       std::vector<std::pair<std::uint32_t, Enclosure>> inside;
       Enclosure wanted;
@@ -175,23 +129,20 @@ class Walk {
       Raw& own = raw.emplace_back();
       // Of all steps together.
       const Real least = ignored_ / (likely[i] * steps * finer);
-      const KnownRow& next = row(point.state, least);
+      const KnownRow& next = rows_.of(point.state, least);
       own.unknown = next.row.left_out;
       for (std::size_t e = 0; e < next.row.edges.size(); ++e) {
         const Branch& edge = next.row.edges[e];
-        if (edge.probability.upper < least) {
-          own.unknown = rounding::up(own.unknown + next.rest[e], 1);
-          break;
-        }
-        const Point to = process_.follow(point, edge, now_ + 1);
-        if (process_.wanted(to.state)) {
+        if (e < next.wanted) {
           own.wanted = own.wanted + edge.probability;
           continue;
         }
         const Real mass = likely[i] * std::min<Real>(1, steps * edge.probability.upper);
+        const Real prospect = next.prospects[e].within(last_ - now_);
+        const Point to = process_.follow(point, edge, now_ + 1);
         const bool known = positions.contains(to);
-        if (!known && mass < ignored_) {
-          own.unknown = rounding::up(own.unknown + edge.probability.upper, 1);
+        if (!known && mass * prospect < ignored_) {
+          own.unknown = rounding::up(own.unknown + edge.probability.upper * prospect, 2);
           continue;
         }
         if (process_.follow(point, edge, until) != to || process_.lasts_until(to) < until) return std::nullopt;
@@ -212,25 +163,22 @@ class Walk {
   }
 
   Process& process_;
+  Units last_;
   Real ignored_;
-  KnownRows& rows_;
+  RowMemory rows_;
   Meter& meter_;
   Units now_ = 0;
-  std::vector<std::pair<Point, Enclosure>> points_;  ///< where runs are, sorted
-  std::vector<std::pair<Point, Enclosure>> next_;
-  Positions positions_;   ///< in `next_`
-  bool same_ = false;     ///< the last step led to the points that it began at
+  Front front_;
+  Episodes episodes_;
   Units not_before_ = 0;  ///< no stretch was found, and none is looked for sooner
   std::vector<Point> stay_;
-  Enclosure wanted_;
-  Real unknown_ = 0;
 };
 
 }  // namespace
 
-std::vector<Reached> walk(Process& process, const std::vector<Units>& steps, Real ignored, KnownRows& known,
-                          Meter& meter) {
-  return Walk(process, ignored, known, meter).run(steps);
+std::vector<Reached> walk(Process& process, const std::vector<Units>& steps, const Tolerance& tolerance,
+                          KnownRows& known, Meter& meter) {
+  return Walk(process, steps.back(), tolerance, known, meter).run(steps);
 }
 
 }  // namespace rmpl::verifier
