@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/estimate/clock_collector.hpp"
 
+#include <cstring>
+#include <type_traits>
+
 #include "base/hash.hpp"
 
 namespace rmpl::runtime {
@@ -12,6 +15,12 @@ namespace {
 
 /// Among so few each is looked at.
 constexpr std::size_t few_clocks = 4;
+
+/// As `==`, in one pass over the bytes: there is a time for each component of a plant.
+bool same(const std::vector<Ticks>& a, const std::vector<Ticks>& b) {
+  static_assert(std::has_unique_object_representations_v<Ticks>);
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Ticks)) == 0;
+}
 
 }  // namespace
 
@@ -42,13 +51,13 @@ std::size_t ClockCollector::find(std::size_t among) {
   const std::vector<Ticks>& starts = (*clocks_)[size_].starts;
   if (among <= few_clocks) {
     std::size_t i = 0;
-    while (i < among && (*clocks_)[i].starts != starts) ++i;
+    while (i < among && !same((*clocks_)[i].starts, starts)) ++i;
     return i;
   }
   index(among);
   const std::size_t mask = slots_.size() - 1;
   for (std::size_t slot = hash_of(starts) & mask; slots_[slot] != 0; slot = (slot + 1) & mask) {
-    if ((*clocks_)[slots_[slot] - 1].starts == starts) return slots_[slot] - 1;
+    if (same((*clocks_)[slots_[slot] - 1].starts, starts)) return slots_[slot] - 1;
   }
   return among;
 }

@@ -131,12 +131,15 @@ std::vector<ClockMerging::Pair> ClockMerging::neighbours(const Combination& comb
 double ClockMerging::limit(Combination& combination, std::size_t most, Ticks now) const {
   std::vector<Clocked>& clocks = combination.clocks;
   if (clocks.size() <= most) return 0;
+  std::vector<unsigned char> varies(combination.modes.size(), 0);
+  for (const Clocked& clocked : clocks) {
+    for (std::size_t c = 0; c < varies.size(); ++c) {
+      varies[c] |= static_cast<unsigned char>(clocked.starts[c] != clocks.front().starts[c]);
+    }
+  }
   std::vector<std::size_t> varied;
-  for (std::size_t c = 0; c < combination.modes.size(); ++c) {
-    const bool varies = std::any_of(clocks.begin(), clocks.end(), [&](const Clocked& clocked) {
-      return clocked.starts[c] != clocks.front().starts[c];
-    });
-    if (varies) varied.push_back(c);
+  for (std::size_t c = 0; c < varies.size(); ++c) {
+    if (varies[c] != 0) varied.push_back(c);
   }
   most *= varied.size();
   if (clocks.size() <= most) return 0;
