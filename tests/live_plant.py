@@ -53,7 +53,7 @@ def sane_and_dead(bench: Bench) -> None:
     assert done.returncode == EXIT_DONE and "199 of 200" in done.stdout, done
     assert bench.events() == {"connected": 2, "gone": 1, "unacknowledged": 1}, bench.events()
     done = bench.run("--exec", "exit 7", "--clock", "lock-step", "--give-up", "20")
-    assert done.returncode == EXIT_UNDECIDED and done.stdout.startswith("given up, no plant being there for 20 s"), done
+    assert done.returncode == EXIT_UNDECIDED and done.stdout.startswith("given up, because no plant was connected for 20 s"), done
     assert "it ended with status 7" in bench.trace.read_text(encoding="utf-8")
 
 
@@ -77,7 +77,7 @@ def slow_reader(bench: Bench) -> None:
     done = bench.run("--exec", "trap '' TERM; sleep 60", "--cycle", "500us", "--duration", "3s")
     assert done.returncode == EXIT_DONE and " 0 of " in done.stdout, done
     assert time.monotonic() - begin < 20, "it waits for a plant that does not end"
-    assert "the plant does not read" in bench.trace.read_text(encoding="utf-8")
+    assert "the plant does not read its input" in bench.trace.read_text(encoding="utf-8")
 
 
 def flood(bench: Bench) -> None:
@@ -123,7 +123,7 @@ def tokens(bench: Bench) -> None:
         subprocess.run([*bench.lander.split(), "--connect", address, "--token", token], timeout=30, check=True)
         output, errors = run.communicate(timeout=30)
     assert run.returncode == EXIT_DONE and "100 of 100" in output, (output, errors)
-    assert "showed a wrong token" in errors, errors
+    assert "sent a wrong token" in errors, errors
 
 
 def strangers(bench: Bench) -> None:

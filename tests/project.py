@@ -130,8 +130,8 @@ def requirements(folder):
     expect(matrix() == (1, known), f"a matrix: {matrix()}")
     expect(list(matrix()[1]) == list(known), "numbers in names count")
     code, text, _ = rmplc("test", "--junit", "out.xml", "--markdown", "out.md", folder=project)
-    expect(text.endswith("nothing passed that verifies FILL-2, FILL-10, SAFE-1\n"), f"what is not verified is told: {text}")
-    expect("**Nothing passed that verifies** FILL-2, FILL-10, SAFE-1" in (project / "out.md").read_text(encoding="utf-8"),
+    expect(text.endswith("no passing test verifies FILL-2, FILL-10, SAFE-1\n"), f"what is not verified is told: {text}")
+    expect("**No passing test verifies** FILL-2, FILL-10, SAFE-1" in (project / "out.md").read_text(encoding="utf-8"),
            "Markdown tells it, too")
     named = {case.get("name"): [one.get("value") for one in case.iter("property")]
              for case in xml.parse(project / "out.xml").iter("testcase")}
@@ -144,7 +144,7 @@ def requirements(folder):
     code, found = matrix()
     expect(code == 1 and found["SAFE-2"] == ("failed", False, []), f"what is listed and not named fails: {code} {found}")
     code, text, _ = rmplc("test", folder=project)
-    expect("  SAFE-2   FAILED     nothing names it\nnothing passed that verifies SAFE-2\n" in text, f"it is told: {text}")
+    expect("  SAFE-2   FAILED     no scenario and no property names it\nno passing test verifies SAFE-2\n" in text, f"it is told: {text}")
     code, found = matrix("--only", "the tank is filled")
     expect(code == 0 and sorted(found) == ["FILL-1", "FILL-10", "FILL-2", "SAFE-1"], f"a part is a part: {code} {found}")
     replace(manifest, '"SAFE-2"', '"SAFE-1", " "')

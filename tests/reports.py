@@ -70,7 +70,7 @@ def main(root: pathlib.Path, programs: pathlib.Path) -> int:
                 count += 1
         # Without Graphviz the page is made, and what it lacks is told.
         done = fly(programs, folder / "s.scn", "go", page, env={**os.environ, "PATH": "/nonexistent"})
-        assert "warning: the report lacks a drawing: dot, which lays pictures out, is not there" in done.stderr, done
+        assert "warning: the report lacks a drawing: dot, the layout program of Graphviz, is not installed" in done.stderr, done
         assert all(one["missing"] for one in drawings(page))
     print(f"{count} reports")
     return 0 if count > 5 else 1

@@ -309,7 +309,7 @@ def lints(program, folder):
     wait_for(["RMPL0511 2:8"])
     actions = client.get("textDocument/codeAction", textDocument={"uri": client.uri("start.rmpl")},
                          range={"start": place(2, 9), "end": place(2, 9)}, context={"diagnostics": []})
-    same(actions[0]["title"], "take it out")
+    same(actions[0]["title"], "remove it")
     same(actions[0]["edit"]["changes"][client.uri("start.rmpl")],
          [{"range": {"start": place(2, 0), "end": place(3, 0)}, "newText": ""}])
     (folder / "rmpl.ini").write_text("[lint]\nunused = of\n", encoding="utf-8")

@@ -283,7 +283,7 @@ def test_no_output_of_an_earlier_run_stays(folder):
         code, _, errors = run(folder, *words)
         if name == "r.html":
             expect(code, 0)
-            mentions(errors, "r.html: was of an earlier run, and is removed")
+            mentions(errors, "r.html: removed, because it was written by an earlier run")
             assert not (folder / name).exists()
         else:
             expect(code, 2)

@@ -54,8 +54,9 @@ std::vector<Formula> Resolver::resolve_all(const std::vector<grammar::Constraint
 Formula Resolver::knowledge(const grammar::KnowledgeAtom& atom, grammar::Span span) {
   using Kind = grammar::KnowledgeAtom::Kind;
   if (no_knowledge_) {
-    auto& error = diagnostics_.error(Code::knowledge_not_allowed, span,
-                                     "what the executive knows is asked for " + *no_knowledge_);
+    auto& error =
+        diagnostics_.error(Code::knowledge_not_allowed, span,
+                           "a question about the knowledge of the executive is not allowed " + *no_knowledge_);
     annotate(error);
     return automata::constant(true);
   }
@@ -71,14 +72,14 @@ Formula Resolver::knowledge(const grammar::KnowledgeAtom& atom, grammar::Span sp
     annotate(error);
     return automata::constant(true);
   }
-  const auto before = std::exchange(no_knowledge_, "inside of what is known of the plant");
+  const auto before = std::exchange(no_knowledge_, "inside another such question");
   Formula operand = resolve(atom.operands.front());
   no_knowledge_ = before;
   if (has_clock(operand)) {
     auto& error =
         diagnostics_.error(Code::clock_not_allowed, atom.operands.front().span,
-                           "a clock bound inside of what is known of the plant: clocks are known for certain");
-    error.suggestion = "join it from outside: `likely(…, 0.9) & t >= 5 s`";
+                           "a clock bound inside a question about knowledge: the program always knows its clocks");
+    error.suggestion = "move the clock bound outside: `likely(…, 0.9) & t >= 5 s`";
     annotate(error);
     return automata::constant(true);
   }
@@ -87,10 +88,9 @@ Formula Resolver::knowledge(const grammar::KnowledgeAtom& atom, grammar::Span sp
     probability = atom.probability->value;
     // What has probability 0 is asked of nothing.
     if (!(probability > 0 && probability <= 1)) {
-      auto& error = diagnostics_.error(Code::probability_out_of_range, atom.probability->span,
-                                       "`" + atom.probability->text +
-                                           "` is no probability to ask for, expected more "
-                                           "than 0 and at most 1");
+      auto& error = diagnostics_.error(
+          Code::probability_out_of_range, atom.probability->span,
+          "`" + atom.probability->text + "` is not a valid threshold, expected a probability above 0 and at most 1");
       annotate(error);
       return automata::constant(true);
     }
@@ -134,9 +134,9 @@ Formula Resolver::reference(const grammar::Reference& reference) {
 }
 
 Formula Resolver::clock(const grammar::ClockBound& bound) {
-  auto& error = diagnostics_.error(
-      Code::clock_in_plant, bound.clock.span,
-      "clock bound on " + backquoted(bound.clock.text) + " in " + vocabulary_.owner + ", where no clock can be read");
+  auto& error = diagnostics_.error(Code::clock_in_plant, bound.clock.span,
+                                   "clock bound on " + backquoted(bound.clock.text) + " in " + vocabulary_.owner +
+                                       ": components cannot read the clocks of programs");
   error.suggestion = "bound the transition by the time in its mode instead: `a -> b after 5 s`, `a -> b in [2 s, 5 s]`";
   return automata::constant(true);
 }
@@ -239,7 +239,7 @@ void Resolver::report_value(VariableId id, const Name& value) {
   const std::size_t minus = value.text.rfind('-');
   if (!error.suggestion && minus != std::string::npos &&
       value.text.find_first_not_of("0123456789", minus + 1) == std::string::npos) {
-    error.suggestion = backquoted(value.text) + " is one name: values are not counted with";
+    error.suggestion = backquoted(value.text) + " is a single name: `-` does not subtract";
   }
   note_domain(error, id);
   annotate(error);

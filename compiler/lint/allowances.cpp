@@ -70,8 +70,8 @@ std::string read(Reader& words, std::vector<std::pair<std::size_t, std::string_v
   while (words.take(","));
   for (const auto& [begin, code] : codes) {
     const auto known = grammar::find_code(code);
-    if (!known || !code.starts_with("RMPL")) return "expected a code such as RMPL0514, and not " + backquoted(code);
-    if (find_lint_code(*known) == nullptr) return std::string(code) + " is no finding of lint, and cannot be allowed";
+    if (!known || !code.starts_with("RMPL")) return "expected a code such as RMPL0514, found " + backquoted(code);
+    if (find_lint_code(*known) == nullptr) return std::string(code) + " is not a lint code, so it cannot be allowed";
   }
   if (!words.take("because") || words.at_end()) return "expected `because` and the reason";
   return "";
@@ -133,7 +133,7 @@ std::vector<Allowance> allowances_in(const grammar::Sources& sources, std::uint3
     const std::string wrong = read(words, codes);
     if (!wrong.empty()) {
       auto& finding = add_finding(found, Code::allowance_without_reason, span_of(comment.begin, end),
-                                  "this allows nothing: " + wrong);
+                                  "this comment allows nothing: " + wrong);
       finding.suggestion = "write `// lint: allow RMPL0514 because …`";
       return;
     }
@@ -183,15 +183,15 @@ grammar::Diagnostics without_allowed(const grammar::Diagnostics& found, const gr
   for (const Allowance& one : allowances) {
     if (met.at({one.span.file, one.line, one.code})) continue;
     auto& finding = add_finding(left, Code::unused_allowance, one.span,
-                                to_string(one.code) + " is not found on the line that this speaks of");
+                                to_string(one.code) + " is not found on the line that this comment covers");
     // What others have in common may need it there: lint of one input set cannot know.
     if (!named.contains(one.span.file)) {
       finding.severity = grammar::Severity::note;
       finding.message = "in this input set " + finding.message;
-      finding.suggestion = "name the file on the command line, with all input sets that have it in common";
+      finding.suggestion = "to check the comment, name this file and all input sets that share it on the command line";
       continue;
     }
-    finding.suggestion = "take it out";
+    finding.suggestion = "remove it";
     finding.fix.push_back(removal_of(sources[one.comment.file], allowances, one));
   }
   return left;

@@ -130,7 +130,7 @@ std::vector<Edit> Removals::of_name(Span name) {
 
 void propose(grammar::Diagnostic& finding, std::vector<Edit> removal) {
   if (removal.empty()) return;
-  finding.suggestion = "take it out";
+  finding.suggestion = "remove it";
   finding.fix = std::move(removal);
 }
 

@@ -31,7 +31,7 @@ class ComponentResolver final : public Resolver {
     if (name.text.find('.') == std::string::npos) return Resolver::report_unknown(name);
     auto& error = diagnostics().error(Code::foreign_guard, name.span,
                                       backquoted(name.text) + " is no attribute of " + vocabulary().owner +
-                                          ", which speaks of its own attributes only");
+                                          "; guards and mode constraints read only attributes of their own component");
     error.suggestion = "declare an input, and connect it in the module or plant that holds the instance";
   }
 
@@ -212,20 +212,20 @@ bool ComponentLowering::may_restart(const grammar::TransitionText& text, const g
     if (named != nullptr && sources.empty()) return false;
     auto& error =
         diagnostics_.error(Code::restart_not_allowed, named != nullptr ? named->modes.front().span : text.sources.span,
-                           "a restart of " + name + " leads from " + name + " to itself, and from nowhere else");
+                           "a restart of " + name + " must leave from " + name + " itself");
     error.suggestion = "write `" + branch.target.text + " -> " + branch.target.text +
-                       " restart when …`; a mode that is entered from another one starts its clock anyway";
+                       " restart when …`; a transition from another mode starts the clock without `restart`";
     return false;
   }
   if (text.timing) {
     auto& error = diagnostics_.error(Code::restart_not_allowed, text.timing->span,
-                                     "a restart of " + name + " with time bounds: a guard alone decides on it");
-    error.suggestion = "to go round as time passes takes two modes";
+                                     "a restart of " + name + " has time bounds: only a guard may trigger a restart");
+    error.suggestion = "to cycle as time passes, use two modes";
     return false;
   }
   if (branch.weight && std::holds_alternative<grammar::RateWeight>(*branch.weight)) {
     auto& error = diagnostics_.error(Code::restart_not_allowed, std::get<grammar::RateWeight>(*branch.weight).rate.span,
-                                     "a restart of " + name + " with a rate: a guard alone decides on it");
+                                     "a restart of " + name + " has a rate: only a guard may trigger a restart");
     error.suggestion = "leave out the rate";
     return false;
   }
@@ -243,14 +243,14 @@ void ComponentLowering::repair_with_rate(const grammar::TransitionText& text, co
         diagnostics_.error(Code::weight_not_allowed, at,
                            "a rate on a transition from " + backquoted(component().modes[nominal->index()].name) +
                                " to " + backquoted(branch.target.text) +
-                               ", neither of which is a fault mode: rates are of faults and their repair");
+                               ", neither of which is a fault mode: only faults and their repairs have rates");
     error.notes.push_back({mode_names_[target.index()], backquoted(branch.target.text) + " is declared here"});
     error.suggestion = "write the time that it takes on average: `in [0 s, inf] ~ exponential(mean)`";
     return;
   }
   if (text.timing) {
-    auto& error = diagnostics_.error(Code::weight_not_allowed, at, "a rate beside the time bounds of a repair");
-    error.suggestion = "a repair at a rate is `in [0 s, inf] ~ exponential(mean)`: leave out one of the two";
+    auto& error = diagnostics_.error(Code::weight_not_allowed, at, "a repair has both a rate and time bounds");
+    error.suggestion = "leave out one of the two; the rate alone means `in [0 s, inf] ~ exponential(mean)`";
     return;
   }
   const double rate = common.weight.value;

@@ -27,9 +27,10 @@ void check_branches(const LoweredProgram& lowered, const Draws& draws, grammar::
         const auto told = lowered.model.told.find(start);
         if (told == lowered.model.told.end() || told->second.is_true() || !reported.insert(start).second) continue;
         const std::string& text = lowered.program.locations[start.index()].label;
-        auto& error = diagnostics.error(Code::told_at_once, lowered.places.locations[start.index()],
-                                        "this branch tells " + backquoted(text) +
-                                            " in the instant of the draw, and it is drawn as that instant ends");
+        auto& error =
+            diagnostics.error(Code::told_at_once, lowered.places.locations[start.index()],
+                              "this branch tells " + backquoted(text) +
+                                  " in the instant of its `choose`, which is drawn only at the end of that instant");
         error.notes.push_back({lowered.places.locations[choice.index()], "the `choose` is here"});
         error.suggestion = "tell it in the next instant: `next " + text + "`";
       }
@@ -72,9 +73,10 @@ automata::ModelProgram model_program(const LoweredProgram& lowered, const ModelD
                                      grammar::Diagnostics& diagnostics) {
   Draws draws = draws_of(lowered.program, lowered.model);
   if (draws.too_large) {
-    auto& error = diagnostics.error(Code::too_large, lowered.places.locations[draws.too_large->index()],
-                                    "the choices that are drawn together here multiply beyond a million");
-    error.suggestion = "let them follow one another, or put `next` before those inside the branches";
+    auto& error =
+        diagnostics.error(Code::too_large, lowered.places.locations[draws.too_large->index()],
+                          "the `choose` steps that are drawn together here have more than a million combinations");
+    error.suggestion = "put them in sequence, or put `next` before each `choose` inside a branch";
     return {};
   }
   check_branches(lowered, draws, diagnostics);

@@ -83,7 +83,7 @@ class Connector {
     if (modes_.count(*id) != 0) {
       auto& error = diagnostics_.error(
           Code::wrong_kind_of_name, name.span,
-          backquoted(name.text) + " is a component, and its mode is no " + kind + ": expected an attribute");
+          backquoted(name.text) + " is a component, and a mode is not a possible " + kind + ": expected an attribute");
       error.suggestion = "name one of its attributes, as in `" + name.text + ".…`";
       return std::nullopt;
     }

@@ -94,12 +94,13 @@ class ScenarioLowering {
   /// Where the plant follows the rules only, it has readings and nothing behind them.
   void report_no_truth(grammar::Span span, const std::string& what, const std::string& instead) {
     if (!scenario_.rules_only) return;
-    diagnostics_.error(Code::scenario_without_truth, span, what + ", and the plant follows the rules only").suggestion =
-        instead;
+    diagnostics_
+        .error(Code::scenario_without_truth, span, what + ", but this plant has no modes: it is declared `rules only`")
+        .suggestion = instead;
   }
 
   void report_cycle(grammar::Span span) {
-    diagnostics_.error(Code::scenario_finer_than_cycle, span, "a cycle is longer than 0");
+    diagnostics_.error(Code::scenario_finer_than_cycle, span, "the cycle is 0, expected a longer time");
   }
 
   void add(const grammar::ProgramPart&) {}
@@ -110,8 +111,8 @@ class ScenarioLowering {
   void add(const grammar::RequirementPart&) {}
 
   void add(const grammar::TruthPart& part) {
-    report_no_truth(part.span, "`truth` gives modes that are real",
-                    "leave it out: the estimate starts as the plant says");
+    report_no_truth(part.span, "`truth` sets modes of the plant",
+                    "leave it out: the estimate starts with the initial modes of the plant");
     for (const grammar::AssignmentText& text : part.modes) {
       const auto mode = mode_of(text);
       if (!mode) continue;
@@ -127,7 +128,8 @@ class ScenarioLowering {
   }
 
   void add(const grammar::FaultEvent& event) {
-    report_no_truth(event.span, "nothing can fail", "dictate the readings that tell of it: `at … observe x = v`");
+    report_no_truth(event.span, "a fault sets a mode of the plant",
+                    "give the readings that would show the fault: `at … observe x = v`");
     const auto at = time_of(event.at, event.span);
     const auto mode = mode_of(event.mode);
     if (!at || !mode) return;
@@ -183,7 +185,7 @@ class ScenarioLowering {
       if (const auto* delay = std::get_if<grammar::Duration>(&*text.delay)) rule.delay = ticks_of(*delay, diagnostics_);
     }
     const auto length = text.duration ? ticks_of(*text.duration, diagnostics_) : Ticks::infinite();
-    if (resolver_) resolver_->ask_of_knowledge("by a rule, which stands for the plant");
+    if (resolver_) resolver_->ask_of_knowledge("in a rule: a rule describes the plant");
     const auto trigger = condition(text.trigger);
     const auto reading = reading_of(text.reading);
     if (trigger) check_trigger(*trigger, command, text.trigger);
@@ -196,7 +198,7 @@ class ScenarioLowering {
 
   void add(const grammar::ExpectText& text) {
     if (text.truth)
-      report_no_truth(text.span, "`expect truth` speaks of what is real", "expect the estimate: leave out `truth`");
+      report_no_truth(text.span, "`expect truth` reads modes of the plant", "expect the estimate: leave out `truth`");
     automata::Expectation expectation;
     switch (text.kind) {
       case grammar::ExpectText::Kind::eventually:
@@ -227,8 +229,8 @@ class ScenarioLowering {
     }
     if (text.within) expectation.within = deadline_of(*text.within, text.span);
     if (resolver_) {
-      resolver_->ask_of_knowledge(
-          text.truth ? std::optional<std::string>("by `expect truth`, which speaks of the plant") : std::nullopt);
+      resolver_->ask_of_knowledge(text.truth ? std::optional<std::string>("in `expect truth`: it reads the plant")
+                                             : std::nullopt);
     }
     if (text.condition) {
       if (auto formula = condition(*text.condition)) expectation.condition = std::move(*formula);
@@ -259,14 +261,16 @@ class ScenarioLowering {
   /// A time of an event; one behind the end of the scenario gets a warning, since the event never comes.
   std::optional<Ticks> time_of(const grammar::Duration& at, grammar::Span event) {
     const auto ticks = ticks_of(at, diagnostics_);
-    if (ticks) warn_behind_end(*ticks, event, "this comes about");
+    if (ticks) warn_behind_end(*ticks, event, "this happens");
     return ticks;
   }
 
   /// A deadline; one behind the end of the scenario gets a warning, since it is judged before.
   std::optional<Ticks> deadline_of(const grammar::Duration& within, grammar::Span expectation) {
     const auto ticks = ticks_of(within, diagnostics_);
-    if (ticks) warn_behind_end(*ticks, expectation, "the " + automata::format_seconds(*ticks) + " s of this are over");
+    if (ticks)
+      warn_behind_end(*ticks, expectation,
+                      "the " + automata::format_seconds(*ticks) + " s of this expectation have passed");
     return ticks;
   }
 

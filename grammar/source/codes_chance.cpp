@@ -34,8 +34,8 @@ plant Lander {
   control engine.cmd default none;
 })"},
     CodeInfo{Code::probabilities_exceed_one, "probabilities sum above 1",
-             "The probabilities of what excludes each other sum to more than 1: the branches of one transition, the "
-             "faults that leave one mode, or an initial distribution.",
+             "The probabilities of alternatives sum to more than 1. Alternatives are the branches of one transition, "
+             "the faults that leave one mode, or the modes of an initial distribution.",
              R"(component Engine {
   input cmd : { none, fire };
   initial off;
@@ -64,7 +64,8 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })"},
-    CodeInfo{Code::reversed_bounds, "lower bound above upper bound", "Time bounds are [l, u] with l at most u.",
+    CodeInfo{Code::reversed_bounds, "lower bound above upper bound",
+             "In time bounds [l, u], the lower bound l is at most the upper bound u.",
              R"(component Heater {
   initial heating;
   mode heating;
@@ -80,8 +81,8 @@ plant Cabin { heater : Heater; })",
 }
 plant Cabin { heater : Heater; })"},
     CodeInfo{Code::density_required, "unbounded transition without a density",
-             "Where the upper bound is infinite, nothing says how the time is spread: a uniform density needs an end. "
-             "Give another one, as an exponential.",
+             "A transition with an infinite upper bound needs a density. The default is a uniform density, which needs "
+             "a finite end. Give another one, such as an exponential density.",
              R"(component Heater {
   initial heating;
   mode heating;
@@ -96,11 +97,10 @@ plant Cabin { heater : Heater; })",
   heating -> warm in [30 s, inf] ~ exponential(60 s);
 }
 plant Cabin { heater : Heater; })"},
-    CodeInfo{
-        Code::fault_without_probability, "fault transition without probability",
-        "A transition into a fault mode is a fault transition. Nobody commands it: it needs a probability per step, "
-        "or a rate per unit of time.",
-        R"(component Engine {
+    CodeInfo{Code::fault_without_probability, "fault transition without probability",
+             "A transition into a fault mode is a fault transition. No command causes it, so it needs a probability "
+             "per step or a rate per unit of time.",
+             R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -112,7 +112,7 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })",
-        R"(component Engine {
+             R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -124,11 +124,11 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })"},
-    CodeInfo{
-        Code::weight_not_allowed, "weight not allowed",
-        "A rate belongs to fault transitions and to the repair of faults. Other nominal transitions share what the "
-        "faults leave, by `with` weights; what takes an exponential time is `in [0 s, inf] ~ exponential(mean)`.",
-        R"(component Engine {
+    CodeInfo{Code::weight_not_allowed, "weight not allowed",
+             "Only fault transitions and repairs of faults have a rate. Other nominal transitions divide the "
+             "probability that the faults leave, in proportion to their `with` weights. For an exponentially "
+             "distributed time, write `in [0 s, inf] ~ exponential(mean)`.",
+             R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -140,7 +140,7 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })",
-        R"(component Engine {
+             R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -172,27 +172,25 @@ plant Cabin { heater : Heater; })",
   heating -> warm in [0, inf] ~ exponential(60 s);
 }
 plant Cabin { heater : Heater; })"},
-    CodeInfo{
-        Code::initial_distribution, "initial distribution",
-        "The initial probabilities of a component sum to 1, or are shares, where a whole number above 1 is among them. "
-        "One mode alone is certain.",
-        R"(component Engine {
+    CodeInfo{Code::initial_distribution, "initial distribution",
+             "The initial probabilities of a component sum to 1. If one of them is a whole number above 1, all of them "
+             "are shares of their sum. A single initial mode is certain and needs no probability.",
+             R"(component Engine {
   initial off 0.9, on 0.05;
   mode off;
   mode on;
 }
 plant Lander { engine : Engine; })",
-        R"(component Engine {
+             R"(component Engine {
   initial off 0.9, on 0.1;
   mode off;
   mode on;
 }
 plant Lander { engine : Engine; })"},
-    CodeInfo{
-        Code::branch_distribution, "branches of a transition",
-        "The probabilities of the branches of a transition sum to 1. Where a whole number above 1 is among them, all "
-        "are shares of their sum.",
-        R"(component Engine {
+    CodeInfo{Code::branch_distribution, "branches of a transition",
+             "The probabilities of the branches of a transition sum to 1. If one of them is a whole number above 1, "
+             "all of them are shares of their sum.",
+             R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -204,7 +202,7 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })",
-        R"(component Engine {
+             R"(component Engine {
   input cmd : { none, fire };
   initial off;
   mode off;
@@ -216,11 +214,11 @@ plant Lander {
   engine : Engine;
   control engine.cmd default none;
 })"},
-    CodeInfo{Code::restart_not_allowed, "restart not allowed",
-             "`a -> a restart when …` starts the clock of a mode anew while the component stays in it. It leads from a "
-             "mode to itself, and has no time bounds and no rate: in a step in which its guard holds, the clock starts "
-             "anew.",
-             R"(component Watchdog {
+    CodeInfo{
+        Code::restart_not_allowed, "restart not allowed",
+        "`a -> a restart when …` restarts the clock of a mode while the component stays in that mode, in each step in "
+        "which the guard holds. A restart leads from one mode to itself, and has neither time bounds nor a rate.",
+        R"(component Watchdog {
   input  ping  : { no, yes };
   output alive : { no, yes };
   initial running;
@@ -234,7 +232,7 @@ plant Monitor {
   control dog.ping default no;
   observe dog.alive;
 })",
-             R"(component Watchdog {
+        R"(component Watchdog {
   input  ping  : { no, yes };
   output alive : { no, yes };
   initial running;

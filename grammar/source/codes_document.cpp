@@ -8,12 +8,12 @@ namespace rmpl::grammar {
 namespace {
 
 constexpr std::array document_table = {
-    CodeInfo{
-        Code::document_schema, "not a compiled document",
-        "The JSON is not what `rmplc compile` writes: a key is missing, unknown or there twice, or its value has the "
-        "wrong type or names what is not there. The message gives the path in the document.",
-        R"({"format": "rmpl-automata", "version": 2, "plants": 3, "programs": [], "scenarios": []})",
-        R"({"format": "rmpl-automata", "version": 2, "plants": [], "programs": [], "scenarios": []})"},
+    CodeInfo{Code::document_schema, "not a compiled document",
+             "The JSON does not have the form that `rmplc compile` writes. A key is missing, unknown or duplicated, or "
+             "a value has the wrong type or refers to something that does not exist. The message gives the path in the "
+             "document.",
+             R"({"format": "rmpl-automata", "version": 2, "plants": 3, "programs": [], "scenarios": []})",
+             R"({"format": "rmpl-automata", "version": 2, "plants": [], "programs": [], "scenarios": []})"},
 };
 
 }  // namespace

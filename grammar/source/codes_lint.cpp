@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::array lint_table = {
     CodeInfo{Code::duplicate_transition, "transition given twice",
-             "Two transitions have the same source, target, guard and time bounds. Both count: their weights, risks or "
-             "probabilities add up. One of them was most likely meant otherwise.",
+             "Two transitions have the same source, target, guard and time bounds. Both count: their weights, rates or "
+             "probabilities add up. One of them is probably a mistake.",
              R"(component Valve {
   input cmd : { none, open, close };
   initial closed;
@@ -36,25 +36,24 @@ plant Tap {
   valve : Valve;
   control valve.cmd default none;
 })"},
-    CodeInfo{
-        Code::condition_never_holds, "condition never holds",
-        "No state of the plant satisfies the condition: the domains, the mode constraints and the interconnections "
-        "contradict it. A wait for it never ends, a step that depends on it is never reached, and a watch for it "
-        "watches nothing. So it is where it speaks of a command: a program knows modes and readings, not what it "
-        "commands. "
-        "In a model program a condition holds where what is told entails it: this one follows from "
-        "nothing that is told anywhere the program can come to, whatever is commanded. What is seen is not told. Where "
-        "nothing is told of a variable that a plant may connect, the finding is a note.",
-        "P() :: {\n  when engine = on & engine = off donext valve = open\n}",
-        "P() :: {\n  when engine = on donext valve = open\n}"},
+    CodeInfo{Code::condition_never_holds, "condition never holds",
+             "No state of the plant satisfies the condition: the domains, the mode constraints and the "
+             "interconnections contradict it. A wait for it never ends, a step that depends on it never runs, and "
+             "`watching` it has no effect. A condition on a command never holds either: a program knows modes and "
+             "readings, not its own commands.\n\nIn a model program, a condition holds if the told constraints entail "
+             "it. No constraints that the program can tell together entail this condition, whatever is commanded. "
+             "Observations are not told, so they make no condition true. If the program tells nothing about a variable "
+             "of the condition, but a plant may connect that variable, the finding is a note.",
+             "P() :: {\n  when engine = on & engine = off donext valve = open\n}",
+             "P() :: {\n  when engine = on donext valve = open\n}"},
     CodeInfo{Code::condition_always_holds, "condition always holds",
-             "Every state of the plant satisfies the condition, or the constraints of a model program entail it, so it "
-             "decides nothing. If that is meant, write `true`.",
+             "Every state of the plant satisfies the condition, or the constraints of a model program entail it, so "
+             "the condition has no effect. If that is intended, write `true`.",
              "P() :: {\n  if engine = on | engine != on thennext valve = open\n}",
              "P() :: {\n  if engine = on thennext valve = open\n}"},
-    CodeInfo{Code::condition_out_of_reach, "condition speaks of what the plant cannot reach",
-             "States of the plant satisfy the condition, but from its initial modes none of them can be reached, "
-             "whatever is commanded and whatever fails.",
+    CodeInfo{Code::condition_out_of_reach, "condition on states that the plant cannot reach",
+             "Some states of the plant satisfy the condition, but the plant reaches none of them from its initial "
+             "modes, whatever is commanded and whatever fails.",
              R"(// main.rmpl
 P() :: {
   when tap = ajar donext tap = open
@@ -94,12 +93,12 @@ plant Sink {
   control tap.cmd default none;
 })"},
     CodeInfo{Code::contradicting_goals, "goals contradict each other",
-             "Two threads ask for different modes of one component in the same cycle. Such a cycle commands nothing. "
-             "The notes show where the two goals stand, and when they meet. Where the second goal can also come first, "
-             "so that it takes a plant that does this and not that, the finding is a note. The plant is in modes that "
-             "it can have at the start, come to in the first cycle, and ever come to; from cycle to cycle any time "
-             "passes, the same for all clocks. In a model program: two "
-             "constraints begin to be told together and contradict each other, so that it never comes to that.",
+             "Two threads ask for different modes of one component in the same cycle. In such a cycle the executive "
+             "sends no command. The notes show both goals and the first cycle in which they conflict. If the conflict "
+             "depends on how the plant behaves, the finding is a note. The analysis over-approximates the plant: it "
+             "knows which modes are possible at the start, which after the first cycle and which later. Between cycles "
+             "it lets any time pass, the same for all clocks.\n\nIn a model program, the two constraints begin to be "
+             "told together and contradict each other. Such an instant is impossible.",
              "P() :: {\n  engine = on,\n  engine = off\n}", "P() :: {\n  engine = on;\n  engine = off\n}"},
     CodeInfo{Code::step_never_reached, "step is never reached",
              "The step before this one never ends: `always`, `whenever`, or a wait for a condition that never holds.",
@@ -145,8 +144,9 @@ plant Sink {
   control tap.cmd default none;
 })"},
     CodeInfo{Code::irreversible_goal, "goal that takes an irreversible step",
-             "The goal is only reached by an irreversible step: no transitions lead back. The executive takes such a "
-             "step only for a goal that names where it leads. This note shows where a program asks for one.",
+             "Only an irreversible step achieves the goal: no nominal transitions lead back. The executive takes an "
+             "irreversible step only for a goal that names the mode to which the step leads. This note shows where a "
+             "program asks for such a step.",
              R"(// main.rmpl
 P() :: {
   latch = open
@@ -182,18 +182,17 @@ plant Probe {
 })"},
     CodeInfo{
         Code::clock_started_twice, "clock that runs is started again",
-        "A clock of the program is never reset: a second start changes nothing, and what waits for the clock "
-        "afterwards does not wait anew. A clock of a definition's own (`clock t;` at its start) starts anew with "
-        "each call.",
+        "A clock of the program is never reset. A second start has no effect, so a later wait for the clock may end at "
+        "once. A local clock (`clock t;` at the start of a definition) starts with each call.",
         "P() :: {\n  t = 0;\n  when t >= 5 s donext valve = open;\n  t = 0;\n  when t >= 5 s donext valve = closed\n}",
         "P() :: {\n  t = 0;\n  when t >= 5 s donext valve = open;\n  u = 0;\n  when u >= 5 s donext valve = closed\n}"},
-    CodeInfo{
-        Code::unused_definition, "definition that nothing calls",
-        "Nothing calls the definition. One that takes nothing may be where another program starts, and is no finding.",
-        "$ rmplc lint main.rmpl --main P\nP() :: { valve = open }\nQ(x) :: { x = closed }",
-        "$ rmplc lint main.rmpl --main P\nP() :: { valve = open; Q(valve) }\nQ(x) :: { x = closed }"},
+    CodeInfo{Code::unused_definition, "definition that nothing calls",
+             "No definition calls this one. Lint does not report a definition without parameters, because another "
+             "program may start with it.",
+             "$ rmplc lint main.rmpl --main P\nP() :: { valve = open }\nQ(x) :: { x = closed }",
+             "$ rmplc lint main.rmpl --main P\nP() :: { valve = open; Q(valve) }\nQ(x) :: { x = closed }"},
     CodeInfo{Code::unused_parameter, "parameter that is never used",
-             "The definition does the same whatever is passed for the parameter.",
+             "The definition does not depend on the argument for the parameter.",
              "P() :: { Open(left) }\nOpen(valve) :: { right = open }",
              "P() :: { Open(left) }\nOpen(valve) :: { valve = open }"},
     CodeInfo{Code::unused_clock, "clock that is never read",
@@ -218,7 +217,7 @@ plant Sink {
   tap : Tap;
 })"},
     CodeInfo{Code::unused_type, "component or module that is never used",
-             "The plant has no instance of it, also not through other modules.",
+             "The plant has no instance of the component or module, neither directly nor through other modules.",
              R"(component Tap {
   initial closed;
   mode closed;
@@ -243,13 +242,13 @@ plant Sink {
   drain : Drain;
 })"},
     CodeInfo{Code::mixed_separators, "`,` and `;` in the same braces",
-             "`;` binds tighter than `,`, which is easily misread: in `a; b, c` the step c starts together with a, and "
-             "not after it. Inner braces say what is meant.",
+             "`;` binds tighter than `,`, which is easily misread: in `a; b, c` the step c starts together with a, not "
+             "after it. Inner braces make the order explicit.",
              "P() :: {\n  engine = on; valve = open,\n  lamp = on\n}",
              "P() :: {\n  { engine = on; valve = open },\n  lamp = on\n}"},
     CodeInfo{Code::finer_than_cycle, "time finer than the cycle",
-             "The executive reads the plant once a cycle. Times that differ by less than a cycle mean the same, and a "
-             "bound that is no multiple of the cycle is rounded up to the next.",
+             "The executive reads the plant once per cycle. Times that differ by less than a cycle have the same "
+             "effect, and a bound is rounded up to the next multiple of the cycle.",
              R"(// test.scn
 scenario "s" {
   program "main.rmpl";
@@ -295,18 +294,16 @@ plant Sink {
   observe tap.flow;
 })"},
     CodeInfo{Code::unused_allowance, "allowance that allows nothing",
-             "A comment `lint: allow …` stands where nothing of that code is found: on the line of a finding or on the "
-             "one before. What was allowed has been mended, or has moved. In a file that another one brings, "
-             "as an import, it is a note: another input set that has the file in common may need it.",
+             "A comment `lint: allow …` applies to its own line and to the next line. Neither has a finding with this "
+             "code: the finding was fixed, or it moved. In an imported file this is a note, because another input set "
+             "that shares the file may need the comment.",
              "// lint: allow RMPL0514 because the threads are on lines of their own\nP() :: { valve = open }",
              "P() :: { valve = open }"},
-    CodeInfo{
-        Code::allowance_without_reason, "allowance that is not understood",
-        "An allowance names codes that lint finds and gives its reason: `// lint: allow RMPL0514 because …`, or the "
-        "same between `/*` and `*/`. "
-        "Another comment that begins with `lint:` allows nothing.",
-        "// lint: allow RMPL0514\nP() :: { engine = on; { valve = open, lamp = on } }",
-        "// lint: allow RMPL0514 because the engine comes first\nP() :: { engine = on; valve = open, lamp = on }"},
+    CodeInfo{Code::allowance_without_reason, "allowance that is not understood",
+             "An allowance names codes of lint and gives a reason: `// lint: allow RMPL0514 because …`, or the same "
+             "between `/*` and `*/`. Any other comment that begins with `lint:` has no effect.",
+             "// lint: allow RMPL0514\nP() :: { engine = on; { valve = open, lamp = on } }",
+             "// lint: allow RMPL0514 because the engine comes first\nP() :: { engine = on; valve = open, lamp = on }"},
 };
 
 }  // namespace

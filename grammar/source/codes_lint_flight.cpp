@@ -8,13 +8,13 @@ namespace rmpl::grammar {
 namespace {
 
 constexpr std::array lint_flight_table = {
-    CodeInfo{
-        Code::vacuous_property, "property that says nothing",
-        "The property holds or fails whatever the plant does: no state satisfies its formula, every state does, or "
-        "what it waits for never comes. So it does where `never` or `reach` asks for what takes a fault, and its "
-        "`faults` "
-        "permits none. Of `never`, what only the constraints exclude is a note: it checks these.",
-        R"($ rmplc lint plant.tcca plant.props
+    CodeInfo{Code::vacuous_property, "property that says nothing",
+             "The verdict on the property does not depend on what the plant does. The message gives the reason, which "
+             "is one of these:\n\n- No state satisfies the formula.\n- Every state satisfies the formula.\n- The plant "
+             "never reaches the trigger of a response.\n- `never` or `reach` asks for a state that needs a fault, and "
+             "`faults` permits none.\n\nIf only the constraints of the model exclude the formula of a `never`, the "
+             "finding is a note, because such a property checks the constraints.",
+             R"($ rmplc lint plant.tcca plant.props
 // plant.props
 property "p" {
   reach tap.flow = low | tap.flow = high;
@@ -30,7 +30,7 @@ component Tap {
 plant Sink {
   tap : Tap;
 })",
-        R"($ rmplc lint plant.tcca plant.props
+             R"($ rmplc lint plant.tcca plant.props
 // plant.props
 property "p" {
   reach tap.flow = high;
@@ -48,7 +48,7 @@ plant Sink {
   tap : Tap;
 })"},
     CodeInfo{Code::rule_never_fires, "rule that never fires",
-             "The condition of the rule can never hold, or its effect would come after the end of the scenario.",
+             "The condition of the rule can never hold, or the rule would take effect after the end of the scenario.",
              R"(// test.scn
 scenario "s" {
   program "main.rmpl";
@@ -102,9 +102,9 @@ plant Sink {
   observe tap.flow;
 })"},
     CodeInfo{Code::vacuous_expectation, "expectation that says nothing",
-             "The expectation is met or fails whatever is flown: no state satisfies its condition, every state does, "
-             "or what it "
-             "comes after can never be. Of `never`, what only the constraints exclude is a note: it checks these.",
+             "The outcome of the expectation does not depend on the flight: no state satisfies its condition, every "
+             "state does, or the condition after `after` never holds. If only the constraints of the model exclude the "
+             "condition of a `never`, the finding is a note, because such an expectation checks the constraints.",
              R"(// test.scn
 scenario "s" {
   program "main.rmpl";
@@ -161,13 +161,12 @@ plant Sink {
 })"},
     CodeInfo{
         Code::restarted_wait, "wait that starts anew while it lasts",
-        "`whenever c donext A` starts A in every cycle in which c holds, whether A has come to its end or not; `always "
-        "A` "
-        "does in every cycle. A clock of a definition's own starts anew with each call: while c holds it reads no more "
-        "than a cycle, and a wait for it ends only once c has not held for so long. For one who means that, such as a "
-        "light that goes off five minutes after the last movement, the finding is to be allowed. `repeat when c donext "
-        "A` does A to its end each time, and looks at c again only then. Where a wait without such a clock is started "
-        "again, the steps before it are taken again beside it, and the finding is a note.",
+        "`whenever c donext A` starts A in every cycle in which c holds, even if A has not ended yet. `always A` "
+        "starts A in every cycle. A local clock starts with each call of its definition. So while c holds, the clock "
+        "never exceeds one cycle, and a wait for the clock ends only after c has been false for that long. If that is "
+        "intended, as for a light that goes off five minutes after the last movement, allow the finding. `repeat when "
+        "c donext A` runs A to its end each time, and reads c again only then. If a wait without a local clock is "
+        "restarted, the steps before the wait run again in parallel to it, and the finding is a note.",
         R"(Main() :: {
   whenever wheel = hung donext Recover()
 }
@@ -228,9 +227,9 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::unanswered_surprise, "surprise without a reaction",
-             "The program reacts to surprises, but not to this one. The step behind the condition is empty, or the "
-             "program asks about some components alone, while readings of other components may be set aside too. A "
-             "reading that is set aside does not count for the estimate.",
+             "The program reacts to surprises, but not to this one. Either the step after the condition is empty, or "
+             "the program asks about some components only, although readings of other components may be set aside too. "
+             "A reading that is set aside does not influence the estimate.",
              R"(Main() :: {
   whenever surprise donext { }
 })",

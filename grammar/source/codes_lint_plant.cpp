@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::array lint_plant_table = {
     CodeInfo{Code::unreachable_mode, "mode that is never entered",
-             "No initial state has the mode, and no transition that could ever be taken leads to it: there is "
-             "none, or the guards of all that there are can never hold, or they set out from modes that are "
-             "never entered themselves. It is decided with mode constraints and interconnections, each "
-             "component in all modes that it can reach. Where some instances of the type do enter it, it is "
-             "no more than a note.",
+             "No initial state has the mode, and no transition that can be taken leads to it. The message gives the "
+             "reason, which is one of these:\n\n- No transition leads to the mode.\n- The guards of the transitions to "
+             "the mode can never hold.\n- The transitions to the mode leave modes that are never entered "
+             "either.\n\nThe analysis uses mode constraints and interconnections, and lets each component be in every "
+             "mode that it can reach. If other instances of the type enter the mode, the finding is a note.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -44,9 +44,9 @@ plant Feed {
   observe valve.position;
 })"},
     CodeInfo{Code::impossible_guard, "guard that can never hold",
-             "In whatever modes the components can enter and whatever is commanded, the guard does not follow: it "
-             "contradicts the constraint of the mode that the transition leaves, or the interconnections, or "
-             "nothing that can happen implies it. The transition is never taken.",
+             "The transition is never taken: its guard never follows from the model, whatever modes the components "
+             "enter and whatever is commanded. Either the guard contradicts the constraint of the mode that the "
+             "transition leaves, or it contradicts the interconnections, or no modes and no command imply it.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -76,11 +76,11 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{Code::impossible_mode, "mode that contradicts the interconnections",
-             "The constraint of the mode cannot hold together with the interconnections, in whatever modes "
-             "the other components are; or it contradicts itself. A state with this mode is impossible: its "
-             "probability is dropped.",
-             R"(component Valve {
+    CodeInfo{
+        Code::impossible_mode, "mode that contradicts the interconnections",
+        "The constraint of the mode contradicts itself, or it contradicts the interconnections in whatever modes the "
+        "other components are. No state with this mode is possible, and the probability of such states is dropped.",
+        R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
   initial closed;
@@ -95,7 +95,7 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })",
-             R"(component Valve {
+        R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
   initial closed;
@@ -110,10 +110,10 @@ plant Feed {
   observe valve.position;
 })"},
     CodeInfo{Code::overlapping_guards, "guards that overlap without weights",
-             "Two untimed nominal transitions leave one mode for different modes, there are modes and a "
-             "command that enable both, and neither has a weight: chance decides between them, evenly. The modes "
-             "of the example can each be entered; whether times allow them together is not asked. Make "
-             "the guards exclude each other, or say with `with` how likely each is.",
+             "Two untimed nominal transitions leave one mode for different modes, some modes and a command enable "
+             "both, and neither has a weight. Both are then equally likely. Each mode of the example can be entered; "
+             "the analysis does not check whether time bounds permit these modes together. Make the guards exclude "
+             "each other, or give each transition its weight with `with`.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide, between };
@@ -147,8 +147,9 @@ plant Feed {
   observe valve.position;
 })"},
     CodeInfo{Code::shadowed_transition, "transition that another one always preempts",
-             "Whenever the guard of this nominal transition holds, another one preempts it: an untimed nominal "
-             "transition, if this one has time bounds, or faults that are certain. The transition is never taken.",
+             "The nominal transition is never taken: whenever its guard holds, another transition preempts it. Untimed "
+             "nominal transitions preempt transitions with time bounds. Faults that are certain preempt all nominal "
+             "transitions.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -180,9 +181,9 @@ plant Feed {
   observe valve.position;
 })"},
     CodeInfo{Code::no_initial_state, "initial modes that contradict each other",
-             "The initial modes of the components contradict the interconnections, whichever are drawn: the "
-             "plant has no state to begin with, and nothing can be reached. Likewise a model program that tells a "
-             "contradiction at once, or one against its constraints.",
+             "All combinations of initial modes contradict the interconnections. The plant has no initial state, so it "
+             "reaches no state at all. In a model program, the constraints that are told at the start contradict each "
+             "other or the constraints of the whole program.",
              R"(component Door {
   input  cmd  : { none, open };
   output seen : { shut, wide };
@@ -213,9 +214,9 @@ plant House {
   observe inner.seen, outer.seen;
 })"},
     CodeInfo{Code::impossible_initial_mode, "initial mode that is never the first",
-             "The mode has an initial probability, but contradicts the interconnections in whatever initial "
-             "modes the other components are. Its probability is dropped, and the rest counts for more than "
-             "was written. Likewise a branch of a draw before the start of a model program.",
+             "The mode has an initial probability, but contradicts the interconnections in whatever initial modes the "
+             "other components are. Its probability is dropped, so the other modes are more likely than the model "
+             "says. The same finding applies to a branch of a draw before the start of a model program.",
              R"(component Door {
   input  cmd  : { none, open };
   output seen : { shut, wide };
@@ -247,11 +248,11 @@ plant House {
   observe inner.seen, outer.seen;
 })"},
     CodeInfo{Code::stuck_plant, "plant that gets stuck",
-             "A state can be reached from which every step leads to modes that contradict the "
-             "interconnections, whatever is commanded: two components are forced by time, say, into modes "
-             "that exclude each other. There all probabilities would be dropped. It is looked for in cycles "
-             "of the greatest duration that divides all time bounds, without faults, and only in parts of the "
-             "plant that are small and have nothing to do with the rest; `tcca-check stuck` looks everywhere.",
+             "The plant can deadlock: it reaches a state from which every step leads to modes that contradict the "
+             "interconnections, whatever is commanded. For example, time bounds force two components into modes that "
+             "exclude each other. Lint searches without faults, in cycles of the greatest duration that divides all "
+             "time bounds, and only in small parts of the plant that are independent of the rest. `tcca-check stuck` "
+             "searches the whole plant.",
              R"(component Arm {
   output place : { inside, outside };
   initial stowed;
@@ -276,7 +277,8 @@ plant Rover {
   observe left.place, right.place;
 })"},
     CodeInfo{Code::contradictory_interconnections, "interconnections that contradict each other",
-             "The interconnections cannot hold together, whatever the modes are: every state is impossible.",
+             "The interconnections contradict each other in whatever modes the components are. No state of the plant "
+             "is possible.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -307,11 +309,12 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{Code::impossible_command, "command that contradicts the model",
-             "The control variable can never have the value, as mode constraints and interconnections exclude "
-             "it in all modes; or its idle value contradicts a mode that is reached. To command it, or nothing, is a "
-             "contradiction then, from which everything follows: every guard is enabled.",
-             R"(component Valve {
+    CodeInfo{
+        Code::impossible_command, "command that contradicts the model",
+        "Either mode constraints and interconnections exclude the value of the control variable in all modes, or the "
+        "idle value of the control variable contradicts a mode that the plant reaches. While the control variable has "
+        "this value, the model is contradictory. A contradiction entails every formula, so every guard is enabled.",
+        R"(component Valve {
   input  cmd      : { none, open, close, vent };
   output position : { shut, wide };
   initial closed;
@@ -326,7 +329,7 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })",
-             R"(component Valve {
+        R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
   initial closed;

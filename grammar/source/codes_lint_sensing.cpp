@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::array lint_sensing_table = {
     CodeInfo{Code::uncommanded_component, "component that no command reaches",
-             "Transitions of the component wait for their guards, but no control variable has any influence "
-             "on them, neither through the interconnections nor through components that commands do move. For "
-             "what is only watched that is right; else a command or an interconnection is missing.",
+             "Transitions of the component wait for their guards, but no control variable has any influence on them, "
+             "neither through the interconnections nor through components that commands do move. This is right for a "
+             "component that is only observed. Otherwise a command or an interconnection is missing.",
              R"(component Lamp {
   input  power : { zero, nominal };
   output light : { dark, bright };
@@ -70,8 +70,8 @@ plant House {
   observe lamp.light, generator.power;
 })"},
     CodeInfo{Code::unobserved_plant, "plant without observations",
-             "The plant has faults and no `observe`: no fault ever shows, and the estimate is what the model predicts. "
-             "For a plant that is only verified that is right.",
+             "The plant has faults but no `observe`. No fault can be noticed, and the estimate only follows the "
+             "predictions of the model. This is right for a plant that is only verified.",
              R"(component Tap {
   output flow : { low, high };
   initial open;
@@ -94,9 +94,9 @@ plant Sink {
   observe tap.flow;
 })"},
     CodeInfo{Code::undetectable_fault, "fault that no observation tells from nominal",
-             "In the fault mode all that is observed reads as in every nominal mode of the component, "
-             "whatever the other components do, and nothing that another component waits for differs. No "
-             "diagnosis will ever have a reason to name it.",
+             "In the fault mode, every observation has the same value as in each nominal mode of the component, "
+             "whatever the other components do, and the guards of the other components do not change either. So no "
+             "reading can ever make a diagnosis name this fault.",
              R"(component Tank {
   output level, flow : { low, high };
   initial full;
@@ -119,12 +119,12 @@ plant Supply {
   tank : Tank;
   observe tank.level, tank.flow;
 })"},
-    CodeInfo{Code::indistinguishable_faults, "faults that nothing tells from each other",
-             "In both fault modes all that is observed reads the same, whatever the other components do; "
-             "nothing that another component waits for differs, and the same transitions lead out of them. A "
-             "diagnosis can weigh them by their probabilities only. Observe what differs, or make one fault "
-             "of them.",
-             R"(component Tank {
+    CodeInfo{
+        Code::indistinguishable_faults, "faults that nothing tells from each other",
+        "In both fault modes every observation has the same value, whatever the other components do. The guards of the "
+        "other components do not differ, and the same transitions leave both modes. A diagnosis can only rank the two "
+        "faults by their prior probabilities. Observe an attribute that differs, or merge the faults.",
+        R"(component Tank {
   output level, flow : { low, high };
   initial full;
   mode  full    { level = high & flow = high };
@@ -137,7 +137,7 @@ plant Supply {
   tank : Tank;
   observe tank.flow;
 })",
-             R"(component Tank {
+        R"(component Tank {
   output level, flow : { low, high };
   initial full;
   mode  full    { level = high & flow = high };
@@ -151,12 +151,12 @@ plant Supply {
   observe tank.level, tank.flow;
 })"},
     CodeInfo{Code::indistinguishable_modes, "nominal modes that no sensor tells apart",
-             "All that is observed reads the same in these nominal modes, wherever the other components are in "
-             "the same modes. Which of them the component is in is known by dead reckoning only: a transition "
-             "that fails to happen is not seen. This is told also where dead reckoning cannot fail in the model, "
-             "as below, where no fault keeps the valve from moving: a sensor, or that fault, is what is missing. "
-             "Nothing is told of modes that are never entered, nor of two that no modes of the other components "
-             "go with both: what is seen of those may tell these apart.",
+             "Every observation has the same value in these nominal modes while the other components keep their modes. "
+             "The estimate knows the mode by dead reckoning only, because no sensor shows that a transition failed to "
+             "happen. Lint also reports this if dead reckoning cannot fail in the model, as below, where no fault "
+             "keeps the valve from moving. Then a sensor is missing, or that fault.\n\nLint skips modes that are never "
+             "entered. It also skips two modes if no modes of the other components go with both of them, because "
+             "observations of those components may distinguish the two.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -185,12 +185,12 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{Code::unconnected_input, "input that is neither connected nor commanded",
-             "No interconnection leads from a component's output, a mode or a control variable to this input, "
-             "and it is not observed either: its value is open for ever, and a guard that reads it does not "
-             "follow from anything. Where it gets its value from an input of the module that it is in, the "
-             "outermost of these is told of: that one is to be connected.",
-             R"(component Lamp {
+    CodeInfo{
+        Code::unconnected_input, "input that is neither connected nor commanded",
+        "No output, mode or control variable is connected to this input, and the input is not observed either. Its "
+        "value is never determined, so no guard that reads it ever follows from the model. If the input gets its value "
+        "from an input of the enclosing module, the finding names the outermost such input: connect that one.",
+        R"(component Lamp {
   input  power : { zero, nominal };
   output light : { dark, bright };
   initial off;
@@ -213,7 +213,7 @@ plant House {
   control generator.cmd default none;
   observe lamp.light, generator.power;
 })",
-             R"(component Lamp {
+        R"(component Lamp {
   input  power : { zero, nominal };
   output light : { dark, bright };
   initial off;
@@ -238,10 +238,10 @@ plant House {
   observe lamp.light, generator.power;
 })"},
     CodeInfo{Code::unread_command, "command that nothing reads",
-             "The value of the control variable has the same effect as its idle value: no guard and no "
-             "observation differs between them, in whatever modes the components are. A transition that reads "
-             "it is missing, or the value is one too many. Where another attribute with the same domain is "
-             "asked for the value, it is no more than a note.",
+             "The value of the control variable has the same effect as its idle value: no guard and no observation "
+             "differs between the two values, in whatever modes the components are. Either a transition that reads the "
+             "value is missing, or the value is superfluous. If a guard or constraint asks for the value of another "
+             "attribute with the same domain, the finding is a note.",
              R"(component Valve {
   input  cmd      : { none, open, close, vent };
   output position : { shut, wide };
@@ -271,9 +271,10 @@ plant Feed {
   observe valve.position;
 })"},
     CodeInfo{Code::unused_attribute, "attribute that nothing mentions",
-             "No mode constraint, guard or interconnection mentions the attribute, and it is neither "
-             "commanded nor observed; or it is an input of a component that none of its own guards and mode "
-             "constraints reads; or it is a variable of a model program that no constraint and no condition speaks of.",
+             "Lint reports an attribute in three cases:\n\n- No mode constraint, guard or interconnection mentions the "
+             "attribute, and it is neither commanded nor observed.\n- The attribute is an input of a component, and no "
+             "guard or mode constraint of the component reads it.\n- The attribute is a variable of a model program, "
+             "and no constraint or condition mentions it.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
@@ -303,13 +304,12 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{
-        Code::unexplained_reading, "reading that no mode explains",
-        "The sensor can read a value that no state of the plant has, in the modes that it comes to, faults among them. "
-        "Sensors fail: such a reading contradicts every estimate, and what is not explained is set aside. A fault "
-        "without "
-        "a constraint explains every reading. Where the value is none that the sensor has, the domain is too wide.",
-        R"(component Thermometer {
+    CodeInfo{Code::unexplained_reading, "reading that no mode explains",
+             "The domain of the sensor has a value that no reachable state of the plant explains, not even with "
+             "faults. Real sensors fail. Such a reading contradicts every estimate, so the executive sets it aside. A "
+             "fault mode without a constraint explains every reading. If the sensor can never give the value, remove "
+             "the value from the domain.",
+             R"(component Thermometer {
   output reading : { low, high };
   initial working;
   mode working { reading = low };
@@ -318,7 +318,7 @@ plant Tank {
   thermometer : Thermometer;
   observe thermometer.reading;
 })",
-        R"(component Thermometer {
+             R"(component Thermometer {
   output reading : { low, high };
   initial working;
   mode  working { reading = low };
@@ -331,11 +331,11 @@ plant Tank {
 })"},
     CodeInfo{
         Code::fault_blocks_goal, "fault that blocks goals of others",
-        "Once the fault has happened, nothing leads to goals of other components any more, whatever is commanded and "
-        "whatever modes the others are in; where such a goal holds it may go on. The modes that can follow the fault "
-        "by nominal transitions count. Proven by what implies the guards of the transitions that lead to the goal: a "
-        "fault mode without a constraint implies nothing. Plants of more than 32 components are not asked. A program "
-        "that is to survive the fault watches for it.",
+        "Once the fault has happened, no transitions lead to these goals of other components, whatever is commanded "
+        "and whatever modes the others are in. A goal that already holds may continue to hold. The analysis includes "
+        "the modes that can follow the fault by nominal transitions. It checks whether these modes can imply the "
+        "guards of the transitions to the goal; a fault mode without a constraint implies nothing. Lint skips plants "
+        "of more than 32 components. A program that must survive the fault should watch for it.",
         R"(// main.rmpl
 P() :: {
   switch = closed;

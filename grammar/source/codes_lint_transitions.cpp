@@ -9,11 +9,12 @@ namespace {
 
 constexpr std::array lint_transitions_table = {
     CodeInfo{Code::timed_fault, "fault with time bounds",
-             "A fault is drawn anew in each step; with time bounds, in each step at whose end the clock is within the "
-             "bounds. How many steps these are depends on the cycle. A step over all of the bounds never draws the "
-             "fault, and after the bounds it cannot happen. To draw a fault as a timed transition ends, lead the "
-             "transition to a mode of its own, and draw the outcome there, without bounds. A density has no "
-             "part in it. A fault with bounds and no density, by itself, is a note.",
+             "A fault is drawn in each step. With time bounds, it is drawn in each step at whose end the clock is "
+             "within the bounds. The number of these steps depends on the cycle. A step that spans the whole interval "
+             "never draws the fault, and after the interval the fault cannot happen. To draw a fault when a timed "
+             "transition ends, let the transition lead to an intermediate mode, and draw the outcome there without "
+             "time bounds. A density has no effect. A fault transition with bounds and without a density that is not "
+             "an outcome of a timed transition is a note.",
              R"(component Latch {
   output seen : { moving, locked, jammed };
   initial moving;
@@ -41,10 +42,11 @@ plant Door {
   observe latch.seen;
 })"},
     CodeInfo{Code::idle_transition, "transition that changes nothing",
-             "A nominal transition leads to the mode that it leaves, and is never enabled together with one that leads "
-             "elsewhere. Such a step is staying: the clock of the mode goes on, so the transition has no effect. "
-             "Beside others it would take its share of the probability, or preempt timed transitions. A `restart` has "
-             "an effect where time bounds an exit of its mode. In a mode without time bounds the finding is a note.",
+             "A nominal transition leads back to the mode that it leaves, and is never enabled together with a "
+             "transition to another mode. The component stays in its mode and the clock of the mode continues, so the "
+             "transition has no effect. Together with other transitions it would take a share of the probability, or "
+             "preempt timed transitions. A `restart` has an effect if an exit of its mode has time bounds. In a mode "
+             "without time bounds the finding is a note.",
              R"(component Valve {
   input  cmd      : { none, open, keep };
   output position : { shut, between, wide };
@@ -78,9 +80,9 @@ plant Feed {
 })"},
     CodeInfo{Code::unused_weight, "weight without an effect",
              "Weights divide the probability among untimed transitions that are enabled together, and among the "
-             "outcomes of one transition. A transition beside which no other is ever enabled, or none under idle "
-             "controls, is certain then, whatever its weight. A timed transition competes with others by its times "
-             "alone.",
+             "outcomes of one transition. If no other transition is ever enabled together with this one, or none while "
+             "all controls are idle, this transition is certain, whatever its weight. A timed transition competes with "
+             "others only by its time.",
              R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide, moving, between };
@@ -118,13 +120,14 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })"},
-    CodeInfo{Code::late_guard, "guard that may begin after its time bounds",
-             "Time bounds count from when the mode was entered, not from when the guard began to hold. A guard that "
-             "waits for a command, or that never holds as the mode is entered, may begin to hold at any later time. If "
-             "that is past the upper bound, the transition is overdue and is taken in the next step, without any "
-             "delay. Give a delay from a cause a mode of its own. A lower bound alone, `after 5 s`, may be meant: "
-             "before it no command is obeyed.",
-             R"(component Valve {
+    CodeInfo{
+        Code::late_guard, "guard that may begin after its time bounds",
+        "Time bounds count from when the mode was entered, not from when the guard began to hold. A guard that waits "
+        "for a command, or that never holds as the mode is entered, may begin to hold at any later time. If that time "
+        "is past the upper bound, the transition is overdue and is taken in the next step, without any delay. To delay "
+        "an effect from its cause, add a mode: let the guard lead to it, and put the time bounds on its exit. A lower "
+        "bound alone, `after 5 s`, may be intended: the component then obeys no command before 5 s.",
+        R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, wide };
   initial closed;
@@ -138,7 +141,7 @@ plant Feed {
   control valve.cmd default none;
   observe valve.position;
 })",
-             R"(component Valve {
+        R"(component Valve {
   input  cmd      : { none, open, close };
   output position : { shut, between, wide };
   initial closed;
@@ -155,9 +158,9 @@ plant Feed {
   observe valve.position;
 })"},
     CodeInfo{Code::timer_goes_on, "self-transition that restarts no clock",
-             "The clock of a component counts from when its mode was entered. A transition from a mode to itself is no "
-             "entry: the time bounds of the other exits count on. With `restart` it starts the clock anew, as a "
-             "command does that kicks a watchdog.",
+             "The clock of a component counts from the entry into its mode. A transition from a mode to itself is not "
+             "an entry, so the time bounds of the other exits continue to count. With `restart` the transition "
+             "restarts the clock, like the command that resets a watchdog.",
              R"(component Watchdog {
   input  ping  : { no, yes };
   output alive : { no, yes };

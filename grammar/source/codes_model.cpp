@@ -8,44 +8,43 @@ namespace rmpl::grammar {
 namespace {
 
 constexpr std::array model_table = {
-    CodeInfo{
-        Code::mixed_program, "model and control definitions mixed",
-        "A program either tells what a system does, and all its definitions begin with `model`, or asserts what it "
-        "should do, and none does. Neither can call the other: keep them in files of their own.",
-        R"(variable power : { off, on };
+    CodeInfo{Code::mixed_program, "model and control definitions mixed",
+             "A program is of one of two kinds. A model program tells what a system does, and each of its definitions "
+             "begins with `model`. A control program asserts what the system should do, and none of its definitions "
+             "begins with `model`. Neither can call the other, so keep them in separate files.",
+             R"(variable power : { off, on };
 model Camera() :: { power = on }
 Main() :: { Camera() })",
-        R"(variable power : { off, on };
+             R"(variable power : { off, on };
 model Camera() :: { power = on }
 model Main() :: { Camera() })"},
-    CodeInfo{
-        Code::told_at_once, "branch that tells at once",
-        "A `choose` is drawn as its instant ends. What holds in that instant cannot depend on the draw, so no branch "
-        "tells anything before its first `next`, `thennext`, `donext` or `;`. One that starts with the program, and "
-        "never again, is drawn before the start, and may.",
-        R"(variable lamp : { dark, lit };
+    CodeInfo{Code::told_at_once, "branch that tells at once",
+             "A `choose` is drawn at the end of its instant, so the constraints of that instant cannot depend on the "
+             "draw. A branch must not tell a constraint before its first `next`, `thennext`, `donext` or `;`. One "
+             "exception: a `choose` that runs only at the start of the program is drawn before the start, and its "
+             "branches may tell constraints at once.",
+             R"(variable lamp : { dark, lit };
 model Main() :: {
   always choose { lamp = lit with 0.9, lamp = dark with 0.1 }
 })",
-        R"(variable lamp : { dark, lit };
+             R"(variable lamp : { dark, lit };
 model Main() :: {
   always choose { next lamp = lit with 0.9, next lamp = dark with 0.1 }
 })"},
-    CodeInfo{
-        Code::choice_distribution, "branches of a `choose`",
-        "The probabilities of the branches of a `choose` sum to 1. Where a whole number above 1 is among them, all "
-        "are shares of their sum.",
-        R"(variable lamp : { dark, lit };
+    CodeInfo{Code::choice_distribution, "branches of a `choose`",
+             "The probabilities of the branches of a `choose` sum to 1. If one of them is a whole number above 1, all "
+             "of them are shares of their sum.",
+             R"(variable lamp : { dark, lit };
 model Main() :: {
   choose { lamp = lit with 0.9, lamp = dark with 0.05 }
 })",
-        R"(variable lamp : { dark, lit };
+             R"(variable lamp : { dark, lit };
 model Main() :: {
   choose { lamp = lit with 0.9, lamp = dark with 0.1 }
 })"},
     CodeInfo{Code::clock_in_model, "clock in a model program",
-             "A model program counts steps, and has no clocks. A wait is as many `next` as steps, or a `choose` that "
-             "goes on with a probability.",
+             "A model program counts steps and has no clocks. To wait for n steps, write `next` n times. To wait for a "
+             "random time, write a `choose` that continues with a probability.",
              R"(variable lamp : { dark, lit };
 model Main() :: {
   t = 0;
@@ -55,12 +54,11 @@ model Main() :: {
 model Main() :: {
   next next lamp = lit
 })"},
-    CodeInfo{
-        Code::not_in_steps, "component that does not move in steps",
-        "A plant that holds a model program moves in steps, which have no length: no component of it has transitions "
-        "that take time or faults with a rate, or modes with more than ten different guards. Say how likely the "
-        "transition is in a step; or leave the model program out of this plant.",
-        R"(// software.rmpl
+    CodeInfo{Code::not_in_steps, "component that does not move in steps",
+             "A plant that contains a model program moves in steps, and steps have no duration. Its components may not "
+             "have:\n\n- transitions with time bounds,\n- faults with a rate,\n- modes with more than ten different "
+             "guards.\n\nGive the transition a probability per step, or leave the model program out of this plant.",
+             R"(// software.rmpl
 variable power : { off, on };
 model Software() :: { always power = on }
 // lamp.tcca
@@ -77,7 +75,7 @@ plant House {
   lamp : Lamp;
   lamp.power = software.power;
 })",
-        R"(// software.rmpl
+             R"(// software.rmpl
 variable power : { off, on };
 model Software() :: { always power = on }
 // lamp.tcca

@@ -22,11 +22,12 @@ namespace {
 
 constexpr std::array monitor_table = {
     CodeInfo{no_monitor, "no monitor",
-             "A file of monitors has at least one channel, and a channel says which numbers or texts mean which value.",
+             "A monitor file has at least one channel. A channel says which numbers or texts mean which value of its "
+             "attribute.",
              TANK R"(channel "LEVEL" : tank.level { hysteresis 0.1; })",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; hysteresis 0.1; })"},
     CodeInfo{monitor_repeated_part, "monitor part given twice",
-             "An attribute has one channel, and a channel each setting once; a text means one value.",
+             "Each attribute has one channel. A channel has each setting at most once. A text means one value only.",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; persist 2; persist 3; })",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; persist 3; })"},
     CodeInfo{monitor_not_observed, "monitor of an unobserved attribute",
@@ -53,20 +54,21 @@ component Tank {
 plant Farm { tank : Tank; observe tank.level; }
 // tank.mon
 channel "LEVEL" : tank.level { low below 1; fine 1 to 3; })"},
-    CodeInfo{
-        monitor_limits, "limits that no number meets",
-        "The first of two limits is the lower one. A hysteresis is at least 0, `persist` is a number of samples from 1 "
-        "or a duration, a rate is over more than 0 s. A difference or a rate is a number, never a text.",
-        TANK R"(channel "LEVEL" : tank.level { low below 1; fine 3 to 1; high above 3; })",
-        TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; })"},
+    CodeInfo{monitor_limits, "limits that no number meets",
+             "The settings of a channel have these ranges:\n\n- The first of two limits is the lower one.\n- A "
+             "hysteresis is at least 0.\n- `persist` is a number of samples from 1, or a duration.\n- A rate is "
+             "measured over more than 0 s.\n- A difference or a rate is a number, never a text.",
+             TANK R"(channel "LEVEL" : tank.level { low below 1; fine 3 to 1; high above 3; })",
+             TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; })"},
     CodeInfo{monitor_overlap, "limits that overlap",
-             "A number would mean two values. Limits may meet: what two values share belongs to the first of them.",
+             "Some numbers would mean two values. Limits of two values may meet: a number on the shared limit means "
+             "the value that is listed first.",
              TANK R"(channel "LEVEL" : tank.level { low below 1.5; fine 1 to 3; high above 3; })",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; })"},
     CodeInfo{channel_without_monitor, "channel without a monitor",
-             "A scenario gives a sample of a channel, and monitors make a reading of it. They stand in a file of their "
-             "own, which is given beside the scenario (`rmplc check tank.mon test.scn`, `rmpl-run scenario test.scn "
-             "--monitors tank.mon`) or in the scenario's set of rmpl.toml.",
+             "The scenario samples a channel that no monitor reads. Monitors turn samples into readings. Give the "
+             "monitor file together with the scenario (`rmplc check tank.mon test.scn`, `rmpl-run scenario test.scn "
+             "--monitors tank.mon`) or name it in the scenario's set in rmpl.toml.",
              FLIGHT R"(scenario "leak" {
   program "main.rmpl";
   plant "tank.tcca";
@@ -80,31 +82,32 @@ channel "LEVEL" : tank.level { low below 1; fine 1 to 3; })"},
   expect tank = leaking;
 })"},
     CodeInfo{monitor_gap, "gap between limits",
-             "Numbers between the limits of two values give no reading: the estimate goes on without the sensor, "
-             "unnoticed. If that is meant, as for a number that no sensor can give, allow the finding.",
+             "A number between the limits of two values gives no reading. The estimate then continues without the "
+             "sensor, and nothing shows it. If that is intended, for example because the sensor cannot give such a "
+             "number, allow the finding.",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1.5 to 3; high above 3; })",
              TANK R"(channel "LEVEL" : tank.level { low below 1.5; fine 1.5 to 3; high above 3; })"},
     CodeInfo{monitor_hysteresis, "hysteresis wider than its band",
-             "A value is left only once its limit is passed by the hysteresis. A hysteresis wider than the band of a "
-             "value holds the neighbour's value over the whole band, so the value in between is skipped.",
+             "The monitor leaves a value only when a sample passes the limit of the value by the hysteresis. If the "
+             "hysteresis is wider than the band of a value, the neighbouring value persists across the whole band, and "
+             "the value in between is skipped.",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; hysteresis 5; })",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; hysteresis 0.5; })"},
     CodeInfo{monitor_value_missing, "value that no limits give",
-             "No number and no text of the channel means this value of the attribute. That is right if the channel "
-             "cannot show it; else a line is missing.",
+             "No number and no text of the channel means this value of the attribute. This is right if the channel "
+             "cannot show the value. Otherwise a line is missing.",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; })",
              TANK R"(channel "LEVEL" : tank.level { low below 1; fine 1 to 3; high above 3; })"},
-    CodeInfo{
-        sample_without_reading, "sample that gives no reading",
-        "A number in a gap between limits, and a text that no monitor knows, give no reading: the sensor is silent "
-        "from then on. If the scenario is to show that, allow the finding.",
-        FLIGHT R"(scenario "leak" {
+    CodeInfo{sample_without_reading, "sample that gives no reading",
+             "A number in a gap between limits gives no reading, and neither does a text that no monitor knows. From "
+             "then on the sensor is silent. If the scenario tests that, allow the finding.",
+             FLIGHT R"(scenario "leak" {
   program "main.rmpl";
   plant "tank.tcca";
   at 3 s channel "LEVEL" = "LOW";
   expect tank = leaking;
 })",
-        FLIGHT R"(scenario "leak" {
+             FLIGHT R"(scenario "leak" {
   program "main.rmpl";
   plant "tank.tcca";
   at 3 s channel "LEVEL" = 0.7;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::array name_table = {
     CodeInfo{Code::unknown_name, "unknown name",
-             "Nothing of this name is declared here: no variable, mode, value, domain, type, definition or instance, "
-             "whichever the place needs. Where a declared name is near, it is suggested.",
+             "No declaration has this name. The message says what the place needs: a variable, mode, value, domain, "
+             "type, definition or instance. If a declared name is similar, the message suggests it.",
              R"(component Engine {
   output thrust : { zero, full };
   initial off;
@@ -68,26 +68,26 @@ component Relay {
   mode ok { contact = coil };
 }
 plant Board { relay : Relay; })"},
-    CodeInfo{
-        Code::ambiguous_name, "both a value and a variable",
-        "The name on the right is a value of the variable on the left, and also a variable of the same domain. The "
-        "constraint would mean different things; rename one of them.",
-        R"(component Gauge {
+    CodeInfo{Code::ambiguous_name, "both a value and a variable",
+             "The name on the right is a value of the variable on the left, and also a variable of the same domain. "
+             "The constraint is ambiguous. Rename the value or the variable.",
+             R"(component Gauge {
   input level, low : { low, high };
   initial ok;
   mode ok { level = low };
 }
 plant Tank { gauge : Gauge; })",
-        R"(component Gauge {
+             R"(component Gauge {
   input level, bound : { low, high };
   initial ok;
   mode ok { level = low };
 }
 plant Tank { gauge : Gauge; })"},
-    CodeInfo{Code::wrong_kind_of_name, "name of another kind",
-             "The name is declared, but as something else than this place needs: a component where an attribute was "
-             "expected, the plant where a module was, a lone name where a constraint was, and so on.",
-             R"(component Gauge {
+    CodeInfo{
+        Code::wrong_kind_of_name, "name of another kind",
+        "The name is declared, but it names another kind of thing than this place needs. Examples: a component where "
+        "an attribute is expected, the plant where a module is expected, a lone name where a constraint is expected.",
+        R"(component Gauge {
   output level : { low, high };
   initial ok;
   mode ok;
@@ -96,7 +96,7 @@ plant Tank {
   gauge : Gauge;
   observe gauge;
 })",
-             R"(component Gauge {
+        R"(component Gauge {
   output level : { low, high };
   initial ok;
   mode ok;
@@ -108,7 +108,7 @@ plant Tank {
     CodeInfo{
         Code::requirement_without_name, "requirement without a name",
         "A scenario, an expectation or a property names the requirements that it verifies, as the list of requirements "
-        "has them: `requirement \"FDIR-12\"`. A name of blanks, or with blanks around it, is in no list.",
+        "has them: `requirement \"FDIR-12\"`. A name is not empty, and does not begin or end with a blank.",
         R"(// tap.tcca
 component Valve {
   input cmd : { none, open };
@@ -152,8 +152,8 @@ property "the valve can open" {
   requirement "VALVE-1";
 })"},
     CodeInfo{Code::requirement_twice, "requirement named twice",
-             "A requirement is named once by a scenario or a property. What a scenario names is verified by all of its "
-             "expectations: they need not name it again.",
+             "A scenario or a property names each requirement once. All expectations of a scenario verify the "
+             "requirements that the scenario names, so an expectation does not repeat them.",
              R"(// tap.tcca
 component Valve {
   input cmd : { none, open };

@@ -8,42 +8,39 @@ namespace rmpl::grammar {
 namespace {
 
 constexpr std::array netlist_table = {
-    CodeInfo{
-        Code::netlist_syntax, "neither netlist nor fault tree",
-        "The text is no `.bench` netlist (INPUT(n), OUTPUT(n), n = GATE(a, b), a statement a line), no system "
-        "catalogue of the diagnostic competition, and no fault tree in the format of Galileo or Open-PSA; or it has "
-        "no gates.",
-        R"(// inverter.bench
+    CodeInfo{Code::netlist_syntax, "neither netlist nor fault tree",
+             "The text has no gates, or it is in none of the supported formats:\n\n- `.bench` netlists: INPUT(n), "
+             "OUTPUT(n), n = GATE(a, b), one statement a line,\n- system catalogues of the diagnostic competition,\n- "
+             "fault trees in the format of Galileo or Open-PSA.",
+             R"(// inverter.bench
 INPUT(a)
 OUTPUT b
 b = NOT(a))",
-        R"(// inverter.bench
+             R"(// inverter.bench
 INPUT(a)
 OUTPUT(b)
 b = NOT(a))"},
-    CodeInfo{
-        Code::netlist_gate, "gate that there is not",
-        "Gates are AND, NAND, OR, NOR, XOR and XNOR of two inputs or more, and NOT and BUFF of one. A circuit is "
-        "imported without memory: flip-flops and latches are cut, their outputs made inputs of the circuit and their "
-        "inputs outputs. Look-up tables, multiplexers and constants are not supported. Fault trees have and, or, not, "
-        "xor, "
-        "k of n, and of Galileo pand, por, spares, fdep and seq: spares, what depends on a trigger and what is held "
-        "back "
-        "are basic events. What cannot be said as a plant is refused, never left out.",
-        R"(// gate.bench
+    CodeInfo{Code::netlist_gate, "unsupported gate",
+             "The gates of a circuit are AND, NAND, OR, NOR, XOR and XNOR with two or more inputs, and NOT and BUFF "
+             "with one. Look-up tables, multiplexers and constants are not supported. A circuit is imported without "
+             "memory. Cut each flip-flop and latch: make its output an input of the circuit, and its input an "
+             "output.\n\nThe gates of a fault tree are and, or, not, xor and k of n, and in Galileo also pand, por, "
+             "spares, fdep and seq. Spares, the dependents of an fdep and the nodes that a seq holds back must be "
+             "basic events. The importer rejects what a plant cannot express, and never leaves it out.",
+             R"(// gate.bench
 INPUT(a)
 INPUT(b)
 OUTPUT(c)
 c = NOT(a, b))",
-        R"(// gate.bench
+             R"(// gate.bench
 INPUT(a)
 INPUT(b)
 OUTPUT(c)
 c = NAND(a, b))"},
     CodeInfo{
-        Code::netlist_driver, "no one definition",
-        "Each net is driven once, by an input of the circuit or by a gate; one that is read has a driver. So it is for "
-        "the nodes of a fault tree: each that is read is defined, and none twice.",
+        Code::netlist_driver, "not defined exactly once",
+        "A net may have only one driver: an input of the circuit or a gate. A net that is read needs a driver. In the "
+        "same way, a node of a fault tree may be defined only once, and a node that is read needs a definition.",
         R"(// gate.bench
 INPUT(a)
 OUTPUT(c)
@@ -53,18 +50,17 @@ INPUT(a)
 INPUT(b)
 OUTPUT(c)
 c = AND(a, b))"},
-    CodeInfo{
-        Code::netlist_loop, "loop of gates",
-        "A gate reads its own output, by way of other gates or at once. Such a circuit holds a value or swings, "
-        "which takes memory or time; a plant made of it would allow several values, or none. Cut the loop where the "
-        "value is held: the net becomes an input of the circuit for whoever reads it, and an output.",
-        R"(// latch.bench
+    CodeInfo{Code::netlist_loop, "loop of gates",
+             "A gate reads its own output, directly or through other gates. Such a circuit stores a value or "
+             "oscillates. As a plant it would permit several values, or none. Cut the loop at the net that stores the "
+             "value: make the net an output of the circuit, and let its readers read a new input.",
+             R"(// latch.bench
 INPUT(set)
 INPUT(reset)
 OUTPUT(q)
 q = NOR(reset, p)
 p = NOR(set, q))",
-        R"(// latch.bench
+             R"(// latch.bench
 INPUT(set)
 INPUT(reset)
 INPUT(q_before)

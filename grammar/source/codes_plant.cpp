@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::array plant_table = {
     CodeInfo{Code::foreign_guard, "guard or mode constraint of another component",
-             "Guards and mode constraints of a component speak of its own attributes only. Components influence each "
-             "other through the interconnections of the module that holds them.",
+             "Guards and mode constraints of a component read only its own attributes. Components influence each other "
+             "through the interconnections of the module that holds them.",
              R"(component Battery {
   output power : { no, yes };
   initial charged;
@@ -43,25 +43,24 @@ plant Probe {
   radio : Radio;
   radio.power = battery.power;
 })"},
-    CodeInfo{
-        Code::clock_in_plant, "clock in a plant model",
-        "Clocks belong to control programs. A component has one clock, which starts when its mode does; time bounds "
-        "on transitions speak of it.",
-        R"(component Heater {
+    CodeInfo{Code::clock_in_plant, "clock in a plant model",
+             "Clocks belong to control programs. A component has one clock, which starts when the component enters a "
+             "mode. Time bounds on transitions refer to this clock.",
+             R"(component Heater {
   initial heating;
   mode heating;
   mode warm;
   heating -> warm when t > 30 s;
 }
 plant Cabin { heater : Heater; })",
-        R"(component Heater {
+             R"(component Heater {
   initial heating;
   mode heating;
   mode warm;
   heating -> warm in [30 s, 60 s];
 }
 plant Cabin { heater : Heater; })"},
-    CodeInfo{Code::no_plant, "no plant", "A model has exactly one `plant`, the root module; here is none.",
+    CodeInfo{Code::no_plant, "no plant", "A model has exactly one `plant`, the root module. This model has none.",
              R"(component Valve {
   input cmd : { none, open };
   initial closed;
@@ -104,7 +103,7 @@ plant Mission {
   orbiter : Orbiter;
 })"},
     CodeInfo{Code::no_instances, "plant without instances",
-             "The plant holds no component, neither itself nor through a module: there is nothing to be in a mode.",
+             "The plant contains no component, neither directly nor through a module, so it has no modes.",
              R"(component Gauge {
   output reading : { low, high };
   initial ok;
@@ -149,7 +148,9 @@ plant Board { wire : Wire; })",
 }
 plant Board { wire : Wire; })"},
     CodeInfo{Code::no_default, "control variable without an idle value",
-             "A control variable has a value while nothing is commanded; `default` names it.", R"(component Valve {
+             "`default` names the idle value of a control variable: the value that it has while the executive commands "
+             "nothing.",
+             R"(component Valve {
   input cmd : { none, open };
   initial closed;
   mode closed;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array program_table = {
     CodeInfo{Code::clock_never_started, "clock never started",
-             "The condition reads a clock that no step starts: every atom over it would be false for ever.",
+             "The condition reads a clock that no step starts, so each comparison with the clock is always false.",
              R"(Main() :: {
   when t1 >= 30 s donext engine = off
 })",
@@ -30,21 +30,22 @@ constexpr std::array program_table = {
   when t1 >= 30 s donext engine = off
 })"},
     CodeInfo{Code::unguarded_recursion, "recursion that never waits",
-             "The definition calls itself again without a step in between that takes time: it would start itself for "
-             "ever within one instant.",
+             "The definition calls itself without a step in between that takes time. It would restart without end "
+             "within one instant.",
              R"(Poll() :: { Poll() }
 Main() :: { Poll() })",
              R"(Poll() :: { when valve = open donext Poll() }
 Main() :: { Poll() })"},
-    CodeInfo{Code::non_tail_recursion, "recursion that is not the last step",
-             "A definition may call itself only as the last thing that it does, and not inside its own `do … watching` "
-             "or `maintaining`: then the call is a way back to its start. Anything else would need a stack.",
-             R"(Poll() :: {
+    CodeInfo{
+        Code::non_tail_recursion, "recursion that is not the last step",
+        "A definition may call itself only as its last step, and not inside its own `do … watching` or `maintaining`. "
+        "Such a call is a jump back to the start. Any other recursion would need a stack, and programs have none.",
+        R"(Poll() :: {
   when valve = open donext Poll();
   engine = on
 }
 Main() :: { Poll() })",
-             R"(Poll() :: {
+        R"(Poll() :: {
   engine = on;
   when valve = open donext Poll()
 }
@@ -55,8 +56,8 @@ Main() :: { Open() })",
              R"(Open(v) :: { v = open }
 Main() :: { Open(valve) })"},
     CodeInfo{Code::ambiguous_entry, "several entry points",
-             "The program starts at the definition that no other calls, and here are several. `--main NAME`, or `main "
-             "NAME` in a scenario, decides.",
+             "A program starts at the definition that no other definition calls. This program has several such "
+             "definitions. Choose one with `--main NAME`, or with `main NAME` in a scenario.",
              R"(Start() :: { engine = on }
 Stop() :: { engine = off })",
              R"(Start() :: {
@@ -64,12 +65,12 @@ Stop() :: { engine = off })",
   Stop()
 }
 Stop() :: { engine = off })"},
-    CodeInfo{
-        Code::no_entry, "no entry point",
-        "No definition can be the start: each is called by another, there is none, or `--main` names none of them.",
-        R"(Start() :: { when valve = open donext Stop() }
+    CodeInfo{Code::no_entry, "no entry point",
+             "The program has no definition to start with. Either it has no definitions, or each definition is called "
+             "by another one, or `--main` names a definition that does not exist.",
+             R"(Start() :: { when valve = open donext Stop() }
 Stop() :: { when valve = closed donext Start() })",
-        R"(Main() :: { Start() }
+             R"(Main() :: { Start() }
 Start() :: { when valve = open donext Stop() }
 Stop() :: { when valve = closed donext Start() })"},
     CodeInfo{Code::not_in_plant, "not in the plant",
@@ -102,15 +103,15 @@ plant Lander {
   control engine.cmd default none;
 })"},
     CodeInfo{Code::wrong_argument, "argument that does not fit",
-             "The parameter is used where this argument cannot stand: a value where a variable is needed, a constraint "
-             "where a name is.",
+             "The definition uses the parameter in a place that does not permit this argument. Examples: a value where "
+             "a variable is needed, a constraint where a name is needed.",
              R"(Open(v) :: { v = open }
 Main() :: { Open(valve = open) })",
              R"(Open(v) :: { v = open }
 Main() :: { Open(valve) })"},
     CodeInfo{Code::model_program, "only in model programs",
-             "`choose`, and declarations of variables, belong to model programs: they describe what the plant does. A "
-             "control program says what it should do.",
+             "Only model programs may contain `choose` and declarations of variables. A model program describes what "
+             "the plant does; a control program says what the plant should do.",
              R"(Main() :: {
   choose { engine = on with 0.5, engine = off with 0.5 }
 })",
@@ -126,7 +127,7 @@ Main() :: { Open(valve) })"},
   engine = off
 })"},
     CodeInfo{Code::no_program, "no control program",
-             "A control program was expected, and what is given or named holds none.", R"(// test.scn
+             "A control program was expected, but the given or named file contains none.", R"(// test.scn
 scenario "opens" {
   program "tap.tcca";
   plant "tap.tcca";
@@ -171,9 +172,8 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::several_programs, "several control programs",
-             "A scenario flies one control program, and the compiled document that it names holds several. Name the "
-             "source of "
-             "the one, or compile it by itself.",
+             "A scenario flies one control program, but the compiled document that it names contains several. Name the "
+             "source of the program, or compile that program alone.",
              R"($ rmplc compile both.scn -o both.json
 $ rmplc compile test.scn -o model.json
 // test.scn
@@ -238,10 +238,10 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::knowledge_not_allowed, "knowledge condition not allowed here",
-             "`surprise`, `noplan`, `possible` and `likely` ask what the executive knows. They stand in conditions of "
-             "control programs, in expectations, and in what is claimed of a program. A model tells what is so, and a "
-             "goal what should be: neither speaks of knowledge. `expect truth` does not either, nor does what stands "
-             "between the parentheses of `possible` and `likely`.",
+             "`surprise`, `noplan`, `possible` and `likely` ask what the executive knows. They are permitted in:\n\n- "
+             "conditions of control programs,\n- expectations of scenarios, without `truth`,\n- properties of "
+             "programs.\n\nThey are not permitted elsewhere: a model tells what is true, and a goal says what should "
+             "become true. They are not permitted inside the parentheses of `possible` and `likely` either.",
              R"(Main() :: {
   surprise;
   engine = off
@@ -249,21 +249,20 @@ plant Tap {
              R"(Main() :: {
   when surprise donext engine = off
 })"},
-    CodeInfo{
-        Code::goal_out_of_reach, "goal that nothing achieves",
-        "A goal is a constraint over modes and attributes. No command makes `false` true. Of a model program a goal "
-        "names what some location tells: nothing else can come about.",
-        R"(Main() :: {
+    CodeInfo{Code::goal_out_of_reach, "goal that nothing achieves",
+             "A goal is a constraint over modes and attributes. No command makes `false` true. A goal for a model "
+             "program must name a value that some location of the program tells; no other value can be achieved.",
+             R"(Main() :: {
   false;
   engine = off
 })",
-        R"(Main() :: {
+             R"(Main() :: {
   engine = on;
   engine = off
 })"},
     CodeInfo{Code::control_only, "only in control programs",
-             "`each` says which goals are pursued where not all of them have a plan together. A model program has no "
-             "goals: it tells what holds.",
+             "`each` says which goals the executive pursues if no plan achieves all of them together. A model program "
+             "has no goals, so it cannot contain `each`.",
              R"(variable valve, lamp : { off, on };
 model Main() :: {
   each { always valve = on, always lamp = on }

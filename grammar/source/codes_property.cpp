@@ -89,10 +89,10 @@ property "opens" {
   reach valve = opened;
   faults 1;
 })"},
-    CodeInfo{
-        Code::property_repeated_part, "property part given twice",
-        "A property has a name of its own and makes one claim; a setting is made once, and so is one for the file.",
-        R"(// tap.tcca
+    CodeInfo{Code::property_repeated_part, "property part given twice",
+             "Each property has a unique name and makes one claim. Each setting appears at most once in a property, "
+             "and at most once for the whole file.",
+             R"(// tap.tcca
 component Valve {
   input cmd : { none, open };
   output flow : { no, yes };
@@ -114,7 +114,7 @@ property "opens" {
   faults 1;
   faults 2;
 })",
-        R"(// tap.tcca
+             R"(// tap.tcca
 component Valve {
   input cmd : { none, open };
   output flow : { no, yes };
@@ -135,7 +135,8 @@ property "opens" {
   reach valve = opened;
   faults 2;
 })"},
-    CodeInfo{Code::property_not_a_mode, "not a mode", "`from` gives modes of components, each once, to start in.",
+    CodeInfo{Code::property_not_a_mode, "not a mode",
+             "`from` gives initial modes: components, each at most once, and one of their modes.",
              R"(// tap.tcca
 component Valve {
   input cmd : { none, open };
@@ -178,7 +179,8 @@ property "opens" {
   reach valve = opened;
   from valve = closed;
 })"},
-    CodeInfo{Code::property_period, "period out of range", "Steps happen at multiples of a period longer than 0.",
+    CodeInfo{Code::property_period, "period out of range",
+             "Steps happen at multiples of the period, so the period is longer than 0.",
              R"(// tap.tcca
 component Valve {
   input cmd : { none, open };
@@ -223,7 +225,7 @@ property "opens" {
 })"},
     CodeInfo{
         Code::property_without_program, "no program",
-        "What is claimed of a program is asked of the plant under that program, which is given after the properties.",
+        "A claim about a program is checked on the plant under that program. Give the program after the properties.",
         R"($ tcca-check check tap.tcca tap.props
 // tap.tcca
 component Valve {
@@ -271,7 +273,8 @@ property "the pouring ends" {
   program terminates;
 })"},
     CodeInfo{Code::property_commands_of_program, "commands under a program",
-             "Under a program the executive commands; `commands` says what is free without one.",
+             "Under a program, the executive chooses the commands. `commands` says which commands are free without a "
+             "program.",
              R"($ tcca-check check tap.tcca tap.props pour.rmpl
 // tap.tcca
 component Valve {

@@ -56,10 +56,10 @@ plant Tap {
   control valve.cmd default none;
   observe valve.flow;
 })"},
-    CodeInfo{
-        Code::scenario_repeated_part, "scenario part given twice",
-        "Program, plant, cycle, duration and seed stand once in a scenario; a mode or an initial truth is given once.",
-        R"(// test.scn
+    CodeInfo{Code::scenario_repeated_part, "scenario part given twice",
+             "A scenario gives its program, plant, cycle, duration and seed at most once each. It gives at most one "
+             "initial mode for each component.",
+             R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
   plant "tap.tcca";
@@ -84,7 +84,7 @@ plant Tap {
   control valve.cmd default none;
   observe valve.flow;
 })",
-        R"(// test.scn
+             R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
   plant "tap.tcca";
@@ -109,7 +109,8 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::scenario_not_a_mode, "not a mode",
-             "`truth` and `fault` speak of components and their modes: the real ones of the simulated plant.",
+             "`truth` and `fault` set modes of components of the simulated plant. The name on the left must be a "
+             "component, and the name on the right one of its modes.",
              R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
@@ -158,9 +159,10 @@ plant Tap {
   control valve.cmd default none;
   observe valve.flow;
 })"},
-    CodeInfo{Code::scenario_not_observable, "not an observable variable",
-             "`observe` in a scenario overrides a sensor: a variable that the plant declares with `observe`.",
-             R"(// test.scn
+    CodeInfo{
+        Code::scenario_not_observable, "not an observable variable",
+        "`observe` in a scenario overrides a sensor. The variable must be one that the plant declares with `observe`.",
+        R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
   plant "tap.tcca";
@@ -184,7 +186,7 @@ plant Tap {
   control valve.cmd default none;
   observe valve.flow;
 })",
-             R"(// test.scn
+        R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
   plant "tap.tcca";
@@ -209,9 +211,8 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::scenario_not_a_command, "not a control variable",
-             "`when command` waits for a command, which is a constraint over control variables of the plant. `at … "
-             "command` gives "
-             "one of them a value.",
+             "`when command` waits for a command: a constraint over control variables of the plant. `at … command` "
+             "sets one control variable.",
              R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
@@ -261,9 +262,8 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::scenario_after_end, "after the end of the scenario",
-             "The event lies behind the scenario's duration, and would never come about; or the deadline of an "
-             "expectation does, "
-             "which is judged before it has passed.",
+             "The event is later than the end of the scenario, so it never happens. Or the deadline of an expectation "
+             "is later than the end, so the expectation is judged before its deadline.",
              R"(// test.scn
 scenario "opens" {
   program "main.rmpl";
@@ -364,8 +364,8 @@ plant Tap {
   observe valve.flow;
 })"},
     CodeInfo{Code::scenario_without_truth, "no truth in a plant of rules",
-             "A plant that follows the rules only has readings, and no modes behind them: nothing can fail in it, and "
-             "`truth` and `expect truth` have nothing to speak of.",
+             "With `rules only`, the rules of the scenario give all readings, and the plant has no modes. So no "
+             "component can fail, and `truth` and `expect truth` refer to nothing.",
              R"(// test.scn
 scenario "opens" {
   program "main.rmpl";

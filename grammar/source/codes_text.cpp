@@ -8,28 +8,27 @@ namespace rmpl::grammar {
 namespace {
 
 constexpr std::array text_table = {
-    CodeInfo{
-        Code::syntax, "syntax error",
-        "The text does not follow the grammar at this place. The message says what could have stood there and what "
-        "was found. After an error the reader goes on behind the next `;` or `}`, so that one run reports them all.",
-        R"(EntrySequence() :: {
+    CodeInfo{Code::syntax, "syntax error",
+             "The text does not follow the grammar at this place. The message names what the grammar permits here and "
+             "what the text has instead. After an error, parsing continues behind the next `;` or `}`, so one run "
+             "reports all syntax errors.",
+             R"(EntrySequence() :: {
   when att = entry-orient do lander = separated
 })",
-        R"(EntrySequence() :: {
+             R"(EntrySequence() :: {
   when att = entry-orient donext lander = separated
 })"},
-    CodeInfo{
-        Code::invalid_encoding, "not UTF-8 text",
-        "Sources are UTF-8 text without NUL bytes. This place holds a NUL, or bytes that are no UTF-8: perhaps the "
-        "file is in another encoding, or it is no text at all.",
-        R"($ printf '// caf\351\nMain() :: { engine = on }\n' > main.rmpl  # \351 is Latin-1
+    CodeInfo{Code::invalid_encoding, "not UTF-8 text",
+             "Sources are UTF-8 text without NUL bytes. This place has a NUL byte, or bytes that are not UTF-8. The "
+             "file may use another encoding, or may not be text.",
+             R"($ printf '// caf\351\nMain() :: { engine = on }\n' > main.rmpl  # \351 is Latin-1
 $ rmplc compile main.rmpl -o model.json)",
-        R"($ printf '// caf\303\251\nMain() :: { engine = on }\n' > main.rmpl  # \303\251 is UTF-8
+             R"($ printf '// caf\303\251\nMain() :: { engine = on }\n' > main.rmpl  # \303\251 is UTF-8
 $ rmplc compile main.rmpl -o model.json)"},
     CodeInfo{Code::nesting_too_deep, "nested too deep",
-             "Constraints and steps may nest 400 levels deep. No model that a person reads comes near; the limit keeps "
-             "a text that a program wrote from exhausting the stack. Name parts of it: definitions, or internal "
-             "attributes with a constraint each.",
+             "Constraints and steps may nest at most 400 levels deep. The limit protects the stack against generated "
+             "text. Split the text: move parts of a program into definitions of their own, and parts of a constraint "
+             "into internal attributes.",
              R"($ many() { printf "$1%.0s" $(seq 401); }
 $ echo "Main() :: { if $(many '(') valve = open $(many ')') thennext engine = on }" > main.rmpl
 $ rmplc compile --max-input 8G main.rmpl -o model.json)",
@@ -114,8 +113,8 @@ Entry() :: { engine = standby; Descent() }
 // descent.rmpl
 Descent() :: { engine = on })"},
     CodeInfo{Code::too_many_errors, "too many syntax errors",
-             "After a hundred syntax errors the rest of the text is not read. Is it in the language that the file's "
-             "ending says?",
+             "After 100 syntax errors the rest of the text is not read. Check that the text is in the language that "
+             "the ending of the file name stands for.",
              R"($ seq 200 | sed 's/$/;/' > plant.tcca  # no plant at all: the numbers from 1 to 200
 $ rmplc compile plant.tcca -o model.json 2>&1 | grep --after-context=4 RMPL0008)",
              R"(// plant.tcca
@@ -129,11 +128,10 @@ plant Tank { gauge : Gauge; })"},
              R"($ truncate --size=5G main.rmpl
 $ rmplc compile --max-input 8G main.rmpl -o model.json)",
              R"(Main() :: { engine = on })"},
-    CodeInfo{
-        Code::too_large, "model too large",
-        "A few lines can ask for more than any machine holds: a module of ten modules of ten modules, and so on. A "
-        "plant may have four million values, modes and transitions altogether.",
-        R"(component Gauge {
+    CodeInfo{Code::too_large, "model too large",
+             "A plant may have at most 4 million values, modes and transitions altogether. A few lines can exceed this "
+             "limit: a module of ten modules of ten modules, and so on.",
+             R"(component Gauge {
   initial ok;
   mode ok;
 }
@@ -144,7 +142,7 @@ module D { a, b, c, d, e, f, g, h, i, j : C; }
 module E { a, b, c, d, e, f, g, h, i, j : D; }
 module F { a, b, c, d, e, f, g, h, i, j : E; }
 plant Tanks { a, b, c, d, e, f, g, h, i, j : F; })",
-        R"(component Gauge {
+             R"(component Gauge {
   initial ok;
   mode ok;
 }

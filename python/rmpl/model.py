@@ -14,9 +14,9 @@ def svg_of(dot: str) -> str:
     try:
         done = subprocess.run(["dot", "-Tsvg"], input=dot.encode(), capture_output=True, check=False)
     except FileNotFoundError as error:
-        raise InputError("dot, which lays pictures out, is not there: install the package 'graphviz'") from error
+        raise InputError("dot, the layout program of Graphviz, is not installed: install the package 'graphviz'") from error
     if done.returncode != 0:
-        raise InputError("dot, which lays pictures out, failed: " + done.stderr.decode(errors="replace"))
+        raise InputError("dot, the layout program of Graphviz, failed: " + done.stderr.decode(errors="replace"))
     return done.stdout.decode()
 
 

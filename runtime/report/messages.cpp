@@ -16,15 +16,15 @@ using automata::Ticks;
 namespace {
 
 constexpr std::array<MessageChannel, 9> all_channels{
-    {{"/estimate", "the mode of each component, as estimated"},
+    {{"/estimate", "the estimated mode of each component"},
      {"/truth", "the mode of each component, in the simulated plant"},
-     {"/belief", "per component, the share of each mode that has any, in percent"},
+     {"/belief", "for each component, the probability of each possible mode, in percent"},
      {"/goal", "the goals that the program asserts"},
      {"/command", "the controls that are not idle, and why"},
-     {"/reading", "what the sensors read; those that are silent are not named"},
+     {"/reading", "the readings of all sensors that are not silent"},
      {"/marking", "the locations of the program that are marked, from 1"},
-     {"/event", "what happened beside the regular flow"},
-     {"/channel", "what each channel of telemetry says"}}};
+     {"/event", "surprises, faults and other events"},
+     {"/channel", "the latest sample of each telemetry channel"}}};
 
 class Messages {
  public:

@@ -111,9 +111,9 @@ const automata::Scenario& selected(const automata::Document& document, const Opt
   const bool given = !options.only.empty();
   if (!given && names.size() == 1) return document.scenarios.front();
   if (names.empty())
-    throw base::InputError(options.file + ": there is no scenario, and a campaign flies one of a .scn file");
+    throw base::InputError(options.file + ": the file has no scenario; a campaign flies a scenario of a .scn file");
   if (!given) {
-    throw base::InputError(options.file + ": expected one scenario, and there are " + std::to_string(names.size()) +
+    throw base::InputError(options.file + ": expected one scenario, found " + std::to_string(names.size()) +
                            "; choose one with --only");
   }
   if (found == names.end()) {
@@ -290,7 +290,7 @@ bool is_first_rank() {
 
 void check(const Options& options) {
   if (options.replay && (!options.csv.empty() || !options.database.empty()))
-    throw base::InputError("--replay: flies one run, and goes with neither --db nor --csv");
+    throw base::InputError("--replay flies one run, so it cannot be combined with --db or --csv");
   if (!options.replay && options.database.empty())
     throw base::InputError("--db: expected the name of a file for the results, or :memory:");
   if (options.enumerate && options.at.empty()) throw base::InputError("--enumerate: expected times, with --at");
@@ -324,7 +324,7 @@ ExitStatus publish(const Campaign& campaign, const Options& options, const Commo
   }
   if (!all) {
     tell("interrupted after " + std::to_string(summary.runs()) + " of " + runs +
-         (options.database == in_memory ? "" : "; the same command goes on"));
+         (options.database == in_memory ? "" : "; run the same command again to continue"));
     return ExitStatus::undecided;
   }
   return permitted ? ExitStatus::done : ExitStatus::violated;
@@ -334,7 +334,7 @@ ExitStatus publish(const Campaign& campaign, const Options& options, const Commo
 ExitStatus replay(const Campaign& campaign, const Options& options, const Common& common) {
   if (options.enumerate && *options.replay >= campaign.runs) {
     throw base::InputError("--replay: expected a run below " + std::to_string(campaign.runs) +
-                           ", and they count from 0");
+                           "; runs are numbered from 0");
   }
   const automata::Scenario& scenario = campaign.scenario;
   const automata::Program& program = campaign.document.programs[scenario.program];
@@ -353,7 +353,7 @@ ExitStatus replay(const Campaign& campaign, const Options& options, const Common
                                     observers, &result);
   if (!run) return ExitStatus::undecided;
   if (run->verdict == CampaignRun::Verdict::impossible) {
-    throw base::InputError("--replay " + std::to_string(*options.replay) + ": the run is impossible for the model");
+    throw base::InputError("--replay " + std::to_string(*options.replay) + ": the model makes this run impossible");
   }
   print((common.quiet ? "" : "\n") + runtime::summary(scenario, result, painter));
   if (views) {
@@ -395,30 +395,30 @@ void add_campaign(Program& program) {
   command.add_option("--only", options->only, "the scenario of the file").option_text("NAME");
   add_monitors(command, options->monitors);
   add_whole_number(command, "--runs", options->runs, 1, most_runs,
-                   "how many runs; of an enumeration, how often each fault at each time");
+                   "number of runs; with --enumerate, runs for each fault at each time");
   add_whole_number(command, "--faults", options->faults, 0, 1000, "how many faults to draw in each run (default: 0)");
   command.add_flag("--enumerate", options->enumerate, "inject every single fault at each of the times --at");
-  command.add_option("--at", options->at, "a time of an enumeration; may be given several times")
+  command.add_option("--at", options->at, "when --enumerate injects each fault; may be given several times")
       .option_text("TIME")
       .repeatable();
   command.add_flag("--unmodelled", options->unmodelled,
-                   "inject each fault at its time, whether or not the model has a transition to it then");
+                   "inject each fault at its time, even if the model has no transition to it then");
   add_whole_number(command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
                    "seed of all runs (default: 1)");
   add_whole_number(command, "--jobs,-j", options->jobs, 1, most_jobs,
-                   "how many runs at a time in this process (default: one a processor)");
+                   "how many runs fly at once in this process (default: one per processor)");
   command
       .add_option("--db", options->database,
-                  "the database of results: made, or gone on with;\n:memory: for one that is forgotten")
+                  "the database of results: created, or continued;\n:memory: for a temporary one")
       .option_text("OUT.sqlite");
   add_read(command, "--at-most", options->at_most, at_most,
-           "how many runs may fail, or which share of them (default: 0)")
+           "how many runs may fail, as a number or a percentage (default: 0)")
       .option_text("N|P%");
-  command.add_option("--csv", options->csv, "write the results as a table, a line a run").option_text("OUT.csv");
-  command.add_option("--report", options->report, "write the summary as a page; of --replay the flight")
+  command.add_option("--csv", options->csv, "write the results as a table, one line per run").option_text("OUT.csv");
+  command.add_option("--report", options->report, "write the summary as a page; with --replay, write the flight")
       .option_text("OUT.html");
   add_whole_number(command, "--replay", options->replay, 0, most_runs,
-                   "fly this run alone, by its number from 0, and tell its story; takes no --db");
+                   "fly only this run, by its number from 0, and tell its story; not with --db");
   command.footer(footer);
   program.add({command,
                [options, &program] {

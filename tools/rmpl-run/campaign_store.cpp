@@ -107,7 +107,7 @@ void CampaignStore::check_identity(const std::map<std::string, std::string>& ide
     if (!known.bind(key).step()) {
       Statement(*this, "INSERT INTO campaign VALUES(?, ?)").bind(key).bind(value).step();
     } else if (const std::string there = known.text(); there != value) {
-      throw base::InputError("--db: " + path_ + " has the results of another campaign: its " + key + " is '" + there +
+      throw base::InputError("--db: " + path_ + " holds the results of another campaign: its " + key + " is '" + there +
                              "', not '" + value + "'");
     }
   }

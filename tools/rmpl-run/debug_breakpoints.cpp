@@ -40,7 +40,7 @@ std::string canonical_path(const std::string& path) {
 DebugCondition debug_condition(const std::string& text, const automata::Plant& plant, bool has_truth) {
   DebugCondition condition;
   condition.truth = text.starts_with(truth_word);
-  if (condition.truth && !has_truth) throw base::InputError("nobody knows the truth here; ask the estimate");
+  if (condition.truth && !has_truth) throw base::InputError("this trace does not record the truth; ask the estimate");
   const std::string asked = condition.truth ? text.substr(truth_word.size()) : text;
   auto compiled = condition.truth ? compiler::compile_formula(asked, plant, "condition")
                                   : compiler::compile_program_formula(asked, plant, "condition");

@@ -49,7 +49,7 @@ examples:
 
 std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool count_only) {
   if (count_only) return found.count.str() + "\n";
-  if (found.diagnoses.empty()) return "no diagnosis: no modes of the components are consistent with the observations\n";
+  if (found.diagnoses.empty()) return "no diagnosis: the observations contradict every combination of modes\n";
   std::string text;
   for (const Diagnosis& diagnosis : found.diagnoses) {
     std::string probability = runtime::probability_text(diagnosis);
@@ -76,8 +76,8 @@ ExitStatus run_model(const automata::ModelProgram& program, const Options& optio
   const bool modes = !options.modes.empty();
   if (search.all_minimal || search.first || search.count_only || !options.scenario.empty() || modes) {
     throw base::InputError(options.plant +
-                           ": --all-minimal, --first, --count, --modes and --scenario are about plants of components, "
-                           "and this is, or holds, a model program");
+                           ": --all-minimal, --first, --count, --modes and --scenario apply to plants of components, "
+                           "but this is or contains a model program");
   }
   const auto observation = assignments_option(options.observe, program, "--observe", common);
   for (const automata::Assignment& reading : observation) {
@@ -99,7 +99,8 @@ ExitStatus run(Options options, const Common& common) {
     if (plant.component_of(reading.variable)) refuse_mode(plant.variables.name(reading.variable));
   }
   if (options.search.first && options.search.count_only) {
-    throw base::InputError("--first and --count exclude each other: one diagnosis, or how many there are");
+    throw base::InputError(
+        "--first and --count exclude each other: --first gives one diagnosis, --count only their number");
   }
   options.search.all_minimal = options.search.all_minimal || options.search.first || options.search.count_only;
   const Diagnoses found =
@@ -129,14 +130,14 @@ void add_diagnose(Program& program) {
   const auto options = std::make_shared<Options>();
   command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
       .required();
-  Option observe = command.add_option("--observe", options->observe, "what is seen: attributes and their values")
+  Option observe = command.add_option("--observe", options->observe, "the observations: attributes and their values")
                        .option_text("'x = v, ...'");
   Option readings = command
                         .add_option("--scenario", options->scenario,
-                                    "what is seen: the last sensor readings in a file of the diagnosis competition")
+                                    "the observations: the last sensor readings in a file of the diagnosis competition")
                         .option_text("FILE");
   command.require_one(observe, readings);
-  command.add_option("--modes", options->modes, "nominal modes that are known: each component is in its, or at fault")
+  command.add_option("--modes", options->modes, "known nominal modes: each component is in the given mode or at fault")
       .option_text("'c = m, ...'");
   constexpr std::uint64_t most = 1'000'000'000;
   Option k = add_whole_number(command, "-k", options->search.k, 1, most, "how many diagnoses (default: 10)");
@@ -145,14 +146,17 @@ void add_diagnose(Program& program) {
     if (value && *value >= 1) return *value;
     throw BadValue("expected a number that is at least 1, not '" + text + "'");
   };
-  add_read(command, "--ratio", options->search.ratio, ratio, "none more than R times less likely than the best")
+  add_read(command, "--ratio", options->search.ratio, ratio,
+           "omit diagnoses that are more than R times less likely than the best")
       .option_text("R");
-  command.add_flag("--all-minimal", options->search.all_minimal, "every diagnosis with the fewest faults");
-  command.add_flag("--first", options->search.first, "only one with the fewest faults, which proves their number")
+  command.add_flag("--all-minimal", options->search.all_minimal, "list every diagnosis with the fewest faults");
+  command
+      .add_flag("--first", options->search.first,
+                "print only one diagnosis with the fewest faults, which proves their number")
       .excludes(k);
-  command.add_flag("--count", options->search.count_only, "only how many those with the fewest faults are");
+  command.add_flag("--count", options->search.count_only, "print only the number of diagnoses with the fewest faults");
   add_format(command, program.common());
-  command.add_flag("--stats", options->stats, "say on standard error what it cost");
+  command.add_flag("--stats", options->stats, "print the cost on standard error");
   command.footer(footer);
   program.add({command,
                [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});

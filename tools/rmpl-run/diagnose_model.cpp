@@ -45,7 +45,8 @@ std::string in_words(const automata::Marking& marking, const automata::ModelProg
 }
 
 std::string as_text(const automata::ModelProgram& program, const ModelDiagnoses& found) {
-  if (found.diagnoses.empty()) return "no diagnosis: no markings of the threads are consistent with the observations\n";
+  if (found.diagnoses.empty())
+    return "no diagnosis: the observations contradict every combination of markings of the threads\n";
   std::string text;
   for (const ModelDiagnosis& diagnosis : found.diagnoses) {
     JsonLine number;

@@ -142,8 +142,8 @@ class Flight {
 ExitStatus run_model(const automata::ModelProgram& program, const Options& options, const Common& common) {
   if (is_about_plants(options.estimator)) {
     throw base::InputError(options.plant +
-                           ": --thesis, --ranks, --live-clocks, --all-clocks, --deadline and --max-memory are about "
-                           "plants, and this is a model program");
+                           ": --thesis, --ranks, --live-clocks, --all-clocks, --deadline and --max-memory apply to "
+                           "plants, but this is a model program");
   }
   ModelEstimateOptions own;
   own.model = options.plant;
@@ -163,13 +163,13 @@ ExitStatus run(Options options, const Common& common) {
   if (is_model_program(compilation.document())) {
     if (!options.reading.monitors_file.empty() || options.reading.period || options.reading.script) {
       throw base::InputError(options.plant +
-                             ": --monitors, --cycle and --scenario are about plants, and this is a model program");
+                             ": --monitors, --cycle and --scenario apply to plants, but this is a model program");
     }
     return run_model(only_model_program(compilation.document(), options.plant), options, common);
   }
-  if (options.beam) throw base::InputError(options.plant + ": --beam is about model programs, and this is none");
+  if (options.beam) throw base::InputError(options.plant + ": --beam applies to model programs, but this is a plant");
   if (options.estimator.window && (options.estimator.thesis || options.estimator.ranks || options.estimator.deadline)) {
-    throw base::InputError("--window weighs exactly: expected none of --thesis, --ranks and --deadline");
+    throw base::InputError("--window computes exact probabilities: use it without --thesis, --ranks and --deadline");
   }
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   if (!options.reading.monitors_file.empty()) {
@@ -195,14 +195,16 @@ ExitStatus run(Options options, const Common& common) {
   const bool early =
       answer_log(options.log, plant, options.reading, lines,
                  [&](const LogLine& line, const std::string& name) { return flight.answer(line, name); });
-  if (flight.estimator().account().cut) tell("a search was cut short; a belief may lack states");
+  if (flight.estimator().account().cut) tell("a search ended early; a belief may lack states");
   if (options.estimator.weighs() && flight.estimator().account().lacking > runtime::told_missing && !common.quiet) {
     tell(runtime::missing_text(flight.estimator().account().lacking));
   }
   if (flight.estimator().account().searched)
-    tell("a group of components has too many histories to weigh them all: probabilities are shares of the best");
+    tell(
+        "a group of components has too many histories to sum over all of them: probabilities are shares among the best "
+        "ones");
   if (flight.estimator().account().history_cut)
-    tell("a search for histories was cut short; the best are told, but fewer than wanted");
+    tell("a search for histories ended early; the output has the best histories, but fewer than requested");
   if (options.estimator.stats || common.verbose) {
     report(flight.estimator(), latency, options.estimator.ranks, seconds_since(begin));
   }
@@ -212,7 +214,7 @@ ExitStatus run(Options options, const Common& common) {
 }  // namespace
 
 void add_estimate(Program& program) {
-  Command command = program.add_command("estimate", "tell what state a plant is in, from a log");
+  Command command = program.add_command("estimate", "estimate the state of a plant from a log");
   const auto options = std::make_shared<Options>();
   command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
       .required();
@@ -220,64 +222,67 @@ void add_estimate(Program& program) {
                    .option_text("IN.jsonl|IN.csv");
   Option script = command
                       .add_option("--scenario", options->script,
-                                  "the same as a scenario of Livingstone2, a step a second or a --cycle")
+                                  "the log as a scenario of Livingstone2, one step per second or per --cycle")
                       .option_text("FILE.scr");
   command.require_one(log, script);
   add_log_times(command, options->reading);
   add_telemetry(command, options->reading);
   add_choice<Engine>(command, "--estimator", options->estimator.engine,
                      {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
-                     "the whole belief, or the best of it (default: k-best)");
+                     "keep the whole belief, or only its best states (default: k-best)");
   add_k(command, options->estimator.k);
   add_read(command, "--deadline", options->estimator.deadline, positive_duration,
-           "how long one update may search; the best states found until then are kept")
+           "time limit of one update; the best states found by then are kept")
       .option_text("TIME");
   add_read(command, "--max-memory", options->estimator.bytes, memory_size,
-           "exact: give up when so much memory is in use; the belief grows with the product of its components")
+           "with exact: stop at this memory use; the belief grows with the product of the components")
       .option_text("BYTES[K|M|G]");
   command.add_flag("--thesis", options->estimator.thesis,
-                   "k-best as Fig. 6-11 of the thesis has it: trajectories that meet are not added up, the\n"
-                   "observation factor is not applied, and nothing is normalised");
+                   "k-best as in Fig. 6-11 of the thesis: no sum over trajectories that meet,\nno observation factor, "
+                   "no normalisation");
   command.add_flag("--ranks", options->estimator.ranks,
-                   "count as Livingstone2 does: probabilities as powers of ten, compared as whole numbers, with no\n"
-                   "observation factor, and all states that are as good as the k-th");
-  Option all_clocks =
-      command.add_flag("--all-clocks", options->estimator.all_clocks, "keep every clock, though nothing depends on it");
+                   "rank as Livingstone2 does: by powers of ten, without the observation factor, keeping all\nstates "
+                   "that are as good as the k-th");
+  Option all_clocks = command.add_flag("--all-clocks", options->estimator.all_clocks,
+                                       "keep every clock, even if nothing depends on it");
   command
       .add_flag("--live-clocks", options->estimator.live_clocks,
-                "forget the clock of a component while nothing depends on it (default, but for --thesis)")
+                "drop the clock of a component while nothing depends on it (default, except with --thesis)")
       .excludes(all_clocks);
   command.add_flag("--beam", options->beam,
-                   "model programs: keep the k markings that were most likely before the readings' factors, as the\n"
+                   "model programs: keep the k most likely markings before the factors of the readings apply,\nas the "
                    "paper on model programs does");
   add_whole_number(command, "--window", options->estimator.window, 1, 1'000,
-                   "tell the k most likely histories of the last N updates, revised by what came since");
-  command.add_flag("--text", options->text, "answer for people; of a model program with the source of what is marked");
-  command.add_flag("--stats", options->estimator.stats, "say on standard error what it cost");
+                   "write the k most likely histories of the last N updates, given all later readings");
+  command.add_flag("--text", options->text,
+                   "write text for people; for a model program, with the source of each marked location");
+  command.add_flag("--stats", options->estimator.stats, "print the cost on standard error");
   command.footer(footer);
-  program.add(
-      {command,
-       [options, &common = program.common()] {
-         options->reading.quiet = common.quiet;
-         options->reading.script = !options->script.empty();
-         if (options->reading.script) options->log = options->script;
-         if (options->estimator.bytes && options->estimator.engine != Engine::exact) {
-           throw base::InputError(
-               "--max-memory is about exact, as k-best keeps but its best states; expected --estimator exact");
-         }
-         if (options->estimator.engine == Engine::exact &&
-             (options->estimator.thesis || options->estimator.ranks || options->estimator.deadline)) {
-           throw base::InputError("--thesis, --ranks and --deadline are about k-best; expected --estimator k-best");
-         }
-         if (options->beam && (options->estimator.engine == Engine::exact || options->estimator.window)) {
-           throw base::InputError("--beam keeps a beam of its own: expected neither --estimator exact nor --window");
-         }
-         if (options->estimator.thesis && options->estimator.ranks) {
-           throw base::InputError("--thesis and --ranks are two ways to count; expected one of them");
-         }
-         return within_limits([&] { return run(*options, common); });
-       },
-       AtSignal::tell});
+  program.add({command,
+               [options, &common = program.common()] {
+                 options->reading.quiet = common.quiet;
+                 options->reading.script = !options->script.empty();
+                 if (options->reading.script) options->log = options->script;
+                 if (options->estimator.bytes && options->estimator.engine != Engine::exact) {
+                   throw base::InputError(
+                       "--max-memory limits the exact belief, and k-best keeps only its best states; use it with "
+                       "--estimator exact");
+                 }
+                 if (options->estimator.engine == Engine::exact &&
+                     (options->estimator.thesis || options->estimator.ranks || options->estimator.deadline)) {
+                   throw base::InputError(
+                       "--thesis, --ranks and --deadline configure k-best; use them with --estimator k-best");
+                 }
+                 if (options->beam && (options->estimator.engine == Engine::exact || options->estimator.window)) {
+                   throw base::InputError(
+                       "--beam replaces the estimator: use it without --estimator exact and without --window");
+                 }
+                 if (options->estimator.thesis && options->estimator.ranks) {
+                   throw base::InputError("--thesis and --ranks are alternative ways to rank states; use one of them");
+                 }
+                 return within_limits([&] { return run(*options, common); });
+               },
+               AtSignal::tell});
 }
 
 }  // namespace rmpl::tools

@@ -83,7 +83,7 @@ ExitStatus estimate_model(const ModelProgram& program, const ModelEstimateOption
   const bool early =
       answer_log(options.log, program, options.reading, lines,
                  [&](const LogLine& line, const std::string& name) { return flight.answer(line, name); });
-  if (flight.account().cut) tell("a search was cut short; a belief may lack markings");
+  if (flight.account().cut) tell("a search ended early; a belief may lack markings");
   if (flight.account().lacking > runtime::told_missing && !options.quiet) {
     tell(runtime::missing_text(flight.account().lacking));
   }

@@ -81,7 +81,7 @@ std::string read_token(const std::string& path) {
 std::unique_ptr<runtime::Channel> make_channel(const Options& options) {
   if (!options.command.empty()) return std::make_unique<ChildPlant>(options.command, interrupted);
   if (options.remote && options.token.empty()) {
-    throw base::InputError("--allow-remote: goes only with --token, for everybody could connect");
+    throw base::InputError("--allow-remote requires --token: otherwise anybody could connect");
   }
   const std::string token = options.token.empty() ? "" : read_token(options.token);
   auto channel = std::make_unique<ListeningPlant>(options.address, options.remote, token, interrupted);
@@ -166,12 +166,12 @@ void add_engines(Command& command, ScenarioOptions& engines) {
   add_choice<ScenarioOptions::Engine>(
       command, "--estimator", engines.engine,
       {{"exact", ScenarioOptions::Engine::exact}, {"k-best", ScenarioOptions::Engine::k_best}},
-      "how the executive estimates (default: k-best)");
+      "the estimator of the executive (default: k-best)");
   add_k(command, engines.k);
   add_choice<ScenarioOptions::Recovery>(
       command, "--reconfigurer", engines.recovery,
       {{"planner", ScenarioOptions::Recovery::planner}, {"one-step", ScenarioOptions::Recovery::one_step}},
-      "how the executive finds commands (default: planner)");
+      "the method that finds commands (default: planner)");
 }
 
 void add_execute(Program& program) {
@@ -184,43 +184,45 @@ void add_execute(Program& program) {
   Option listen = command.add_option("--listen", options->address, "the plant connects to unix:PATH or tcp:HOST:PORT")
                       .option_text("ADDRESS");
   command.require_one(exec, listen);
-  command.add_option("--token", options->token, "let in only who sends the first line of this file first")
+  command.add_option("--token", options->token, "accept only a plant that first sends the first line of this file")
       .option_text("FILE")
       .needs(listen);
-  command.add_flag("--allow-remote", options->remote, "listen for other machines too; takes --token").needs(listen);
-  command.add_option("--monitors", options->monitors, "how numbers and texts that the plant sends become readings")
+  command.add_flag("--allow-remote", options->remote, "accept connections from other machines; requires --token")
+      .needs(listen);
+  command
+      .add_option("--monitors", options->monitors, "monitors that turn numbers and texts from the plant into readings")
       .option_text("FILE.mon");
-  add_read(command, "--cycle", options->run.cycle, positive_duration, "how long a cycle is (default: 0.5 s)")
+  add_read(command, "--cycle", options->run.cycle, positive_duration, "length of a cycle (default: 0.5 s)")
       .option_text("TIME");
   add_choice<Time>(command, "--clock", options->run.plant.time, {{"wall", Time::wall}, {"lock-step", Time::lock_step}},
-                   "a cycle takes as long as it says, or until the plant answers\n"
-                   "and time is simulated (default: wall)");
+                   "a cycle takes real time, or ends when the plant answers,\nwith simulated time (default: wall)");
   add_read(command, "--patience", options->run.plant.patience, positive_duration,
-           "in lock-step: how long to wait for an answer (default: 10 s)")
+           "with lock-step: how long to wait for an answer (default: 10 s)")
       .option_text("TIME");
-  add_read(command, "--duration", options->run.duration, positive_duration, "end after so long").option_text("TIME");
+  add_read(command, "--duration", options->run.duration, positive_duration, "end after this time").option_text("TIME");
   add_read(command, "--give-up", options->run.give_up, positive_duration,
-           "end where no plant was there for so long (default: 60 s)")
+           "end if no plant is connected for this time (default: 60 s)")
       .option_text("TIME");
-  command.add_option("--trace", options->trace, "write what happens, as JSON Lines").option_text("OUT.jsonl");
+  command.add_option("--trace", options->trace, "write the trace as JSON Lines").option_text("OUT.jsonl");
   add_views(command, options->views);
   const auto as_given = [](const std::string& text) { return text; };
-  Option foxglove = add_read(command, "--foxglove", options->foxglove, as_given,
-                             "let Foxglove watch the flight at this port of the machine")
-                        .option_text("[HOST:]PORT");
+  Option foxglove =
+      add_read(command, "--foxglove", options->foxglove, as_given, "let Foxglove watch the flight at this local port")
+          .option_text("[HOST:]PORT");
   command.add_flag("--foxglove-remote", options->foxglove_remote, "let Foxglove on other machines watch, too")
       .needs(foxglove);
-  command.add_flag("--follow", options->follow, "show the flight on the terminal while it goes on, not its story");
+  command.add_flag("--follow", options->follow, "show the flight live on the terminal instead of its story");
   add_choice<TraceDetail>(
       command, "--trace-detail", options->detail,
       {{"changes", TraceDetail::changes}, {"cycles", TraceDetail::cycles}, {"beliefs", TraceDetail::beliefs}},
-      "what the trace tells: cycles in which something changes, every cycle,\n"
-      "or every cycle with all states that are tracked (default: changes)");
+      "contents of the trace: cycles in which something changes, every cycle,\nor every cycle with all tracked states "
+      "(default: changes)");
   add_whole_number(command, "--keyframe", options->keyframe, 1, 1'000'000'000,
-                   "with the detail changes: every N lines of the trace, one lists everything (default: 1000)");
+                   "with the detail changes: every N-th line of the trace lists everything (default: 1000)");
   add_engines(command, options->run.engines);
   add_format(command, program.common());
-  command.add_option("--main", options->main, "the definition to run, where several are called by no other")
+  command
+      .add_option("--main", options->main, "the definition to run, if there are several that no other definition calls")
       .option_text("NAME");
   command.footer(footer);
   program.add({command,

@@ -54,7 +54,7 @@ class Account final : public CycleObserver {
       latency.add(seconds);
     }
     [[nodiscard]] std::string text() const {
-      return std::to_string(checked) + " candidates checked, " + std::to_string(most) + " at most in a cycle; " +
+      return std::to_string(checked) + " candidates checked, " + std::to_string(most) + " at most per cycle; " +
              latency.text();
     }
   };

@@ -117,7 +117,7 @@ void ListeningPlant::revive(std::uint64_t /*cycles*/, automata::Ticks until) {
 void ListeningPlant::await_also(std::vector<pollfd>& wanted) {
   std::erase_if(candidates_, [&](const Candidate& candidate) {
     const bool late = now() >= candidate.until;
-    if (late) turn_away("showed no token in time");
+    if (late) turn_away("sent no token in time");
     return late;
   });
   wanted.push_back({listener_.number(), POLLIN, 0});
@@ -146,7 +146,7 @@ void ListeningPlant::accept_all() {
     Descriptor socket(accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (!socket.open()) return;
     if (candidates_.size() == most_candidates) {
-      turn_away("showed no token before others came");
+      turn_away("sent no token before others connected");
       candidates_.erase(candidates_.begin());
     }
     candidates_.push_back({std::move(socket), now() + patience_with_token});
@@ -160,7 +160,7 @@ ListeningPlant::Impression ListeningPlant::look_at(Candidate& candidate) {
   const ssize_t seen = recv(socket, buffer.data(), buffer.size(), MSG_PEEK | MSG_DONTWAIT);
   if (seen < 0 && (errno == EAGAIN || errno == EINTR)) return Impression::none;
   if (seen <= 0) {
-    turn_away("showed no token");
+    turn_away("sent no token");
     return Impression::rejected;
   }
   std::string_view text(buffer.data(), static_cast<std::size_t>(seen));
@@ -169,7 +169,7 @@ ListeningPlant::Impression ListeningPlant::look_at(Candidate& candidate) {
   text = text.substr(0, end);
   if (text.ends_with('\r')) text.remove_suffix(1);
   if (!same(text, token_)) {
-    turn_away("showed a wrong token");
+    turn_away("sent a wrong token");
     return Impression::rejected;
   }
   return recv(socket, buffer.data(), end + 1, MSG_DONTWAIT) < 0 ? Impression::none : Impression::admitted;

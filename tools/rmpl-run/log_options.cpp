@@ -20,7 +20,9 @@ void add_log_times(Command& command, LogOptions& options) {
       throw BadValue("expected first, seconds or a date, such as 2023-11-14T22:13:20Z, not '" + text + "'");
     }
   };
-  command.add_taken("--origin", take_origin, "the time of the log that is time 0: its first, seconds, or a date")
+  command
+      .add_taken("--origin", take_origin,
+                 "which time of the log is time 0: the first one, a number of seconds, or a date")
       .option_text("first|TIME");
   const auto take_unit = [&options](const std::string& text) {
     const auto unit = text == "s" || text == "ms" || text == "us" || text == "ns" ? automata::parse_duration("1" + text)
@@ -35,7 +37,9 @@ void add_log_times(Command& command, LogOptions& options) {
 }
 
 void add_telemetry(Command& command, LogOptions& options) {
-  command.add_option("--monitors", options.monitors_file, "how numbers and texts of the log's channels become readings")
+  command
+      .add_option("--monitors", options.monitors_file,
+                  "monitors that turn numbers and texts of the log's channels into readings")
       .option_text("FILE.mon");
   command
       .add_option("--time-column", options.time_column,
@@ -52,7 +56,7 @@ void add_telemetry(Command& command, LogOptions& options) {
            "of a CSV log: a character, or tab (default: what its first row has most of , ; and tab)")
       .option_text("C");
   add_read(command, "--cycle", options.period, positive_duration,
-           "answer once in each cycle of this length, in place of each line of the log")
+           "answer once per cycle of this length, instead of once per line of the log")
       .option_text("TIME");
 }
 

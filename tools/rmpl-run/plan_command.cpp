@@ -76,7 +76,7 @@ std::string waiting(const std::vector<std::string>& steps) {
 /// A line for each transition, with all the waits in which it may come.
 std::string text_of(const automata::Plant& plant, const Plan& plan, const std::vector<PlanRisk>& risks) {
   const std::string but =
-      plan.bounds_counted ? ": the plan hopes that it does not" : ": how long each takes is not compared";
+      plan.bounds_counted ? ": the plan relies on this not happening" : ": the plan does not compare durations";
   std::vector<std::pair<TransitionOf, std::vector<std::string>>> lines;
   for (const PlanRisk& risk : risks) {
     const auto known = std::find_if(lines.begin(), lines.end(), [&](const auto& l) { return l.first == risk.leaving; });
@@ -91,7 +91,7 @@ std::string text_of(const automata::Plant& plant, const Plan& plan, const std::v
             " from '" + component.modes[leaving.from.index()].name + "' to '" +
             component.modes[leaving.to.index()].name + "' by itself" +
             (leaving.origin.line == 0 ? "" : " (" + short_place(leaving.origin) + ")") +
-            (leaving.timing ? but : ": the awaited transition would have to occur in the same step") + "\n";
+            (leaving.timing ? but : ": the awaited transition must occur in the same step") + "\n";
   }
   return text;
 }
@@ -130,7 +130,7 @@ std::string text_of(const automata::Plant& plant, const Plan& plan) {
   if (plan.goal_state) {
     text += "goal state: " + to_text(plant.variables, automata::assignments_of(plant, *plan.goal_state)) + "\n";
   }
-  if (!plan.proved_best) text += "not proved best: the game is too large to look at all commands\n";
+  if (!plan.proved_best) text += "not proved optimal: the game is too large to search all commands\n";
   return text;
 }
 
@@ -169,8 +169,8 @@ ExitStatus print_strategy(const Options& options, automata::PlantStep& step, con
   const auto strategy = runtime::strategy_from(strategist, modes);
   if (!strategy) {
     throw base::LimitError(
-        "plan: the game has too many states for a strategy that is proved best; `plan` without "
-        "--strategy finds a plan step by step");
+        "plan: the game has too many states for an optimal strategy; `plan` without --strategy finds a plan step by "
+        "step");
   }
   switch (options.format) {
     case PlanFormat::text:
@@ -219,24 +219,26 @@ ExitStatus run(const Options& options, Common common) {
 }  // namespace
 
 void add_plan(Program& program) {
-  Command command = program.add_command("plan", "find the commands that lead from a state to a goal");
+  Command command = program.add_command("plan", "plan the commands that lead from a state to a goal");
   const auto options = std::make_shared<Options>();
   command.add_option("PLANT", options->plant, "a .tcca model, or a compiled .json").required();
   command.add_option("--from", options->from, "the modes to start from").option_text("'x = m, ...'");
   const Option goal =
       command.add_option("--goal", options->goal, "a constraint over modes and attributes").option_text("'constraint'");
   add_choice<bool>(command, "--reconfigurer", options->one_step, {{"planner", false}, {"one-step", true}},
-                   "a sequence of commands, or one control action that is enough (default: planner)");
+                   "plan a sequence of commands, or find one sufficient control action (default: planner)");
   const Option policy =
       command.add_flag("--policy", options->policy, "print the policy of each component instead of a plan")
           .excludes(goal);
   command.add_option("--component", options->component, "with --policy: of this component only")
       .option_text("NAME")
       .needs(policy);
-  command.add_flag("--strategy", options->strategy, "print the whole strategy: what is done in each state it may meet")
+  command
+      .add_flag("--strategy", options->strategy,
+                "print the whole strategy: the command in each state that it may reach")
       .excludes(policy);
   add_read(command, "--cycle", options->cycle, positive_duration,
-           "of the executive that acts on the plan (default: dense time, in which commands take none)")
+           "cycle of the executive that runs the plan (default: dense time, in which commands take no time)")
       .option_text("TIME");
   add_choice<PlanFormat>(command, "--format", options->format,
                          {{"text", PlanFormat::text}, {"json", PlanFormat::json}, {"dot", PlanFormat::dot}},

@@ -100,7 +100,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const auto last = read(flown, text, options.trace, [&](const runtime::CycleRecord& record) {
     if (lines++ > 0) flown.scenario.cycle = record.time - record.start;
   });
-  if (!last) throw base::InputError(options.trace + ": expected a trace, and there is none in it");
+  if (!last) throw base::InputError(options.trace + ": expected a trace, but the file has none");
   std::optional<Views> views;
   if (options.views.any()) views.emplace(options.views, plant, program);
 
@@ -127,14 +127,18 @@ ExitStatus run(const Options& options, const Common& common) {
 }  // namespace
 
 void add_report(Program& program) {
-  Command command = program.add_command("report", "tell a trace, and write any view of it");
+  Command command = program.add_command("report", "tell the story of a trace, and write any view of it");
   const auto options = std::make_shared<Options>();
   command.add_option("TRACE", options->trace, "a trace of a flight; - is standard input").required();
-  command.add_option("MODELS", options->models, "PROGRAM and PLANT: what flew");
-  command.add_option("--monitors", options->monitors, "how channels of the trace were read: the limits in the views")
+  command.add_option("MODELS", options->models, "PROGRAM and PLANT: the models of the flight");
+  command
+      .add_option("--monitors", options->monitors,
+                  "monitors that read the channels of the trace: their limits appear in the views")
       .option_text("FILE.mon");
   add_views(command, options->views);
-  command.add_option("--main", options->main, "the definition that ran, where several are called by no other")
+  command
+      .add_option("--main", options->main,
+                  "the definition that ran, if there are several that no other definition calls")
       .option_text("NAME");
   command.footer(footer);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});

@@ -230,31 +230,31 @@ void add_scenario(Program& program) {
   constexpr std::uint64_t most_jobs = 256;
   options->jobs = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(most_jobs));
   add_whole_number(command, "--jobs,-j", options->jobs, 1, most_jobs,
-                   "how many scenarios fly at once, with the same output for any number\n(default: one a core)");
+                   "how many scenarios fly at once; the output is the same for any number\n(default: one per core)");
   add_monitors(command, options->monitors);
-  command.add_flag("--follow", options->follow, "show the flight on the terminal while it goes on, not its story");
-  command.add_option("--trace", options->trace, "write what happens, as JSON Lines").option_text("OUT.jsonl");
+  command.add_flag("--follow", options->follow, "show the flight live on the terminal instead of its story");
+  command.add_option("--trace", options->trace, "write the trace as JSON Lines").option_text("OUT.jsonl");
   command.add_option("--report", options->report, "write a page to look at the flights in a browser, all in one file")
       .option_text("OUT.html");
   command.add_option("--vcd", options->vcd, "write a value change dump, for wave viewers").option_text("OUT.vcd");
-  command.add_option("--csv", options->csv, "write what changes as a table").option_text("OUT.csv");
+  command.add_option("--csv", options->csv, "write all changes as a table").option_text("OUT.csv");
   command.add_option("--mcap", options->mcap, "write MCAP, for robotics tools").option_text("OUT.mcap");
   command.add_option("--junit", options->junit, "write a test case for each expectation, for continuous integration")
       .option_text("OUT.xml");
   command
       .add_option("--coverage", options->coverage,
-                  "write which modes, transitions, faults and locations of the program flights came to")
+                  "write which modes, transitions, faults and program locations the flights reached")
       .option_text("OUT.json");
   add_choice<TraceDetail>(
       command, "--trace-detail", options->detail,
       {{"changes", TraceDetail::changes}, {"cycles", TraceDetail::cycles}, {"beliefs", TraceDetail::beliefs}},
-      "what the trace tells: cycles in which something changes, every cycle,\n"
-      "or every cycle with all states that are tracked (default: changes)");
+      "contents of the trace: cycles in which something changes, every cycle,\nor every cycle with all tracked states "
+      "(default: changes)");
   add_whole_number(command, "--keyframe", options->keyframe, 1, 1'000'000'000,
-                   "with the detail changes: every N lines of the trace, one lists everything (default: 1000)");
+                   "with the detail changes: every N-th line of the trace lists everything (default: 1000)");
   command
       .add_option("--only-component", options->components,
-                  "tell only what is about this component; may be given several times")
+                  "tell only lines about this component; may be given several times")
       .option_text("NAME")
       .repeatable();
   add_read(command, "--from", options->from, duration, "tell the story from this time on").option_text("TIME");
@@ -263,19 +263,19 @@ void add_scenario(Program& program) {
                    "draw the plant with this seed instead of the scenario's");
   command
       .add_option("--commands", options->commands,
-                  "draw a model program under these commands, and print what happens as a log; the FILE is\n"
-                  "then a .rmpl or .tcca file; - is standard input")
+                  "simulate a model program under these commands, and print the run as a log; FILE is\nthen a .rmpl or "
+                  ".tcca file; - is standard input")
       .option_text("IN.jsonl");
   add_format(command, program.common(), true);
   add_choice<Engine>(command, "--estimator", options->engine, {{"exact", Engine::exact}, {"k-best", Engine::k_best}},
-                     "how the executive estimates (default: k-best)");
+                     "the estimator of the executive (default: k-best)");
   add_k(command, options->k);
   add_choice<Recovery>(command, "--reconfigurer", options->recovery,
                        {{"planner", Recovery::planner}, {"one-step", Recovery::one_step}},
-                       "how the executive finds commands (default: planner)");
-  command.add_flag("--real-time", options->real_time, "let each cycle take as long as it says");
+                       "the method that finds commands (default: planner)");
+  command.add_flag("--real-time", options->real_time, "run in real time");
   command.add_flag("--stats", options->stats,
-                   "say on standard error how long cycles took: estimation, reconfiguration, both");
+                   "print on standard error how long cycles took: estimation, reconfiguration, both");
   exclude_flights(command);
   command.footer(footer);
   program.add({command,

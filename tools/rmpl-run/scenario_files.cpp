@@ -28,9 +28,9 @@ ScenarioFile read_scenario_file(const std::string& path, const ScenarioMonitors&
   if (!document.scenarios.empty()) return {path, compilation, 0, document.scenarios.size()};
   if (is_model_program(document)) {
     throw base::InputError(path +
-                           ": this is a model program: expected --commands, the list of commands to draw it under");
+                           ": this is a model program; give --commands, the list of commands to simulate it under");
   }
-  throw base::InputError(path + ": expected a scenario, and there is none in it");
+  throw base::InputError(path + ": expected a scenario, but the file has none");
 }
 
 /// The files compiled together; nothing where there is anything to say of one of them, which is said file by file.
@@ -155,7 +155,7 @@ std::vector<Task> tasks_of(const std::vector<ScenarioFile>& files, const FlightO
                                      std::pair{"--csv", &options.csv}, std::pair{"--mcap", &options.mcap}}) {
     if (result.size() <= 1 || path->empty()) continue;
     const bool one = files.size() == 1;
-    throw base::InputError(std::string(option) + " holds one scenario, and " +
+    throw base::InputError(std::string(option) + " writes one scenario, but " +
                            (one ? files.front().path + " has " : std::to_string(files.size()) + " files have ") +
                            std::to_string(result.size()) + "; choose one with --only");
   }

@@ -84,7 +84,7 @@ ExitStatus fly_model(const ModelProgram& program, const std::string& paths, cons
     if (!line) break;
     const std::string where = input.name() + ":" + std::to_string(line->number) + ": ";
     if (!line->observations.empty()) {
-      throw base::InputError(where + "what is read is drawn: expected commands, and no observations");
+      throw base::InputError(where + "the simulation draws the readings: give commands without observations");
     }
     try {
       flight->fly(*line);

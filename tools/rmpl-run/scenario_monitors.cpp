@@ -44,7 +44,7 @@ std::vector<std::string> ScenarioMonitors::of(const std::string& scenarios) cons
   if (found == sets_.end()) return {};
   if (!found->second.other.empty()) {
     throw base::InputError(scenarios + ": the sets '" + found->second.set + "' and '" + found->second.other + "' of " +
-                           manifest_ + " have it, with other monitors; expected --monitors");
+                           manifest_ + " contain it, with different monitors; choose with --monitors");
   }
   return found->second.monitors;
 }
@@ -52,8 +52,8 @@ std::vector<std::string> ScenarioMonitors::of(const std::string& scenarios) cons
 void add_monitors(Command& command, std::vector<std::string>& monitors) {
   command
       .add_option("--monitors", monitors,
-                  "how channels that scenarios sample become readings; may be given several times\n"
-                  "(default: those of the scenario's set in rmpl.toml)")
+                  "monitors that turn samples of channels into readings; may be given several times\n(default: those "
+                  "of the scenario's set in rmpl.toml)")
       .option_text("FILE.mon")
       .repeatable();
 }

@@ -67,7 +67,8 @@ void add_sequence(Program& program) {
   command.add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json").required();
   command.add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json");
   command.add_option("--log", options->log, "state estimates; - is standard input").required().option_text("IN.jsonl");
-  command.add_option("--main", options->main, "the definition to run, where several are called by no other")
+  command
+      .add_option("--main", options->main, "the definition to run, if there are several that no other definition calls")
       .option_text("NAME");
   command.footer(footer);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});

@@ -10,7 +10,8 @@
 namespace rmpl::tools {
 
 void choose_fault(runtime::FlightSteps& flight, const std::string& text, const Common& common) {
-  if (!flight.has_truth()) throw base::InputError("fault: the plant follows the rules only: nothing can fail");
+  if (!flight.has_truth())
+    throw base::InputError("fault: the plant is declared 'rules only' and has no modes, so no component can fail");
   const automata::Plant& plant = flight.plant();
   const auto modes = assignments_option(text, plant, "fault", common);
   for (const automata::Assignment& mode : modes) {

@@ -68,24 +68,25 @@ ExitStatus run(StepOptions options, bool debugger, const Common& common, const S
 }  // namespace
 
 void add_step(Program& program) {
-  Command command = program.add_command("step", "step through a run, forth and back");
+  Command command = program.add_command("step", "step through a run, forward and backward");
   const auto options = std::make_shared<StepOptions>();
   const Option files =
       command.add_option("FILES", options->files, "PROGRAM PLANT, PLANT alone, or a file of scenarios (.scn)");
   const auto debugger = std::make_shared<bool>(false);
   const Option only = command.add_option("--only", options->only, "the scenario of this name, where a file has several")
                           .option_text("NAME");
-  Option dap =
-      command.add_flag("--dap", *debugger, "serve a debugger of an editor, which names the files, on standard input");
-  const Option trace =
-      command.add_option("--trace", options->trace, "step through this trace, or witness of tcca-check, in its place")
-          .option_text("FILE");
+  Option dap = command.add_flag("--dap", *debugger,
+                                "serve the debugger of an editor on standard input; the editor names the files");
+  const Option trace = command
+                           .add_option("--trace", options->trace,
+                                       "step through this trace, or this witness of tcca-check, instead of a new run")
+                           .option_text("FILE");
   const Option cycle =
-      add_read(command, "--cycle", options->cycle, positive_duration, "how long a cycle is (default: 0.5 s)")
+      add_read(command, "--cycle", options->cycle, positive_duration, "length of a cycle (default: 0.5 s)")
           .option_text("TIME")
           .excludes(trace);
   const Option duration =
-      add_read(command, "--duration", options->duration, positive_duration, "the run goes no further (default: 24 h)")
+      add_read(command, "--duration", options->duration, positive_duration, "the end of the run (default: 24 h)")
           .option_text("TIME")
           .excludes(trace);
   const Option seed = add_whole_number(command, "--seed", options->seed, 0, std::numeric_limits<std::uint64_t>::max(),
@@ -93,9 +94,10 @@ void add_step(Program& program) {
                           .excludes(trace);
   add_engines(command, options->engines);
   for (const char* name : {"--estimator", "-k", "--reconfigurer"}) command.option(name).excludes(trace);
-  const Option main =
-      command.add_option("--main", options->main, "the definition to run, where several are called by no other")
-          .option_text("NAME");
+  const Option main = command
+                          .add_option("--main", options->main,
+                                      "the definition to run, if there are several that no other definition calls")
+                          .option_text("NAME");
   add_monitors(command, options->monitors);
   const Option monitors = command.option("--monitors");
   for (const Option& said : {files, only, monitors, trace, cycle, duration, seed, main}) dap.excludes(said);

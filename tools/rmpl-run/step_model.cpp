@@ -52,7 +52,7 @@ std::string seen_from(const fs::path& folder, const std::string& path) {
 StepModel::StepModel(StepOptions options, const Common& common) : options_(std::move(options)), common_(common) {
   if (options_.files.size() > 2) throw base::InputError("expected PROGRAM PLANT, PLANT, or one file of scenarios");
   for (const std::string& file : options_.files) {
-    if (file == "-") throw base::InputError("'-': standard input is where the commands come from");
+    if (file == "-") throw base::InputError("'-': the commands already come from standard input");
   }
   open();
 }
@@ -92,9 +92,9 @@ void StepModel::choose_scenario() {
   names.reserve(all.size());
   for (const automata::Scenario& scenario : all) names.emplace_back(scenario.name);
   const std::string& file = options_.files.front();
-  if (all.empty()) throw base::InputError(file + ": expected a scenario, and there is none in it");
+  if (all.empty()) throw base::InputError(file + ": expected a scenario, but the file has none");
   if (options_.only.empty() && all.size() > 1) {
-    throw base::InputError(file + ": expected one scenario, and there are " + std::to_string(all.size()) +
+    throw base::InputError(file + ": expected one scenario, found " + std::to_string(all.size()) +
                            "; choose one with --only");
   }
   const auto chosen = options_.only.empty() ? all.begin() : std::find_if(all.begin(), all.end(), [&](const auto& s) {
@@ -172,12 +172,12 @@ std::unique_ptr<runtime::FlightSteps> StepModel::fly(std::vector<runtime::Choice
 
 void StepModel::ask_for(const std::string& goal, automata::Ticks time, std::uint64_t cycle) {
   if (kind_ == Kind::scenario) {
-    throw base::InputError(
-        "goal: in a scenario the program asks for the goals; step the plant alone to ask for others");
+    throw base::InputError("goal: in a scenario the program asserts the goals; step the plant alone to assert others");
   }
   const bool source = compiler::kind_by_name(options_.files.front()) == compiler::Kind::program;
   if (kind_ == Kind::program && !source) {
-    throw base::InputError("goal: " + options_.files.front() + ": a compiled program cannot be gone on with by others");
+    throw base::InputError("goal: " + options_.files.front() +
+                           ": a compiled program cannot be continued with other goals");
   }
   if (!goal.empty()) (void)goal_option(goal, plant(), "goal", common_);
   const std::vector<Goal> before = goals_;

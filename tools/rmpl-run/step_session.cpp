@@ -59,15 +59,15 @@ void expect_nothing(const std::string& rest, const char* verb) {
 const std::vector<StepSession::Verb>& StepSession::verbs() {
   static const std::vector<Verb> all{
       {"next", 'n', "[N]", "one cycle, or N; so does an empty line", &StepSession::next},
-      {"to", 't', "TIME", "on or back to the last cycle that ends by then: to 10 s", &StepSession::to},
-      {"until", 'u', "[truth] φ", "on until φ holds at the end of a cycle: until surprise", &StepSession::until},
-      {"back", 'b', "[N]", "back by one cycle, or N; what was chosen since is undone", &StepSession::back},
+      {"to", 't', "TIME", "forward or back to the last cycle that ends by this time: to 10 s", &StepSession::to},
+      {"until", 'u', "[truth] φ", "forward until φ holds at the end of a cycle: until surprise", &StepSession::until},
+      {"back", 'b', "[N]", "back by one cycle, or N; later choices are undone", &StepSession::back},
       {"fault", 'f', "c = m", "the component is in this mode at the end of the cycle", &StepSession::fault},
-      {"command", 'c', "x = v", "this is commanded in the cycle, whatever the executive says", &StepSession::command},
+      {"command", 'c', "x = v", "this command replaces that of the executive in the cycle", &StepSession::command},
       {"observe", 'o', "x = v [for T]", "the sensor reads this from the end of the cycle on", &StepSession::observe},
-      {"goal", 'g', "[φ|none]", "from now on φ is asked for, and nothing else; what is asked for", &StepSession::goal},
-      {"why", 'w', "", "the reasons of command, conflicts, surprises and diagnoses", &StepSession::why},
-      {"show", 's', "", "where the run stands, once more", &StepSession::show},
+      {"goal", 'g', "[φ|none]", "from now on only φ is the goal; without φ: show the goals", &StepSession::goal},
+      {"why", 'w', "", "the reasons for the command, conflicts, surprises and diagnoses", &StepSession::why},
+      {"show", 's', "", "show the current state again", &StepSession::show},
       {"save", '\0', "NAME.scn", "write a scenario that flies the same run", &StepSession::save},
       {"help", 'h', "", "this list", &StepSession::help},
       {"quit", 'q', "", "end the session", &StepSession::quit}};
@@ -138,7 +138,7 @@ std::vector<std::string> StepSession::words() const {
 
 runtime::FlightSteps& StepSession::flight(const char* what) {
   if (flight_) return *flight_;
-  throw base::InputError(std::string(what) + ": a trace is over, and nothing of it can be chosen");
+  throw base::InputError(std::string(what) + ": a recorded trace has no choices");
 }
 
 void StepSession::tell_story() {
@@ -169,7 +169,7 @@ void StepSession::next(const std::string& rest) {
   std::uint64_t left = count_of(rest, "next", 1);
   const std::uint64_t before = run_->position();
   go_on([&] { return --left == 0; }, nullptr);
-  if (run_->position() == before && !interrupted()) throw base::InputError("next: the run is over");
+  if (run_->position() == before && !interrupted()) throw base::InputError("next: the run has ended");
   show_stop();
 }
 
@@ -202,7 +202,7 @@ void StepSession::until(const std::string& rest) {
   }
   if (text.empty()) throw base::InputError("until: expected a condition, such as engine = standby");
   if (truth && run_->stop().truth.empty()) {
-    throw base::InputError("until truth: nobody knows the truth here; ask the estimate");
+    throw base::InputError("until truth: this trace does not record the truth; ask the estimate");
   }
   const automata::Formula formula = truth ? formula_option(text, run_->plant(), "until", common_)
                                           : program_formula_option(text, run_->plant(), "until", common_);
@@ -211,7 +211,7 @@ void StepSession::until(const std::string& rest) {
   bool holds = false;
   const bool found = go_on([&] { return holds; },
                            [&](const runtime::CycleRecord& record, bool ended) { holds = watch.holds(record, ended); });
-  if (!found && !interrupted()) print("the run is over, and " + text + " did not come true\n");
+  if (!found && !interrupted()) print("the run has ended, but " + text + " did not come true\n");
   show_stop();
 }
 
@@ -246,8 +246,8 @@ void StepSession::goal(const std::string& rest) {
   runtime::FlightSteps& flown = flight("goal");
   if (rest.empty()) {
     const auto asked = model_.asked();
-    print(asked ? (asked->empty() ? "nothing is asked for\n" : "asked for by hand: " + *asked + "\n")
-                : "the program '" + flown.program().name + "' asks for the goals\n");
+    print(asked ? (asked->empty() ? "no goals\n" : "goals set by hand: " + *asked + "\n")
+                : "the program '" + flown.program().name + "' asserts the goals\n");
     return;
   }
   const std::uint64_t position = flown.position();
@@ -270,7 +270,8 @@ void StepSession::choose(const std::vector<std::string>& numbers) {
     const Prospect& prospect = open[number - 1];
     const bool moves = prospect.kind != Prospect::Kind::command;
     if (moves && !flown.has_truth()) {
-      throw base::InputError("'" + text + "': the plant follows the rules only: choose what is read, with observe");
+      throw base::InputError("'" + text +
+                             "': the plant is declared 'rules only' and has no modes: choose readings, with observe");
     }
     const auto twice = std::find_if(chosen.begin(), chosen.end(), [&](const Prospect& other) {
       return other.what.variable == prospect.what.variable;
@@ -332,11 +333,11 @@ void StepSession::help(const std::string& rest) {
     left.append(size < column ? column - size : 1, ' ');
     text += "  " + left + meaning + "\n";
   };
-  add("NUMBER ...", "choose what may come, one number or several, and go on by one cycle");
+  add("NUMBER ...", "choose events by their numbers, one or several, and go forward by one cycle");
   for (const Verb& verb : verbs()) {
     add(std::string(verb.name) + (*verb.arguments == '\0' ? "" : std::string(" ") + verb.arguments), verb.meaning);
   }
-  print(text + "A command may be cut short: n, b 3, u surprise. A line that begins with // is a comment.\n");
+  print(text + "Commands may be abbreviated: n, b 3, u surprise. A line that begins with // is a comment.\n");
 }
 
 void StepSession::quit(const std::string& rest) {

@@ -112,7 +112,7 @@ std::string_view word_for(Rank rank) {
 std::string strategy_text(const Plant& plant, const Strategy& strategy) {
   std::string text = "rank: " + std::string(word_for(strategy.rank));
   if (strategy.rank != Rank::none) text += strategy.lasts ? "; the goal lasts" : "; the goal does not last";
-  if (!strategy.best) text += "; not proved best";
+  if (!strategy.best) text += "; not proved optimal";
   text += "\n";
   const std::vector<bool> shown = moving(strategy);
   for (std::size_t n = 0; n < strategy.nodes.size(); ++n) {

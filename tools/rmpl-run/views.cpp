@@ -13,7 +13,7 @@ void add_views(Command& command, ViewPaths& paths) {
   command.add_option("--report", paths.report, "write a page to look at the flight in a browser, all in one file")
       .option_text("OUT.html");
   command.add_option("--vcd", paths.vcd, "write a value change dump, for wave viewers").option_text("OUT.vcd");
-  command.add_option("--csv", paths.csv, "write what changes as a table").option_text("OUT.csv");
+  command.add_option("--csv", paths.csv, "write all changes as a table").option_text("OUT.csv");
   command.add_option("--mcap", paths.mcap, "write MCAP, for robotics tools").option_text("OUT.mcap");
 }
 

@@ -70,7 +70,7 @@ void add_compile(Program& program) {
   const auto options = std::make_shared<Options>();
   command.add_option("FILE", options->files, "sources and compiled documents").required();
   add_output(command, options->output, "OUT.json", "write the document to this file");
-  command.add_option("--depfile", options->depfile, "write which files it depends on, for make and ninja")
+  command.add_option("--depfile", options->depfile, "write the files that the output depends on, for make and ninja")
       .option_text("OUT.d")
       .needs(command.option("--output"));
   command.add_option("--main", options->main, "start the control program at this definition").option_text("NAME");

@@ -68,7 +68,7 @@ std::vector<Figure> asked_for(const std::vector<Figure>& figures, const Options&
     for (const Figure& figure : figures) {
       if (figure.kind != Figure::Kind::instance) names.insert(figure.name);
     }
-    throw base::InputError("--of: there is nothing called '" + options.of + "'" +
+    throw base::InputError("--of: there is no program, component type or plant called '" + options.of + "'" +
                            suggestion_or_list(options.of, {names.begin(), names.end()}));
   }
   return found;
@@ -81,9 +81,9 @@ std::string drawn(const std::vector<Figure>& figures, const Options& options) {
   const bool alike = std::all_of(asked.begin() + 1, asked.end(),
                                  [&](const Figure& other) { return to_dot(other, options.depth) == graph; });
   if (alike) return graph;
-  if (options.of.empty()) throw base::InputError("there are several figures; name one with --of: " + listed(asked));
+  if (options.of.empty()) throw base::InputError("there are several figures; choose one with --of: " + listed(asked));
   throw base::InputError("--of: '" + options.of + "' is the name of " + std::to_string(asked.size()) +
-                         " different figures; give the files of one");
+                         " different figures; give only the files of one of them");
 }
 
 /// The name of the form that was asked for, or that the name of the output tells: no end is DOT. Throws
@@ -94,9 +94,7 @@ std::string form_of(const Options& options) {
     if (options.format == Picture::unsaid ? end == "." + name : options.format == picture) return name;
   }
   if (end.empty() || end == ".gv") return "dot";
-  throw base::InputError(
-      options.output +
-      ": expected a name that ends in .dot, .gv, .svg, .png or .pdf, or --format, which says the form");
+  throw base::InputError(options.output + ": expected a name that ends in .dot, .gv, .svg, .png or .pdf, or --format");
 }
 
 ExitStatus run(const Options& options, const Common& common) {
@@ -116,7 +114,7 @@ void add_diagram(Program& program) {
   command.add_option("FILE", options->files, "sources and compiled documents").required();
   add_output(command, options->output, "OUT", "write the picture to this file");
   add_choice<Picture>(command, "--format", options->format, pictures,
-                      "the form of the picture (default: as OUT ends, else dot)");
+                      "the format of the picture (default: by the ending of OUT, else dot)");
   command.add_option("--of", options->of, "what to draw").option_text("NAME");
   add_whole_number(command, "--depth", options->depth, 0, 1000, "how many levels of boxes are opened");
   command.add_option("--main", options->main, "start the control program at this definition").option_text("NAME");

@@ -110,7 +110,7 @@ Examples:
 }  // namespace
 
 void add_explain(Program& program) {
-  Command command = program.add_command("explain", "tell what a diagnostic means, with an example");
+  Command command = program.add_command("explain", "explain a diagnostic, with a wrong and a right example");
   const auto code = std::make_shared<std::string>();
   const auto all = std::make_shared<bool>(false);
   Option one = command.add_option("CODE", *code, "as in the diagnostic: RMPL0301");

@@ -43,7 +43,7 @@ Example:
 compiler::Kind kind_of(const std::string& path, const std::string& text) {
   const auto kind = path == "-" ? compiler::kind_by_content(text) : compiler::kind_by_name(path);
   if (kind && *kind != compiler::Kind::document) return *kind;
-  if (path == "-") throw base::InputError("standard input: is a compiled document, which has no style");
+  if (path == "-") throw base::InputError("standard input: expected source text, found a compiled document");
   throw base::InputError(path + ": expected a .rmpl, .tcca, .scn, .props or .mon file");
 }
 
@@ -89,7 +89,7 @@ ExitStatus run(const Options& options, const Common& common) {
 }  // namespace
 
 void add_format(Program& program) {
-  Command command = program.add_command("format", "lay out sources in the one style");
+  Command command = program.add_command("format", "lay out sources in the standard style");
   const auto options = std::make_shared<Options>();
   command.add_option("FILE", options->files, "sources; - is standard input").required();
   command.add_flag("--check", options->check, "write nothing; print the names of files that would change");

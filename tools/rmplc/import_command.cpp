@@ -51,7 +51,7 @@ void add_import(Program& program) {
   add_output(command, options->output, "OUT.tcca", "write the plant to this file");
   add_choice<FaultModel>(command, "--faults", options->faults,
                          {{"weak", FaultModel::weak}, {"strong", FaultModel::strong}},
-                         "how gates of circuits fail (default: weak)");
+                         "fault model of the gates of circuits (default: weak)");
   Common& common = program.common();
   add_diagnostics_format(command, common);
   command.footer(notes);

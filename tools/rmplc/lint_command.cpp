@@ -98,7 +98,7 @@ void add_plant_of_monitors(Options& options, const Settings& settings) {
     if (std::all_of(options.files.begin(), options.files.end(), is_of_set)) plants.insert(files.plant);
   }
   if (plants.empty()) {
-    throw base::InputError(options.files.front() + ": monitors speak of a plant; expected its .tcca beside them");
+    throw base::InputError(options.files.front() + ": monitors refer to a plant; give its .tcca file too");
   }
   options.files.insert(options.files.begin(), plants.begin(), plants.end());
 }
@@ -143,7 +143,7 @@ void forget(Baseline known, std::vector<Diagnostic>& found, const Sources& sourc
   const std::size_t unmet = options.baseline.empty() ? 0 : known.unmet();
   if (unmet == 0 || common.quiet) return;
   tell(options.baseline + ": " + std::to_string(unmet) + (unmet == 1 ? " finding" : " findings") +
-       " of it not found: --write-baseline writes it anew");
+       " of them no longer found: update the baseline with --write-baseline");
 }
 
 /// What is to be told of it, sorted: where it did not compile, everything.
@@ -166,12 +166,12 @@ void tell_what_is_missing(const compiler::Compilation& compilation, const Common
   const bool bound = !document.plants.empty() || !document.models.empty();
   if (common.quiet || bound || document.programs.empty()) return;
   tell("no plant among the files: components and modes that '" + document.programs.front().name +
-       "' speaks of are taken as they come");
+       "' mentions are not checked");
 }
 
 void tell_library(const Common& common) {
   if (common.quiet) return;
-  tell("no plant among the files: component types are compiled by themselves, and nothing is proven of them");
+  tell("no plant among the files: component types are compiled one by one, and lint proves nothing about them");
 }
 
 /// An input set with its findings, and what fixes make of it.
@@ -272,22 +272,22 @@ void add_inputs(Command& command, Options& options) {
   add_choice<std::optional<Severity>>(
       command, "--level", options.level,
       {{"error", Severity::error}, {"warning", Severity::warning}, {"note", Severity::note}},
-      "the least severe findings that count (default: warning)");
+      "the lowest severity of findings that count (default: warning)");
 }
 
 }  // namespace
 
 void add_lint(Program& program) {
-  Command command = program.add_command("lint", "find what is most likely meant otherwise, by proof");
+  Command command = program.add_command("lint", "find probable mistakes, by proof");
   const auto options = std::make_shared<Options>();
   add_inputs(command, *options);
   add_choice<Form>(command, "--format", options->form,
                    {{"text", Form::text}, {"json", Form::json}, {"sarif", Form::sarif}, {"github", Form::github}},
-                   "the form of findings (default: text)");
-  command.add_flag("--fix", options->fix, "rewrite the files where a finding has a sure fix, and tell the rest");
-  Option known = command.add_option("--baseline", options->baseline, "leave out the findings that this file holds");
+                   "the format of findings (default: text)");
+  command.add_flag("--fix", options->fix, "apply every fix that is certain, and report the other findings");
+  Option known = command.add_option("--baseline", options->baseline, "omit the findings that this file lists");
   known.option_text("FILE.json");
-  command.add_option("--write-baseline", options->write_baseline, "write the findings there, and tell none")
+  command.add_option("--write-baseline", options->write_baseline, "write the findings to this file, and report none")
       .option_text("OUT.json")
       .excludes(known)
       .excludes(command.option("--fix"));

@@ -28,7 +28,7 @@ void add_output(Command& command, std::string& output, const char* name, const c
 
 void add_diagnostics_format(Command& command, Common& common) {
   add_choice<Format>(command, "--format", common.format, {{"text", Format::text}, {"json", Format::json}},
-                     "the form of diagnostics (default: text)");
+                     "the format of diagnostics (default: text)");
 }
 
 void write_result(const std::string& output, const std::string& text) {

@@ -22,13 +22,13 @@ Example:
 }  // namespace
 
 void add_new(Program& program) {
-  Command command = program.add_command("new", "make a project to begin with");
+  Command command = program.add_command("new", "create a new project");
   const auto folder = std::make_shared<std::string>();
-  command.add_option("NAME", *folder, "the folder, which gives the project its name").required();
+  command.add_option("NAME", *folder, "the folder; its name is the name of the project").required();
   command.footer(notes);
   program.add({command, [folder, &common = program.common()] {
                  make_project(*folder);
-                 if (!common.quiet) print(*folder + ": made; `rmplc test " + *folder + "` tests it\n");
+                 if (!common.quiet) print(*folder + ": created; `rmplc test " + *folder + "` tests it\n");
                  return ExitStatus::done;
                }});
 }

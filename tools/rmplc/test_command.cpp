@@ -119,19 +119,20 @@ void add_test(Program& program) {
   command.add_option("--set", options->choice.sets, "test this set alone; may be given several times")
       .option_text("NAME")
       .repeatable();
-  command.add_option("--only", options->choice.only, "run what the pattern matches; may be given several times")
+  command
+      .add_option("--only", options->choice.only, "run only tests that match the pattern; may be given several times")
       .option_text("PATTERN")
       .repeatable();
   command
       .add_option("--changed-since", options->choice.since,
-                  "test the sets that depend on what has changed since this revision of git")
+                  "test only the sets that depend on files changed since this git revision")
       .option_text("REV");
   constexpr std::uint64_t most_jobs = 256;
   options->jobs = std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(most_jobs));
   add_whole_number(command, "--jobs,-j", options->jobs, 1, most_jobs,
-                   "how much runs at once, with the same answer for any number\n(default: one a core)");
+                   "how many tests run at once; the answer is the same for any number\n(default: one per core)");
   add_read(command, "--time-limit", options->choice.patience, positive_duration,
-           "how long a scenario, or a file of properties, may take")
+           "time limit of a scenario, or of a file of properties")
       .option_text("TIME");
   add_choice<Form>(command, "--format", options->form,
                    {{"text", Form::text},
@@ -139,15 +140,19 @@ void add_test(Program& program) {
                     {"junit", Form::junit},
                     {"github", Form::github},
                     {"markdown", Form::markdown}},
-                   "the form of the answer (default: text)");
+                   "the format of the answer (default: text)");
   Option junit =
       command.add_option("--junit", options->junit, "write a test case for each finding, expectation and property");
   junit.option_text("OUT.xml");
-  command.add_option("--depfile", options->depfile, "write which files --junit depends on, for make and ninja")
+  command
+      .add_option("--depfile", options->depfile,
+                  "write the files that the --junit output depends on, for make and ninja")
       .option_text("OUT.d")
       .needs(junit);
   command.add_option("--markdown", options->markdown, "write a summary for the page of a job").option_text("OUT.md");
-  command.add_option("--coverage", options->coverage, "write what there is to come to, and how many runs did")
+  command
+      .add_option("--coverage", options->coverage,
+                  "write all modes, transitions, faults and locations, and how many runs reached each")
       .option_text("OUT.json");
   command.footer(notes);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});

@@ -94,7 +94,7 @@ std::string reason(const CLI::App& app, const CLI::ParseError& error) {
   const auto first = std::find_if(left.begin(), left.end(), [](const std::string& word) { return word != "--"; });
   if (first == left.end()) return sentence(app, error);
   const std::string& word = *first;
-  if (word.starts_with("-=")) return "'" + word.substr(1) + "': a flag takes no value";
+  if (word.starts_with("-=")) return "'" + word.substr(1) + "': this option takes no value";
   if (word.size() > 1 && word.front() == '-') return unknown_option(word, app);
   return app.get_subcommands().empty() ? unknown_subcommand(word, app) : "unexpected argument '" + word + "'";
 }

@@ -11,9 +11,9 @@ std::string svg_of(const std::string& graph, std::string_view way_out) { return 
 
 std::string picture_of(const std::string& graph, const std::string& form, std::string_view way_out) {
   std::optional<ChildEnd> end = run_child({{"dot", "-T" + form}, graph});
-  if (!end) throw base::InputError("dot, which lays pictures out, is not there: " + std::string(way_out));
+  if (!end) throw base::InputError("dot, the layout program of Graphviz, is not installed: " + std::string(way_out));
   if (end->status == 0) return std::move(end->output);
-  throw base::InputError("dot, which lays pictures out, failed: " + end->errors);
+  throw base::InputError("dot, the layout program of Graphviz, failed: " + end->errors);
 }
 
 }  // namespace rmpl::tools

@@ -34,7 +34,7 @@ std::atomic<bool> ours = false;
 [[noreturn]] void on_lack_of_memory() { end(ExitStatus::undecided, "", "out of memory"); }
 
 [[noreturn]] void on_terminate() {
-  constexpr const char* internal = "internal error, nothing is claimed: ";
+  constexpr const char* internal = "internal error, so there is no result: ";
   try {
     if (const auto reason = std::current_exception()) std::rethrow_exception(reason);
   } catch (const std::exception& error) {

@@ -15,12 +15,12 @@ using automata::Ticks;
 void add_common(Command& command, Common& common) {
   add_choice<Color>(command, "--color", common.color,
                     {{"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}},
-                    "colours; auto, the default, is on a terminal where NO_COLOR is not set");
+                    "colours; auto, the default: on a terminal, unless NO_COLOR is set");
   add_read(command, "--max-input", common.max_input, memory_size,
-           "the longest file, or line of a log, that is read (default 1G)")
+           "the limit for the size of a file or of a line of a log (default: 1G)")
       .option_text("BYTES[K|M|G]");
-  command.add_flag("-q,--quiet", common.quiet, "say less: no warnings, no progress, no story");
-  command.add_flag("-v,--verbose", common.verbose, "say more: what is read, and what it cost");
+  command.add_flag("-q,--quiet", common.quiet, "print less: no warnings, no progress, no story");
+  command.add_flag("-v,--verbose", common.verbose, "print more: the inputs and the cost");
 }
 
 void add_format(Command& command, Common& common, bool junit) {

@@ -121,8 +121,8 @@ Program::Program(const char* name, const char* version, const char* description,
   name_program(name);
   app_->name(name);
   app_->description(description);
-  app_->set_version_flag("--version", std::string(name) + " " + version, "print the version and end");
-  app_->set_help_flag("-h,--help", "print this help and end");
+  app_->set_version_flag("--version", std::string(name) + " " + version, "print the version and exit");
+  app_->set_help_flag("-h,--help", "print this help and exit");
   app_->footer(notes);
   app_->require_subcommand(1);
   app_->fallthrough();
@@ -249,7 +249,7 @@ int Program::run(int count, const char* const* arguments) noexcept {
   } catch (const std::exception& error) {
     const bool memory = tells_lack_of_memory(error);
     fail(memory ? ExitStatus::undecided : ExitStatus::internal_error,
-         memory ? "out of memory" : std::string("internal error, nothing is claimed: ") + error.what());
+         memory ? "out of memory" : std::string("internal error, so there is no result: ") + error.what());
   }
   exit_is_ours();
   return static_cast<int>(status);

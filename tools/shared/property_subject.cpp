@@ -52,11 +52,11 @@ PropertySubject subject_of(const Manifest& manifest, const ManifestSet& set, con
   if (subject.plant.empty()) {
     const std::set<Named> plants = named_by_scenarios(compilation, true);
     if (plants.size() != 1) {
-      manifest.fail(set.properties.front(),
-                    plants.empty()
-                        ? "properties speak of a plant: expected 'plant' in the set"
-                        : "the scenarios of the set fly several plants: expected 'plant', which says what of "
-                          "these the properties speak of");
+      manifest.fail(
+          set.properties.front(),
+          plants.empty()
+              ? "properties refer to a plant: expected 'plant' in the set"
+              : "the scenarios of the set fly several plants: expected 'plant', the one that the properties refer to");
     }
     subject.plant = plants.begin()->first;
   }
@@ -78,14 +78,16 @@ PropertySubject subject_of(const Manifest& manifest, const std::string& properti
     if (!has) continue;
     if (found != nullptr) {
       throw base::InputError(properties + ": the sets '" + found->name + "' and '" + set.name + "' of " +
-                             manifest.path + " have it; expected the plant that is meant before it");
+                             manifest.path + " contain it; give the plant before the property file");
     }
     found = &set;
     files = std::move(own);
   }
   if (found == nullptr) {
-    throw base::InputError(properties + ": properties speak of a plant; expected it before them, or in " +
-                           manifest.path + " a set that has them");
+    throw base::InputError(
+        properties +
+        ": properties refer to a plant; give the plant before the property file, or name both in a set of " +
+        manifest.path);
   }
   return subject_of(manifest, *found, files, compiler::compile(files.scenarios, {}));
 }

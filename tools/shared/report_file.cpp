@@ -19,7 +19,7 @@ namespace rmpl::tools {
 
 /// Each drawing by itself: one that fails takes no other with it.
 runtime::Drawings drawings_made(const ReportSubject& subject) {
-  constexpr std::string_view way_out = "install the package 'graphviz' and make the report again to see drawings";
+  constexpr std::string_view way_out = "install the package 'graphviz' and write the report again to see drawings";
   runtime::Drawings result;
   const auto picture = [&](const std::string& graph) {
     try {

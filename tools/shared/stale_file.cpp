@@ -9,7 +9,7 @@ namespace rmpl::tools {
 
 void remove_stale(const std::string& path) {
   if (path.empty() || !base::remove_stale_file(path)) return;
-  tell(path + ": was of an earlier run, and is removed");
+  tell(path + ": removed, because it was written by an earlier run");
 }
 
 }  // namespace rmpl::tools

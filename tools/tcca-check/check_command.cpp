@@ -124,12 +124,13 @@ std::string coverage_of(const Subject& subject, const std::vector<runtime::Fligh
 void take_subject(Options& options, const Settings& settings) {
   if (!options.properties.empty()) return;
   if (!options.model.ends_with(".props")) {
-    throw base::InputError("PROPERTIES is missing: what is claimed of " + options.model + ", a .props file");
+    throw base::InputError("PROPERTIES is missing: the claims about " + options.model + ", a .props file");
   }
   options.properties = std::move(options.model);
   if (!settings.manifest) {
-    throw base::InputError(options.properties +
-                           ": properties speak of a plant; expected it before them, or an rmpl.toml that says it");
+    throw base::InputError(
+        options.properties +
+        ": properties refer to a plant; give the plant before the property file, or name both in an rmpl.toml");
   }
   PropertySubject subject = subject_of(*settings.manifest, options.properties);
   options.model = std::move(subject.plant);
@@ -183,19 +184,19 @@ void add_check(Program& program) {
   const auto options = std::make_shared<Options>();
   add_model(command, options->model);
   command.option("MODEL").description(
-      "the plant: .tcca or compiled .json; - for standard input; not needed before a file that an rmpl.toml names");
-  command.add_option("PROPERTIES", options->properties, "what is claimed of it: .props; - for standard input");
-  command.add_option("PROGRAM", options->program, "the program that is spoken of: .rmpl or compiled .json");
+      "the plant: .tcca or compiled .json; - for standard input; not needed if an rmpl.toml names the property file");
+  command.add_option("PROPERTIES", options->properties, "the claims: .props; - for standard input");
+  command.add_option("PROGRAM", options->program, "the program that the claims are about: .rmpl or compiled .json");
   add_text(command, "--main", options->entry, "NAME",
-           "the definition to start with (default: the one that no other calls)");
+           "the definition to start with (default: the one that no other definition calls)");
   add_texts(command, "--only", options->only, "NAME", "check this property alone; may be given several times");
   add_report(command, options->report);
   add_text(command, "--coverage", options->coverage, "OUT.json",
-           "write the modes, transitions, faults and locations that the traces come to");
+           "write which modes, transitions, faults and program locations the traces reach");
   add_budget(command, options->budget);
   constexpr std::uint64_t most_jobs = 256;
   add_whole_number(command, "--jobs,-j", options->jobs, 1, most_jobs,
-                   "how many searches at a time (default: 1); verdicts are the same for any number");
+                   "how many searches run at once (default: 1); verdicts are the same for any number");
   add_answer_form(command, program.common(), options->statistics);
   command.footer(notes);
   program.add({command,

@@ -30,18 +30,17 @@ void add_freedom(Command& command, Freedom& freedom, bool formula) {
       .option_text("K");
   if (formula) {
     command.add_flag("--entailed", freedom.entailed,
-                     "a formula holds where the constraints imply it, not where they allow it");
+                     "a formula holds if the constraints imply it, not if they merely allow it");
   }
   add_text(command, "--from", freedom.from, "MODES",
-           "modes to start in, such as 'engine = off'; what is not named starts as in the plant");
+           "initial modes, such as 'engine = off'; other components start as in the plant");
 }
 
 void add_budget(Command& command, Budget& budget) {
   constexpr std::uint64_t most = 1'000'000'000'000;
-  add_whole_number(command, "--max-states", budget.states, 1, most, "give up after so many symbolic states");
-  add_read(command, "--timeout", budget.time, duration, "give up after so much time").option_text("T");
-  add_read(command, "--max-memory", budget.bytes, memory_size, "give up when so much memory is in use")
-      .option_text("BYTES[K|M|G]");
+  add_whole_number(command, "--max-states", budget.states, 1, most, "stop after this number of symbolic states");
+  add_read(command, "--timeout", budget.time, duration, "stop after this time").option_text("T");
+  add_read(command, "--max-memory", budget.bytes, memory_size, "stop at this memory use").option_text("BYTES[K|M|G]");
 }
 
 verifier::Limits limits(const Budget& budget, const Common& common) {
@@ -84,10 +83,10 @@ Option add_texts(Command& command, const std::string& name, std::vector<std::str
 
 void add_answer_form(Command& command, Common& common, bool& statistics) {
   add_format(command, common, true);
-  Option with = command.add_flag("--stats", statistics, "print what the search cost");
+  Option with = command.add_flag("--stats", statistics, "print the cost of the search");
   command
       .add_negation("--no-statistics", common.measured,
-                    "leave times and memory out of json and junit: the same bytes each time")
+                    "omit times and memory from json and junit, so that output is reproducible")
       .excludes(with);
 }
 

@@ -47,7 +47,7 @@ struct Options {
 void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::ExportQuestion& question,
                  const Options& options, const verifier::Limits& limits) {
   if (options.freedom.period) {
-    throw base::InputError(name_of(options.tool) + " reads time as dense; expected no period");
+    throw base::InputError(name_of(options.tool) + " reads time as dense; use it without a period");
   }
   const auto write = options.tool == Tool::tchecker ? verifier::write_tchecker
                      : options.tool == Tool::uppaal ? verifier::write_uppaal
@@ -58,7 +58,7 @@ void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::E
 void write_steps(std::ostream& out, automata::PlantStep& step, const verifier::ExportQuestion& question,
                  const Options& options, const verifier::Limits& limits) {
   if (!options.freedom.period) {
-    throw base::InputError("prism has steps and no dense time; expected a period, as in --time 0.5s");
+    throw base::InputError("prism has no dense time; give the period of a step, as in --time 0.5s");
   }
   verifier::write_prism(out, step, question, *options.freedom.period, limits);
 }
@@ -101,7 +101,7 @@ ExitStatus run(const Options& options, const Common& common) {
   } catch (const verifier::LimitReached& reached) {
     const bool signal = reached.limit == verifier::Limit::interrupt;
     throw base::LimitError(std::string(signal ? "interrupted" : "a limit was reached") +
-                           " before all mode combinations were met: nothing is written");
+                           " before all mode combinations were found: nothing is written");
   } catch (const std::ios::failure&) {
     throw base::LimitError("out of memory: nothing is written");
   }
@@ -122,10 +122,10 @@ void add_export(Program& program) {
   add_choice<Tool>(
       command, "--format", options->tool,
       {{"tchecker", Tool::tchecker}, {"uppaal", Tool::uppaal}, {"prism", Tool::prism}, {"jani", Tool::jani}},
-      "which tool is asked, all in dense time but prism, which takes the period of --time")
+      "the tool; all use dense time except prism, which uses the period of --time")
       .required();
-  command.add_flag("--whole", options->whole, "all components; else those that have to do with the question");
-  Option target = add_text(command, "--target", options->target, "FORMULA", "what is to be reached");
+  command.add_flag("--whole", options->whole, "export all components, not only those that the question depends on");
+  Option target = add_text(command, "--target", options->target, "FORMULA", "the target formula");
   Option never = add_text(command, "--never", options->never, "FORMULA", "a formula that must never hold");
   command.require_one(target, never);
   add_freedom(command, options->freedom);

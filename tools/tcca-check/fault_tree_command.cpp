@@ -43,8 +43,7 @@ std::string written(TreeForm form, const automata::Plant& plant, const verifier:
   if (form == TreeForm::open_psa) return verifier::to_open_psa(plant, question, tree);
   if (tree.sets.size() > most_drawn) {
     throw base::InputError("a drawing of " + std::to_string(tree.sets.size()) +
-                           " sets cannot be looked at; expected --list N with no more than " +
-                           std::to_string(most_drawn));
+                           " sets is unreadable; use --list N with at most " + std::to_string(most_drawn));
   }
   const std::string graph = verifier::to_dot(plant, tree, asked);
   return form == TreeForm::dot ? graph : svg_of(graph, "install the package 'graphviz', or write a .dot file");
@@ -90,20 +89,20 @@ a signal ended it before all were found, 4 an internal error, and nothing is cla
 void add_fault_tree(Program& program) {
   Command command = program.add_command(
       "fault-tree",
-      "which smallest sets of faults bring a formula about, how likely they are, and which faults matter");
+      "find the minimal sets of faults that cause a formula, their probabilities, and the importance of each fault");
   const auto options = std::make_shared<Options>();
   add_model(command, options->model);
   add_text(command, "--top", options->top, "FORMULA", "the top event").required();
   add_text(command, "-o,--output", options->output, "OUT.xml|OUT.svg|OUT.dot",
            "write the sets as a fault tree in the Open-PSA format, or draw it");
-  add_read(command, "--within", options->within, duration, "tell probabilities: by when, from the start")
+  add_read(command, "--within", options->within, duration, "compute probabilities up to this time, from the start")
       .option_text("T");
   constexpr std::uint64_t most = 10'000'000;
   add_whole_number(command, "--list", options->listed, 0, most,
-                   "list so many sets, the likeliest first; all are counted");
+                   "list this number of sets, the likeliest first; all are counted");
   add_freedom(command, options->freedom, false);
   command.option("--faults")
-      .description("of a plant with dynamics: sets of no more faults (default: 2); without, all sets are found");
+      .description("largest number of faults in a set (default: 2); a plant without dynamics has no such limit");
   add_commands(command, options->commands);
   add_budget(command, options->budget);
   add_answer_form(command, program.common(), options->statistics);

@@ -109,11 +109,11 @@ void add_fmea(Program& program) {
       .required();
   command.add_option("PLANT", options->plant, "the plant: .tcca or compiled .json");
   add_text(command, "--main", options->entry, "NAME",
-           "the definition to start with (default: the one that no other calls)");
-  add_text(command, "--props", options->properties, "FILE.props", "what the mission is");
+           "the definition to start with (default: the one that no other definition calls)");
+  add_text(command, "--props", options->properties, "FILE.props", "the properties that state the mission");
   add_texts(command, "--component", options->components, "NAME",
-            "the rows of this component alone; may be given several times");
-  add_text(command, "-o,--output", options->output, "OUT.csv|OUT.html", "write the table there, too");
+            "only the rows of this component; may be given several times");
+  add_text(command, "-o,--output", options->output, "OUT.csv|OUT.html", "also write the table to this file");
   const auto period = [](const std::string& text) {
     return text == "dense" ? std::nullopt : std::optional(positive_duration(text));
   };

@@ -15,11 +15,10 @@ namespace {
 void refuse_what_is_of_plants(const PropertyOptions& options) {
   if (!options.freedom.from.empty() || options.cut_sets || !options.report.empty()) {
     throw base::InputError(options.model +
-                           ": --from, --cut-sets and --report are about plants, and this is a model program");
+                           ": --from, --cut-sets and --report apply to plants, but this is a model program");
   }
   if (options.freedom.dense) {
-    throw base::InputError(options.model +
-                           ": a model program moves in steps; expected --time with the time that a step takes");
+    throw base::InputError(options.model + ": a model program moves in steps; give the duration of a step with --time");
   }
 }
 

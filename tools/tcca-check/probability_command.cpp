@@ -48,10 +48,10 @@ verifier::ProbabilityQuestion question_of(const Options& options, const automata
     question.greatest = options.max;
   }
   if (options.mean_time && freedom.faults) {
-    throw base::InputError("--mean-time counts all runs, and --faults leaves some out; expected one of them");
+    throw base::InputError("--mean-time averages over all runs, but --faults excludes some; use one of them");
   }
   if (options.curve.empty()) return question;
-  if (!question.within) throw base::InputError("--curve ends at a time; expected --within T");
+  if (!question.within) throw base::InputError("--curve needs a finite end: give --within T");
   question.points = options.points.value_or(default_points);
   return question;
 }
@@ -74,7 +74,7 @@ ExitStatus run(const Options& options, const Common& common) {
   const bool closed = !options.plant.empty() || !document.programs.empty();
   const verifier::ProbabilityQuestion question = question_of(options, plant, common);
   if (closed && (options.min || options.max)) {
-    throw base::InputError("--min and --max are about commands that are free, and here the program gives them");
+    throw base::InputError("--min and --max apply to free commands, but here the program chooses the commands");
   }
   const verifier::ProbabilityAnswer answer = verifier::probability_of(
       {plant, closed ? &only_program(document, named) : nullptr}, question, limits(options.budget, common));
@@ -106,30 +106,29 @@ a signal ended it, or the bounds stay apart, 4 an internal error, and nothing is
 
 void add_probability(Program& program) {
   Command command =
-      program.add_command("probability", "how likely is it that a formula comes to hold? bounds that are certain");
+      program.add_command("probability", "how likely is it that a formula becomes true? with guaranteed bounds");
   const auto options = std::make_shared<Options>();
   command.add_option("MODEL", options->model, "the plant, or a program before its plant").required();
   command.add_option("PLANT", options->plant, "the plant of the program");
   add_text(command, "--main", options->entry, "NAME",
-           "the definition to start with (default: the one that no other calls)");
-  add_text(command, "--target", options->target, "FORMULA", "what is to come to hold").required();
+           "the definition to start with (default: the one that no other definition calls)");
+  add_text(command, "--target", options->target, "FORMULA", "the formula that becomes true").required();
   add_read(command, "--within", options->within, duration, "by when, from the start; inf, the default: ever")
       .option_text("T");
-  Option least = command.add_flag("--min", options->min, "of free commands, the least probability alone");
-  Option greatest = command.add_flag("--max", options->max, "of free commands, the greatest probability alone");
+  Option least = command.add_flag("--min", options->min, "with free commands: only the least probability");
+  Option greatest = command.add_flag("--max", options->max, "with free commands: only the greatest probability");
   least.excludes(greatest);
   Option curve = add_text(command, "--curve", options->curve, "OUT.csv|OUT.svg",
                           "write the probability over time, from 0 to --within");
   constexpr std::uint64_t most_points = 100'000;
   add_whole_number(command, "--points", options->points, 2, most_points, "how many points it has (default: 101)")
       .needs(curve);
-  command.add_flag("--mean-time", options->mean_time, "tell the mean time until it holds, too");
+  command.add_flag("--mean-time", options->mean_time, "also compute the mean time until it holds");
   add_read(command, "--precision", options->precision, precision,
-           "how far apart the bounds may be, as a part of the upper one (default: 1e-6)")
+           "the largest relative gap between the bounds (default: 1e-6)")
       .option_text("P");
   add_freedom(command, options->freedom);
-  command.option("--faults")
-      .description("runs with more faults are not followed: what they could add is part of the bounds");
+  command.option("--faults").description("do not follow runs with more faults; the bounds include what they could add");
   add_commands(command, options->commands);
   add_budget(command, options->budget);
   add_answer_form(command, program.common(), options->statistics);

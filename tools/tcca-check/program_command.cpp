@@ -48,7 +48,7 @@ void add_timed(const automata::Plant& plant, const ProgramOptions& options, cons
     const auto time = own ? promise.time : within.time;
     if (!time) throw base::InputError("--eventually: expected 'FORMULA within T', or a time in --within");
     if (!own && !within.formula.empty()) {
-      throw base::InputError("--within: '" + within.formula + "' follows the time that --eventually is to come in");
+      throw base::InputError("--within: '" + within.formula + "' follows the time limit of --eventually");
     }
     result.push_back(ProgramProperty{Kind::eventually,
                                      program_formula_option(promise.formula, plant, "--eventually", common), *time,
@@ -70,8 +70,8 @@ void add_timed(const automata::Plant& plant, const ProgramOptions& options, cons
   }
   if (options.within && !taken) {
     throw base::InputError(options.eventuallys.empty() && options.responses.empty()
-                               ? "--within: it belongs to --eventually or --after"
-                               : "--within: each --eventually and --after has a time of its own");
+                               ? "--within: use it with --eventually or --after"
+                               : "--within: each --eventually and --after already has its own time");
   }
 }
 
@@ -82,7 +82,7 @@ std::vector<ProgramProperty> asked_of(const automata::Plant& plant, const Progra
   for (const GeneralCheck& check : options.general) {
     if (check.kind == Kind::stuck && options.allow_stuck) {
       if (check.of_all) continue;
-      throw base::InputError("--allow-stuck: --check asks for stuck");
+      throw base::InputError("--allow-stuck contradicts --check stuck");
     }
     result.push_back(ProgramProperty{.kind = check.kind, .warning = check.of_all && check.kind == Kind::undone});
   }
@@ -106,8 +106,9 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
   std::vector<ProgramProperty> asked = asked_of(plant, options, common);
   for (const ProgramProperty& property : asked) {
     if (!options.window.fastest || is_at_a_moment(property.kind)) continue;
-    throw base::InputError("--fastest: " + std::string(name_of(property.kind)) +
-                           " is violated by what does not come, and not at a time; ask for it without --fastest");
+    throw base::InputError(
+        "--fastest: " + std::string(name_of(property.kind)) +
+        " is violated if something never happens, so a violation has no time; use it without --fastest");
   }
   if (asked.empty() && !options.each_fault) {
     for (const Kind kind : verifier::general_kinds) {
@@ -121,8 +122,8 @@ std::vector<Property> properties_of(const automata::Plant& plant, const ProgramO
   for (ProgramProperty& property : asked) {
     if (options.cut_sets && property.kind == Kind::termination) {
       throw base::InputError(
-          "--cut-sets: termination has none, as a run without end is no way to a state; name what is asked, such as "
-          "--check endless-wait");
+          "--cut-sets: termination has no cut sets, because a run without end leads to no final state; name other "
+          "checks, such as --check endless-wait");
     }
     const bool some_day = property.within.is_infinite();
     if (options.cut_sets && some_day) throw base::InputError(no_cut_sets_of_some_day);
@@ -157,7 +158,7 @@ ScenarioFrame frame_of(const ProgramOptions& options, const Subject& subject) {
     const fs::path path = fs::absolute(model).lexically_normal();
     const std::string extension = path.extension().string();
     if (extension != ".rmpl" && extension != ".tcca") {
-      throw base::InputError(model + ": a scenario names sources; expected a .rmpl and a .tcca file");
+      throw base::InputError(model + ": a scenario refers to source files; give a .rmpl and a .tcca file");
     }
     (extension == ".rmpl" ? frame.program : frame.plant) = path.lexically_proximate(folder).string();
   }
@@ -184,7 +185,7 @@ bool write_scenario(const std::string& path, base::OutputFile& file, const Scena
     const auto& property = std::get<ProgramProperty>(properties[p]);
     const std::string not_found = "in cycles of " + automata::format_seconds(frame.cycle) +
                                   " s the violation was not found" +
-                                  (answer.limit ? " before the search was ended" : "; --cycle takes another length");
+                                  (answer.limit ? " before the search ended" : "; --cycle takes another length");
     auto refused = witness ? verifier::no_scenario(step, property, *witness) : std::optional(not_found);
     if (!refused) {
       // Where the estimate comes to what the trace has it may take its time.
@@ -205,7 +206,7 @@ bool write_scenario(const std::string& path, base::OutputFile& file, const Scena
   if (why) {
     tell("warning: no scenario is written: " + *why);
   } else if (!common.quiet) {
-    tell("nothing is violated, so no scenario is written");
+    tell("no property is violated, so no scenario is written");
   }
   return false;
 }
@@ -297,7 +298,7 @@ ExitStatus run(const ProgramOptions& options, const Common& common) {
 
 void add_program(Program& program) {
   Command command =
-      program.add_command("program", "check a program that controls a plant; each violation has a timed trace");
+      program.add_command("program", "check a program that controls a plant; each violation comes with a timed trace");
   const auto options = std::make_shared<ProgramOptions>();
   add_program_options(command, *options, program.common());
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});

@@ -29,10 +29,9 @@ std::vector<GeneralCheck> general_properties(const std::string& text) {
 }
 
 void add_properties(Command& command, ProgramOptions& options) {
-  add_read(
-      command, "--check", options.general, general_properties,
-      "goal-conflict, no-plan, endless-wait, termination, stuck, undone, or all of them: what is checked where nothing "
-      "else is asked")
+  add_read(command, "--check", options.general, general_properties,
+           "goal-conflict, no-plan, endless-wait, termination, stuck, undone, or all (the default, unless a formula is "
+           "given)")
       .option_text("LIST");
   add_texts(command, "--never", options.nevers, "FORMULA",
             "a formula that must never hold before the program has ended");
@@ -44,13 +43,13 @@ void add_properties(Command& command, ProgramOptions& options) {
     };
     command.add_all_taken(name, take, description).option_text("FORMULA").repeatable();
   };
-  add("--eventually", promise, "a formula that must come to hold in time, as 'FORMULA within T', or with --within");
+  add("--eventually", promise, "a formula that must become true in time, as 'FORMULA within T', or with --within");
   add("--after", owe,
-      "each time the first formula holds the second follows, as 'FORMULA within T FORMULA', or with --within");
+      "whenever the first formula holds, the second must follow, as 'FORMULA within T FORMULA', or with --within");
   add_read(command, "--within", options.within, timed_formula,
-           "how soon, from the start, and what follows for --after; inf: some day")
+           "the time limit from the start; for --after the time and the response; inf: no limit")
       .option_text("T [FORMULA]");
-  add_texts(command, "--finally", options.finallys, "FORMULA", "a formula that must hold as the program ends");
+  add_texts(command, "--finally", options.finallys, "FORMULA", "a formula that must hold when the program ends");
 }
 
 }  // namespace
@@ -64,36 +63,35 @@ void add_program_options(Command& command, ProgramOptions& options, Common& comm
       .required();
   command.add_option("PLANT", options.plant, "the plant: .tcca or compiled .json");
   add_text(command, "--main", options.entry, "NAME",
-           "the definition to start with (default: the one that no other calls)");
+           "the definition to start with (default: the one that no other definition calls)");
   add_properties(command, options);
   add_freedom(command, options.freedom);
   Option fewest = command
                       .add_flag("--fewest-faults", options.fewest_faults,
-                                "find a trace with the fewest faults; --faults bounds how many are tried")
+                                "find a trace with the fewest faults; --faults limits their number")
                       .needs(command.option("--faults"));
   constexpr std::uint64_t most = 1'000'000;
   Option cut_sets = add_whole_number(command, "--cut-sets", options.cut_sets, 0, most,
-                                     "every minimal set of up to so many faults that leads to a violation")
+                                     "find every minimal set of up to K faults that leads to a violation")
                         .option_text("N")
                         .excludes(fewest)
                         .excludes(command.option("--faults"));
   Option allow_stuck =
-      command.add_flag("--allow-stuck", options.allow_stuck, "do not also check whether runs get stuck");
+      command.add_flag("--allow-stuck", options.allow_stuck, "do not check for deadlocks and timelocks");
   add_window(command, options.window);
   command.option("--not-before").needs(command.option("--never"));
   command.option("--by").needs(command.option("--never"));
-  Option each =
-      command.add_flag("--each-fault", options.each_fault, "a table: every fault by itself, and what can come of it")
-          .excludes(command.option("--faults"))
-          .excludes(fewest)
-          .excludes(cut_sets)
-          .excludes(command.option("--fastest"))
-          .excludes(allow_stuck);
+  Option each = command.add_flag("--each-fault", options.each_fault, "a table of single faults and their outcomes")
+                    .excludes(command.option("--faults"))
+                    .excludes(fewest)
+                    .excludes(cut_sets)
+                    .excludes(command.option("--fastest"))
+                    .excludes(allow_stuck);
   Option scenario = add_text(command, "--scenario", options.scenario, "OUT.scn",
-                             "write the first violation as a scenario that fails the same way")
+                             "write the first violation as a scenario that fails in the same way")
                         .excludes(each);
   add_read(command, "--cycle", options.cycle, positive_duration,
-           "the cycle of that scenario, where time is dense (default: 0.5s)")
+           "the cycle of that scenario if time is dense (default: 0.5s)")
       .option_text("T")
       .needs(scenario);
   add_report(command, options.report);

@@ -34,12 +34,11 @@ verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& 
 
 /// Which traces are wanted, where one is not as good as another.
 void add_choice_of_traces(Command& command, PropertyOptions& options) {
-  Option fewest =
-      command.add_flag("--fewest-faults", options.fewest_faults,
-                       "a trace with the least number of faults there is; --faults bounds how many are tried");
+  Option fewest = command.add_flag("--fewest-faults", options.fewest_faults,
+                                   "find a trace with the fewest faults; --faults limits their number");
   constexpr std::uint64_t most = 1'000'000;
   add_whole_number(command, "--cut-sets", options.cut_sets, 0, most,
-                   "every minimal set of up to so many faults that leads to a trace")
+                   "find every minimal set of up to K faults that leads to a trace")
       .excludes(fewest)
       .excludes(command.option("--faults"));
 }
@@ -52,21 +51,21 @@ void add_property_options(Command& command, PropertyOptions& options, Common& co
   add_commands(command, options.commands);
   if (asked == Asked::formula) add_choice_of_traces(command, options);
   command.add_flag("--no-symmetry", options.no_symmetry,
-                   "explore also what differs only in the names of like components");
+                   "do not merge states that differ only in the names of identical components");
   add_report(command, options.report);
   add_budget(command, options.budget);
   add_answer_form(command, common, options.statistics);
 }
 
 void add_window(Command& command, WindowOptions& options) {
-  add_read(command, "--not-before", options.window.not_before, duration, "the formula counts from this time on")
+  add_read(command, "--not-before", options.window.not_before, duration, "consider the formula only from this time on")
       .option_text("T");
   const auto end = [](const std::string& text) {
     const automata::Ticks time = duration(text);
     return time.is_infinite() ? std::nullopt : std::optional(time);  // up to any time
   };
-  add_read(command, "--by", options.window.by, end, "the formula counts up to this time").option_text("T");
-  command.add_flag("--fastest", options.fastest, "a trace with least time, not with fewest steps");
+  add_read(command, "--by", options.window.by, end, "consider the formula only up to this time").option_text("T");
+  command.add_flag("--fastest", options.fastest, "find the fastest trace, not the one with the fewest steps");
 }
 
 void check_window(const verifier::Window& window, std::optional<automata::Ticks> period) {

@@ -6,12 +6,12 @@
 namespace rmpl::tools {
 
 void add_reachability(Program& program) {
-  add_formula_check(program,
-                    {.kind = verifier::MarkingQuestion::Kind::reachability,
-                     .name = "reachability",
-                     .description = "can the plant reach a state in which a formula holds? yes: a timed witness",
-                     .option = "--target",
-                     .meaning = "what is to be reached"});
+  add_formula_check(
+      program, {.kind = verifier::MarkingQuestion::Kind::reachability,
+                .name = "reachability",
+                .description = "can the plant reach a state in which a formula holds? if so, print a timed witness",
+                .option = "--target",
+                .meaning = "the target formula"});
 }
 
 }  // namespace rmpl::tools

@@ -91,7 +91,7 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
   const std::vector<std::string> paths{name};
   const compiler::Compilation compilation = compiler::compile(paths, {}, sources);
   if (!compilation.ok()) {  // it did, a moment ago
-    throw base::InputError("the program and its plant cannot be read once more: " +
+    throw base::InputError("the program and its plant cannot be read again: " +
                            compilation.findings().diagnostics.sorted().front().message);
   }
   Comparison comparison(plant, witness);
@@ -102,9 +102,9 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
   try {
     result = runtime::run_scenario(document, document.scenarios.front(), options, {&comparison});
   } catch (const base::InputError& error) {
-    return std::string("its flight does not end: ") + error.what();
+    return std::string("the test flight does not end: ") + error.what();
   }
-  if (result.interrupted) return "its test flight was interrupted";
+  if (result.interrupted) return "the test flight was interrupted";
   // What is owed after something that never comes is failed too, but not as in the trace.
   const automata::Expectation& expected = document.scenarios.front().expectations.front();
   const bool waits = expected.after.has_value();
@@ -113,7 +113,7 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
     const automata::Ticks found = result.judgements.front().time.value_or(result.time);
     const automata::Ticks shown = witness.events.back().cycle->begin;
     if (found < shown) {
-      return "its flight fails at " + automata::format_seconds(found) + " s, the trace at " +
+      return "the test flight fails at " + automata::format_seconds(found) + " s, the trace at " +
              automata::format_seconds(shown) + " s: " + comparison.origin();
     }
   }
@@ -123,13 +123,13 @@ std::optional<std::string> rehearse(const std::string& path, const std::string& 
   const std::string left = open ? comparison.last_difference() : "";
   // What is to hold as the program ends is not failed in the same way by one that does not end.
   const bool elsewhere = open && property.kind == verifier::ProgramProperty::Kind::finally;
-  if (elsewhere && difference.empty()) return "in its flight the program does not end";
+  if (elsewhere && difference.empty()) return "in the test flight the program does not end";
   // A flight that starts elsewhere, and is not led to where the trace is, fails for a reason of its own.
   const bool strict = waits || !verifier::starts_likely(plant, witness);
   if (failed && left.empty() && !elsewhere && (!strict || difference.empty())) return std::nullopt;
-  if (!failed && difference.empty()) return "its flight meets its expectations";
+  if (!failed && difference.empty()) return "the test flight meets its expectations";
   // The first difference is where the estimate parts from the trace; later ones follow from it.
-  return "its flight does not fail as the trace does: " + (difference.empty() ? left : difference) + "; " +
+  return "the test flight does not fail as the trace does: " + (difference.empty() ? left : difference) + "; " +
          comparison.origin();
 }
 

@@ -20,7 +20,7 @@ struct Options : PropertyOptions {
 ExitStatus run(const Options& options, const Common& common) {
   TimedResponse response = options.response;
   if (options.within) {
-    if (response.then.time) throw base::InputError("--within: --after has a time of its own");
+    if (response.then.time) throw base::InputError("--within: --after already has its own time");
     response.then = *options.within;
   }
   if (!response.then.time || response.then.formula.empty()) {
@@ -41,12 +41,12 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_response(Program& program) {
   Command command = program.add_command(
-      "response", "whenever one formula holds, does another follow in time? no: a timed counterexample");
+      "response", "does a response always follow a trigger in time? if not, print a timed counterexample");
   const auto options = std::make_shared<Options>();
-  add_read(command, "--after", options->response, timed_response, "what asks for the response, each time it holds")
+  add_read(command, "--after", options->response, timed_response, "the trigger: a formula")
       .option_text("FORMULA")
       .required();
-  add_read(command, "--within", options->within, timed_formula, "how soon, and what the response is; inf: some day")
+  add_read(command, "--within", options->within, timed_formula, "the time limit and the response; inf: no limit")
       .option_text("T FORMULA");
   add_property_options(command, *options, program.common());
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});

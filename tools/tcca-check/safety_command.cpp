@@ -8,7 +8,7 @@ namespace rmpl::tools {
 void add_safety(Program& program) {
   add_formula_check(program, {.kind = verifier::MarkingQuestion::Kind::safety,
                               .name = "safety",
-                              .description = "does a formula never hold? no: a timed counterexample",
+                              .description = "does a formula never hold? if not, print a timed counterexample",
                               .option = "--never",
                               .meaning = "a formula that must never hold"});
 }

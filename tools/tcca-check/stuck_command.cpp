@@ -8,7 +8,7 @@
 namespace rmpl::tools {
 
 void add_stuck(Program& program) {
-  Command command = program.add_command("stuck", "look for deadlocks, and for states in which time stands still");
+  Command command = program.add_command("stuck", "look for deadlocks and timelocks");
   const auto options = std::make_shared<PropertyOptions>();
   add_property_options(command, *options, program.common(), Asked::dead_end);
   program.add({command,

@@ -42,7 +42,7 @@ class Events {
     set_modes({}, events.front().modes);
     Ticks now;
     for (std::size_t e = 1; e < events.size(); ++e) {
-      if (witness_.repeats_from == e) note("repeats", now, "from here on it repeats");
+      if (witness_.repeats_from == e) note("repeats", now, "from here on the run repeats");
       const Ticks next = std::max(events[e].time, now + apart);
       if (events[e].cycle) {
         cycle(*events[e].cycle, events[e], now);
@@ -111,7 +111,7 @@ Flight flight_of(const Subject& subject, const Witness& witness, std::optional<T
   flight.name = shown.name;
   flight.verdict = shown.verdict;
   flight.summary = period ? "steps every " + automata::format_seconds(*period) + " s"
-                          : "dense time; steps of one moment stand a nanosecond apart";
+                          : "dense time; simultaneous steps are shown a nanosecond apart";
   const std::string asked_verdict = shown.verdict == "violated" ? "failed" : "met";
   flight.asked.push_back({shown.name, asked_verdict, flight.end, shown.finding, {}});
   return flight;
@@ -162,7 +162,7 @@ TraceReport::TraceReport(const std::string& path, const Subject& subject) {
 
 void TraceReport::write(std::vector<Flight> flights, const Subject& subject, bool quiet) {
   if (!file_) return;
-  if (flights.empty() && !quiet) tell("there is no trace, so no report is written");
+  if (flights.empty() && !quiet) tell("no trace was found, so no report is written");
   for (Flight& flight : flights) flight.program = subject.program;
   file_->write(verifier::title(subject), std::move(flights), quiet);
 }

@@ -56,8 +56,8 @@ class Writer {
   /// A flight reads its sensors at the end of the first cycle for the first time.
   [[nodiscard]] std::string doubt() const {
     if (starts_likely(plant_, witness_)) return "";
-    return "// It starts in modes that are not the most likely ones; the first cycle of a flight takes those for "
-           "granted.\n";
+    return "// The witness does not start in the most likely initial modes, but a flight assumes them in its first "
+           "cycle.\n";
   }
 
   /// A few cycles longer than the trace: what does not come is missed when the run is over.
@@ -225,7 +225,7 @@ bool starts_likely(const automata::Plant& plant, const Witness& witness) {
 
 std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramProperty& property,
                                        const Witness& witness) {
-  if (witness.stop) return "time goes on in a flight, so no flight shows that a run is cut off";
+  if (witness.stop) return "a flight always continues, so it cannot show a deadlock or a timelock";
   if (automata::speaks_of_control(step.plant(), property.formula)) {
     return "'" + property.text +
            "' is about a control: the check leaves unconstrained controls free, a flight fixes them";
@@ -233,7 +233,7 @@ std::optional<std::string> no_scenario(automata::PlantStep& step, const ProgramP
   if (property.kind == Kind::response) return "scenarios have no expectation for a response";
   if (property.kind == Kind::undone) return "scenarios have no expectation for an undone goal";
   if (Writer(step, property, witness, {}).shows()) return std::nullopt;
-  return "no sensor shows that '" + property.text + "' holds: the estimate of a flight leaves it open";
+  return "no sensor shows that '" + property.text + "' holds, so the estimate of a flight cannot decide it";
 }
 
 std::string scenario_text(automata::PlantStep& step, const ProgramProperty& property, const Witness& witness,

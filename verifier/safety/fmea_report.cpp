@@ -72,17 +72,17 @@ std::string checks_text(const FailureMode& row) {
 
 /// Which readings tell it, and when the estimate has it.
 std::string detection_text(const Plant& plant, const FailureMode& row) {
-  if (row.flights_cut) return "not flown: cut off";
+  if (row.flights_cut) return "not flown: the search was cut off";
   if (!row.flown) {
     if (!row.earliest && row.decided) return "none";
     std::vector<std::string> parts;
     for (const EffectChange& change : row.detected) {
       parts.push_back(plant.variables.name(change.variable) + " = " + value_text(plant, change.variable, change.after));
     }
-    return parts.empty() ? "no reading is certain to show it" : joined(parts, "; ") + " in the same cycle";
+    return parts.empty() ? "no reading is certain to show the fault" : joined(parts, "; ") + " in the same cycle";
   }
   const FlownFault& flown = *row.flown;
-  std::string text = "no reading shows it";
+  std::string text = "no reading shows the fault";
   if (flown.symptom_after) text = to_text(plant.variables, flown.symptoms) + " " + after_text(*flown.symptom_after);
   text += flown.named_after ? "; estimated " + after_text(*flown.named_after) : "; never estimated";
   if (flown.taken_for) text += ", taken for " + to_text(plant.variables, {*flown.taken_for});

@@ -20,10 +20,9 @@ void add_commands(std::vector<QuestionWarning>& warnings, const Property& proper
   for (const automata::Formula& formula : formulas_of(property)) {
     for (const automata::VariableId variable : automata::variables_of(formula)) {
       if (!automata::is_control(plant, variable) || !told.insert(variable).second) continue;
-      warnings.push_back(
-          {"'" + plant.variables.name(variable) +
-           "' is a control: a question about states allows any value of it and implies none; a flight sees "
-           "the command in force"});
+      warnings.push_back({"'" + plant.variables.name(variable) +
+                          "' is a control: the check is about states, which permit every value of a control and imply "
+                          "none; a flight uses the value that is commanded"});
     }
   }
 }
@@ -39,14 +38,14 @@ std::optional<std::string> warning_of_knowledge(const std::vector<automata::Form
   }
   if (text.empty()) return std::nullopt;
   text += kinds.size() == 1 && text.find(", ") == std::string::npos ? " is" : " are";
-  text += " read with the estimate taken as the truth: ";
+  text += " checked with the estimate taken as the truth: ";
   std::string readings;
   const auto add = [&](automata::Knowing kind, const char* reading) {
     if (kinds.contains(kind)) readings += (readings.empty() ? "" : ", ") + std::string(reading);
   };
-  add(automata::Knowing::surprise, "nothing is a surprise");
-  add(automata::Knowing::possible, "possible is what the state allows");
-  add(automata::Knowing::likely, "likely is what the state implies");
+  add(automata::Knowing::surprise, "'surprise' never holds");
+  add(automata::Knowing::possible, "'possible' asks what the state permits");
+  add(automata::Knowing::likely, "'likely' asks what the state implies");
   return text + readings;
 }
 
@@ -63,17 +62,16 @@ void add_empty_claim(std::vector<QuestionWarning>& warnings, const Question& que
   const Property& property = question.property;
   const automata::Variables& variables = slices.plant().variables;
   if (const auto event = out_of_reach(slices, property, question.options)) {
-    warnings.push_back(
-        {"'" + automata::to_text(*event, variables) +
-             "' needs a fault, and none is permitted: --faults K, or 'faults K' in a property file, permits "
-             "up to K",
-         true});
+    warnings.push_back({"'" + automata::to_text(*event, variables) +
+                            "' needs a fault, but none is permitted: permit up to K faults with --faults K, or with "
+                            "'faults K' in a property file",
+                        true});
   }
   if (const auto* reachability = std::get_if<Reachability>(&property)) {
     if (const auto why = vacuity_of_never(slices, reachability->target, question.options.entailed)) {
-      warnings.push_back({"no state whatever " + std::string(*why == Vacuity::unsatisfiable ? "satisfies" : "implies") +
-                              " '" + automata::to_text(reachability->target, variables) +
-                              "': its unreachability says nothing about the plant",
+      warnings.push_back({"no state " + std::string(*why == Vacuity::unsatisfiable ? "satisfies" : "implies") + " '" +
+                              automata::to_text(reachability->target, variables) +
+                              "': that it is unreachable says nothing about the plant",
                           true});
     }
   }
@@ -82,8 +80,8 @@ void add_empty_claim(std::vector<QuestionWarning>& warnings, const Question& que
                             "': the claim says nothing about the plant",
                         true});
   } else if (answers_itself(slices, property)) {
-    warnings.push_back({"whatever satisfies '" + automata::to_text(formulas_of(property).front(), variables) +
-                            "' is its own answer: the response says nothing about the plant",
+    warnings.push_back({"every state that satisfies '" + automata::to_text(formulas_of(property).front(), variables) +
+                            "' satisfies the response too: the claim says nothing about the plant",
                         true});
   }
 }
@@ -97,10 +95,11 @@ std::optional<std::string> held_command(const Question& question, const Answer& 
   const auto held = find_held_mode(plant, slices.cone(formulas_of(question.property)));
   if (!held) return std::nullopt;
   const automata::Component& component = plant[held->component];
-  return "in dense time commands are given at an instant, and time passes with all controls idle: that '" +
+  return "in dense time a command lasts for an instant, and time passes with all controls idle. The check did not "
+         "cover that '" +
          component.name + "' stays in '" + component.modes[held->mode.index()].name + "' while " +
          to_text(plant.variables, held->command) +
-         " is held was not checked; --time T checks it, and so does a program that holds it";
+         " is held; check it with --time T, or with a program that holds the command";
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ std::string no_plan_text(const Subject& subject, const Witness& witness) {
 
 std::string waiting_text(const Subject& subject, const Witness& witness) {
   const Cycle& last = *witness.events.back().cycle;
-  std::string text = "only a fault can change anything from here on; the program ";
+  std::string text = "from here on only a fault can change the state; the program ";
   text += last.marking.empty() ? "has ended" : "waits";
   bool first = true;
   for (const LocationId id : last.marking) {
@@ -70,7 +70,7 @@ std::string waiting_text(const Subject& subject, const Witness& witness) {
     text += std::string(first ? " at `" : ", `") + location.label + "`" + in_brackets(location.origin);
     first = false;
   }
-  if (!last.conflicts.empty()) return text + ": goals that contradict each other are not acted on";
+  if (!last.conflicts.empty()) return text + ": its goals contradict each other, so the executive sends no command";
   if (lacks_a_plan(last)) return text + ": " + no_plan_text(subject, witness);
   for (std::size_t h = 0; h < witness.hindrances.size() && h < most_hindrances; ++h) {
     text += (h == 0 ? ": " : "; ") + to_text(subject.plant, witness.hindrances[h]);
@@ -83,7 +83,7 @@ std::string endless_text(const Subject& subject, const Witness& witness) {
   const std::vector<Event>& events = witness.events;
   const bool rests = witness.repeats_from && !events.back().cycle && *witness.repeats_from + 1 == events.size() &&
                      events[events.size() - 2].modes == events.back().modes;
-  return rests ? "nothing has to change from here on" : "this repeats for ever";
+  return rests ? "from here on the state need not change" : "this repeats for ever";
 }
 
 std::string undone_text(const Subject& subject, const Witness& witness) {
@@ -92,21 +92,21 @@ std::string undone_text(const Subject& subject, const Witness& witness) {
   const Event& event = witness.events[witness.events.size() - 2];
   return "`" + to_text(subject.plant.variables, lost) + "`" +
          place_of(subject, witness.events[undone.asked].cycle->marking, automata::is(lost.variable, lost.value)) +
-         " is undone, and no goal asks for that: the command is " +
+         " is undone, but no goal asks for that: the command is " +
          to_text(event.cycle->why, subject.plant, event.cycle->goals.formula()) +
-         "; a goal that goes on asking for it would keep it";
+         "; to keep it, assert the goal for longer";
 }
 
 std::string owed_text(const Subject& subject, const Response& response, const Witness& witness) {
   const automata::Ticks since = witness.events[*witness.owed_since].time;
-  const std::string owed = "'" + to_text(response.then, subject.plant.variables) + "' is owed since " +
-                           automata::format_seconds(since) + " s, and ";
+  const std::string owed = "'" + to_text(response.then, subject.plant.variables) + "' is due since " +
+                           automata::format_seconds(since) + " s, but ";
   const std::string stop = witness.stop ? to_text(subject.plant, *witness.stop) : "";
   if (response.within.is_infinite()) {
     return owed + "never comes: " + (stop.empty() ? endless_text(subject, witness) : stop);
   }
   const auto deadline = automata::checked_sum(since, response.within).value_or(automata::Ticks::infinite());
-  return owed + "was to come by " + automata::format_seconds(deadline) + " s" + (stop.empty() ? "" : "; " + stop);
+  return owed + "did not hold by " + automata::format_seconds(deadline) + " s" + (stop.empty() ? "" : "; " + stop);
 }
 
 }  // namespace rmpl::verifier

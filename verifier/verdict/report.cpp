@@ -114,7 +114,7 @@ std::string to_text(const Subject& subject, const Question& question, const Answ
   if (question.options.cut_sets) {
     text += text_of_cut_sets(subject, question, answer);
   } else if (answer.witness && answer.same_as) {
-    text += "  the same run as of endless-wait\n";
+    text += "  the same witness as for endless-wait\n";
   } else if (answer.witness) {
     if (answer.fewest_faults) text += "fewest faults: " + std::to_string(*answer.fewest_faults) + "\n";
     text += text_of(subject, *answer.witness, end_of(subject, question.property, *answer.witness));

@@ -81,7 +81,7 @@ class Story {
     line(Ticks{0}, start_text(subject_.plant, events.front().modes));
     for (std::size_t e = 1; e < events.size(); ++e) {
       const Ticks since = events[e - 1].time;
-      if (witness_.repeats_from == e) line(since, "from here on it repeats:");
+      if (witness_.repeats_from == e) line(since, "from here on the run repeats:");
       // The end of a run that ends with its program says so itself.
       const bool last = e + 1 == events.size() && events[e].time == since;
       if (events[e].cycle && !last) tell_end(*events[e].cycle, since);

@@ -27,13 +27,13 @@ std::string_view limit_text(Limit limit) {
     case Limit::interrupt:
       return "interrupted";
     case Limit::plan:
-      return "a plan was found before the search came to an end";
+      return "the planner stopped before it proved its plan optimal";
   }
   return "";
 }
 
 std::string stuck_text(bool violated) {
-  return violated ? "there are runs that cannot go on" : "on every run something can follow, and time passes";
+  return violated ? "some runs end in a deadlock or a timelock" : "no run ends in a deadlock or a timelock";
 }
 
 /// ` from 3 s on up to 5 s`
@@ -46,10 +46,10 @@ std::string text_of(const Window& window) {
 std::string meaning_of(const ProgramProperty& property, bool violated) {
   switch (property.kind) {
     case Kind::goal_conflict:
-      return violated ? "goals that contradict each other can be asserted together"
-                      : "goals that are asserted together never contradict each other";
+      return violated ? "the program can assert contradicting goals in one cycle"
+                      : "the program never asserts contradicting goals in one cycle";
     case Kind::no_plan:
-      return violated ? "a goal can be without a plan" : "there is a plan for every goal";
+      return violated ? "a goal can have no plan" : "every goal has a plan";
     case Kind::endless_wait:
       return violated ? "the program can wait for ever" : "no wait lasts for ever";
     case Kind::termination:
@@ -57,26 +57,26 @@ std::string meaning_of(const ProgramProperty& property, bool violated) {
     case Kind::stuck:
       return stuck_text(violated);
     case Kind::undone:
-      return violated ? "what a goal achieved can be taken away for reward"
-                      : "no command for reward takes away, as it is sent, what a goal achieved";
+      return violated ? "a reward command can undo an achieved goal"
+                      : "no reward command undoes an achieved goal when it is sent";
     case Kind::never:
       return "'" + property.text + "' " + (violated ? "can hold" : "never holds") + text_of(property.window);
     case Kind::response:
       if (property.within.is_infinite()) {
-        return "after '" + property.text + "', '" + property.then_text + "' " +
-               (violated ? "need not ever come" : "always comes, some day");
+        return "'" + property.then_text + "' " + (violated ? "may never follow" : "always follows") + " '" +
+               property.text + "'" + (violated ? "" : " eventually");
       }
-      return "'" + property.then_text + "' " + (violated ? "can be missed" : "always comes") + " within " +
-             automata::format_seconds(property.within) + " s of '" + property.text + "'";
+      return "'" + property.then_text + "' " + (violated ? "may not follow" : "always follows") + " '" + property.text +
+             "' within " + automata::format_seconds(property.within) + " s";
     case Kind::eventually:
       if (property.within.is_infinite()) {
-        return "'" + property.text + "' " + (violated ? "need not ever come" : "always comes, some day");
+        return "'" + property.text + "' " + (violated ? "may never hold" : "always holds eventually");
       }
-      return "'" + property.text + "' " + (violated ? "can come too late, or never" : "always comes") + " within " +
+      return "'" + property.text + "' " + (violated ? "may not hold" : "always holds at some time") + " within " +
              automata::format_seconds(property.within) + " s";
     case Kind::finally:
       return violated ? "the program can end without '" + property.text + "'"
-                      : "'" + property.text + "' holds wherever the program ends";
+                      : "'" + property.text + "' holds whenever the program ends";
   }
   return "";
 }
@@ -93,9 +93,9 @@ std::string meaning_of(const Property& property, bool found) {
                        },
                        [&](const Response& r) -> string {
                          if (r.within.is_infinite()) {
-                           return found ? "the response may never come" : "the response always comes in the end";
+                           return found ? "the response may never come" : "the response always comes eventually";
                          }
-                         return found ? "the response can be missed" : "the response is never missed";
+                         return found ? "the response can come too late or never" : "the response always comes in time";
                        },
                        [&](const Stuck&) -> string { return stuck_text(found); },
                        [&](const ProgramProperty& p) { return meaning_of(p, found); }},
@@ -138,14 +138,14 @@ std::string reason(std::optional<Limit> limit, const Progress& p) {
   if (p.states == 0 && limit != Limit::plan) return "not begun: " + std::string(limit_text(*limit)) + " before";
   std::string text = std::string(limit_text(*limit)) + " after " + std::to_string(p.states) + " states" +
                      (p.waiting > 0 ? ", " + std::to_string(p.waiting) + " of them unexplored" : "");
-  if (p.steps) text += "; everything within " + std::to_string(*p.steps) + " steps was seen";
-  if (p.level > 0) text += "; every run with fewer than " + std::to_string(p.level) + " faults was seen";
+  if (p.steps) text += "; all runs of up to " + std::to_string(*p.steps) + " steps were searched";
+  if (p.level > 0) text += "; all runs with fewer than " + std::to_string(p.level) + " faults were searched";
   return text;
 }
 
 std::string reason(const Answer& answer) {
   if (!answer.limit && answer.cut_off.still)
-    return "time stands still on some runs, and what would follow cannot be told";
+    return "some runs end in a timelock, and the question has no answer beyond it";
   return reason(answer.limit, answer.progress);
 }
 
@@ -153,15 +153,15 @@ std::string vacuity(const Answer& answer) {
   if (answer.startless || !answer.vacuous) return "no initial state is possible";
   switch (*answer.vacuous) {
     case Vacuity::unsatisfiable:
-      return "no state whatever satisfies it";
+      return "no state satisfies the formula";
     case Vacuity::unimplied:
-      return "no state whatever implies it";
+      return "no state implies the formula";
     case Vacuity::over:
-      return "the program has ended by then on every run";
+      return "the program has ended before that time on every run";
     case Vacuity::unasked:
       return "the trigger never holds";
     case Vacuity::endless:
-      return "it never ends";
+      return "the program never ends";
   }
   return "";
 }
@@ -170,10 +170,10 @@ std::string partly(const Answer& answer) {
   if (answer.witness) return "";
   const bool spent = answer.cut_off.spent;
   if (!answer.cut_off.stuck) {
-    return spent ? "runs on which more faults are certain than permitted were checked only up to that moment" : "";
+    return spent ? "runs that exceed the permitted number of faults were checked only up to the excess fault" : "";
   }
-  return spent ? "deadlocked runs, and runs on which more faults are certain than permitted, were checked only up "
-                 "to that moment"
+  return spent ? "deadlocked runs were checked only up to the deadlock, and runs that exceed the permitted number of "
+                 "faults only up to the excess fault"
                : "deadlocked runs were checked only up to the deadlock";
 }
 
@@ -187,7 +187,7 @@ std::string notes(const Answer& answer) {
 std::string meaning(const Property& property, const Answer& answer) {
   if (answer.verdict == Verdict::undecided) return reason(answer);
   const bool found = answer.witness.has_value();
-  const std::string vacuously = holds_vacuously(answer) ? ", as " + vacuity(answer) : "";
+  const std::string vacuously = holds_vacuously(answer) ? ", because " + vacuity(answer) : "";
   const std::string part = partly(answer);
   return meaning_of(property, found) + vacuously + (part.empty() ? "" : "; " + part);
 }
@@ -207,7 +207,7 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
     case Kind::termination:
     case Kind::endless_wait:
       if (witness.stop) return to_text(subject.plant, *witness.stop);
-      if (witness.repeats_from) return "and so on, for ever";
+      if (witness.repeats_from) return "the loop repeats for ever";
       return waiting_text(subject, witness);
     case Kind::stuck:
       return to_text(subject.plant, *witness.stop);
@@ -216,14 +216,14 @@ std::string finding(const Subject& subject, const ProgramProperty& property, con
     case Kind::never:
       return "'" + property.text + "' can hold";
     case Kind::eventually:
-      if (witness.stop) return "'" + property.text + "' has not held, and " + to_text(subject.plant, *witness.stop);
+      if (witness.stop) return "'" + property.text + "' has not held yet; " + to_text(subject.plant, *witness.stop);
       if (property.within.is_infinite())
-        return "'" + property.text + "' never comes to hold: " + endless_text(subject, witness);
-      return "'" + property.text + "' has not held in time";
+        return "'" + property.text + "' never holds: " + endless_text(subject, witness);
+      return "'" + property.text + "' did not hold in time";
     case Kind::response:
       return owed_text(subject, Response{property.formula, property.then, property.within}, witness);
     case Kind::finally:
-      return "the program has ended, and '" + property.text + "' need not hold";
+      return "the program has ended, but '" + property.text + "' may be false";
   }
   return "";
 }

@@ -24,7 +24,7 @@ std::string reason(const Answer& answer);
 
 /// Why nothing could ever violate the property, where that is so.
 std::string vacuity(const Answer& answer);
-/// What an answer means: "the target is reachable", "there is a plan for every goal".
+/// What an answer means: "the target is reachable", "every goal has a plan".
 std::string meaning(const Property& property, const Answer& answer);
 /// Which of the runs that a verdict without a witness speaks of it does not follow to the end; empty where it does.
 std::string partly(const Answer& answer);

@@ -94,11 +94,12 @@ std::string to_text(const Plant& plant, const Conflict& conflict, const Modes& m
 
 std::string to_text(const Plant& plant, const Stop& stop) {
   if (stop.still) {
-    return "time stands still: these steps take no time, and nothing lets time pass; give a transition a duration, or "
-           "ask in cycles, with --time";
+    return "timelock: these steps take no time, and no other step lets time pass; give a transition a duration, or "
+           "check in cycles, with --time";
   }
-  if (!stop.conflict) return "stuck: time cannot pass, and there is no step to take";
-  return "stuck: nothing can follow, as these contradict each other: " + to_text(plant, *stop.conflict, stop.refused);
+  if (!stop.conflict) return "deadlock: time cannot pass, and no step is possible";
+  return "deadlock: no next state is possible, because these contradict each other: " +
+         to_text(plant, *stop.conflict, stop.refused);
 }
 
 }  // namespace rmpl::verifier

@@ -100,20 +100,20 @@ std::string to_text(const automata::Plant& plant, const Hindrance& hindrance) {
                            component.modes[t.to.index()].name + "'" + in_brackets(t.origin);
   switch (hindrance.kind) {
     case Hindrance::Kind::excluded:
-      return step + " leads where the constraints contradict each other";
+      return step + " leads to a state that the constraints exclude";
     case Hindrance::Kind::overtaken: {
       const Transition& by = component.transitions[hindrance.by->index()];
       const std::string self = "the transition from '" + mode.name + "' to itself" + in_brackets(by.origin);
       return step + " is never taken: " +
-             (by.timing ? "from " + automata::format_seconds(by.timing->upper) + " s on " + self + " is overdue, and"
-                        : self + " has no time bounds, and") +
-             " takes the whole of each step";
+             (by.timing ? "from " + automata::format_seconds(by.timing->upper) + " s on, " + self + " is overdue and"
+                        : self + " has no time bounds and") +
+             " happens in every step";
     }
     case Hindrance::Kind::missing:
     case Hindrance::Kind::disabled:
       break;
   }
-  return step + " is not enabled, and no goal asks for what would enable it";
+  return step + " is not enabled, and no goal asks for a state that enables it";
 }
 
 }  // namespace rmpl::verifier

@@ -44,7 +44,7 @@ void ModelReport::blame(grammar::Diagnostic& finding, const ToldContradiction& c
     finding.notes.push_back({span_of(l), backquoted(told) + " is told here"});
   }
   for (const std::size_t standing : contradiction.standing) {
-    finding.notes.push_back({input_.places.at(program_.constraints[standing].origin), "this holds at every time"});
+    finding.notes.push_back({input_.places.at(program_.constraints[standing].origin), "this constraint always holds"});
   }
 }
 

@@ -58,21 +58,22 @@ bool is_seen(const ModelReport& report, automata::VariableId variable) {
 /// never marked, too: for the report of a judgement that stands.
 void explain_never(ModelReport& report, const Formula& formula, grammar::Diagnostic& finding) {
   if (const auto variable = untold_variable(report, formula)) {
-    std::string reason = "nothing is told of " + backquoted(report.program().variables.name(*variable));
+    std::string reason = "the program tells nothing about " + backquoted(report.program().variables.name(*variable));
     const bool is_plant = report.places().locations.empty();
     if (is_seen(report, *variable)) {
-      reason += ": that it is seen does not make a guard hold";
+      reason += ": an observation does not make a guard true";
     } else if (!is_plant) {
-      reason += " here; a plant that holds this program may tell of it";
+      reason += "; a plant that contains this program may connect it";
       finding.severity = grammar::Severity::note;
     }
     finding.suggestion = std::move(reason);
     return;
   }
   const std::vector<bool> all(report.program().locations.size(), true);
-  finding.suggestion = report.stores().freedom({true, formula}, all).may_hold
-                           ? "what makes it hold is told only behind it, or where nothing leads"
-                           : "nothing that is told makes it hold";
+  finding.suggestion =
+      report.stores().freedom({true, formula}, all).may_hold
+          ? "the constraints that would entail it are told only after this condition, or in unreachable locations"
+          : "no told constraint entails it";
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ void report_conditions(ModelReport& report) {
                    backquoted(report.input().sources.text(span)) + (always ? " always holds: " : " can never hold: ") +
                        (always ? consequences.always : consequences.never));
     if (always) {
-      finding.suggestion = "the constraints entail it by themselves";
+      finding.suggestion = "the constraints of the program entail it";
     } else {
       explain_never(report, one.condition->formula, finding);
     }

@@ -20,10 +20,11 @@ void report_contradiction(ModelReport& report, ToldContradiction blamed) {
   };
   const LocationId last = blamed.told.back();
   blamed.told.pop_back();
-  std::string message = told(last) + (blamed.told.empty() ? " contradicts the constraints" : " is told together with ");
+  std::string message =
+      told(last) + (blamed.told.empty() ? " contradicts the constraints" : " is told in the same instant as ");
   for (std::size_t b = 0; b < blamed.told.size(); ++b) message += (b == 0 ? "" : ", ") + told(blamed.told[b]);
   auto& finding = report.add(grammar::Code::contradicting_goals, report.span_of(last),
-                             message + ": it never comes to that, and what leads here never happens");
+                             message + ": such an instant is impossible, so the program never gets there");
   report.blame(finding, blamed);
 }
 

@@ -72,14 +72,14 @@ bool report_start(ModelReport& report) {
     return false;
   }
   if (const auto blamed = report.stores().contradiction(told)) {
-    auto& finding =
-        report_no_start(report, blamed->standing.empty() ? "what it tells at once is a contradiction"
-                                                         : "what it tells at once contradicts its constraints");
+    auto& finding = report_no_start(
+        report, blamed->standing.empty() ? "the constraints told at the start contradict each other"
+                                         : "the constraints told at the start contradict those of the whole program");
     report.blame(finding, *blamed);
     return false;
   }
   if (!has_start(report.program())) {
-    report_no_start(report, "what it tells at once is a contradiction, whatever is drawn");
+    report_no_start(report, "the constraints told at the start contradict each other, whatever is drawn");
     return false;
   }
   std::set<grammar::Span> reported;
@@ -88,7 +88,7 @@ bool report_start(ModelReport& report) {
       const grammar::Span branch = report.span_of(never.branch);
       if (!reported.insert(branch).second) continue;
       auto& finding = report.add(Code::impossible_initial_mode, branch,
-                                 "this is never drawn: what it tells contradicts what is told in every start");
+                                 "this branch is never drawn: its constraints contradict those told in every start");
       report.blame(finding, never.blamed);
     }
   }

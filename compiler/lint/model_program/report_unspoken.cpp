@@ -33,7 +33,7 @@ const char* use_of(const automata::ModelProgram& program, VariableId variable) {
   const auto is = [&](const automata::CommandedVariable& control) { return control.variable == variable; };
   if (std::any_of(program.controls.begin(), program.controls.end(), is)) return ": its commands have no effect";
   const auto& seen = program.observables;
-  return std::find(seen.begin(), seen.end(), variable) != seen.end() ? ": its readings say nothing" : "";
+  return std::find(seen.begin(), seen.end(), variable) != seen.end() ? ": its readings carry no information" : "";
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void report_unspoken(ModelReport& report) {
         const auto variable = report.program().variables.find(name.text);
         if (!variable || spoken_of.count(*variable) > 0) continue;
         report.add(grammar::Code::unused_attribute, name.span,
-                   "no constraint and no condition speaks of variable " + backquoted(name.text) +
+                   "no constraint and no condition mentions variable " + backquoted(name.text) +
                        use_of(report.program(), *variable));
       }
     }

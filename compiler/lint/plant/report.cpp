@@ -64,14 +64,16 @@ void PlantReport::blame(grammar::Diagnostic& finding, const Contradiction& contr
   std::size_t told = 0;
   for (const std::size_t q : contradiction.interconnections) {
     if (++told > few) break;
-    finding.notes.push_back({at(plant_.interconnections[q].origin), "this interconnection takes part"});
+    finding.notes.push_back(
+        {at(plant_.interconnections[q].origin), "this interconnection is part of the contradiction"});
   }
   for (const Assignment& a : contradiction.assumed) {
     const auto component = index.component_of(a.variable);
     if (!component) continue;
     const automata::Mode& mode = plant_[*component].modes[a.value.index()];
     finding.notes.push_back({at(mode.origin), "mode " + backquoted(mode.name) + " of " +
-                                                  backquoted(plant_[*component].name) + " takes part"});
+                                                  backquoted(plant_[*component].name) +
+                                                  " is part of the contradiction"});
   }
   std::map<ComponentId, std::vector<std::string>> never;
   for (const Assignment& a : contradiction.never) {
@@ -80,7 +82,7 @@ void PlantReport::blame(grammar::Diagnostic& finding, const Contradiction& contr
   }
   for (const auto& [component, modes] : never) {
     if (++told > 2 * few) break;
-    finding.notes.push_back({at(plant_[component].origin), "so does that " + backquoted(plant_[component].name) +
+    finding.notes.push_back({at(plant_[component].origin), "so is the fact that " + backquoted(plant_[component].name) +
                                                                " is never in " + enumerated(modes, few)});
   }
 }

@@ -52,9 +52,9 @@ void report_blocked_goals(PlantReport& report) {
     auto& finding = report.add(grammar::Code::fault_blocks_goal, report.at(fault),
                                "the fault " + report.mode(fault) + " of " + report.name({fault.component}) +
                                    " blocks " + (names.size() == 1 ? "the goal " : "the goals ") +
-                                   enumerated(names, shown) + ": nothing leads there any more");
+                                   enumerated(names, shown) + ": no transitions lead there any more");
     for (std::size_t g = 0; g < blocked.size() && g < shown; ++g) {
-      finding.notes.push_back({asked.at(blocked[g]), "this asks for " + names[g]});
+      finding.notes.push_back({asked.at(blocked[g]), "this step asserts " + names[g]});
     }
   }
 }

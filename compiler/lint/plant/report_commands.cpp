@@ -23,8 +23,9 @@ grammar::Span declared(const PlantReport& report, VariableId control) {
 void report_impossible_commands(PlantReport& report, const std::vector<Assignment>& impossible) {
   for (const Assignment& command : impossible) {
     const Contradiction why = report.analysis().blame().of({&command, 1}, automata::constant(true));
-    auto& finding = report.add(Code::impossible_command, declared(report, command.variable),
-                               "the command " + report.list({command}) + " contradicts the model in all modes");
+    auto& finding = report.add(
+        Code::impossible_command, declared(report, command.variable),
+        "the command " + report.list({command}) + " contradicts the model in all modes: no state permits it");
     report.blame(finding, why);
   }
 }
@@ -38,9 +39,9 @@ void report_contradicting_idle(PlantReport& report, const std::vector<Assignment
     if (!told.insert(first.variable).second) continue;
     const Assignment mode{report.plant()[found.mode.component].mode, automata::ValueId(found.mode.mode.index())};
     auto& finding = report.add(Code::impossible_command, declared(report, first.variable),
-                               "while nothing is commanded " + report.list({mode}) + " contradicts the model: from " +
-                                   report.list(found.idle) + " every guard follows there");
-    finding.suggestion = "choose a default that every mode allows";
+                               "while all controls are idle, " + report.list({mode}) + " contradicts the model: with " +
+                                   report.list(found.idle) + " every guard holds there");
+    finding.suggestion = "choose a default that every reachable mode permits";
     std::vector<Assignment> contradicted = found.idle;
     contradicted.push_back(mode);
     report.blame(finding, report.analysis().blame().of(contradicted, automata::constant(true)));
@@ -80,9 +81,9 @@ void report_unread(PlantReport& report, const std::vector<Assignment>& impossibl
     const auto& [span, elsewhere] = key;
     auto& finding = report.add(Code::unread_command, span,
                                "nothing reads the " + std::string(commands.size() == 1 ? "command " : "commands ") +
-                                   report.list(commands) + ": the effect is that of the idle value");
+                                   report.list(commands) + ": same effect as the idle value");
     if (elsewhere) finding.severity = grammar::Severity::note;
-    finding.suggestion = "add a transition that reads it, or leave the value out of the domain";
+    finding.suggestion = "add a transition that reads it, or remove the value from the domain";
   }
 }
 
@@ -109,8 +110,7 @@ void report_uncommanded(PlantReport& report) {
     for (const ComponentId instance : instances) names.push_back(backquoted(report.plant()[instance].name));
     report.add(Code::uncommanded_component,
                place == places.end() ? report.at(report.plant()[instances.front()].origin) : place->second,
-               "no command has any influence on what " + enumerated(names, 3) +
-                   (names.size() > 1 ? " wait" : " waits") + " for");
+               "no command influences the guards of " + enumerated(names, 3));
   }
 }
 

@@ -86,7 +86,7 @@ void report_impossible_guards(PlantReport& report) {
           report.analysis().reach().guards[written.first.component.index()][written.first.transition.index()];
       finding.message += ": no modes and no command imply it";
       const auto open = left_open(report, guard);
-      if (!open.empty()) finding.suggestion = "see what decides " + enumerated(open, 3);
+      if (!open.empty()) finding.suggestion = "check what determines " + enumerated(open, 3);
     } else if (why.empty()) {
       finding.message += ": it contradicts itself";
     } else {
@@ -112,13 +112,14 @@ void report_overlaps(PlantReport& report) {
     auto& finding = report.add(Code::overlapping_guards, report.at(first),
                                "two transitions of " + report.name(instances) + " can be enabled at once, from " +
                                    ends(report, first) + " and to " +
-                                   report.mode({second.component, report[second].to}) + ", and chance decides");
+                                   report.mode({second.component, report[second].to}) + ", and each is equally likely");
     std::vector<Assignment> evidence = overlap.read;
     for (const Assignment& a : overlap.context) {
       if (std::find(evidence.begin(), evidence.end(), a) == evidence.end()) evidence.push_back(a);
     }
-    finding.notes.push_back({report.at(second), "this one holds too, for example where " + report.list(evidence)});
-    finding.suggestion = "make the guards exclude each other, or give both transitions weights by `with`";
+    finding.notes.push_back(
+        {report.at(second), "the guard of this transition holds too, for example with " + report.list(evidence)});
+    finding.suggestion = "make the guards exclude each other, or give both transitions weights with `with`";
   }
 }
 
@@ -144,15 +145,17 @@ void report_shadows(PlantReport& report, const std::vector<Shadow>& shadows) {
     if (!is_redundant(report, late, early)) redundant.erase(report.at(late));
   }
   for (const Written& written : as_written(report, found)) {
-    auto& finding = report.add(Code::shadowed_transition, report.at(written.first),
-                               "the transition from " + ends(report, written.first) + " of " +
-                                   report.name(written.instances) + " is never taken: another one always goes first");
+    auto& finding =
+        report.add(Code::shadowed_transition, report.at(written.first),
+                   "the transition from " + ends(report, written.first) + " of " + report.name(written.instances) +
+                       " is never taken: another transition always preempts it");
     if (!report.all(written.instances)) finding.severity = grammar::Severity::note;
     for (const TransitionId early : by[written.first]) {
       const PlantTransition one{written.first.component, early};
       const bool fault = report.plant()[one.component].is_fault(report[one]);
-      finding.notes.push_back({report.at(one), fault ? "this fault is certain wherever its guard holds"
-                                                     : "this one has no time bounds, and holds wherever it does"});
+      finding.notes.push_back(
+          {report.at(one), fault ? "this fault is certain whenever its guard holds"
+                                 : "this transition has no time bounds, and is enabled whenever the other one is"});
     }
     const grammar::Span span = finding.span;
     if (report.all(written.instances) && redundant.contains(span) && report.is_beside_plant(span))
@@ -167,7 +170,7 @@ void report_idle(PlantReport& report) {
     auto& finding = report.add(Code::idle_transition, report.at(written.first),
                                "the transition from " + report.mode({written.first.component, transition.from}) +
                                    " of " + report.name(written.instances) + " to the same mode changes nothing" +
-                                   (timed ? ": the clock of the mode goes on" : ""));
+                                   (timed ? ": the clock of the mode continues" : ""));
     if (!timed || !report.all(written.instances)) finding.severity = grammar::Severity::note;
     const grammar::Span span = finding.span;
     if (report.all(written.instances) && report.is_beside_plant(span))
@@ -180,10 +183,9 @@ void report_weights_unused_at_rest(PlantReport& report) {
     auto& finding = report.add(
         Code::unused_weight, report.at(written.first),
         "the weight of the transition from " + ends(report, written.first) + " of " + report.name(written.instances) +
-            " has no effect under idle controls: no other transition is enabled beside it then, and it is taken for "
-            "certain");
+            " has no effect while all controls are idle: no other transition is enabled then, so this one is certain");
     if (!report.all(written.instances)) finding.severity = grammar::Severity::note;
-    finding.suggestion = "say what else may come of it: `-> { … with 0.9, … with 0.1 }`";
+    finding.suggestion = "give the alternative outcomes: `-> { … with 0.9, … with 0.1 }`";
   }
 }
 
@@ -193,11 +195,12 @@ void report_unused_weights(PlantReport& report) {
     auto& finding = report.add(
         Code::unused_weight, report.at(written.first),
         "the weight of the transition from " + ends(report, written.first) + " of " + report.name(written.instances) +
-            (timed ? " has no effect: a timed transition competes by its times alone"
-                   : " has no effect: no other transition is ever enabled beside it, and it is taken for certain"));
+            (timed ? " has no effect: a timed transition competes with others only by its time"
+                   : " has no effect: no other transition is ever enabled together with this one, so it is certain"));
     if (!report.all(written.instances)) finding.severity = grammar::Severity::note;
-    finding.suggestion = timed ? "outcomes of one transition share its time: `-> { … with 0.9, … with 0.1 } in [ … ]`"
-                               : "say what else may come of it: `-> { … with 0.9, … with 0.1 }`";
+    finding.suggestion =
+        timed ? "to give alternative outcomes at one time, write `-> { … with 0.9, … with 0.1 } in [ … ]`"
+              : "give the alternative outcomes: `-> { … with 0.9, … with 0.1 }`";
   }
 }
 
@@ -213,14 +216,14 @@ void report_late_guards(PlantReport& report, const std::vector<Shadow>& shadows)
     const automata::Timing& timing = *transition.timing;
     auto& finding = report.add(Code::late_guard, report.at(written.first),
                                "the time bounds of the transition from " + ends(report, written.first) + " of " +
-                                   report.name(written.instances) + " are counted from when " +
+                                   report.name(written.instances) + " count from the entry into " +
                                    report.mode({written.first.component, transition.from}) +
-                                   " was entered: where its guard begins to hold after " +
-                                   automata::format_seconds(timing.upper) + " s, it is taken without delay");
+                                   ": if the guard begins to hold after " + automata::format_seconds(timing.upper) +
+                                   " s, the transition is taken without delay");
     // A lower bound alone says from when on something is obeyed.
     if (timing.lower == timing.upper || !report.all(written.instances)) finding.severity = grammar::Severity::note;
     finding.suggestion =
-        "a delay from a cause is a mode of its own: let the guard lead there, and the time on from there";
+        "for a delay after the guard, add a mode: let the guard lead to it, and put the time bounds on its exit";
   }
 }
 

@@ -43,9 +43,9 @@ void report_impossible_plant(PlantReport& report) {
   for (const automata::Interconnection& q : report.plant().interconnections) interconnections.tell(q.constraint);
   Contradiction why = report.analysis().blame_at_large().of({}, automata::constant(true));
   if (interconnections.consistent({})) {
-    auto& finding = report.add(Code::no_initial_state, report.declarations().plant,
-                               "the plant has no state at all: its modes contradict the interconnections, whichever "
-                               "the components are in");
+    auto& finding =
+        report.add(Code::no_initial_state, report.declarations().plant,
+                   "the plant has no possible state: in every combination, the modes contradict the interconnections");
     report.blame(finding, why);
     return;
   }

@@ -83,7 +83,7 @@ std::size_t add_reasons(PlantReport& report, PlantMode mode, grammar::Diagnostic
     if (transition.to != mode.mode || transition.from == mode.mode) continue;
     const grammar::Span span = report.at(transition.origin);
     if (told.size() >= 3 || !told.insert(span).second) continue;
-    std::string reason = "this transition would lead where the interconnections allow no state";
+    std::string reason = "the interconnections exclude every state after this transition";
     if (!can_ever_be_taken(transition)) {
       reason = "this transition has no weight";
     } else if (!reach.reached[mode.component.index()][transition.from.index()]) {
@@ -106,7 +106,7 @@ void report_unreachable(PlantReport& report) {
     if (!report.all(instances)) finding.severity = grammar::Severity::note;
     if (add_reasons(report, first, finding) == 0) {
       finding.message += ": no transition leads to it";
-      finding.suggestion = "add a transition that leads to it, or leave the mode out";
+      finding.suggestion = "add a transition that leads to it, or remove the mode";
     }
   }
 }

@@ -47,14 +47,14 @@ void report_readings(PlantReport& report) {
     if (!fresh) ++at->second.more;
   }
   for (const auto& [span, told] : by_place) {
-    auto& finding =
-        report.add(grammar::Code::unexplained_reading, span,
-                   "no mode explains that " + backquoted(told.first) + " reads " + enumerated(told.values, 3) +
-                       (told.more == 0 ? "" : ", nor others of its type") + ": such a reading is set aside");
+    auto& finding = report.add(grammar::Code::unexplained_reading, span,
+                               "no state of the plant explains that " + backquoted(told.first) + " reads " +
+                                   enumerated(told.values, 3) +
+                                   (told.more == 0 ? "" : ", and the same is true of others of its type") +
+                                   ": the estimate sets such a reading aside");
     finding.suggestion =
-        "a fault without a constraint explains every reading, `fault unknown;` with a small rate; or leave the value "
-        "out "
-        "of the domain";
+        "add a fault mode without a constraint, such as `fault unknown;`, with a small rate, or remove the value from "
+        "the domain";
   }
 }
 

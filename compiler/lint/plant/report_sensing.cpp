@@ -81,7 +81,7 @@ void report_unobserved(PlantReport& report) {
       if (!component.modes[m].fault || !report.analysis().reach().reached[c][m]) continue;
       auto& finding = report.add(Code::unobserved_plant, report.declarations().plant,
                                  "nothing of " + backquoted(report.plant().name) +
-                                     " is observed: no fault ever shows, and the estimate is what the model predicts");
+                                     " is observed: no fault can be noticed, and the estimate only follows the model");
       finding.notes.push_back({report.at(fault), "for example this one of " + report.name({ComponentId(c)})});
       return;
     }

@@ -23,14 +23,14 @@ void report_stuck(PlantReport& report) {
     const grammar::Span span = why.interconnections.empty()
                                    ? report.declarations().plant
                                    : report.at(report.plant().interconnections[why.interconnections.front()].origin);
-    auto& finding = report.add(
-        Code::stuck_plant, span,
-        "the plant gets stuck with " + report.list(assignments(stuck.modes)) + ", which it is in after " +
-            std::to_string(stuck.cycles) + (stuck.cycles == 1 ? " cycle" : " cycles") + " of " +
-            automata::format_seconds(stuck.period) + " s: whatever is commanded, what follows contradicts this");
+    auto& finding = report.add(Code::stuck_plant, span,
+                               "the plant deadlocks with " + report.list(assignments(stuck.modes)) + " after " +
+                                   std::to_string(stuck.cycles) + (stuck.cycles == 1 ? " cycle" : " cycles") + " of " +
+                                   automata::format_seconds(stuck.period) +
+                                   " s: whatever is commanded, every next state is contradictory");
     if (!why.interconnections.empty()) why.interconnections.erase(why.interconnections.begin());
-    finding.notes.push_back({report.declarations().plant,
-                             "the next cycle leads to " + report.list(why.assumed) + ", with all controls idle"});
+    finding.notes.push_back(
+        {report.declarations().plant, "with all controls idle, the next cycle leads to " + report.list(why.assumed)});
     why.assumed.clear();
     report.blame(finding, why);
   }

@@ -36,14 +36,15 @@ void report_timed_faults(PlantReport& report) {
           report.add(grammar::Code::timed_fault, span,
                      "fault " + backquoted(component.modes[transition.to.index()].name) + " of " +
                          backquoted(component.type) + " is drawn in every step that ends within the time bounds" +
-                         (outcome  ? ", and not as the transition fires"
-                          : spread ? ", and the density has no part in it"
-                                   : ": how likely it is depends on the cycle"));
+                         (outcome  ? ", not when the transition fires"
+                          : spread ? ", and the density has no effect"
+                                   : ": its probability depends on the cycle"));
       if (!outcome && !spread) finding.severity = grammar::Severity::note;
-      finding.suggestion = outcome || spread ? "let the transition lead to a mode of its own, and from there, without "
-                                               "bounds, to what is drawn"
-                                             : "a mode that is entered when the bounds begin, and the fault from "
-                                               "there, say how long it may happen";
+      finding.suggestion =
+          outcome || spread
+              ? "let the transition lead to an intermediate mode, and draw the outcome there without time bounds"
+              : "to limit when the fault may happen, add a mode that is entered when the bounds begin, and let the "
+                "fault leave that mode";
     }
   }
 }

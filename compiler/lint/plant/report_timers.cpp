@@ -44,14 +44,14 @@ void report_timers(PlantReport& report) {
     const Transition& exit = *timed_exit(component, own.from);
     const std::string mode = component.modes[own.from.index()].name;
     const std::string target = backquoted(component.modes[exit.to.index()].name);
-    auto& finding = report.add(grammar::Code::timer_goes_on, span,
-                               "the transition from " + backquoted(mode) + " of " + backquoted(component.type) +
-                                   " to the same mode does not restart its clock: the time to " + target + " goes on");
-    finding.notes.push_back(
-        {report.at(exit.origin), "this exit counts from when " + backquoted(mode) + " was entered"});
-    finding.suggestion = own.timing
-                             ? "a clock starts where its mode is entered from another one: go through one of its own"
-                             : "write `" + mode + " -> " + mode + " restart when …` where the clock is to start anew";
+    auto& finding =
+        report.add(grammar::Code::timer_goes_on, span,
+                   "the transition from " + backquoted(mode) + " of " + backquoted(component.type) +
+                       " to the same mode does not restart its clock: the time to " + target + " continues");
+    finding.notes.push_back({report.at(exit.origin), "this exit counts from the entry into " + backquoted(mode)});
+    finding.suggestion =
+        own.timing ? "a clock starts when its mode is entered from another mode: go through an intermediate mode"
+                   : "write `" + mode + " -> " + mode + " restart when …` to restart the clock";
   }
 }
 

@@ -26,16 +26,17 @@ void report(const LintInput& input, const BoundProgram& bound, LocationId first,
   const Location& location = bound.program.locations[second.index()];
   const std::string& name = bound.program.clocks[location.clock_start->index()];
   const std::string written = name.substr(0, name.find('@'));
-  auto& finding = add_finding(
-      found, grammar::Code::clock_started_twice, span,
-      "clock " + backquoted(written) + " may run already: then this changes nothing, and waits do not start anew");
+  auto& finding =
+      add_finding(found, grammar::Code::clock_started_twice, span,
+                  "clock " + backquoted(written) +
+                      " may be running already: this start then has no effect, and a later wait may end at once");
   if (before == span) {
-    finding.suggestion =
-        "declare it at the start of a definition, `clock " + written +
-        ";`: then each call has a clock of its own. Let it be called by one that calls itself, and not by `whenever`";
+    finding.suggestion = "declare it at the start of a definition, `clock " + written +
+                         ";`, so that each call has its own clock. Call that definition from a recursive definition, "
+                         "not from `whenever`";
   } else {
-    finding.notes.push_back({before, "it may have been started here"});
-    finding.suggestion = "take another clock for the second wait, or put the wait into a definition with `clock " +
+    finding.notes.push_back({before, "the clock may have been started here"});
+    finding.suggestion = "use another clock for the second wait, or put the wait into a definition with `clock " +
                          written + ";` at its start";
   }
 }

@@ -135,8 +135,8 @@ void report(const LintInput& input, grammar::Span span, const Judged& judged, gr
   const std::string text = backquoted(input.sources.text(span));
   if (judged.verdict == Verdict::out_of_reach) {
     auto& finding = add_finding(found, Code::condition_out_of_reach, span,
-                                text + " speaks of what the plant cannot reach: " + never);
-    finding.suggestion = judged.unreached + ": no transition leads there from the initial modes";
+                                text + " holds in no state that the plant can reach: " + never);
+    finding.suggestion = judged.unreached + ": no transitions lead there from the initial modes";
     return;
   }
   const bool holds = judged.verdict == Verdict::always;
@@ -145,7 +145,7 @@ void report(const LintInput& input, grammar::Span span, const Judged& judged, gr
   if (!judged.commanded.empty()) {
     finding.suggestion =
         backquoted(judged.commanded) +
-        " is commanded, and a program knows modes and readings: ask for the mode that the command leads to";
+        " is a control, and a program reads only modes and sensors: ask for the mode that the command leads to";
   }
   constexpr std::size_t shown = 4;
   for (std::size_t b = 0; b < std::min(shown, judged.blamed.size()); ++b) {

@@ -25,10 +25,10 @@ namespace {
 /// When the goals meet: `in cycle 3, where … holds in cycle 1`. Clocks run on by any amount in a cycle there, so with
 /// clocks it may be later.
 std::string meeting(const GoalClash& clash, bool clocks) {
-  std::string text = clash.cycle == 1
-                         ? "they meet at once, in the first cycle"
-                         : "they meet in cycle " + std::to_string(clash.cycle) +
-                               (clocks ? " at the earliest, or when clocks have come so far" : " at the earliest");
+  std::string text =
+      clash.cycle == 1 ? "both are asserted in the first cycle"
+                       : "both are asserted in cycle " + std::to_string(clash.cycle) +
+                             (clocks ? " at the earliest, or later if a clock bound requires it" : " at the earliest");
   const char* separator = ": where ";
   for (std::size_t cycle = 0; cycle < clash.history.size(); ++cycle) {
     if (clash.history[cycle].empty()) continue;
@@ -52,12 +52,12 @@ void report(const LintInput& input, const BoundProgram& bound, const GoalClash& 
   const automata::Variables& variables = bound.program.variables;
   const auto text = [&](const Assignment& goal) { return backquoted(to_text(variables, goal)); };
   auto& finding = add_finding(found, grammar::Code::contradicting_goals, second,
-                              text(asked) + (clash.certain ? " is" : " can be") + " asked for together with " +
-                                  text(other) + ": such a cycle commands nothing");
-  if (clash.certain && clash.cycle > 1) finding.message += "; one of the two is never asked for otherwise";
+                              text(asked) + (clash.certain ? " is" : " can be") + " asserted together with " +
+                                  text(other) + ": in such a cycle the executive sends no command");
+  if (clash.certain && clash.cycle > 1) finding.message += "; one of the two goals is never asserted without the other";
   // Where it takes a plant that does this and not that, it may be one that nobody has.
   if (!clash.certain) finding.severity = grammar::Severity::note;
-  finding.notes.push_back({first, text(other) + " is asked for here"});
+  finding.notes.push_back({first, text(other) + " is asserted here"});
   finding.suggestion = meeting(clash, !bound.program.clocks.empty());
 }
 

@@ -84,7 +84,7 @@ void lint_fault_goals(const LintInput& input, grammar::Diagnostics& found) {
       const grammar::Span span = span_of(input, bound, location);
       if (!mode.fault || !told.insert({span, goal}).second) return;
       auto& finding = add_finding(found, Code::goal_on_fault_mode, span,
-                                  text_of(bound, goal) + " is asked for, and no command leads into a fault mode");
+                                  text_of(bound, goal) + " is a goal, but no command leads into a fault mode");
       finding.notes.push_back({input.places.at(mode.origin), backquoted(mode.name) + " is a fault mode"});
       finding.suggestion = "to wait for the fault, write `when " + to_text(bound.plant->variables, goal) + " donext …`";
     });
@@ -104,7 +104,7 @@ void lint_irreversible_goals(const LintInput& input, grammar::Diagnostics& found
       const grammar::Span span = span_of(input, bound, location);
       if (!step->second || !told.insert({span, goal}).second) return;
       auto& finding = add_finding(found, Code::irreversible_goal, span,
-                                  text_of(bound, goal) + " is only reached by a step that nothing takes back");
+                                  text_of(bound, goal) + " is only reached by an irreversible step");
       finding.notes.push_back({input.places.at(step->second->origin),
                                "no nominal transitions lead back from " +
                                    backquoted(component.modes[step->second->to.index()].name) + " to " +

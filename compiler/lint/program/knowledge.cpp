@@ -78,8 +78,9 @@ bool does_nothing(const grammar::Step& step) { return std::holds_alternative<gra
 void report_empty_answers(const LintInput& input, grammar::Diagnostics& found) {
   const auto report = [&](const grammar::Constraint& condition) {
     if (!asks_surprise(condition)) return;
-    auto& finding = add_finding(found, Code::unanswered_surprise, condition.span, "nothing answers this surprise");
-    finding.suggestion = "say what to do: `{ }` is the empty step";
+    auto& finding =
+        add_finding(found, Code::unanswered_surprise, condition.span, "the program does not react to this surprise");
+    finding.suggestion = "replace the empty step `{ }` with a reaction";
   };
   const base::Overloaded inside{[&](const grammar::Whenever& node) {
                                   if (does_nothing(*node.step)) report(node.condition);
@@ -122,8 +123,8 @@ void report_unasked(const BoundProgram& bound, std::set<Span>& told, grammar::Di
   }
   if (names.empty() || !told.insert(asked.front().second).second) return;
   auto& finding = add_finding(found, Code::unanswered_surprise, asked.front().second,
-                              "nothing answers a surprise of " + names + ", whose readings are observed");
-  finding.suggestion = "`surprise` alone asks for one of any component";
+                              "the program does not react to a surprise of " + names + ", whose readings are observed");
+  finding.suggestion = "`surprise` without a component asks for surprises of all components";
 }
 
 }  // namespace

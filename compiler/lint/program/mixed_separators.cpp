@@ -13,8 +13,8 @@ void check(const grammar::Body& body, grammar::Diagnostics& found) {
   for (const grammar::Sequence& thread : body.threads) {
     if (thread.steps.size() < 2) continue;
     auto& finding = add_finding(found, grammar::Code::mixed_separators, thread.span,
-                                "`,` and `;` stand in the same braces: these steps follow each other, beside the rest");
-    finding.suggestion = "put them in braces of their own: `{ … ; … }`";
+                                "`,` and `;` in the same braces: these steps run in sequence, in parallel to the rest");
+    finding.suggestion = "put the sequence in braces of its own: `{ … ; … }`";
     const std::uint32_t begin = thread.steps.front().span.begin;
     const std::uint32_t end = thread.steps.back().span.end;
     finding.fix = {{{thread.span.file, begin, begin}, "{ "}, {{thread.span.file, end, end}, " }"}};

@@ -130,18 +130,18 @@ class RestartedWaits {
     const Formula& wait = *wait_of(locations()[restart.wait.index()], restart.wait);
     const std::string when =
         condition.is_true() ? "in every cycle" : "in every cycle in which " + text_of(condition) + " holds";
-    std::string text = "what this starts begins anew " + when;
+    std::string text = "this starts its step again " + when;
     if (restart.clock) {
       const std::string& name = bound_.program.clocks[restart.clock->index()];
       const std::string clock = backquoted(name.substr(0, name.find('@')));
-      text += ", and its clock " + clock + " with it: " + (condition.is_true() ? "" : "meanwhile ") + clock +
-              " reads no more than a cycle";
+      text += ", and restarts clock " + clock + ": " + (condition.is_true() ? "" : "meanwhile ") + clock +
+              " never exceeds one cycle";
     } else {
-      text += ", beside the wait that goes on";
+      text += ", in parallel to the wait that is still running";
     }
     auto& finding = add_finding(found_, grammar::Code::restarted_wait, span, text);
     if (!restart.clock) finding.severity = grammar::Severity::note;
-    finding.notes.push_back({span_of(input_, bound_, restart.wait), "it waits here for " + text_of(wait)});
+    finding.notes.push_back({span_of(input_, bound_, restart.wait), "the step waits here for " + text_of(wait)});
     suggest(finding, span);
   }
 
@@ -150,11 +150,11 @@ class RestartedWaits {
     const grammar::Step* const step = construct_at(input_, span);
     if (step == nullptr) return;
     if (std::holds_alternative<grammar::Always>(step->node)) {
-      finding.suggestion = "to do it to its end each time, write `repeat` in the place of `always`";
+      finding.suggestion = "to run the step to its end each time, write `repeat` instead of `always`";
       return;
     }
     constexpr std::string_view keyword = "whenever";
-    finding.suggestion = "to do it to its end each time, write `repeat when` in the place of `whenever`";
+    finding.suggestion = "to run the step to its end each time, write `repeat when` instead of `whenever`";
     finding.fix = {{{span.file, span.begin, span.begin + static_cast<std::uint32_t>(keyword.size())}, "repeat when"}};
   }
 

@@ -27,15 +27,15 @@ std::string seconds(Ticks time) { return automata::format_seconds(time) + " s"; 
 /// Why a rule never fires; empty where it may.
 std::string obstacle(const automata::Rule& rule, const Scenario& scenario, Possibilities& possible,
                      const ReachableModes& reach) {
-  if (possible.consistent() && !possible.can_hold(rule.trigger)) return "what it waits for can never hold";
+  if (possible.consistent() && !possible.can_hold(rule.trigger)) return "its condition can never hold";
   if (rule.stream == automata::Rule::Stream::estimate &&
       !possible.can_hold(automata::conjunction({rule.trigger, reach.formula()}))) {
-    return "it waits for modes that the plant never gets into";
+    return "its condition needs modes that the plant never enters";
   }
   // So many cycles that they cannot be counted in ticks are behind any end.
   const std::uint64_t most = static_cast<std::uint64_t>(scenario.duration.count / scenario.cycle.count);
   const bool late = rule.delay ? *rule.delay > scenario.duration : rule.delay_cycles > most;
-  return late ? "the scenario ends after " + seconds(scenario.duration) + ", before its time has passed" : "";
+  return late ? "the scenario ends after " + seconds(scenario.duration) + ", before the delay of the rule" : "";
 }
 
 /// Collects bounds of clocks that are above 0 and below the cycle.
@@ -52,17 +52,19 @@ class FineTimes {
 
   void scenario(const Scenario& scenario) {
     for (const automata::SensorOverride& o : scenario.overrides) {
-      check(o.duration, scenario.cycle, o.origin, "the reading may be over before it is looked at");
+      check(o.duration, scenario.cycle, o.origin, "the reading may end before the executive reads it");
     }
     for (const automata::GivenCommand& c : scenario.commands) {
-      check(c.duration, scenario.cycle, c.origin, "the command may be over before a cycle begins with it");
+      check(c.duration, scenario.cycle, c.origin, "the command may end before the next cycle begins");
     }
     for (const automata::Rule& rule : scenario.rules) {
-      check(rule.duration, scenario.cycle, rule.origin, "the reading may be over before it is looked at");
-      if (rule.delay) check(*rule.delay, scenario.cycle, rule.origin, "it comes in the next cycle, as without it");
+      check(rule.duration, scenario.cycle, rule.origin, "the reading may end before the executive reads it");
+      if (rule.delay)
+        check(*rule.delay, scenario.cycle, rule.origin,
+              "the rule takes effect in the next cycle, as without the delay");
     }
     for (const automata::Expectation& e : scenario.expectations) {
-      if (e.within) check(*e.within, scenario.cycle, e.origin, "only what holds at once is in time");
+      if (e.within) check(*e.within, scenario.cycle, e.origin, "the expectation is met only if it holds at once");
     }
   }
 
@@ -73,8 +75,8 @@ class FineTimes {
         const grammar::Span span = input_.places.at(transition.origin);
         if (!transition.timing || transition.timing->upper == Ticks{0} || transition.timing->upper >= cycle) continue;
         if (!input_.places.has(transition.origin) || !told_.insert(span).second) continue;
-        report(transition.timing->upper, cycle, span, "it is over when the plant is looked at again").severity =
-            grammar::Severity::note;
+        report(transition.timing->upper, cycle, span, "the mode may end before the executive reads the plant again")
+            .severity = grammar::Severity::note;
       }
     }
   }
@@ -84,7 +86,7 @@ class FineTimes {
       std::vector<Ticks> fine;
       collect_fine(condition.formula, bound.cycle, fine);
       if (!fine.empty())
-        report(fine.front(), bound.cycle, condition.span, "a clock is first read a cycle after its start");
+        report(fine.front(), bound.cycle, condition.span, "the program first reads a clock one cycle after its start");
     }
   }
 
@@ -114,7 +116,7 @@ void lint_rules(const LintInput& input, grammar::Diagnostics& found) {
     for (const automata::Rule& rule : scenario.rules) {
       const std::string why = obstacle(rule, scenario, possible, reach);
       if (why.empty()) continue;
-      add_finding(found, Code::rule_never_fires, input.places.at(rule.origin), "the rule never comes about: " + why);
+      add_finding(found, Code::rule_never_fires, input.places.at(rule.origin), "the rule never takes effect: " + why);
     }
   }
 }

@@ -47,7 +47,7 @@ void check(const grammar::Body& body, const MarkedSpans& marked, grammar::Diagno
           add_finding(found, grammar::Code::step_never_reached, rest,
                       s + 1 == thread.steps.size() ? "this step is never reached" : "these steps are never reached");
       finding.notes.push_back({before.span, reason(before)});
-      finding.suggestion = "if it is meant to run beside, put `,` in the place of `;`";
+      finding.suggestion = "to run the steps in parallel, write `,` instead of `;`";
       break;
     }
   }

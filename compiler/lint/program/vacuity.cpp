@@ -25,7 +25,7 @@ void tell(const Vacuity& vacuity, grammar::Code code, grammar::Span span, const 
     finding.severity = grammar::Severity::note;
   }
   for (std::size_t b = 0; b < std::min(shown, blamed.size()); ++b) {
-    finding.notes.push_back({input.places.at(blamed[b]), "this decides it"});
+    finding.notes.push_back({input.places.at(blamed[b]), "this constraint decides it"});
   }
 }
 

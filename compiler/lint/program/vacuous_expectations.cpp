@@ -19,28 +19,28 @@ Vacuity vacuity_of(const Expectation& expectation, const Scenario& scenario, con
                    Possibilities& possible) {
   if (expectation.after) {
     if (!possible.can_hold(*expectation.after)) {
-      return {"no state satisfies what it comes after", *expectation.after};
+      return {"no state satisfies the condition after `after`", *expectation.after};
     }
     const ReachableModes reach(plant, added_modes(scenario, plant));
     if (!possible.can_hold(automata::conjunction({*expectation.after, reach.formula()}))) {
-      return {"the plant never gets to what it comes after", automata::constant(true)};
+      return {"the plant never satisfies the condition after `after`", automata::constant(true)};
     }
   }
   switch (expectation.kind) {
     case Expectation::Kind::never:
-      return decided(possible, expectation.condition, "what it excludes");
+      return decided(possible, expectation.condition, "the excluded condition");
     case Expectation::Kind::eventually: {
-      Vacuity vacuity = decided(possible, expectation.condition, "what it expects");
+      Vacuity vacuity = decided(possible, expectation.condition, "the expected condition");
       // That every state satisfies it still says that what it comes after comes.
       const bool waits = expectation.after && possible.can_hold(expectation.condition);
       return waits ? Vacuity{} : vacuity;
     }
     case Expectation::Kind::finished:
       if (possible.can_hold(expectation.condition)) return {};
-      return {"no state satisfies what it expects at the end", expectation.condition};
+      return {"no state satisfies the expected condition", expectation.condition};
     case Expectation::Kind::never_finished:
       if (possible.can_hold(expectation.condition)) return {};
-      return {"no state satisfies what it excludes at the end", expectation.condition};
+      return {"no state satisfies the excluded condition", expectation.condition};
     case Expectation::Kind::goal_conflict:
     case Expectation::Kind::no_plan:
       return {};
@@ -59,7 +59,7 @@ void lint_vacuous_expectations(const LintInput& input, grammar::Diagnostics& fou
     if (!possible.consistent()) continue;
     for (const Expectation& expectation : scenario.expectations) {
       tell(vacuity_of(expectation, scenario, plant, possible), grammar::Code::vacuous_expectation,
-           input.places.at(expectation.origin), "the expectation says nothing of what is flown",
+           input.places.at(expectation.origin), "the expectation does not depend on the flight",
            expectation.kind == Expectation::Kind::never ? &expectation.condition : nullptr, possible, input, found);
     }
   }

@@ -26,12 +26,12 @@ class Judge {
 
   Vacuity operator()(const PlantProperty& property) {
     const Formula from = conjunction_of(property.from);
-    if (!possible_.can_hold(from)) return {"it starts in modes that cannot be together", from};
+    if (!possible_.can_hold(from)) return {"the modes after `from` contradict each other", from};
     if (property.claim == PlantProperty::Claim::response) return response(property);
     // Other claims are about runs, or about more than the plant.
     if (property.claim != PlantProperty::Claim::never && property.claim != PlantProperty::Claim::reach) return {};
     const std::string what =
-        property.claim == PlantProperty::Claim::never ? "what it excludes" : "what it claims to be reached";
+        property.claim == PlantProperty::Claim::never ? "the formula after `never`" : "the formula after `reach`";
     const Vacuity vacuity = decided(possible_, property.formula, what);
     if (!vacuity.why.empty() || property.faults > 0) return vacuity;
     const auto may_come = [&](bool faults) {
@@ -39,21 +39,21 @@ class Judge {
       return possible_.can_hold(automata::conjunction({property.formula, reach.formula()}));
     };
     if (may_come(false) || !may_come(true)) return {};
-    return {what + " needs a fault, and none is permitted: `faults K` permits up to K", automata::constant(true)};
+    return {what + " needs a fault, but none is permitted: `faults K` permits up to K", automata::constant(true)};
   }
 
  private:
   Vacuity response(const PlantProperty& property) {
-    if (!possible_.can_hold(property.formula)) return {"no state satisfies what it waits for", property.formula};
-    if (!possible_.can_fail(property.then)) return {"every state satisfies the answer", negation(property.then)};
+    if (!possible_.can_hold(property.formula)) return {"no state satisfies the trigger", property.formula};
+    if (!possible_.can_fail(property.then)) return {"every state satisfies the response", negation(property.then)};
     if (!possible_.can_hold(automata::conjunction({property.formula, negation(property.then)}))) {
-      return {"what it waits for is an answer already",
+      return {"every state with the trigger satisfies the response",
               automata::conjunction({property.formula, negation(property.then)})};
     }
     const MayHappen may{property.faults > 0, property.commands != PlantProperty::Commands::none || property.of_program};
     const ReachableModes reach(plant_, property.from, may);
     if (!possible_.can_hold(automata::conjunction({property.formula, reach.formula()}))) {
-      return {std::string("the plant never gets to what it waits for") + (may.faults ? "" : " without a fault") +
+      return {std::string("the plant never reaches the trigger") + (may.faults ? "" : " without a fault") +
                   (may.faults || may.commands ? "" : " and") + (may.commands ? "" : " without a command"),
               automata::constant(true)};
     }
@@ -90,7 +90,7 @@ void lint_vacuous_properties(const LintInput& input, grammar::Diagnostics& found
     if (!says_nothing) continue;
     const PlantProperty& property = *same.front();
     tell((*judge)(property), grammar::Code::vacuous_property, input.places.at(property.origin),
-         "property \"" + property.name + "\" says nothing of what the plant does",
+         "property \"" + property.name + "\" does not depend on what the plant does",
          property.claim == PlantProperty::Claim::never ? &property.formula : nullptr, judge->possible(), input, found);
   }
 }

@@ -116,7 +116,7 @@ std::string as_text(const PlantAnswer& answer, const automata::Plant& plant) {
 std::string missing_text(double share) {
   std::ostringstream text;
   text << "up to " << std::setprecision(3) << 100 * share
-       << " % of the probability may be missing from a belief; expected a greater -k, or --estimator exact";
+       << " % of the probability may be missing from a belief; increase -k, or use --estimator exact";
   return text.str();
 }
 

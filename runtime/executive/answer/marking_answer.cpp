@@ -139,7 +139,7 @@ std::string as_text(const MarkingAnswer& answer, const ModelProgram& program) {
   }
   for (const MarkingAnswer::Revision& revision : answer.revised) {
     text << "  revised: at " << seconds_text(revision.time) << "  " << in_words(revision.now, program)
-         << "\n      in place of " << in_words(revision.before, program) << '\n';
+         << "\n      instead of " << in_words(revision.before, program) << '\n';
   }
   return text.str();
 }

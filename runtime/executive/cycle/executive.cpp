@@ -111,7 +111,7 @@ void Executive::note_reconfiguration() {
     case Reconfiguration::Outcome::command:
       if (answer.irreversible) {
         record_.events.push_back(
-            {Event::Kind::irreversible, "the command cannot be undone", answer.component, std::nullopt});
+            {Event::Kind::irreversible, "the command is irreversible", answer.component, std::nullopt});
       }
       break;
     case Reconfiguration::Outcome::wait:
@@ -131,7 +131,7 @@ void Executive::note_commanded(const Reconfiguration& answer) {
     return text.empty() ? std::string("nothing") : text;
   };
   record_.events.push_back({Event::Kind::commanded,
-                            told(record_.command) + " is commanded in place of " + told(answer.action), std::nullopt,
+                            told(record_.command) + " is commanded instead of " + told(answer.action), std::nullopt,
                             std::nullopt});
   if (record_.outcome == Reconfiguration::Outcome::no_plan) return;
   record_.outcome = automata::commanded(model_, record_.command).empty() ? Reconfiguration::Outcome::nothing_to_do

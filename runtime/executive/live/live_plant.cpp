@@ -160,8 +160,8 @@ void LivePlant::tell(Event::Kind kind, Several& several, const char* others) {
 }
 
 std::string LivePlant::why_unacknowledged() const {
-  if (answers_ == nullptr) return parted_ ? "the plant is gone" : "no plant is there";
-  return outbox_.empty() ? "no answer came in time" : "the plant does not read";
+  if (answers_ == nullptr) return parted_ ? "the plant is gone" : "no plant is connected";
+  return outbox_.empty() ? "no answer came in time" : "the plant does not read its input";
 }
 
 const automata::Observation& LivePlant::sense(Ticks now) {

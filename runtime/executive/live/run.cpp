@@ -47,13 +47,13 @@ std::string summary(const LiveResult& result, automata::Ticks give_up) {
       text = "the program ended at ";
       break;
     case LiveResult::End::duration:
-      text = "the duration was over at ";
+      text = "the duration ended at ";
       break;
     case LiveResult::End::interrupted:
       text = "interrupted at ";
       break;
     case LiveResult::End::abandoned:
-      text = "given up, no plant being there for " + automata::format_seconds(give_up) + " s, at ";
+      text = "given up, because no plant was connected for " + automata::format_seconds(give_up) + " s, at ";
       break;
   }
   return text + moment(result.time) + "; " + std::to_string(result.acknowledged) + " of " +

@@ -32,9 +32,10 @@ SimulatedModel::SimulatedModel(const automata::ModelProgram& program, std::uint6
 
 bool SimulatedModel::step(const automata::Command& command, const Wanted& wanted) {
   step_.command(command);
-  if (!step_.permits(marking_)) throw base::InputError("the command contradicts what is told");
+  if (!step_.permits(marking_))
+    throw base::InputError("the command contradicts the constraints that the model program tells");
   if (draw(step_.moves(marking_), step_.ways(marking_), wanted)) return true;
-  if (wanted.empty()) throw base::InputError("nothing that is consistent can follow");
+  if (wanted.empty()) throw base::InputError("deadlock: no consistent marking can follow");
   return false;
 }
 
@@ -54,7 +55,7 @@ bool SimulatedModel::draw(const MarkingMoves& moves, const MarkingStep::Ways& wa
     do {
       if (tries++ == most_tries) {
         if (!wanted.empty()) return false;
-        throw base::LimitError("none of " + std::to_string(most_tries) + " draws came to a consistent marking");
+        throw base::LimitError("none of " + std::to_string(most_tries) + " draws led to a consistent marking");
       }
       std::vector<const MarkingOutcome*> outcomes;
       for (const auto& part : moves.parts) outcomes.push_back(&drawn(part, moves_.uniform()));

@@ -170,13 +170,13 @@ void SimulatedPlant::draw_in_parts(const std::vector<std::vector<automata::Move>
 }
 
 void SimulatedPlant::give_up(automata::Ticks now, int draws) const {
-  std::string message = "the simulated plant '" + plant_.name + "' has no consistent state to go to at " +
+  std::string message = "the simulated plant '" + plant_.name + "' has no consistent next state at " +
                         automata::format_seconds(now) + " s";
   for (const Event& event : happenings_) {
     message += ", with " + to_text(plant_[*event.component], drawn_[event.component->index()]) + " forced";
   }
-  throw base::InputError(message + "; the last of " + std::to_string(draws) +
-                         " that were drawn contradicts the interconnections and mode constraints");
+  throw base::InputError(message + "; each of " + std::to_string(draws) +
+                         " drawn states contradicts the interconnections and mode constraints");
 }
 
 const automata::Observation& SimulatedPlant::sense(automata::Ticks now) {

@@ -76,7 +76,7 @@ void SimulatedSoftware::finish(automata::Ticks now) const {
   throw base::InputError(to_text(missed->origin) + ": from " + automata::format_seconds(missed->at) +
                          " s to the end at " + automata::format_seconds(now) + " s no draw led to " +
                          to_text(plant_.plant()[missed->component], missed->mode) + ": scenario '" + scenario_.name +
-                         "' forces what never had an occasion");
+                         "' forces a mode that no draw could reach");
 }
 
 }  // namespace rmpl::runtime

@@ -85,8 +85,9 @@ Expectations::Expectations(const automata::Plant& plant, automata::Theory& theor
       judgements_(scenario.expectations.size()) {
   for (const Expectation& expectation : scenario.expectations) {
     if (expectation.truth && scenario.rules_only) {
-      throw base::InputError(to_text(expectation.origin) + ": 'expect " + expectation.text +
-                             "' speaks of the truth, but the plant follows the rules only; expect the estimate");
+      throw base::InputError(
+          to_text(expectation.origin) + ": 'expect " + expectation.text +
+          "' reads modes of the plant, but the plant is declared 'rules only'; expect the estimate instead");
     }
     Watch watch{&expectation, ask(expectation.condition), std::nullopt, std::nullopt};
     if (expectation.after) {
@@ -179,7 +180,8 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
     case Expectation::Kind::finished: {
       const bool finished = expectation.kind == Expectation::Kind::finished;
       if (finished && ended && !condition) {
-        judgement = {Verdict::failed, now, "the program ended without it", evidence(expectation, record)};
+        judgement = {Verdict::failed, now, "the program ended while the condition was false",
+                     evidence(expectation, record)};
       } else if (watch.since && (finished ? ended : condition) && !late) {
         judgement = {Verdict::met, now, {}, {}};
       } else if (late || (due && now == *due)) {
@@ -190,7 +192,7 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
     }
     case Expectation::Kind::never:
       if (watch.since && condition && !late) {
-        judgement = {Verdict::failed, now, "it came true", evidence(expectation, record)};
+        judgement = {Verdict::failed, now, "the condition became true", evidence(expectation, record)};
       } else if (late || (due && now == *due)) {
         judgement = {Verdict::met, now, {}, {}};
       }
@@ -204,12 +206,12 @@ void Expectations::judge(Watch& watch, Judgement& judgement, const CycleRecord& 
       break;
     case Expectation::Kind::goal_conflict:
       if (const Event* event = find(record, Event::Kind::goal_conflict)) {
-        judgement = {Verdict::failed, record.start, "there was one", event->message};
+        judgement = {Verdict::failed, record.start, "goals contradicted each other", event->message};
       }
       break;
     case Expectation::Kind::no_plan:
       if (const Event* event = find(record, Event::Kind::no_plan)) {
-        judgement = {Verdict::failed, record.start, "a goal was without a plan",
+        judgement = {Verdict::failed, record.start, "a goal had no plan",
                      (event->component ? plant_[*event->component].name + ": " : "") + event->message};
       }
       break;
@@ -225,11 +227,11 @@ Judgement Expectations::at_the_end(const Watch& watch, const CycleRecord& last) 
     case Expectation::Kind::no_plan:
       return {Verdict::met, last.time, {}, {}};
     case Expectation::Kind::finished:
-      return {Verdict::failed, last.time, "the program had not ended when the run was over",
+      return {Verdict::failed, last.time, "the program had not ended at the end of the run",
               places(last.marking, program_)};
     case Expectation::Kind::eventually:
       if (!watch.since) return {Verdict::failed, last.time, "the condition after 'after' never came true", {}};
-      return {Verdict::failed, last.time, "it did not come true before the run was over",
+      return {Verdict::failed, last.time, "the condition did not become true before the end of the run",
               evidence(*watch.expectation, last)};
   }
   return {};

@@ -208,7 +208,7 @@ void Story::tell_events(const CycleRecord& record) {
                        [](const Event& e) { return e.kind == Event::Kind::inconsistent; });
   };
   if (surprised(events_) && !surprised(record.events)) {
-    line(record.time, "surprise", painter_.quiet("over: every reading counts again"), std::nullopt);
+    line(record.time, "surprise", painter_.quiet("over: the estimate uses every reading again"), std::nullopt);
   }
   events_ = record.events;
 }

@@ -124,7 +124,7 @@ std::string to_text(const Stop& stop, base::Painter painter) {
   if (!stop.estimate.empty()) {
     const std::string likely = stop.belief.empty() ? "" : three_digits(stop.belief.front().probability) + "  ";
     if (stop.believes_truth) {
-      rows.add("belief", likely + painter.quiet("as the truth"));
+      rows.add("belief", likely + painter.quiet("equals the truth"));
     } else {
       auto parts = parts_of(stop.estimate, stop.time);
       if (!likely.empty() && !parts.empty()) parts.front().first = likely + parts.front().first;
@@ -135,10 +135,10 @@ std::string to_text(const Stop& stop, base::Painter painter) {
     }
   }
   if (!stop.readings.empty()) rows.add_all("readings", parts_of(stop.readings, stop.time));
-  for (const std::string& told : stop.told) rows.add("told", painter.bad(told));
+  for (const std::string& told : stop.told) rows.add("events", painter.bad(told));
   if (stop.ended) rows.add("marking", "none: the program has ended");
   if (stop.over) {
-    rows.add("next", "nothing: the run is over");
+    rows.add("next", "nothing: the run has ended");
     return text;
   }
   rows.add_lines("marking", stop.marking);
@@ -153,8 +153,8 @@ std::string why_text(const Stop& stop, base::Painter painter) {
   std::string text;
   Rows rows(text, painter);
   rows.add("command", (stop.command.empty() ? "none" : stop.command) +
-                          (stop.why.empty() ? ": nothing is asked for that is not so" : " " + stop.why));
-  for (const std::string& told : stop.told) rows.add("told", told);
+                          (stop.why.empty() ? ": every goal is achieved" : " " + stop.why));
+  for (const std::string& told : stop.told) rows.add("events", told);
   for (const std::string& fault : stop.faults) rows.add("fault", fault);
   return text;
 }
@@ -177,15 +177,15 @@ std::string to_text(const Prospect& prospect, const automata::Plant& plant, Tick
   if (prospect.probability > 0) {
     text += ", probability " + three_digits(prospect.probability);
   } else if (prospect.window && prospect.window->from <= now) {
-    text += ", of no probability yet";
+    text += ", probability 0 so far";
   }
   return text + in_parentheses(prospect.origin);
 }
 
 std::string to_text(const std::vector<Prospect>& prospects, const automata::Plant& plant, Ticks now, Ticks until,
                     base::Painter painter) {
-  if (prospects.empty()) return "nothing but time can come\n";
-  std::string text = painter.strong("may come until " + moment(until)) + "\n";
+  if (prospects.empty()) return "only time can pass\n";
+  std::string text = painter.strong("what may happen until " + moment(until)) + "\n";
   std::size_t number = 0;
   for (const Prospect& prospect : prospects) {
     std::string mark = can_be_chosen(prospect) ? std::to_string(++number) : "-";

@@ -69,7 +69,7 @@ std::string why_of(const Json& reason) {
     text += (text.empty() ? "'" : ": '") + text_or(*step, "component") + "' from '" + text_or(*step, "from") +
             "' to '" + text_or(*step, "to") + "'" + in_parentheses(origin_of(*step));
   }
-  return text + (reason.value("solved", true) ? "" : "; not proved best");
+  return text + (reason.value("solved", true) ? "" : "; not proved optimal");
 }
 
 /// Reads lines or events one after the other, and puts together what belongs to a moment.

@@ -107,7 +107,7 @@ std::string text_of_refuted(const Evidence& evidence, const Plant& plant) {
 std::string text_of_outweighed(const Evidence& evidence, const automata::Modes& estimate, const Plant& plant) {
   std::string text = evidence.ratio > 0 ? two_digits(evidence.ratio) + " times as likely as " : "likelier than ";
   text += modes_of(evidence, differences(evidence, estimate), plant);
-  if (!evidence.readings.empty()) text += ", which leaves open " + readings_of(evidence, plant);
+  if (!evidence.readings.empty()) text += ", which does not determine " + readings_of(evidence, plant);
   return text;
 }
 
@@ -159,7 +159,7 @@ std::string to_text(const Evidence& evidence, const automata::Modes& estimate, c
     case Evidence::Kind::outweighed:
       return text_of_outweighed(evidence, estimate, plant);
     case Evidence::Kind::unavoidable:
-      return "no step from what was believed avoids it";
+      return "no step from the previous belief avoids it";
   }
   return {};
 }

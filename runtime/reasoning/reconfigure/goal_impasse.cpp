@@ -68,9 +68,9 @@ Impasse GoalInterpreter::out_of_reach(const Modes& modes, const ReachableModes& 
       why.obstacle = Reason::Obstacle::forbidden;
       why.step = TransitionOf{component, t->id};
       return {component,
-              "it takes '" + plant[component].name + "' from " + name(component, t->from) + " to " +
-                  name(component, t->to) + purpose +
-                  ", which is irreversible, and the goal does not name the mode that it leads to",
+              "the goal needs the irreversible step of '" + plant[component].name + "' from " +
+                  name(component, t->from) + " to " + name(component, t->to) + purpose +
+                  ", but does not name the mode to which this step leads",
               why};
     }
     const auto upstream = t == nullptr ? std::nullopt : graph_.component_of(*barrier.requirement);
@@ -84,7 +84,7 @@ Impasse GoalInterpreter::out_of_reach(const Modes& modes, const ReachableModes& 
               why};
     }
     visited[component.index()] = true;
-    purpose = ", as it takes for '" + plant[component].name + "' to go from " + name(component, t->from) + " to " +
+    purpose = ", as '" + plant[component].name + "' needs to go from " + name(component, t->from) + " to " +
               name(component, t->to) + purpose;
     component = *upstream;
     asked.assign(plant[component].modes.size(), false);
@@ -118,7 +118,7 @@ std::optional<Impasse> GoalInterpreter::barred_mode(const Modes& modes, const Go
     }
     if (std::find(asked.begin(), asked.end(), true) == asked.end()) continue;
     Impasse barred = out_of_reach(modes, reach, ComponentId(c), std::move(asked));
-    barred.reason = "no state that can be reached implies the goal: " + barred.reason;
+    barred.reason = "no reachable state implies the goal: " + barred.reason;
     return barred;
   }
   return std::nullopt;
@@ -145,7 +145,7 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Rea
   const bool excluded = rest ? !theory.allows(forced, rest->holds) : !theory.consistent(forced);
   if (!excluded) {
     if (auto barred = barred_mode(modes, goal, reach)) return *std::move(barred);
-    return {std::nullopt, "no state that can be reached implies the goal", excluded_reason()};
+    return {std::nullopt, "no reachable state implies the goal", excluded_reason()};
   }
 
   if (theory.conflict().empty())
@@ -159,7 +159,7 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Rea
     const ReachableModes::Barrier barrier = reach.barrier(c, others);
     if (barrier.transition == nullptr || barrier.requirement != nullptr) continue;
     Impasse forbidden = out_of_reach(modes, reach, c, std::move(others));
-    forbidden.reason = "no state that can be reached implies the goal: " + forbidden.reason;
+    forbidden.reason = "no reachable state implies the goal: " + forbidden.reason;
     return forbidden;
   }
 
@@ -175,8 +175,8 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Rea
   }
   result.why.component = result.component;
   if (result.component) result.why.aim = modes[result.component->index()];
-  result.reason = "no state that can be reached implies the goal: " + result.reason +
-                  (rest ? " exclude it" : " exclude each other, and are all that is left");
+  result.reason = "no reachable state implies the goal: " + result.reason +
+                  (rest ? " exclude it" : " exclude each other, and no other modes are reachable");
   return result;
 }
 

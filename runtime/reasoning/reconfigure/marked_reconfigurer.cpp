@@ -88,7 +88,7 @@ class MarkedReconfigurer final : public Reconfigurer {
     std::map<std::size_t, std::vector<std::size_t>> by_group;  // conjuncts
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const auto& home = groups_.home(wanted[i].variable);
-      if (!home) return without_plan(i, wanted, ": no location tells anything of it", 0);
+      if (!home) return without_plan(i, wanted, ": no location of the model program tells this variable", 0);
       by_group[home->group].push_back(i);
     }
     std::vector<Part> parts;
@@ -166,13 +166,15 @@ class MarkedReconfigurer final : public Reconfigurer {
       const std::size_t open = open_conjunct(part, wanted);
       const std::string together = part.joint ? " together with the rest of the goal" : "";
       if (part.move.kind == MarkingMove::Kind::nowhere) {
-        return without_plan(open, wanted, together + ", whatever is drawn", result.checked);
+        return without_plan(open, wanted, together + ", whatever the model program draws", result.checked);
       }
       if (part.move.kind == MarkingMove::Kind::failure) {
-        return without_plan(open, wanted, together + " but by an improbable draw, which is a failure", result.checked);
+        return without_plan(open, wanted, together + " without an improbable draw, which counts as a failure",
+                            result.checked);
       }
       if (part.move.kind == MarkingMove::Kind::given_up) {
-        return without_plan(open, wanted, ": given up, as there are too many markings to look at", result.checked);
+        return without_plan(open, wanted, ": the search was given up, because there are too many markings",
+                            result.checked);
       }
       const bool acts = take(part, result.action);
       const bool first = result.why.purpose == Reason::Purpose::none;

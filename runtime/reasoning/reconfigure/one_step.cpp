@@ -75,7 +75,7 @@ class OneStepReconfigurer final : public Reconfigurer {
       case OptimalSearch::Outcome::budget: {
         const std::string among = std::to_string(answer.checked);
         return refusal(std::move(answer),
-                       "no control action was found that achieves the goal in one step, among " + among);
+                       "no control action that achieves the goal in one step was found among " + among);
       }
     }
     return answer;
@@ -131,9 +131,9 @@ class OneStepReconfigurer final : public Reconfigurer {
           if (t == nullptr) continue;
           const automata::Component& component = plant_[*(answer.component = ComponentId(c))];
           return refusal(std::move(answer),
-                         "no control action that may be taken achieves the goal in one step; the cheapest takes '" +
+                         "no permitted control action achieves the goal in one step; the cheapest action takes '" +
                              component.name + "' to '" + component.modes[t->to.index()].name +
-                             "', which is irreversible, and the goal does not name it");
+                             "', which is irreversible, and the goal does not name that mode");
         }
       }
     }

@@ -89,7 +89,7 @@ Plan make_plan(const automata::Plant& plant, Reconfigurer& reconfigurer, const M
           .commands = {},
           .states = {},
           .component = circle.back.component,
-          .reason = "the commands towards the goal lead in a circle: " + to_text(circle, plant),
+          .reason = "livelock: the commands for the goal repeat for ever: " + to_text(circle, plant),
           .why = {.purpose = Reason::Purpose::goal, .obstacle = Reason::Obstacle::not_found, .step = circle.back}};
 }
 

@@ -62,7 +62,7 @@ automata::Origin origin_of(const Plant& plant, const Reason& reason) {
 
 std::string to_text(const Reason& reason, const Plant& plant, const automata::Formula& goal) {
   std::string text = purpose(reason, plant, goal);
-  const char* const unproved = reason.proved_best ? "" : "; not proved best";
+  const char* const unproved = reason.proved_best ? "" : "; not proved optimal";
   if (text.empty() || (!reason.step && !reason.component)) return text + unproved;
   if (reason.component && reason.aim &&
       (!reason.step || reason.step->component != *reason.component ||
@@ -90,21 +90,21 @@ std::string remedy(const Reason& reason, const Plant& plant) {
     case Reason::Obstacle::missing:
       if (!reason.component || !reason.aim) return "";
       if (plant[*reason.component].modes[reason.aim->index()].fault) {
-        return mode(plant, *reason.component, *reason.aim) + " is a fault mode, into which nothing is commanded";
+        return mode(plant, *reason.component, *reason.aim) + " is a fault mode, and no command leads into a fault mode";
       }
-      return "a nominal transition of '" + plant[*reason.component].name + "' towards " +
-             mode(plant, *reason.component, *reason.aim) + " would permit it";
+      return "a nominal transition of '" + plant[*reason.component].name + "' to " +
+             mode(plant, *reason.component, *reason.aim) + " would permit a plan";
     case Reason::Obstacle::forbidden:
       if (!reason.step) return "";
       return "a goal that asks for " + named() +
              plant[reason.step->component]
                  .modes[lasting(plant[reason.step->component], transition(plant, *reason.step)).index()]
                  .name +
-             ", or a way back in the model, would permit it";
+             ", or transitions back in the model, would permit a plan";
     case Reason::Obstacle::unsupported:
-      return "a control or a mode that brings its guard about would permit it";
+      return "a control or a mode that makes its guard true would permit a plan";
     case Reason::Obstacle::side_effect:
-      return "a command that causes only this would permit it";
+      return "a command without this side effect would permit a plan";
   }
   return "";
 }

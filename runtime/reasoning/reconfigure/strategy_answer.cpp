@@ -359,14 +359,14 @@ class Answering {
     result.why.component = c;
     if (harm->excluded) {
       result.why.obstacle = Reason::Obstacle::side_effect;
-      result.reason = "every way to the goal may come to ";
+      result.reason = "every sequence of commands to the goal risks ";
       for (std::size_t i = 0; i < harm->modes.size(); ++i) {
         result.reason += (i == 0                        ? "'"
                           : i + 1 == harm->modes.size() ? " and '"
                                                         : ", '") +
                          plant[harm->modes[i].first].name + "' in " + name(i);
       }
-      result.reason += ", which the model excludes together";
+      result.reason += ", a combination that the model excludes";
       return result;
     }
     result.why.obstacle = Reason::Obstacle::forbidden;
@@ -377,8 +377,8 @@ class Answering {
           !plant[c].is_fault(transitions[t]))
         result.why.step = TransitionOf{c, automata::TransitionId(t)};
     }
-    result.reason = "it takes '" + plant[c].name + "' from " + name(0) + " to " + name(1) +
-                    ", which is irreversible, and the goal does not name the mode that it leads to";
+    result.reason = "the goal needs the irreversible step of '" + plant[c].name + "' from " + name(0) + " to " +
+                    name(1) + ", but does not name the mode to which this step leads";
     return result;
   }
 

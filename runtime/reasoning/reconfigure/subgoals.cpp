@@ -79,8 +79,8 @@ bool Subgoals::still_come(const std::vector<TransitionOf>& awaited, const Modes&
 
 Reconfiguration Subgoals::not_found(const Modes& modes, const Goal& goal, ComponentId component, ModeId mode) {
   const automata::Component& automaton = step_.plant()[component];
-  Impasse impasse{component, "no way was found that brings '" + automaton.name + "' to '" +
-                                 automaton.modes[mode.index()].name + "'; the goal is too large for the game"};
+  Impasse impasse{component, "no sequence of commands was found that brings '" + automaton.name + "' to '" +
+                                 automaton.modes[mode.index()].name + "'; the goal is too large for an exact search"};
   impasse.why.purpose = Reason::Purpose::goal;
   impasse.why.obstacle = Reason::Obstacle::not_found;
   impasse.why.conjunct = open_part(modes, goal, component);

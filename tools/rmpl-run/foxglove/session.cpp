@@ -184,7 +184,7 @@ void FoxgloveSession::take(const std::string& text, bool is_text) {
   }
   if (*op == "subscribe") return subscribe(message);
   if (*op == "unsubscribe") return unsubscribe(message);
-  complain("`" + op->get<std::string>().substr(0, 64) + "`: a flight can be looked at, and no more");
+  complain("`" + op->get<std::string>().substr(0, 64) + "`: clients can only watch a flight");
 }
 
 void FoxgloveSession::subscribe(const json& message) {
@@ -195,7 +195,7 @@ void FoxgloveSession::subscribe(const json& message) {
     if (!id || !channel || *channel == 0 || *channel > hall_.channels) {
       complain("`subscribe`: expected the `id` of a subscription and the `channelId` of a channel that there is");
     } else if (subscriptions_.size() >= most_subscriptions || !subscriptions_.emplace(*id, *channel - 1).second) {
-      complain("`subscribe`: subscription " + std::to_string(*id) + " is one too many, or there already");
+      complain("`subscribe`: subscription " + std::to_string(*id) + " exceeds the limit, or exists already");
     } else if (const auto holds = hall_.last.find(*channel - 1); holds != hall_.last.end()) {
       queue_data(message_frame(*id, holds->second));
     }

@@ -17,7 +17,7 @@ std::string git(const std::string& folder, const std::vector<std::string>& words
   std::vector<std::string> arguments = {"git", "-C", folder.empty() ? "." : folder};
   arguments.insert(arguments.end(), words.begin(), words.end());
   const std::optional<ChildEnd> end = run_child({arguments});
-  if (!end) throw base::InputError("--changed-since: git is not there");
+  if (!end) throw base::InputError("--changed-since: git is not installed");
   if (end->status != 0) throw base::InputError("--changed-since: " + end->errors);
   return end->output;
 }

@@ -78,7 +78,7 @@ std::string requirements_table(const ProjectOutcomes& outcomes) {
   for (const std::string& name : unverified(outcomes.requirements)) {
     missing += (missing.empty() ? "" : ", ") + cell(name);
   }
-  return text + (missing.empty() ? "" : "\n**Nothing passed that verifies** " + missing + "\n");
+  return text + (missing.empty() ? "" : "\n**No passing test verifies** " + missing + "\n");
 }
 
 std::string coverage_table(const ProjectOutcomes& outcomes) {

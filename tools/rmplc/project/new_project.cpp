@@ -222,7 +222,7 @@ void make_project(const std::string& folder) {
     if (length == 0) throw base::InputError(folder + ": expected a name in UTF-8");
     rest.remove_prefix(length);
   }
-  if (fs::exists(fs::symlink_status(target, error))) throw base::InputError(folder + ": this is there already");
+  if (fs::exists(fs::symlink_status(target, error))) throw base::InputError(folder + ": this exists already");
   base::TemporaryFolder draft = base::TemporaryFolder::beside(target);
   for (const NewFile& file : files) {
     const fs::path path = draft.path() / file.name;

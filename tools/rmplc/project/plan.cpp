@@ -98,7 +98,7 @@ class Planning {
       if (meant) add(set);
     }
     if (plan_.calls.empty() && !plan_.lints) {
-      throw base::InputError(manifest_.path + ": no scenario and no property is what was chosen");
+      throw base::InputError(manifest_.path + ": no scenario and no property matches the choice");
     }
     return std::move(plan_);
   }

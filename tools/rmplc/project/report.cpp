@@ -79,7 +79,7 @@ std::string coverage_text(const ProjectOutcomes& outcomes, TestDetail detail) {
       kind.resize(11, ' ');
       missing += "  " + kind + item.name + automata::in_parentheses(item.origin) + "\n";
     }
-    if (shown > most) missing += "  and " + std::to_string(shown - most) + " more: -v tells them\n";
+    if (shown > most) missing += "  and " + std::to_string(shown - most) + " more: -v shows them\n";
   }
   if (counts.empty()) return {};
   return "touched: " + counts + "\n" + (missing.empty() ? "" : "not touched:\n" + missing);
@@ -97,7 +97,8 @@ std::string requirements_text(const ProjectOutcomes& outcomes, TestDetail detail
     std::string name = requirement.name;
     if (requirement.by.empty()) {
       name.resize(width, ' ');
-      text += "  " + base::printable(name) + "  " + outcome_word(Outcome::failed, painter) + "  nothing names it\n";
+      text += "  " + base::printable(name) + "  " + outcome_word(Outcome::failed, painter) +
+              "  no scenario and no property names it\n";
     }
     for (const Verification& one : requirement.by) {
       name.resize(width, ' ');
@@ -113,7 +114,7 @@ std::string requirements_text(const ProjectOutcomes& outcomes, TestDetail detail
   for (const std::string& name : unverified(outcomes.requirements)) {
     missing += (missing.empty() ? "" : ", ") + base::printable(name);
   }
-  return text + (missing.empty() ? "" : painter.bad("nothing passed that verifies") + " " + missing + "\n");
+  return text + (missing.empty() ? "" : painter.bad("no passing test verifies") + " " + missing + "\n");
 }
 
 }  // namespace
@@ -210,7 +211,7 @@ std::string to_junit(const ProjectOutcomes& outcomes) {
                      .classname = test.kind == Kind::lint ? "lint" : test.file,
                      .seconds = test.seconds,
                      .outcome = skipped ? TestCase::Outcome::skipped : TestCase::Outcome::success,
-                     .message = skipped ? "not begun: interrupted" : "",
+                     .message = skipped ? "not started: interrupted" : "",
                      .text = {},
                      .file = test.file});
   }

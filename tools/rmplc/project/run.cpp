@@ -174,7 +174,7 @@ class Run {
                                                        static_cast<double>(automata::Ticks::per_second));
     }
     std::optional<ChildEnd> end = run_child(child);
-    if (!end) throw base::InputError(call.arguments.front() + ", which rmplc test calls, is not there");
+    if (!end) throw base::InputError(call.arguments.front() + ", which rmplc test runs, is not installed");
     return std::move(*end);
   }
 

@@ -84,7 +84,7 @@ ItemSpot spot_of(Workspace& workspace, const Json& params) {
     if (auto found = found_in(workspace.analyses())) return std::move(*found);
     if (auto found = found_in(analyses_with(workspace, identity))) return std::move(*found);
   }
-  throw RpcError(RpcCode::request_failed, uri + ": nothing is known of it");
+  throw RpcError(RpcCode::request_failed, uri + ": this name is not known");
 }
 
 /// The calls of one caller or of one that is called, in the order in which they came first.

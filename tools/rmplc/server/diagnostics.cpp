@@ -60,7 +60,7 @@ Json action_of(const grammar::Diagnostic& diagnostic, const Analysis& analysis, 
     changes[uri_of(workspace, analysis, edit.span)].push_back(
         {{"range", range_of(analysis.sources()[edit.span.file], edit.span)}, {"newText", edit.text}});
   }
-  return {{"title", diagnostic.suggestion.value_or("put it right")},
+  return {{"title", diagnostic.suggestion.value_or("fix it")},
           {"kind", "quickfix"},
           {"diagnostics", Json::array({to_protocol(diagnostic, analysis, workspace)})},
           {"isPreferred", true},

@@ -15,7 +15,7 @@ Json formatting(Workspace& workspace, const Json& params) {
                    document.uri + ": expected a file named .rmpl, .tcca, .scn, .props or .mon");
   const std::string_view before = document.source->text();
   const auto after = compiler::format(before, *kind);
-  if (!after) throw RpcError(RpcCode::request_failed, "the text has syntax errors: mend them first");
+  if (!after) throw RpcError(RpcCode::request_failed, "the text has syntax errors: fix them first");
   if (*after == before) return Json::array();
   const Json range = range_of(*document.source, 0, static_cast<std::uint32_t>(before.size()));
   return Json::array({{{"range", range}, {"newText", *after}}});

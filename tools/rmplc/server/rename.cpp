@@ -19,11 +19,10 @@ namespace {
 
 compiler::Mention renamed_at(const Spot& spot) {
   const auto mention = mention_at(spot);
-  if (!mention) refuse_name("there is no name here that the compiler knows");
-  if (mention->kind == compiler::NameKind::scenario)
-    refuse_name("a scenario's name is a text: edit it where it stands");
+  if (!mention) refuse_name("no name that the compiler knows is at this place");
+  if (mention->kind == compiler::NameKind::scenario) refuse_name("the name of a scenario is a text: edit it directly");
   if (mention->kind == compiler::NameKind::channel)
-    refuse_name("a channel is called as the telemetry calls it: edit its text where it stands");
+    refuse_name("the name of a channel comes from the telemetry: edit it directly");
   return *mention;
 }
 
@@ -113,7 +112,7 @@ void check_unit(const Analysis& before, compiler::Provider& texts, const std::st
                 " of " + source.name() + " would be wrong: " + diagnostic.message);
   }
   if (meaning_of(before) != meaning_of(after))
-    refuse_name("`" + name + "` is the name of something else: with it the text would have another meaning");
+    refuse_name("`" + name + "` already names something else: the text would change its meaning");
 }
 
 }  // namespace
@@ -159,7 +158,7 @@ Json rename(Workspace& workspace, const Json& params) {
   }
   for (const auto& analysis : concerned) {
     for (const compiler::File& file : analysis->files()) {
-      if (!file.whole) refuse_name(analysis->sources()[file.index].name() + " has syntax errors: mend them first");
+      if (!file.whole) refuse_name(analysis->sources()[file.index].name() + " has syntax errors: fix them first");
     }
     check_unit(*analysis, texts, name);
   }

@@ -160,7 +160,7 @@ Json Server::answer(const Incoming& message) {
 }
 
 Json Server::initialize(const Json& params) {
-  if (stage_ != Stage::fresh) throw RpcError(RpcCode::invalid_request, "`initialize` came before");
+  if (stage_ != Stage::fresh) throw RpcError(RpcCode::invalid_request, "`initialize` was already received");
   workspace_.set_roots(roots_in(params));
   stage_ = Stage::running;
   return {{"capabilities", capabilities()}, {"serverInfo", {{"name", "rmplc"}, {"version", version_}}}};

@@ -42,7 +42,7 @@ TEST(LastWordsDeathTest, SoIsAnXmlDocumentThatLacksIt) {
 
 TEST(LastWordsDeathTest, AFailedCheckIsAnInternalError) {
   EXPECT_EXIT(fail(base::InternalError("base/x.cpp:1: expected order")), testing::ExitedWithCode(4),
-              "unit_tools: internal error, nothing is claimed: base/x.cpp:1: expected order");
+              "unit_tools: internal error, so there is no result: base/x.cpp:1: expected order");
 }
 
 TEST(LastWordsDeathTest, SoIsAnythingElse) {

@@ -27,7 +27,7 @@ void end_by(const Error& error) {
 TEST(ProgramDeathTest, AWitnessThatFailsIsAnInternalErrorAndNoVerdict) {
   EXPECT_EXIT(end_by(base::InternalError("a witness fails: the step is not possible at 3 s")),
               testing::ExitedWithCode(4),
-              "program: internal error, nothing is claimed: a witness fails: the step is not possible at 3 s");
+              "program: internal error, so there is no result: a witness fails: the step is not possible at 3 s");
 }
 
 TEST(ProgramDeathTest, AWrongInputIsTold) {

@@ -148,7 +148,7 @@ TEST(Irreversible, WhereTimeCouldTakeAForbiddenStepNoCommandLeads) {
   EXPECT_EQ(answer.why.obstacle, Obstacle::forbidden);
   ASSERT_TRUE(answer.why.step);
   EXPECT_EQ(answer.why.step->transition, automata::TransitionId(2));
-  EXPECT_THAT(answer.reason, HasSubstr("it takes 'pyro' from 'armed' to 'fired'"));
+  EXPECT_THAT(answer.reason, HasSubstr("the goal needs the irreversible step of 'pyro' from 'armed' to 'fired'"));
   EXPECT_THAT(remedy(answer.why, craft.names.plant), HasSubstr("pyro = fired"));
 }
 
@@ -187,7 +187,7 @@ TEST(Irreversible, ANeededChangeThatEnablesAnothersIsNoPlan) {
   Craft craft(std::move(b));
   const auto answer = craft.next({"closed", "intact"}, craft.is("valve", "open"));
   EXPECT_EQ(answer.outcome, Outcome::no_plan);
-  EXPECT_THAT(answer.reason, HasSubstr("it takes 'disk' from 'intact' to 'burst', which is irreversible"));
+  EXPECT_THAT(answer.reason, HasSubstr("the goal needs the irreversible step of 'disk' from 'intact' to 'burst'"));
   const Formula both = conjunction({craft.is("valve", "open"), craft.is("disk", "burst")});
   EXPECT_THAT(craft.text(craft.plan({"closed", "intact"}, both).commands), ElementsAre("open", "wait"));
 }

@@ -91,10 +91,9 @@ TEST(Propulsion, NamesTheValveThatForbidsFiring) {
   EXPECT_EQ(answer.outcome, Outcome::no_plan);
   ASSERT_TRUE(answer.component);
   EXPECT_EQ(craft.names.plant[*answer.component].name, "valve1");
-  EXPECT_EQ(
-      answer.reason,
-      "no permitted nominal transitions lead 'valve1' from 'stuck-closed' to 'open' or 'stuck-open', as it takes for "
-      "'engine' to go from 'standby' to 'firing'");
+  EXPECT_EQ(answer.reason,
+            "no permitted nominal transitions lead 'valve1' from 'stuck-closed' to 'open' or 'stuck-open', as "
+            "'engine' needs to go from 'standby' to 'firing'");
   EXPECT_EQ(craft.text(answer.action), "wait");
 }
 
@@ -105,7 +104,7 @@ TEST(Propulsion, NamesTheDriverThatCutsTheEngineOff) {
   ASSERT_TRUE(answer.component);
   EXPECT_EQ(craft.names.plant[*answer.component].name, "pde");
   EXPECT_EQ(answer.reason,
-            "no permitted nominal transitions lead 'pde' from 'failed' to 'on', as it takes for 'engine' to go from "
+            "no permitted nominal transitions lead 'pde' from 'failed' to 'on', as 'engine' needs to go from "
             "'off' to 'heating'");
 }
 
@@ -319,7 +318,7 @@ TEST(Waits, AreNoneThatLetAForbiddenStepCome) {
   Craft craft(std::move(b));
   const Plan plan = craft.plan({"burning", "off"}, conjunction({craft.is("flare", "burning"), craft.is("lamp", "on")}));
   EXPECT_EQ(plan.outcome, Plan::Outcome::no_plan);
-  EXPECT_THAT(plan.reason, HasSubstr("it takes 'flare' from 'burning' to 'out', which is irreversible"));
+  EXPECT_THAT(plan.reason, HasSubstr("the goal needs the irreversible step of 'flare' from 'burning' to 'out'"));
 }
 
 TEST(Rules, ComponentsThatControlEachOtherArePlannedAsOne) {
