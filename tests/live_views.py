@@ -100,11 +100,11 @@ def check_whole(root, programs, modules):
         folder = pathlib.Path(made)
         done = subprocess.run(command(root, programs, folder, "--clock", "lock-step", "--duration", "60 s", "--follow"), capture_output=True,
                               text=True, timeout=60, check=False)
-        assert done.returncode == 0 and "the duration was over" in done.stdout, done
+        assert done.returncode == 0 and "the duration ended" in done.stdout, done
         assert not [file for file in folder.iterdir() if file.name.startswith(".")]
         last = json.loads((folder / "flight.jsonl").read_text().splitlines()[-1])
         check_views(folder, last["time"], modules, False)
-        assert "the duration was over" in (folder / "flight.html").read_text(encoding="utf-8")
+        assert "the duration ended" in (folder / "flight.html").read_text(encoding="utf-8")
 
 
 def check_refused(root, programs):

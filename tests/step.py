@@ -59,7 +59,7 @@ def choices(view: str) -> list[str]:
 def extended(stepper: Stepper, script: list[str], goals: list[str], rules_only: bool, draw: random.Random) -> list[str]:
     """A longer session: a choice among what may come, a goal, or time that passes."""
     view = stepper.last_view(script)
-    if "the run is over" in view:
+    if "the run has ended" in view:
         return script
     kind = draw.random()
     if kind < 0.15 and goals:
@@ -101,7 +101,7 @@ def check_session(root: pathlib.Path, programs: pathlib.Path, case: int, seed: i
     # There and back again.
     position = int(re.search(r"after (\d+) cycle", here)[1])
     on = draw.randint(1, 40)
-    if "the run is over" in here:
+    if "the run has ended" in here:
         return
     gone = stepper.last_view([*script, f"next {on}"])
     passed = int(re.search(r"after (\d+) cycle", gone)[1]) - position
