@@ -323,7 +323,7 @@ def abuse(folder):
         except OSError:
             pass
     client = Client(port)
-    for wrong, why in ((b"{", "JSON object"), (b"[]", "JSON object"), (b'{"op":1}', "JSON object"), ({"op": "advertise", "channels": []}, "looked at"),
+    for wrong, why in ((b"{", "JSON object"), (b"[]", "JSON object"), (b'{"op":1}', "JSON object"), ({"op": "advertise", "channels": []}, "only watch"),
                        ({"op": "subscribe"}, "expected `subscriptions`"), ({"op": "subscribe", "subscriptions": [1]}, "channelId"),
                        ({"op": "subscribe", "subscriptions": [{"id": 1, "channelId": 99}]}, "channelId"),
                        ({"op": "subscribe", "subscriptions": [{"id": -1, "channelId": 1}]}, "channelId"),

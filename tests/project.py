@@ -232,7 +232,7 @@ def baselines(folder):
     expect(code == 1 and "Idler" in text and "`Idle`" not in text, f"what is new is told: {text}")
     replace(plant, "component Idle { initial a; mode a; }", "")
     _, _, error = rmplc("lint", "plant/station.tcca", "--baseline", "known.json", folder=project)
-    expect("1 finding of it not found" in error, f"what is no more is told: {error}")
+    expect("1 known finding no longer found" in error, f"what is no more is told: {error}")
 
 
 def baselines_of_monitors(folder):

@@ -142,8 +142,8 @@ void forget(Baseline known, std::vector<Diagnostic>& found, const Sources& sourc
   found = known.unknown(found, sources);
   const std::size_t unmet = options.baseline.empty() ? 0 : known.unmet();
   if (unmet == 0 || common.quiet) return;
-  tell(options.baseline + ": " + std::to_string(unmet) + (unmet == 1 ? " finding" : " findings") +
-       " of them no longer found: update the baseline with --write-baseline");
+  tell(options.baseline + ": " + std::to_string(unmet) + " known " + (unmet == 1 ? "finding" : "findings") +
+       " no longer found: update the baseline with --write-baseline");
 }
 
 /// What is to be told of it, sorted: where it did not compile, everything.

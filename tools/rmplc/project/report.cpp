@@ -220,11 +220,11 @@ std::string to_junit(const ProjectOutcomes& outcomes) {
 
 std::string to_github(const ProjectOutcomes& outcomes) {
   std::string text;
-  std::set<std::string> told;  // of a file that several sets have in common, lint tells the same
+  std::set<std::string> seen;  // of a file that several sets have in common, lint tells the same
   for (const SetFindings& set : outcomes.lint) {
     for (const grammar::Diagnostic& finding : set.found) {
       const std::string line = grammar::render_github(std::span(&finding, 1), set.sources);
-      if (told.insert(line).second) text += line;
+      if (seen.insert(line).second) text += line;
     }
   }
   for (const ProjectTest& test : outcomes.tests) {
