@@ -141,7 +141,7 @@ TEST(SimulatedPlant, LooksWhetherAnythingCanFollow) {
     stuck.sense(half_second);
     FAIL() << "something followed";
   } catch (const base::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("the last of 256"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("each of 256"), std::string::npos) << error.what();
   }
 }
 

@@ -202,7 +202,7 @@ TEST(Rules, NoIrreversibleStepAsASideEffect) {
   EXPECT_EQ(answer.outcome, Outcome::no_plan);
   ASSERT_TRUE(answer.component);
   EXPECT_EQ(craft.names.plant[*answer.component].name, "door2");
-  EXPECT_THAT(answer.reason, HasSubstr("is irreversible"));
+  EXPECT_THAT(answer.reason, HasSubstr("the irreversible step of"));
 }
 
 TEST(Rules, AReversibleSideEffectIsUndoneAfterwards) {
