@@ -156,21 +156,24 @@ std::vector<Option> options_in(const Component& component, ModeId mode, const st
 StepDraws::StepDraws(automata::PlantStep& step, Modes modes, automata::AllEnabled enabled, automata::Ticks period)
     : step_(step), modes_(std::move(modes)), enabled_(std::move(enabled)), period_(period), options_(modes_.size()) {
   for (std::size_t c = 0; c < modes_.size(); ++c) {
-    ask(c, 0);
-    if (automata::clock_matters(step.plant().components[c], enabled_[c])) timed_.push_back(c);
+    if (automata::clock_matters(step.plant().components[c], enabled_[c])) {
+      timed_.push_back(c);
+    } else {
+      options_[c] = options_of(c, 0);
+    }
   }
 }
 
-void StepDraws::ask(std::size_t c, Units age) {
+std::vector<Option> StepDraws::options_of(std::size_t c, Units age) const {
   const Component& component = step_.plant().components[c];
   const automata::Ticks clock{(std::max<Units>(age, 0) + 1) * period_.count};
   const std::vector<Move> moves = automata::moves_of(component, modes_[c], enabled_[c], clock, period_);
   const Real error = takes_series(component, enabled_[c]) ? error_of_series : error_of_move;
-  options_[c] = options_in(component, modes_[c], moves, error);
+  return options_in(component, modes_[c], moves, error);
 }
 
 Draws StepDraws::at(const std::vector<Units>& ages, const LeftOut& left_out, Meter& meter) {
-  for (const std::size_t c : timed_) ask(c, ages[c]);
+  for (const std::size_t c : timed_) options_[c] = options_of(c, ages[c]);
   return Product(step_, options_, left_out, meter).run();
 }
 
@@ -196,7 +199,7 @@ std::vector<std::vector<Option>> StepDraws::extremes_of(std::size_t c) const {
   }
   constexpr Real few = 0.5L;
   apart = apart && faulty.upper < few;
-  if (apart && !enabled.untimed.empty()) return {options_[c]};
+  if (apart && !enabled.untimed.empty()) return {options_of(c, 0)};
   std::vector<ModeId> modes;
   if (enabled.untimed.empty()) modes.push_back(modes_[c]);
   for (const automata::TransitionId t : enabled.untimed) modes.push_back(transition(t).to);

@@ -51,7 +51,7 @@ class StepDraws {
   std::vector<Draws> extremes(Meter& meter);
 
  private:
-  void ask(std::size_t component, Units age);
+  [[nodiscard]] std::vector<DrawOption> options_of(std::size_t component, Units age) const;
   [[nodiscard]] std::vector<std::vector<DrawOption>> extremes_of(std::size_t component) const;
 
   automata::PlantStep& step_;

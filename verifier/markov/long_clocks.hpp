@@ -1,5 +1,5 @@
-// Clocks that run for long without anything depending on them: kept apart from states, by the step in which they read
-// 0. SPDX-License-Identifier: MIT
+// Clocks that run for long with nothing depending on them: kept apart from states, by the step in which they read 0.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

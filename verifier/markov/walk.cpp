@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "verifier/markov/episodes.hpp"
@@ -22,13 +21,6 @@ constexpr Units steps_between_looks = 256;
 constexpr Real finer = 64;
 /// More points than this are walked: a matrix of them would not stay sparse.
 constexpr std::size_t most_points = std::size_t{1} << 15;
-
-struct PointHash {
-  std::size_t operator()(const Point& point) const noexcept {
-    return (std::uint64_t{point.state} << 32 | point.starts) * 0x9e3779b97f4a7c15u >> 7;
-  }
-};
-using Positions = std::unordered_map<Point, std::uint32_t, PointHash>;  ///< looked up, never iterated
 
 class Walk {
  public:
@@ -87,15 +79,16 @@ class Walk {
       not_before_ = now_ + steps_between_looks;
       return false;
     }
-    std::vector<Enclosure> masses(stay_.size() + 2);
+    const std::vector<Point>& stay = stay_.points();
+    std::vector<Enclosure> masses(stay.size() + 2);
     for (std::size_t i = 0; i < front_.points().size(); ++i) masses[i] = front_.points()[i].mass;
     masses =
         after_steps(std::move(masses), std::move(*matrix), static_cast<std::uint64_t>(until - now_), ignored_, meter_);
     now_ = until;
     front_.begin_anew();
-    front_.add_wanted(masses[stay_.size()]);
-    front_.add_unknown(masses[stay_.size() + 1].upper);
-    for (std::size_t i = 0; i < stay_.size(); ++i) front_.arrive(stay_[i], masses[i]);
+    front_.add_wanted(masses[stay.size()]);
+    front_.add_unknown(masses[stay.size() + 1].upper);
+    for (std::size_t i = 0; i < stay.size(); ++i) front_.arrive(stay[i], masses[i]);
     settle();
     return true;
   }
@@ -104,16 +97,12 @@ class Walk {
   /// and what is unknown. Nothing where a long clock may come to a bound, or start anew, on such a run.
   std::optional<SparseMatrix> matrix_until(Units until) {
     const Real steps = static_cast<Real>(until - now_);
-    Positions positions;
     std::vector<Real> likely;  // at most how likely a run is there at some time, by order of magnitude
     stay_.clear();
     const auto meet = [&](const Point& point, Real mass) {
-      const auto [at, fresh] = positions.try_emplace(point, static_cast<std::uint32_t>(stay_.size()));
-      if (fresh) {
-        stay_.push_back(point);
-        likely.push_back(mass);
-      }
-      return at->second;
+      const std::uint32_t at = stay_.number(point);
+      if (at == likely.size()) likely.push_back(mass);
+      return at;
     };
     for (const auto& [point, mass] : front_.points()) meet(point, mass.upper);
     struct Raw {
@@ -122,10 +111,10 @@ class Walk {
       Real unknown = 0;
     };
     std::vector<Raw> raw;
-    for (std::size_t i = 0; i < stay_.size(); ++i) {
+    for (std::size_t i = 0; i < stay_.points().size(); ++i) {
       meter_.poll();
-      if (stay_.size() > most_points) return std::nullopt;
-      const Point point = stay_[i];
+      if (stay_.points().size() > most_points) return std::nullopt;
+      const Point point = stay_.points()[i];
       Raw& own = raw.emplace_back();
       // Of all steps together.
       const Real least = ignored_ / (likely[i] * steps * finer);
@@ -140,7 +129,7 @@ class Walk {
         const Real mass = likely[i] * std::min<Real>(1, steps * edge.probability.upper);
         const Real prospect = next.prospects[e].within(last_ - now_);
         const Point to = process_.follow(point, edge, now_ + 1);
-        const bool known = positions.contains(to);
+        const bool known = stay_.contains(to);
         if (!known && mass * prospect < ignored_) {
           own.unknown = rounding::up(own.unknown + edge.probability.upper * prospect, 2);
           continue;
@@ -149,7 +138,7 @@ class Walk {
         own.inside.emplace_back(meet(to, mass), edge.probability);
       }
     }
-    const auto last = static_cast<std::uint32_t>(stay_.size());
+    const auto last = static_cast<std::uint32_t>(stay_.points().size());
     std::vector<SparseMatrix::SparseRow> rows;
     for (Raw& own : raw) {
       auto& row = rows.emplace_back(std::move(own.inside));
@@ -171,7 +160,7 @@ class Walk {
   Front front_;
   Episodes episodes_;
   Units not_before_ = 0;  ///< no stretch was found, and none is looked for sooner
-  std::vector<Point> stay_;
+  PointNumbers stay_;
 };
 
 }  // namespace
