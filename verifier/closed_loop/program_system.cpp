@@ -276,7 +276,7 @@ bool ProgramSystem::is_wanted(const SymbolicState& state) const {
   }
   cut_off_.spent = cut_off_.spent || is_spent(state);
   const auto& window = query_.window;
-  if (window && (state.zone.upper(1) < window->lower || state.zone.lower(1) > window->upper)) return false;
+  if (window && !state.zone.meets(1, *window)) return false;
   switch (query_.aim) {
     case Query::Aim::goal_conflict:
       return !loop_.turn(id)->conflicts.empty();

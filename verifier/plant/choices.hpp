@@ -17,6 +17,13 @@ struct Sharp {
   auto operator<=>(const Sharp&) const = default;
 };
 
+/// The readings of an interval that are left without the ends that exist at one instant only.
+inline Interval lasting(Interval clock, const Sharp& sharp) {
+  if (sharp.lower) ++clock.lower;
+  if (sharp.upper) --clock.upper;
+  return clock;
+}
+
 /// Going to `mode` (staying is going to its own mode) while the component's clock is within `clock`: in dense time at
 /// the instant of the step, in sampled time at the end of its period.
 struct Choice {

@@ -56,10 +56,8 @@ std::optional<ZoneBox> InstantClocks::translated(const Box& box, Units earlier, 
 
 std::optional<ZoneBox> InstantClocks::lasting(const Box& box, bool at_bound) const {
   return translated(box, [&](const ClockBound& bound) {
-    Interval range{std::max<Units>(bound.clock.lower, 0), bound.clock.upper};
-    if (bound.sharp.upper) --range.upper;
-    if (bound.sharp.lower && at_bound) ++range.lower;
-    return range;
+    const Interval clock{std::max<Units>(bound.clock.lower, 0), bound.clock.upper};
+    return verifier::lasting(clock, {bound.sharp.lower && at_bound, bound.sharp.upper});
   });
 }
 

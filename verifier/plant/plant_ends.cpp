@@ -108,12 +108,9 @@ bool PlantSystem::plainly_goes_on(const Place& place, const Zone& zone, const st
       return move.faults == 0 && (goes_on_ == GoesOn::somehow || situations_.is_idle(move)) &&
              std::all_of(move.bounds.begin(), move.bounds.end(),
                          [&](const ClockBound& bound) {
-                           // Nothing that exists at this instant only counts.
-                           Interval lasting = bound.clock;
-                           if (bound.sharp.lower) ++lasting.lower;
-                           if (bound.sharp.upper) --lasting.upper;
                            const Interval range = reads_in(then, bound);
-                           return lasting.contains(range.lower) && lasting.contains(range.upper);
+                           const Interval left = lasting(bound.clock, bound.sharp);
+                           return left.contains(range.lower) && left.contains(range.upper);
                          }) &&
              situations_[move.target]->modes[c] != place.situation.modes[c] &&
              std::all_of(all_due.begin(), all_due.end(), [&](ComponentId other) {

@@ -68,9 +68,7 @@ const Instant* PlantInstants::step(std::uint64_t node, std::size_t number) {
     moves = situations_.moves(SituationId(node), late(*from, false), 0, late(*from, true));
   }
   // A step that is possible at no reading of the zone is none.
-  const auto misses = [&](const ZoneBound& bound) {
-    return zone_.upper(bound.clock) < bound.range.lower || zone_.lower(bound.clock) > bound.range.upper;
-  };
+  const auto misses = [&](const ZoneBound& bound) { return !zone_.meets(bound.clock, bound.range); };
   // Untimed exits take a cycle that begins now.
   const bool at_bound = SituationId(node) == root_ && !from->waits.empty();
   for (; found.size() <= number && looked_at < moves->size(); ++looked_at) {

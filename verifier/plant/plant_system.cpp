@@ -101,8 +101,7 @@ bool PlantSystem::pass(Zone& zone, const JointStep& move, const Place& place) co
 bool PlantSystem::misses(const Zone& zone, const JointStep& move, const Place& place) const {
   if (!situations_.time().is_dense()) return false;
   return std::any_of(move.bounds.begin(), move.bounds.end(), [&](const ClockBound& bound) {
-    const std::size_t clock = place.clock_of(bound.component);
-    return zone.upper(clock) < bound.clock.lower || zone.lower(clock) > bound.clock.upper;
+    return !zone.meets(place.clock_of(bound.component), bound.clock);
   });
 }
 
@@ -212,8 +211,7 @@ bool PlantSystem::accepts(const SymbolicState& state) const {
   if (phase != Phase::armed) return false;
   if (observer_.some_day()) return may_wait_for_ever(state);
   if (!observer_.timed(phase)) return true;
-  const Interval& accepted = *observer_.accepted();
-  return state.zone.upper(stopwatch) >= accepted.lower && state.zone.lower(stopwatch) <= accepted.upper;
+  return state.zone.meets(stopwatch, *observer_.accepted());
 }
 
 /// Whether at some reading more faults are certain, with idle controls, than there may still be.

@@ -222,11 +222,8 @@ bool Situations::leave_together(const Modes& modes, const Late& due, std::size_t
   for (const ComponentId c : due) {
     const Behaviour& behaviour = behaviours_[behaviours_here_[c.index()]];
     const auto leaves = [&](const Choice& choice) {
-      // An exit that exists at this instant only is none.
-      const Units last = choice.sharp.upper ? choice.clock.upper - 1 : choice.clock.upper;
-      const Units from = choice.sharp.lower ? choice.clock.lower + 1 : choice.clock.lower;
       return choice.faults == 0 && choice.mode != modes[c.index()] &&
-             Interval{from, last}.contains(behaviour.stays_until);
+             lasting(choice.clock, choice.sharp).contains(behaviour.stays_until);
     };
     const auto exit = std::find_if(behaviour.choices.begin(), behaviour.choices.end(), leaves);
     if (exit == behaviour.choices.end()) return false;

@@ -47,9 +47,9 @@ class Finder {
     Truth result = Truth::yes;
     const ZoneBound* open = nullptr;
     for (const ZoneBound& b : box) {
+      if (!zone.meets(b.clock, b.range)) return Truth::no;
       const Units least = zone.lower(b.clock);
       const Units most = zone.upper(b.clock);
-      if (most < b.range.lower || least > b.range.upper) return Truth::no;
       if (least >= b.range.lower && (b.range.upper == unbounded || most <= b.range.upper)) continue;
       result = Truth::unknown;
       if (open == nullptr) open = &b;

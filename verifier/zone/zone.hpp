@@ -35,6 +35,10 @@ class Zone {
   [[nodiscard]] Units bound(std::size_t i, std::size_t j) const { return bounds_[i * dimension_ + j]; }
   [[nodiscard]] Units lower(std::size_t clock) const { return -bound(0, clock); }
   [[nodiscard]] Units upper(std::size_t clock) const { return bound(clock, 0); }
+  /// Whether the clock reads something within the interval at some reading. O(1).
+  [[nodiscard]] bool meets(std::size_t clock, const Interval& interval) const {
+    return upper(clock) >= interval.lower && lower(clock) <= interval.upper;
+  }
   [[nodiscard]] std::size_t bytes() const { return sizeof(*this) + bounds_.capacity() * sizeof(Units); }
 
   /// Keeps the readings with x_i - x_j <= b. O(n^2).
