@@ -4,7 +4,7 @@
 
 #include "base/check.hpp"
 #include "tests/bench/example.hpp"
-#include "verifier/plant/check.hpp"
+#include "verifier/check/check.hpp"
 
 using namespace rmpl;
 

@@ -20,8 +20,8 @@
 #include "compiler/session/provider.hpp"
 #include "runtime/executive/scenario/run.hpp"
 #include "runtime/reasoning/reconfigure/reconfigurer.hpp"
+#include "verifier/check/check.hpp"
 #include "verifier/closed_loop/check.hpp"
-#include "verifier/plant/check.hpp"
 #include "verifier/property/initial_modes.hpp"
 
 using namespace rmpl;

@@ -8,7 +8,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/step.hpp"
-#include "verifier/plant/check.hpp"
+#include "verifier/check/check.hpp"
 
 namespace rmpl::property {
 namespace {

@@ -13,8 +13,8 @@
 #include "base/product.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
+#include "verifier/check/check.hpp"
 #include "verifier/export/round_process.hpp"
-#include "verifier/plant/check.hpp"
 
 namespace rmpl::property {
 namespace {

@@ -11,8 +11,8 @@
 #include "compiler/session/provider.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/reference/step.hpp"
-#include "verifier/plant/check.hpp"
-#include "verifier/plant/folds.hpp"
+#include "verifier/behaviour/folds.hpp"
+#include "verifier/check/check.hpp"
 
 namespace rmpl::property {
 namespace {

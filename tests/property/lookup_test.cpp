@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "verifier/plant/fault_sets.hpp"
+#include "verifier/cut_set/fault_sets.hpp"
 #include "verifier/search/bounding_forest.hpp"
 
 namespace rmpl::property {

@@ -10,7 +10,7 @@
 
 #include "automata/step/transition_rules.hpp"
 #include "tests/property/draw.hpp"
-#include "verifier/plant/choices.hpp"
+#include "verifier/behaviour/choices.hpp"
 
 namespace rmpl::property {
 namespace {

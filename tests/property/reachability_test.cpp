@@ -9,7 +9,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/reachability.hpp"
-#include "verifier/plant/check.hpp"
+#include "verifier/check/check.hpp"
 
 namespace rmpl::property {
 namespace {

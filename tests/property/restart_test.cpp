@@ -11,7 +11,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/belief.hpp"
-#include "verifier/plant/check.hpp"
+#include "verifier/check/check.hpp"
 
 namespace rmpl::property {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
+#include "verifier/check/check.hpp"
+#include "verifier/check/check_all.hpp"
 #include "verifier/closed_loop/check_all.hpp"
-#include "verifier/plant/check.hpp"
-#include "verifier/plant/check_all.hpp"
 #include "verifier/verdict/question_json.hpp"
 #include "verifier/verdict/wording.hpp"
 

@@ -6,7 +6,7 @@
 #include "tools/shared/models.hpp"
 #include "tools/tcca-check/model_check.hpp"
 #include "tools/tcca-check/witness_flight.hpp"
-#include "verifier/plant/check.hpp"
+#include "verifier/check/check.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/table.hpp"
 #include "verifier/verdict/wording.hpp"

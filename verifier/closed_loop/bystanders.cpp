@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "verifier/plant/apart.hpp"
+#include "verifier/check/apart.hpp"
 
 namespace rmpl::verifier {
 
@@ -39,7 +39,7 @@ std::optional<Stage> without_bystanders(Slices& slices, const automata::Program&
   const automata::Plant& plant = slices.plant();
   std::vector<Formula> read = read_by(program, properties);
   const Cone seen = slices.cone(read);
-  const Arena::Terms terms{TimeModel::of(options.period, plant, {}), options, options.faults.value(), meter};
+  const SearchScope::Terms terms{TimeModel::of(options.period, plant, {}), options, options.faults.value(), meter};
   bool some = false;
   for (const ConnectedPart& part : connected_parts(slices)) {
     const bool is_seen = std::any_of(part.cone.begin(), part.cone.end(), [&](automata::ComponentId c) {

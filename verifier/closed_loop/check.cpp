@@ -11,7 +11,7 @@
 #include "verifier/closed_loop/bystanders.hpp"
 #include "verifier/closed_loop/cause.hpp"
 #include "verifier/closed_loop/searches.hpp"
-#include "verifier/plant/cut_set_rounds.hpp"
+#include "verifier/cut_set/cut_set_rounds.hpp"
 #include "verifier/slice/empty_claims.hpp"
 
 namespace rmpl::verifier {

@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "base/work_together.hpp"
+#include "verifier/check/check_all.hpp"
 #include "verifier/closed_loop/check.hpp"
-#include "verifier/plant/check_all.hpp"
 
 namespace rmpl::verifier {
 

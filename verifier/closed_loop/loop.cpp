@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "verifier/plant/exits.hpp"
+#include "verifier/behaviour/exits.hpp"
 #include "verifier/property/initial_modes.hpp"
 #include "verifier/property/known_truth.hpp"
 

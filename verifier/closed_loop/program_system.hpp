@@ -9,7 +9,7 @@
 
 #include "verifier/closed_loop/loop.hpp"
 #include "verifier/closed_loop/step_memory.hpp"
-#include "verifier/plant/fault_sets.hpp"
+#include "verifier/cut_set/fault_sets.hpp"
 #include "verifier/property/fault.hpp"
 #include "verifier/search/passed.hpp"
 #include "verifier/search/standstill.hpp"

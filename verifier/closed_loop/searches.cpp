@@ -4,8 +4,8 @@
 
 #include "base/bounded_cache.hpp"
 #include "base/check.hpp"
-#include "verifier/plant/cut_sets.hpp"
-#include "verifier/plant/soonest.hpp"
+#include "verifier/check/soonest.hpp"
+#include "verifier/cut_set/cut_sets.hpp"
 #include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {

@@ -12,8 +12,8 @@
 #include "automata/logic/truth_table.hpp"
 #include "automata/step/transition_rules.hpp"
 #include "base/product.hpp"
+#include "verifier/behaviour/joint_choices.hpp"
 #include "verifier/export/influence.hpp"
-#include "verifier/plant/joint_choices.hpp"
 #include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/function_ref.hpp"
-#include "verifier/plant/joint_choices.hpp"
+#include "verifier/behaviour/joint_choices.hpp"
 #include "verifier/search/standstill.hpp"
 #include "verifier/zone/time_model.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "verifier/plant/folds.hpp"
+#include "verifier/behaviour/folds.hpp"
 #include "verifier/plant/plant_instants.hpp"
 #include "verifier/plant/plant_system.hpp"
 

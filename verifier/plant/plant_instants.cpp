@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "verifier/plant/folds.hpp"
+#include "verifier/behaviour/folds.hpp"
 
 namespace rmpl::verifier {
 

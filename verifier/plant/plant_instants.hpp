@@ -6,8 +6,8 @@
 #include <map>
 #include <memory>
 
+#include "verifier/behaviour/situation.hpp"
 #include "verifier/plant/instant_clocks.hpp"
-#include "verifier/plant/situation.hpp"
 #include "verifier/search/standstill.hpp"
 
 namespace rmpl::verifier {

@@ -7,7 +7,7 @@
 
 #include "base/check.hpp"
 
-#include "verifier/plant/folds.hpp"
+#include "verifier/behaviour/folds.hpp"
 #include "verifier/plant/instant_clocks.hpp"
 
 namespace rmpl::verifier {

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "verifier/plant/fault_sets.hpp"
+#include "verifier/behaviour/situation.hpp"
+#include "verifier/cut_set/fault_sets.hpp"
 #include "verifier/plant/mode_ranks.hpp"
 #include "verifier/plant/observer.hpp"
-#include "verifier/plant/situation.hpp"
 #include "verifier/plant/time_left.hpp"
 #include "verifier/search/standstill.hpp"
 #include "verifier/search/system.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/error.hpp"
-#include "verifier/plant/check.hpp"
+#include "verifier/check/check.hpp"
 #include "verifier/safety/static_tree.hpp"
 
 namespace rmpl::verifier {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/verifier/plants.hpp"
-#include "verifier/plant/check.hpp"
+#include "verifier/check/check.hpp"
 
 namespace rmpl::verifier {
 namespace {

@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 #include "tests/unit/verifier/plants.hpp"
-#include "verifier/plant/check_all.hpp"
+#include "verifier/check/check_all.hpp"
 
 namespace rmpl::verifier {
 namespace {
