@@ -1,4 +1,4 @@
-// How likely it is that a formula comes to hold, and how long that takes in the mean (semantics 7).
+// How likely it is that a formula comes to hold, and how long that takes in the mean (docs/safety.md).
 // SPDX-License-Identifier: MIT
 #pragma once
 
