@@ -8,19 +8,16 @@
 #include "verifier/export/prism.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <map>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include "automata/assignment_text.hpp"
-#include "base/check.hpp"
 #include "base/error.hpp"
-#include "base/product.hpp"
+#include "verifier/export/impossible_draws.hpp"
 #include "verifier/export/influence.hpp"
+#include "verifier/export/prism_text.hpp"
 #include "verifier/markov/markov.hpp"
 #include "verifier/property/initial_modes.hpp"
 
@@ -28,85 +25,16 @@ namespace rmpl::verifier {
 
 using automata::ComponentId;
 using automata::ControlAction;
-using automata::Enabled;
 using automata::ModeId;
-using automata::Modes;
 using automata::Plant;
 using automata::PlantStep;
+using prism::conjoin;
+using prism::member_text;
+using prism::Naming;
+using prism::number;
+using prism::Text;
 
 namespace {
-
-/// The shortest decimal that reads back the same.
-std::string number(double value) {
-  std::array<char, 40> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-/// What the components and commands that a module speaks of are called in it, by number.
-struct Naming {
-  std::vector<std::size_t> components;  ///< by component
-  std::vector<std::size_t> labels;      ///< by class of control actions
-
-  [[nodiscard]] std::string mode(ComponentId component) const {
-    return "m" + std::to_string(components[component.index()]);
-  }
-  [[nodiscard]] std::string clock(ComponentId component) const {
-    return "x" + std::to_string(components[component.index()]);
-  }
-  [[nodiscard]] std::string label(std::size_t action) const { return "a" + std::to_string(labels[action]); }
-};
-
-/// In the language of PRISM; whether it falls apart in a conjunction.
-struct Text {
-  std::string text;
-  bool either = false;
-
-  [[nodiscard]] std::string operand() const { return either ? "(" + text + ")" : text; }
-};
-
-/// The values of a variable, of so many, ascending. With `listed` each is named: it may have others.
-Text member_text(const std::string& name, const std::vector<std::size_t>& values, std::size_t all, bool listed) {
-  if (values.size() == 1) return {name + "=" + std::to_string(values.front())};
-  if (!listed && values.size() + 1 == all) {
-    std::size_t missing = 0;
-    while (missing < values.size() && values[missing] == missing) ++missing;
-    return {name + "!=" + std::to_string(missing)};
-  }
-  if (values.back() - values.front() + 1 == values.size()) {
-    if (values.front() == 0 && !listed) return {name + "<=" + std::to_string(values.back())};
-    if (values.back() + 1 == all) return {name + ">=" + std::to_string(values.front())};
-  }
-  std::string text;
-  for (const std::size_t value : values) text += (text.empty() ? "" : " | ") + name + "=" + std::to_string(value);
-  return {text, true};
-}
-
-Text text_of(const automata::Formula& formula, const Plant& plant, const Naming& naming) {
-  switch (formula.kind) {
-    case automata::Formula::Kind::constant:
-      return {formula.truth ? "true" : "false"};
-    case automata::Formula::Kind::member: {
-      std::vector<std::size_t> values;
-      for (const automata::ValueId value : formula.values) values.push_back(value.index());
-      return member_text(naming.mode(*plant.component_of(formula.variable)), values,
-                         plant.variables[formula.variable].values.size(), false);
-    }
-    case automata::Formula::Kind::conjunction:
-    case automata::Formula::Kind::disjunction: {
-      const bool both = formula.kind == automata::Formula::Kind::conjunction;
-      std::string text;
-      for (const automata::Formula& operand : formula.operands) {
-        const Text part = text_of(operand, plant, naming);
-        text += (text.empty() ? "" : both ? " & " : " | ") + (both ? part.operand() : part.text);
-      }
-      return {text, !both};
-    }
-    default:
-      break;
-  }
-  CHECK(false && "a table becomes conjunctions and disjunctions");
-  return {};
-}
 
 /// What a component draws from in a mode under a control action, where that is so.
 struct Command {
@@ -115,11 +43,6 @@ struct Command {
   std::vector<Stretch> stretches;  ///< of readings over which the probabilities are the same
   bool restarts = false;           ///< the clock starts anew
 };
-
-/// A conjunction that grows; empty where nothing is demanded.
-void conjoin(std::string& all, const std::string& part) {
-  if (!part.empty()) all += (all.empty() ? "" : " & ") + part;
-}
 
 class Writer {
  public:
@@ -141,7 +64,7 @@ class Writer {
   }
 
   void run() {
-    refuse_impossible();
+    refuse_impossible_draws(step_, influence_, initial_, actions_, meter_);
     classify();
     const bool choice = classes_ > 1;
     out_ << (choice ? "mdp" : "dtmc") << "\n\n// " << plant_.name << ": a step is a period of "
@@ -149,7 +72,7 @@ class Writer {
     if (drawn_) out_ << "// the first step, `start`, takes no time: it draws the initial modes\n";
     out_ << "// what is asked: " << (choice ? "Pmax" : "P") << "=? [ F \"target\" ]\n";
     for (std::size_t a = 0; a < actions_.size(); ++a) {
-      out_ << "// a" << class_of_[a] << ": " << describe(actions_[a]) << '\n';
+      out_ << "// a" << class_of_[a] << ": " << describe(plant_, actions_[a]) << '\n';
     }
     for (std::size_t c = 0; c < plant_.components.size(); ++c) write_module(ComponentId(c));
     write_target();
@@ -157,79 +80,6 @@ class Writer {
 
  private:
   static constexpr std::size_t unnamed = static_cast<std::size_t>(-1);
-
-  std::string describe(const Modes& modes) const {
-    return to_text(plant_.variables, automata::assignments_of(plant_, modes));
-  }
-  std::string describe(const ControlAction& action) const {
-    const std::string text = to_text(plant_.variables, automata::commanded(plant_, action));
-    return text.empty() ? "all controls idle" : text;
-  }
-
-  /// Those that modes which contradict each other can depend on.
-  std::vector<ComponentId> that_exclude() {
-    std::set<ComponentId> found;
-    std::vector<ComponentId> open;
-    const auto add = [&](const std::vector<ComponentId>& components) {
-      for (const ComponentId c : components) {
-        if (found.insert(c).second) open.push_back(c);
-      }
-    };
-    for (const automata::Support& support : influence_.exclusions()) add(support.components);
-    while (!open.empty()) {
-      const ComponentId component = open.back();
-      open.pop_back();
-      for (std::size_t m = 0; m < plant_[component].modes.size(); ++m) {
-        add(influence_.support_of(component, ModeId(m)).components);
-      }
-    }
-    return {found.begin(), found.end()};
-  }
-
-  /// Where modes that contradict the store may be drawn, the semantics draws again; modules cannot. Only components
-  /// that have to do with it are looked at, and time is not: some that no run comes to may be refused.
-  void refuse_impossible() {
-    if (influence_.exclusions().empty()) return;
-    const std::vector<ComponentId> asked = that_exclude();
-    std::set<Modes> seen;
-    std::vector<Modes> queue;
-    const auto add = [&](const Modes& modes) {
-      meter_.poll();
-      if (!seen.insert(modes).second) return;
-      if (!step_.possible(modes)) {
-        throw base::InputError("prism cannot say that modes are impossible, and these may be drawn: " +
-                               describe(modes));
-      }
-      meter_.count_state();
-      queue.push_back(modes);
-    };
-    std::vector<std::vector<ModeId>> lists;
-    for (const std::vector<ModeId>& initial : initial_) lists.push_back({initial.front()});
-    for (const ComponentId c : asked) lists[c.index()] = initial_[c.index()];
-    base::for_each_combination(lists, add);
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-      const Modes modes = queue[next];
-      for (const ControlAction& action : actions_) {
-        if (!step_.consistent(modes, action)) {
-          throw base::InputError("prism cannot say what follows where the command " + describe(action) +
-                                 " contradicts the modes: " + describe(modes));
-        }
-        const automata::AllEnabled enabled = step_.enabled(modes, action);
-        for (const ComponentId c : asked) lists[c.index()] = targets(c, modes[c.index()], enabled[c.index()]);
-        base::for_each_combination(lists, add);
-      }
-    }
-  }
-
-  [[nodiscard]] std::vector<ModeId> targets(ComponentId component, ModeId mode, const Enabled& enabled) const {
-    std::set<ModeId> result;
-    if (enabled.untimed.empty()) result.insert(mode);
-    const auto add = [&](automata::TransitionId t) { result.insert(plant_[component].transitions[t.index()].to); };
-    std::for_each(enabled.faults.begin(), enabled.faults.end(), add);
-    std::for_each(enabled.untimed.begin(), enabled.untimed.end(), add);
-    std::for_each(enabled.timed.begin(), enabled.timed.end(), add);
-    return {result.begin(), result.end()};
-  }
 
   /// As `verifier::settled_reading`; throws where there is none.
   [[nodiscard]] Units settled_reading(ComponentId component, ModeId mode) const {
@@ -401,7 +251,7 @@ class Writer {
         std::string where;
         if (stretch.first > 0) conjoin(where, x + ">=" + std::to_string(stretch.first));
         if (stretch.last) conjoin(where, x + "<=" + std::to_string(*stretch.last));
-        if (!command.where.is_true()) conjoin(where, verifier::text_of(command.where, plant_, naming).operand());
+        if (!command.where.is_true()) conjoin(where, prism::text_of(command.where, plant_, naming).operand());
         find(find(by_updates, updates_of(id, command, stretch.moves, settled, naming)), where)
             .push_back(command.mode.index());
       }
@@ -450,7 +300,7 @@ class Writer {
     const automata::Formula where =
         where_holds(step_, question_.target, question_.entailed,
                     influence_.support_of(std::set(asked.begin(), asked.end()), false).components, meter_);
-    const Text condition = verifier::text_of(where, plant_, own_names());
+    const Text condition = prism::text_of(where, plant_, own_names());
     out_ << "\nlabel \"target\" = " << (drawn_ ? "m0>=0 & " + condition.operand() : condition.text) << ";\n";
   }
 
