@@ -1,16 +1,9 @@
 // rmpl-run campaign: many flights with injected faults, by all threads, processes and machines that are given.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <atomic>
 #include <charconv>
-#include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,12 +12,12 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
-#include "base/work_together.hpp"
 #include "runtime/executive/campaign/flight.hpp"
 #include "runtime/executive/campaign/table.hpp"
 #include "runtime/executive/scenario/report.hpp"
 #include "runtime/executive/scenario/story.hpp"
 #include "runtime/report/recorder.hpp"
+#include "tools/rmpl-run/campaign_crew.hpp"
 #include "tools/rmpl-run/campaign_store.hpp"
 #include "tools/rmpl-run/campaign_summary.hpp"
 #include "tools/rmpl-run/commands.hpp"
@@ -123,18 +116,6 @@ const automata::Scenario& selected(const automata::Document& document, const Opt
   return document.scenarios[static_cast<std::size_t>(found - names.begin())];
 }
 
-/// What is the same in all runs.
-struct Campaign {
-  const automata::Document& document;
-  const automata::Scenario& scenario;
-  CampaignPlan plan;
-  std::uint64_t runs = 0;
-  ScenarioOptions flight;
-  std::map<std::string, std::string> identity;
-
-  [[nodiscard]] const automata::Plant& plant() const { return document.plants[scenario.plant]; }
-};
-
 /// Without the places where things stand: a file that is called by another path is the same file.
 void forget_places(automata::Json& json) {
   if (json.is_object()) json.erase("origin");
@@ -194,93 +175,6 @@ Campaign prepare(const automata::Document& document, const Options& options) {
   if (!options.monitors.empty()) campaign.identity["monitors"] = digest_of(options.monitors);
   return campaign;
 }
-
-/// The threads of this process, among however many processes.
-class Crew {
- public:
-  Crew(const Campaign& campaign, const Options& options, bool tells)
-      : campaign_(campaign), options_(options), tells_(tells) {}
-
-  /// Returns once every run has its result, or at an interruption; false then. Throws what a thread threw.
-  bool work() {
-    const std::uint64_t jobs = std::min<std::uint64_t>(options_.jobs, std::max<std::uint64_t>(campaign_.runs, 1));
-    base::work_together(jobs, [this] { one(); });
-    return !interrupted();
-  }
-
- private:
-  [[nodiscard]] bool ends() const { return stop_ || interrupted(); }
-
-  void one() {
-    try {
-      CampaignStore store(options_.database, campaign_.plant(), campaign_.identity);
-      CampaignClaims claims(options_.database);
-      std::vector<bool> done(campaign_.runs);
-      while (!ends() && store.count(campaign_.runs) < campaign_.runs) {
-        if (pass(store, claims, done)) continue;
-        // All that is left is claimed by others, who may still die.
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
-      }
-    } catch (...) {
-      stop_ = true;
-      throw;
-    }
-  }
-
-  /// Looks at every run that is not known to be done, and flies those that nobody else does. Whether there was one.
-  bool pass(CampaignStore& store, CampaignClaims& claims, std::vector<bool>& done) {
-    bool some = false;
-    for (std::uint64_t run = 0; run < campaign_.runs && !ends(); ++run) {
-      // Asked before it is claimed, for it may be done long since, and again after, for it may have been done in
-      // between.
-      if (!done[run]) done[run] = store.has(run);
-      if (done[run] || !claims.claim(run)) continue;
-      if (!store.has(run)) {
-        some = true;
-        const auto result =
-            runtime::fly_run(campaign_.document, campaign_.scenario, campaign_.plan, run, campaign_.flight);
-        if (result) store.add(*result);
-        tell_progress(store);
-      }
-      claims.release(run);
-    }
-    return some;
-  }
-
-  void tell_progress(CampaignStore& store) {
-    if (!tells_) return;
-    const std::lock_guard lock(mutex_);
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::milliseconds(500);
-    show_progress(progress(store, now));
-  }
-
-  /// `120 of 1000 runs, 14.2 a second, 62 s left, 3 failed`.
-  std::string progress(CampaignStore& store, std::chrono::steady_clock::time_point now) {
-    const std::uint64_t done = store.count(campaign_.runs);
-    if (!before_) before_ = done - std::min<std::uint64_t>(done, 1);  // runs of an earlier start take no time
-    std::string text = std::to_string(done) + " of " + std::to_string(campaign_.runs) + " runs";
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    if (done > *before_ && seconds > 0) {
-      const double rate = static_cast<double>(done - *before_) / seconds;
-      char told[64];
-      std::snprintf(told, sizeof told, ", %.3g a second, %.0f s left", rate,
-                    std::ceil(static_cast<double>(campaign_.runs - done) / rate));
-      text += told;
-    }
-    return text + ", " + std::to_string(store.count_failed(campaign_.runs)) + " failed";
-  }
-
-  const Campaign& campaign_;
-  const Options& options_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::optional<std::uint64_t> before_;  ///< results that were there at the start
-  bool tells_;
-  std::atomic<bool> stop_ = false;
-  std::mutex mutex_;
-  std::chrono::steady_clock::time_point next_;
-};
 
 /// Of the processes that mpirun started, the first tells and writes what came of it.
 bool is_first_rank() {
@@ -381,7 +275,8 @@ ExitStatus run(Options options, const Common& common, const Settings& settings) 
   if (options.replay) return replay(campaign, options, common);
   std::optional<ForgottenDatabase> forgotten;
   if (options.database == in_memory) options.database = forgotten.emplace().path();
-  const bool all = Crew(campaign, options, first && progress_is_seen(common.quiet)).work();
+  const bool all =
+      CampaignCrew(campaign, options.database, options.jobs, first && progress_is_seen(common.quiet)).work();
   if (first) return publish(campaign, options, common);
   return all ? ExitStatus::done : ExitStatus::undecided;
 }
