@@ -36,9 +36,9 @@ void link(base::Partition& partition, const std::vector<VariableId>& variables, 
 
 }  // namespace
 
-Dependencies::Dependencies(const Plant& plant)
+Dependencies::Dependencies(const Plant& plant, std::vector<Constraint> constraints)
     : plant_(plant), index_(plant), read_by_store_(plant.variables.size()), observed_(plant.variables.size()) {
-  for (Constraint& constraint : constraints_of(plant)) {
+  for (Constraint& constraint : constraints) {
     std::vector<VariableId> variables = variables_of(constraint.formula);
     for (const VariableId v : variables) read_by_store_[v.index()] = true;
     constraints_.push_back({std::move(constraint), std::move(variables)});

@@ -7,8 +7,8 @@
 //   --------  ---------------------------  ----------------------------  ------------------------- --------------------
 //   islands   modes                        each conjunct of Q and of     is the store consistent,   store/support
 //                                          modes' constraints            what does it imply?
-//   regions   modes, controls              the same                      which attributes can make  nominal/regions
-//                                                                        a formula true or false?
+//   regions   modes, controls              the same                      which attributes can make  nominal/regions,
+//                                                                        a formula true or false?  store/support
 //   parts     nothing                      each formula of Q; all that   what can a command touch,  the tests of lint
 //                                          a component's constraints     now or later?
 //                                          and guards read, with its
@@ -49,11 +49,13 @@ class Dependencies {
     std::vector<VariableId> variables;
   };
 
-  explicit Dependencies(const Plant& plant);
+  explicit Dependencies(const Plant& plant) : Dependencies(plant, constraints_of(plant)) {}
+  /// With these in place of the plant's own constraints.
+  Dependencies(const Plant& plant, std::vector<Constraint> constraints);
 
   [[nodiscard]] const Plant& plant() const { return plant_; }
   [[nodiscard]] const PlantIndex& index() const { return index_; }
-  /// As `constraints_of` lists them.
+  /// In the order in which they were given; as `constraints_of` lists them.
   [[nodiscard]] const std::vector<Reading>& constraints() const { return constraints_; }
   /// Whether an interconnection or a mode's constraint reads it.
   [[nodiscard]] bool read_by_store(VariableId variable) const { return read_by_store_[variable.index()]; }

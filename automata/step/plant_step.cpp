@@ -49,17 +49,23 @@ PlantStep::PlantStep(const Plant& plant)
       wholes_(states_remembered(plant)) {
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     const Component& component = plant.components[c];
-    auto& handles = guards_.emplace_back();
     auto& exits = exits_.emplace_back(component.modes.size());
     auto& supports = supports_.emplace_back(component.modes.size());
+    for (std::size_t i = 0; i < component.transitions.size(); ++i) {
+      const Transition& t = component.transitions[i];
+      supports[t.from.index()].join(locality().support_of(t.guard));
+      if (can_ever_be_taken(t)) exits[t.from.index()].push_back({TransitionId(i), store_.watch(t.guard)});
+    }
+  }
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    auto& supports = commanded_supports_.emplace_back();
     Support all{{ComponentId(c)}, {}};
-    for (const Transition& t : component.transitions) {
-      handles.push_back(theory().encode(t.guard));
-      const Support support = locality().support_of(t.guard);
-      supports[t.from.index()].join(support);
+    for (const std::vector<Exit>& exits : exits_[c]) {
+      Support& support = supports.emplace_back();
+      for (const Exit& exit : exits) {
+        for (const ConstraintStore::Part& part : exit.parts) support.join(store_.support_of(part));
+      }
       all.join(support);
-      if (!can_ever_be_taken(t)) continue;
-      exits[t.from.index()].push_back({TransitionId(handles.size() - 1), store_.watch(t.guard)});
     }
     enabled_.add(all);
   }

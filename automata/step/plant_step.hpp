@@ -48,9 +48,18 @@ class PlantStep {
   [[nodiscard]] const Support& support(ComponentId component, ModeId mode) const {
     return supports_[component.index()][mode.index()];
   }
-  /// The guard of a transition, as the theory knows it.
-  [[nodiscard]] Theory::Handle guard(ComponentId component, TransitionId transition) const {
-    return guards_[component.index()][transition.index()];
+  /// The same where store and command are consistent: fewer, as the command and what single modes tell link nothing.
+  [[nodiscard]] const Support& commanded_support(ComponentId component, ModeId mode) const {
+    return commanded_supports_[component.index()][mode.index()];
+  }
+  /// A transition that can be taken, with the parts of its guard.
+  struct Exit {
+    TransitionId transition;
+    std::vector<ConstraintStore::Part> parts;
+  };
+  /// What can be taken out of a mode.
+  [[nodiscard]] const std::vector<Exit>& exits(ComponentId component, ModeId mode) const {
+    return exits_[component.index()][mode.index()];
   }
 
   // What the store answers (constraint_store.hpp).
@@ -103,11 +112,6 @@ class PlantStep {
   [[nodiscard]] std::vector<std::vector<Move>> initial_moves() const;
 
  private:
-  /// A transition that can be taken, with the parts of its guard.
-  struct Exit {
-    TransitionId transition;
-    std::vector<ConstraintStore::Part> parts;
-  };
   /// What is known of a whole state under a control action.
   struct Whole {
     bool consistent;
@@ -120,9 +124,9 @@ class PlantStep {
   const Whole& whole(const Modes& modes, const ControlAction& action);
 
   ConstraintStore store_;
-  std::vector<std::vector<Theory::Handle>> guards_;    ///< per component, per transition
-  std::vector<std::vector<Support>> supports_;         ///< per component, per mode
-  std::vector<std::vector<std::vector<Exit>>> exits_;  ///< per component, per mode: what can be taken out of it
+  std::vector<std::vector<Support>> supports_;            ///< per component, per mode
+  std::vector<std::vector<Support>> commanded_supports_;  ///< likewise
+  std::vector<std::vector<std::vector<Exit>>> exits_;     ///< per component, per mode: what can be taken out of it
   std::shared_ptr<EnabledSets> sets_;
   bool has_restarts_;
   std::vector<bool> restarted_;              ///< the last answer of `restarted`

@@ -14,15 +14,14 @@ namespace rmpl::automata {
 template <class Answer>
 class Memory {
  public:
-  Memory(const Plant& plant, const Support& support) : projection_(plant, support) {
-    if (projection_.bits() <= dense_bits) dense_.resize(std::size_t{1} << projection_.bits());
-  }
+  Memory(const Plant& plant, const Support& support) : projection_(plant, support) {}
 
   /// The remembered answer, or `ask()`, which is then remembered.
   template <class Ask>
   Answer& find(const Modes& modes, const ControlAction& action, const Ask& ask) {
     projection_.read(modes, action, key_);
-    if (dense_.empty()) return answers_.find_or(key_, ask);
+    if (projection_.bits() > dense_bits) return answers_.find_or(key_, ask);
+    if (dense_.empty()) dense_.resize(std::size_t{1} << projection_.bits());
     std::optional<Answer>& known = dense_[key_.empty() ? 0 : key_.front()];
     if (!known || !base::caches_on()) known = ask();
     return *known;

@@ -36,8 +36,10 @@ bool Support::reads_control(std::size_t control) const {
   return std::binary_search(controls.begin(), controls.end(), control);
 }
 
-Locality::Locality(const Dependencies& dependencies)
-    : index_(dependencies.index()), island_of_(dependencies.islands()), islands_(island_of_.count) {
+Locality::Locality(const Dependencies& dependencies, Commanded commanded)
+    : index_(dependencies.index()),
+      island_of_(commanded == Commanded::yes ? dependencies.regions() : dependencies.islands()),
+      islands_(island_of_.count) {
   for (std::size_t v = 0; v < index_.variables(); ++v) {
     const auto island = island_of_.of[v];
     if (!island) continue;
@@ -54,6 +56,7 @@ Locality::Locality(const Dependencies& dependencies)
     if (under) insert(island.support.components, *index_.component_of(under->variable));
     for (const VariableId v : reading.variables) {
       if (const auto component = index_.component_of(v)) insert(island.support.components, *component);
+      if (const auto control = index_.control_of(v)) insert(island.support.controls, *control);
     }
     island.constraints.push_back(reading.constraint);
   }
@@ -63,6 +66,7 @@ Support Locality::support_of(const Formula& formula) const {
   Support result;
   for (const VariableId v : variables_of(formula)) {
     if (const auto component = index_.component_of(v)) insert(result.components, *component);
+    if (const auto control = index_.control_of(v)) insert(result.controls, *control);
     if (const auto island = island_of_[v]) result.join(islands_[*island].support);
   }
   return result;

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "automata/dependencies/dependencies.hpp"
@@ -32,18 +33,27 @@ struct Support {
 /// Attributes that have to do with each other once every mode is known (dependencies.hpp).
 struct Island {
   Support support;
-  std::vector<VariableId> attributes;   ///< ascending, controls among them
+  std::vector<VariableId> attributes;   ///< ascending; controls among them, unless the command is known, too
   std::vector<Constraint> constraints;  ///< those that read it: without any it is consistent whatever is assumed
 };
 
 /// The islands of a plant, each with its support.
 class Locality {
  public:
-  explicit Locality(const Dependencies& dependencies);
+  /// Whether the command is assumed beside the modes.
+  enum class Commanded : bool { no, yes };
+
+  explicit Locality(const Dependencies& dependencies, Commanded commanded = Commanded::no);
   explicit Locality(const Plant& plant) : Locality(Dependencies(plant)) {}
 
   [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
-  /// The island of a variable; none for a mode variable.
+  /// Has an island read more, or adds one without constraints that reads this; its number.
+  void widen(std::size_t island, const Support& support) { islands_[island].support.join(support); }
+  std::size_t add(Support support) {
+    islands_.push_back({std::move(support), {}, {}});
+    return islands_.size() - 1;
+  }
+  /// The island of a variable; none for a mode variable, and a control of a known command.
   [[nodiscard]] std::optional<std::size_t> island_of(VariableId variable) const { return island_of_[variable]; }
   /// What it depends on whether a consistent store implies, or allows, the formula.
   [[nodiscard]] Support support_of(const Formula& formula) const;

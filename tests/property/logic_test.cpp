@@ -14,6 +14,7 @@
 #include "automata/store/value_set.hpp"
 #include "base/bounded_cache.hpp"
 #include "tests/property/draw.hpp"
+#include "tests/property/engineered.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/models.hpp"
 #include "tests/reference/step.hpp"
@@ -126,6 +127,34 @@ RC_GTEST_PROP(Logic, StepIsItsDefinitionWithoutCaches, ()) {
   const base::WithoutCaches forgetful;
   compare_steps();
 }
+
+bool alike(const automata::Enabled& one, const automata::Enabled& other) {
+  return one.faults == other.faults && one.untimed == other.untimed && one.timed == other.timed;
+}
+
+/// What a command leaves consistent and enables, asked of islands in which it and what single modes tell are known, is
+/// what the plain store says.
+void compare_commands(const automata::Plant& plant) {
+  automata::PlantStep fast(plant);
+  automata::PlainStep plain(plant);
+  for (int question = 0; question < 12; ++question) {
+    const automata::Modes modes = *modes_of(plant);
+    const automata::ControlAction action = *actions_of(plant);
+    const bool consistent = plain.store().consistent(modes, action);
+    RC_ASSERT(fast.consistent(modes, action) == consistent);
+    if (!consistent) continue;
+    const std::vector<automata::Enabled> expected = plain.enabled(modes, action);
+    const automata::AllEnabled* enabled = fast.enabled_if_permitted(modes, action);
+    RC_ASSERT(enabled != nullptr);
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      RC_ASSERT(alike((*enabled)[c], expected[c]));
+      RC_ASSERT(alike(fast.enabled(automata::ComponentId(c), modes, action), expected[c]));
+    }
+  }
+}
+
+RC_GTEST_PROP(Logic, StoreOfACommandIsThePlainOne, ()) { compare_commands((*models({.tangled = true})).plant); }
+RC_GTEST_PROP(Logic, StoreOfACommandIsThePlainOneWhereItIsEngineered, ()) { compare_commands((*engineered()).plant); }
 
 /// Values that the constraints of a part permit are those that the whole store permits.
 RC_GTEST_PROP(Logic, PartsOfAStoreSayWhatItSays, ()) {

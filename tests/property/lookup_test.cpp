@@ -7,6 +7,11 @@
 #include <set>
 #include <vector>
 
+#include "automata/step/plant_step.hpp"
+#include "tests/property/draw.hpp"
+#include "tests/property/engineered.hpp"
+#include "tests/property/generate.hpp"
+#include "verifier/behaviour/reasons.hpp"
 #include "verifier/cut_set/fault_sets.hpp"
 #include "verifier/search/bounding_forest.hpp"
 
@@ -15,6 +20,40 @@ namespace {
 
 using verifier::Fault;
 using verifier::Units;
+
+/// Wherever the premises of a reason hold, the component may do the same.
+RC_GTEST_PROP(Lookup, AReasonIsEnough, ()) {
+  const automata::Plant plant = (*engineered()).plant;
+  automata::PlantStep step(plant);
+  for (int question = 0; question < 3; ++question) {
+    const automata::Modes modes = *modes_of(plant);
+    const automata::ControlAction action = *actions_of(plant);
+    if (!step.consistent(modes, action)) continue;
+    const automata::ComponentId component(up_to(0, modes.size() - 1));
+    std::vector<automata::ComponentId> unknown;
+    if (const automata::ComponentId other(up_to(0, modes.size() - 1)); other != component && up_to(0, 1) == 0) {
+      unknown.push_back(other);
+    }
+    const auto why = verifier::reason(step, component, modes, action, unknown);
+    if (!why) continue;
+    const automata::Enabled expected = step.enabled(component, modes, action);
+    for (int draw = 0; draw < 6; ++draw) {
+      automata::Modes others = *modes_of(plant);
+      automata::ControlAction command = *actions_of(plant);
+      others[component.index()] = modes[component.index()];
+      for (const verifier::Premise& premise : *why) {
+        const bool is_mode = premise.position < modes.size();
+        if (is_mode) RC_ASSERT(modes[premise.position].value == premise.value);
+        if (is_mode) others[premise.position] = modes[premise.position];
+        if (!is_mode) command[premise.position - modes.size()] = action[premise.position - modes.size()];
+      }
+      if (!step.consistent(others, command)) continue;
+      const automata::Enabled& found = step.enabled(component, others, command);
+      RC_ASSERT(found.untimed == expected.untimed && found.timed == expected.timed);
+      RC_ASSERT(found.faults == expected.faults);
+    }
+  }
+}
 
 /// Bounds of zones: a chain of intervals that grow, as clocks of a component that starts anew again and again have, or
 /// anything.

@@ -27,7 +27,7 @@ Behaviours::Behaviours(automata::PlantStep& step, const TimeModel& time)
     const ComponentId id(c);
     auto& modes = known_.emplace_back();
     for (std::size_t m = 0; m < plant.components[c].modes.size(); ++m) {
-      const automata::Support& support = step.support(id, ModeId(m));
+      const automata::Support& support = step.commanded_support(id, ModeId(m));
       modes.push_back({{}, {plant, support}});
       for (const ComponentId read : support.components) reads(read.index(), id);
       for (const std::size_t control : support.controls) reads(plant.components.size() + control, id);

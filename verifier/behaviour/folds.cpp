@@ -68,7 +68,7 @@ Folds::Folds(automata::PlantStep& step, const TimeModel& time, Commands commands
     auto& reads = reads_.emplace_back();
     auto& looks = looks_.emplace_back();
     for (std::size_t m = 0; m < links_[c].size(); ++m) {
-      const automata::Support& support = step.support(ComponentId(c), ModeId(m));
+      const automata::Support& support = step.commanded_support(ComponentId(c), ModeId(m));
       auto& timers = reads.emplace_back();
       for (const ComponentId other : support.components) {
         if (is_timer(other) && other.index() != c) timers.push_back(other);

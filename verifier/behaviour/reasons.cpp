@@ -3,48 +3,55 @@
 #include "verifier/behaviour/reasons.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "automata/controls.hpp"
-#include "base/check.hpp"
 
 namespace rmpl::verifier {
 
 using automata::Assignment;
 using automata::ComponentId;
 using automata::ControlAction;
-using automata::ModeId;
 using automata::Modes;
-using automata::Theory;
-using automata::TransitionId;
+using Part = automata::ConstraintStore::Part;
+
+namespace {
+
+/// Why a guard is implied, or cannot hold, beside what is assumed already. Nothing where neither is so.
+std::optional<std::vector<Assignment>> reason_of(automata::ConstraintStore& store, const std::vector<Part>& guard,
+                                                 const Modes& modes, const ControlAction& action,
+                                                 const std::vector<ComponentId>& unknown,
+                                                 const std::vector<Assignment>& assumed) {
+  std::vector<Assignment> all;
+  bool open = false;
+  for (const Part& part : guard) {
+    // What decides one guard mostly decides others as well.
+    if (const auto decided = store.decided(part, assumed)) {
+      if (!*decided) return std::vector<Assignment>();
+      continue;
+    }
+    auto why = store.reason(part, modes, action, unknown);
+    if (!why) {
+      open = true;
+    } else if (!why->implied) {
+      return std::move(why->assumptions);
+    } else {
+      all.insert(all.end(), why->assumptions.begin(), why->assumptions.end());
+    }
+  }
+  return open ? std::nullopt : std::optional(std::move(all));
+}
+
+}  // namespace
 
 std::optional<std::vector<Premise>> reason(automata::PlantStep& step, ComponentId component, const Modes& modes,
                                            const ControlAction& action, const std::vector<ComponentId>& unknown) {
   const automata::Plant& plant = step.plant();
-  const ModeId mode = modes[component.index()];
-  const automata::Support& support = step.support(component, mode);
-  std::vector<Assignment> store;
-  for (const ComponentId c : support.components) {
-    if (std::binary_search(unknown.begin(), unknown.end(), c)) continue;
-    store.push_back({plant[c].mode, automata::ValueId(modes[c.index()].index())});
-  }
-  for (const std::size_t i : support.controls) store.push_back({plant.controls[i].variable, action[i]});
-
-  std::vector<Theory::Handle> guards;
-  for (std::size_t t = 0; t < plant[component].transitions.size(); ++t) {
-    if (plant[component].transitions[t].from == mode) guards.push_back(step.guard(component, TransitionId(t)));
-  }
-  Theory& theory = step.theory();
   std::vector<Assignment> all;
-  while (true) {
-    // What decides one guard mostly decides others as well.
-    [[maybe_unused]] const bool consistent = theory.consistent(all);
-    CHECK(consistent && "what contradicts itself enables everything");
-    std::erase_if(guards, [&](Theory::Handle g) { return theory.known_to_follow(g) || theory.known_to_fail(g); });
-    if (guards.empty()) break;
-    if (!theory.entails(store, guards.front()) && theory.allows(store, guards.front())) return std::nullopt;
-    const std::vector<Assignment>& core = theory.conflict();
-    guards.erase(guards.begin());
-    all.insert(all.end(), core.begin(), core.end());
+  for (const automata::PlantStep::Exit& exit : step.exits(component, modes[component.index()])) {
+    const auto why = reason_of(step.store(), exit.parts, modes, action, unknown, all);
+    if (!why) return std::nullopt;
+    all.insert(all.end(), why->begin(), why->end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
   }

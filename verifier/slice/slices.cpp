@@ -72,7 +72,7 @@ bool Slices::indifferent(std::size_t number) {
     times(plant_.variables[plant_.controls[i].variable].values.size());
   }
   if (combinations > most_combinations) return false;
-  IslandStore store(plant_, island);
+  automata::IslandTheory store(plant_, island);
   Modes modes(plant_.components.size(), ModeId(0));
   automata::ControlAction action(plant_.controls.size(), ValueId(0));
   for (std::size_t combination = 0; combination < combinations; ++combination) {
@@ -90,7 +90,7 @@ bool Slices::indifferent(std::size_t number) {
     for (const std::size_t i : island.support.controls) {
       action[i] = ValueId(digit(plant_.variables[plant_.controls[i].variable].values.size()));
     }
-    if (!store.possible(modes) || store.verdicts(modes, action).consistent) continue;
+    if (!store().consistent(store.assumptions(modes)) || store().consistent(store.assumptions(modes, action))) continue;
     // Other islands may say that these modes are never together.
     if (!theory_) theory_.emplace(automata::model_theory(plant_));
     if (theory_->consistent(assumed)) return false;
@@ -248,7 +248,7 @@ bool Slices::settle(const std::vector<std::size_t>& components, const std::vecto
     const auto& support = locality_.islands()[i].support.components;
     const auto last = support.empty() ? components.begin()
                                       : std::upper_bound(components.begin(), components.end(), support.back().index());
-    judged[static_cast<std::size_t>(last - components.begin())].emplace_back(plant_, locality_.islands()[i]);
+    judged[static_cast<std::size_t>(last - components.begin())].emplace_back(plant_, index_, locality_.islands()[i]);
   }
   const auto allowed = [&](std::size_t known) {
     return std::all_of(judged[known].begin(), judged[known].end(), [&](IslandStore& s) { return s.possible(modes); });
