@@ -88,9 +88,6 @@ Timing timing_from_json(const Node& node) {
       break;
   }
   if (timing.lower > timing.upper || timing.lower.is_infinite()) node.fail("lower <= upper, lower finite");
-  if (timing.upper.is_infinite() && timing.density.kind == Density::Kind::uniform) {
-    node.fail("a density other than uniform where the upper bound is infinite");
-  }
   return timing;
 }
 
@@ -133,6 +130,9 @@ Transition transition_from_json(const Node& node, const Component& component, co
   if (t.weight.value < 0) node.at("rate").fail("a rate of at least 0");
   if (component.is_fault(t) && t.weight.kind == Weight::Kind::none) node.fail("a probability or a rate: it is a fault");
   if (!component.is_fault(t) && t.weight.kind == Weight::Kind::rate) node.at("rate").fail("a rate on faults only");
+  if (!component.is_fault(t) && t.timing && t.timing->lacks_density()) {
+    node.at("timing").fail("a density other than uniform where the upper bound is infinite");
+  }
   t.branch = static_cast<std::uint32_t>(node.at("branch").index(1u << 31));
   t.origin = origin_from_json(node.at("origin"));
   return t;

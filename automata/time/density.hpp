@@ -18,17 +18,21 @@ struct Density {
 };
 
 /// The time bounds [lower, upper] of a transition, and how probability is spread between them.
-/// lower <= upper; an infinite upper bound excludes `uniform`; lower = upper is a point mass whatever the density.
+/// lower <= upper; lower = upper is a point mass whatever the density. An infinite upper bound excludes `uniform`, but
+/// for a fault: that is drawn in each step within the bounds, and its density has no meaning.
 struct Timing {
   Ticks lower;
   Ticks upper;
   Density density;
   bool operator==(const Timing&) const = default;
 
+  /// Whether it is uniform without end, which only a fault may be.
+  [[nodiscard]] bool lacks_density() const { return upper.is_infinite() && density.kind == Density::Kind::uniform; }
   /// Whether the time that is left never depends on the time that has passed: an exponential density from 0 on without
-  /// end. Nobody needs to know its clock.
+  /// end, or a fault that is possible from 0 on without end. Nobody needs to know its clock.
   [[nodiscard]] bool memoryless() const {
-    return density.kind == Density::Kind::exponential && lower == Ticks{} && upper.is_infinite();
+    using enum Density::Kind;
+    return lower == Ticks{} && upper.is_infinite() && (density.kind == exponential || density.kind == uniform);
   }
   /// 1 - G(at): the probability that the transition takes longer than `at`. In [0, 1], falling, 0 from `upper` on.
   [[nodiscard]] double survival(Ticks at) const;

@@ -148,6 +148,9 @@ void ComponentLowering::add_transitions(const grammar::TransitionText& text, Res
   common.origin = origin_of(sources_, text.span);
   if (text.guard) common.guard = resolver.resolve(*text.guard);
   if (text.timing) common.timing = timing_of(*text.timing, diagnostics_);
+  if (common.timing && has_nominal_target(text) && !check_density(*common.timing, text.timing->span, diagnostics_)) {
+    common.timing.reset();
+  }
   if (!text.braced) {
     const grammar::Branch& only = text.branches.front();
     const auto weight = only.weight ? weight_of(*only.weight, diagnostics_) : std::nullopt;
@@ -165,6 +168,13 @@ void ComponentLowering::add_transitions(const grammar::TransitionText& text, Res
     const double share = shares ? (*shares)[b] : 0;
     add_transition(text, text.branches[b], {Weight::Kind::probability, share}, common);
   }
+}
+
+bool ComponentLowering::has_nominal_target(const grammar::TransitionText& text) {
+  return std::any_of(text.branches.begin(), text.branches.end(), [&](const grammar::Branch& branch) {
+    const auto target = modes_.find(branch.target.text);
+    return target != modes_.end() && !component().modes[target->second.index()].fault;
+  });
 }
 
 void ComponentLowering::add_transition(const grammar::TransitionText& text, const grammar::Branch& branch,

@@ -33,6 +33,8 @@ class ComponentLowering {
   void constrain_modes(const grammar::ComponentDefinition& definition);
   void set_initial(const grammar::ComponentDefinition& definition);
   void add_transitions(const grammar::TransitionText& text, Resolver& resolver);
+  /// Whether it leads to a mode that is no fault: faults are drawn, whatever the density.
+  [[nodiscard]] bool has_nominal_target(const grammar::TransitionText& text);
   void add_transition(const grammar::TransitionText& text, const grammar::Branch& branch, automata::Weight weight,
                       automata::Transition common);
   /// Whether the text may say `restart`; else an error.

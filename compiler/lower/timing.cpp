@@ -102,13 +102,15 @@ std::optional<Timing> timing_of(const grammar::TimingText& text, grammar::Diagno
     diagnostics.error(Code::duration_out_of_range, text.lower.span, "the lower time bound is finite");
     return std::nullopt;
   }
-  if (upper->is_infinite() && density->kind == Density::Kind::uniform) {
-    auto& error = diagnostics.error(Code::density_required, text.span,
-                                    "an infinite upper bound needs a density: a uniform one has no end");
-    error.suggestion = "add `~ exponential(mean)`, or another density but the uniform one";
-    return std::nullopt;
-  }
   return Timing{*lower, *upper, *density};
+}
+
+bool check_density(const Timing& timing, grammar::Span span, grammar::Diagnostics& diagnostics) {
+  if (!timing.lacks_density()) return true;
+  auto& error = diagnostics.error(Code::density_required, span,
+                                  "an infinite upper bound needs a density: a uniform one has no end");
+  error.suggestion = "add `~ exponential(mean)`, or another density but the uniform one";
+  return false;
 }
 
 std::optional<Weight> weight_of(const grammar::WeightText& text, grammar::Diagnostics& diagnostics) {

@@ -81,8 +81,9 @@ plant Cabin { heater : Heater; })",
 }
 plant Cabin { heater : Heater; })"},
     CodeInfo{Code::density_required, "unbounded transition without a density",
-             "A transition with an infinite upper bound needs a density. The default is a uniform density, which needs "
-             "a finite end. Give another one, such as an exponential density.",
+             "A nominal transition with an infinite upper bound needs a density. The default is a uniform density, "
+             "which needs a finite end. Give another one, such as an exponential density. A fault needs none: it is "
+             "drawn in each step that ends within the bounds.",
              R"(component Heater {
   initial heating;
   mode heating;

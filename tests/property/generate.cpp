@@ -202,7 +202,9 @@ class PlantDraw {
       t.weight = {Weight::Kind::probability, probability};
       left -= probability;
     }
-    if (shape_.timed && chance(25)) t.timing = draw_timing();
+    if (!shape_.timed || !chance(25)) return;
+    t.timing = draw_timing();
+    if (shape_.densities && chance(25)) t.timing->upper = Ticks::infinite();  // with a density or without
   }
 
   Timing draw_timing() {

@@ -48,6 +48,13 @@ class Clocks {
     if (from == to && !restarted) return start;
     return live_only_ && !live(component, to) ? automata::Ticks{} : now;
   }
+  /// Makes `result` the components whose clocks are kept in the modes, ascending. The others have clock starts of 0.
+  void kept(const automata::Modes& modes, std::vector<std::size_t>& result) const {
+    result.clear();
+    for (std::size_t c = 0; c < modes.size(); ++c) {
+      if (!live_only_ || live(c, modes[c])) result.push_back(c);
+    }
+  }
   /// Whether the clock makes a difference in the mode.
   [[nodiscard]] bool live(std::size_t component, automata::ModeId mode) const { return live_[component][mode.index()]; }
 

@@ -94,25 +94,37 @@ std::vector<ClockMerging::Pair> ClockMerging::neighbours(const Combination& comb
   std::vector<Pair> pairs;
   std::vector<std::size_t> order(clocks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  // Side by side in memory: they are compared again and again.
+  std::vector<Ticks> starts;
+  starts.reserve(clocks.size() * varied.size());
+  for (const Clocked& clocked : clocks) {
+    for (const std::size_t c : varied) starts.push_back(clocked.starts[c]);
+  }
+  const auto start = [rows = starts.data(), width = varied.size()](std::size_t i, std::size_t v) {
+    return rows[i * width + v];
+  };
   const auto cost = [&](std::size_t i, std::size_t j, double distance) {
     return std::min(clocks[i].probability, clocks[j].probability) * std::min(distance, 1.0);
   };
   // Those that differ in one component, side by side in its order.
-  for (const std::size_t last : varied) {
-    const auto alike = [&](std::size_t i, std::size_t j) {
-      return std::all_of(varied.begin(), varied.end(),
-                         [&](std::size_t c) { return c == last || clocks[i].starts[c] == clocks[j].starts[c]; });
-    };
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-      for (const std::size_t c : varied) {
-        if (c != last && clocks[i].starts[c] != clocks[j].starts[c]) return clocks[i].starts[c] < clocks[j].starts[c];
+  for (std::size_t last = 0; last < varied.size(); ++last) {
+    const auto alike = [start, last, width = varied.size()](std::size_t i, std::size_t j) {
+      for (std::size_t v = 0; v < width; ++v) {
+        if (v != last && start(i, v) != start(j, v)) return false;
       }
-      return clocks[i].starts[last] < clocks[j].starts[last];
+      return true;
+    };
+    std::sort(order.begin(), order.end(), [start, last, width = varied.size()](std::size_t i, std::size_t j) {
+      for (std::size_t v = 0; v < width; ++v) {
+        if (v != last && start(i, v) != start(j, v)) return start(i, v) < start(j, v);
+      }
+      return start(i, last) < start(j, last);
     });
+    const std::size_t component = varied[last];
     for (std::size_t k = 1; k < order.size(); ++k) {
       const std::size_t i = order[k - 1], j = order[k];
       if (!alike(i, j)) continue;
-      const double apart = distance(last, combination.modes[last], clocks[i].starts[last], clocks[j].starts[last], now);
+      const double apart = distance(component, combination.modes[component], start(i, last), start(j, last), now);
       pairs.push_back({i, j, cost(i, j, apart)});
     }
   }
@@ -131,16 +143,8 @@ std::vector<ClockMerging::Pair> ClockMerging::neighbours(const Combination& comb
 double ClockMerging::limit(Combination& combination, std::size_t most, Ticks now) const {
   std::vector<Clocked>& clocks = combination.clocks;
   if (clocks.size() <= most) return 0;
-  std::vector<unsigned char> varies(combination.modes.size(), 0);
-  for (const Clocked& clocked : clocks) {
-    for (std::size_t c = 0; c < varies.size(); ++c) {
-      varies[c] |= static_cast<unsigned char>(clocked.starts[c] != clocks.front().starts[c]);
-    }
-  }
   std::vector<std::size_t> varied;
-  for (std::size_t c = 0; c < varies.size(); ++c) {
-    if (varies[c] != 0) varied.push_back(c);
-  }
+  find_differing(combination, clocks_, varied);
   most *= varied.size();
   if (clocks.size() <= most) return 0;
   const std::size_t enough = most - most / 8;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "automata/plant.hpp"
+#include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/combination.hpp"
 
 namespace rmpl::runtime {
@@ -20,8 +21,8 @@ namespace rmpl::runtime {
 class ClockMerging {
  public:
   /// `excluding`, by component: whether others may exclude a mode of it. Keeps references.
-  ClockMerging(const automata::Plant& plant, const std::vector<bool>& excluding)
-      : plant_(plant), excluding_(excluding) {}
+  ClockMerging(const automata::Plant& plant, const Clocks& clocks, const std::vector<bool>& excluding)
+      : plant_(plant), clocks_(clocks), excluding_(excluding) {}
 
   /// Merges clocks of a combination at `now` where they are more than `most` for each component that they tell apart;
   /// then to some fewer, so that not every step has to. Returns an upper bound of the probability, in the unit of the
@@ -38,6 +39,7 @@ class ClockMerging {
                                              automata::Ticks now) const;
 
   const automata::Plant& plant_;
+  const Clocks& clocks_;
   const std::vector<bool>& excluding_;
 };
 

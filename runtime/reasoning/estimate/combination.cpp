@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/estimate/combination.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "runtime/reasoning/estimate/belief.hpp"
@@ -44,6 +45,17 @@ Combinations combinations_of(const Belief& belief) {
   }
   put_in_order(result);
   return result;
+}
+
+void find_differing(const Combination& combination, const Clocks& clocks, std::vector<std::size_t>& result) {
+  result.clear();
+  const std::vector<Clocked>& all = combination.clocks;
+  if (all.size() == 1) return;
+  clocks.kept(combination.modes, result);
+  std::erase_if(result, [&](std::size_t c) {
+    return std::all_of(all.begin() + 1, all.end(),
+                       [&](const Clocked& clocked) { return clocked.starts[c] == all.front().starts[c]; });
+  });
 }
 
 double total(const Combinations& combinations) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "automata/state.hpp"
+#include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 namespace rmpl::runtime {
@@ -36,6 +37,10 @@ Belief states_of(const Combinations& combinations);
 
 /// The combinations of a belief, in order.
 Combinations combinations_of(const Belief& belief);
+
+/// Makes `result` the components whose clocks are not the same in all of the combination, ascending; `clocks` are those
+/// by which it was made.
+void find_differing(const Combination& combination, const Clocks& clocks, std::vector<std::size_t>& result);
 
 double total(const Combinations& combinations);
 

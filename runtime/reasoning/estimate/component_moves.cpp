@@ -65,7 +65,7 @@ const OptimalSearch::Domain& ComponentMoves::domain() const {
 
 std::size_t MoveTable::KeyHash::operator()(const Key& key) const noexcept {
   std::size_t hash = std::hash<const void*>{}(key.enabled);
-  hash = (hash ^ static_cast<std::size_t>(key.clock_start)) * 0x9e3779b97f4a7c15u;
+  hash = (hash ^ static_cast<std::size_t>(key.clock)) * 0x9e3779b97f4a7c15u;
   hash = (hash ^ static_cast<std::size_t>(key.step)) * 0x9e3779b97f4a7c15u;
   return hash ^ (hash >> 32);
 }
@@ -96,7 +96,7 @@ const ComponentMoves* MoveTable::entry(automata::PlantStep& step, Table& table, 
                                        automata::Ticks clock_start, bool timed, automata::Ticks before,
                                        automata::Ticks now) {
   const automata::Enabled& enabled = enabled_[component];
-  const Key key{&enabled, timed ? clock_start.count : 0, (now - before).count};
+  const Key key{&enabled, timed ? (now - clock_start).count : 0, (now - before).count};
   auto at = table.find(key);
   if (at == table.end()) {
     auto own = step.moves(automata::ComponentId(component), modes_[component], enabled, clock_start, before, now);

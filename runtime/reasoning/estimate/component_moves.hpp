@@ -57,7 +57,7 @@ class MoveTable {
   /// What is enabled tells component and mode, too.
   struct Key {
     const automata::Enabled* enabled;
-    std::int64_t clock_start;  ///< 0 where it does not matter
+    std::int64_t clock;  ///< its reading at the end of the step; 0 where it does not matter
     std::int64_t step;
     bool operator==(const Key&) const = default;
   };
@@ -68,7 +68,7 @@ class MoveTable {
 
  public:
   using Moves = std::vector<const ComponentMoves*>;  ///< by component
-  /// What rests on readings of clocks in one update.
+  /// What rests on readings of clocks.
   using Passing = Table;
 
   /// `ranks`: probabilities as powers of ten.
@@ -89,8 +89,12 @@ class MoveTable {
   const ComponentMoves* look_up_timed(automata::PlantStep& step, std::size_t component, automata::Ticks clock_start,
                                       automata::Ticks before, automata::Ticks now);
 
-  /// Forgets what rests on readings of clocks: no reading comes twice.
-  void forget_timed() { passing_.clear(); }
+  /// Forgets what rests on readings of clocks once that is much: where steps are alike, clocks that started one after
+  /// the other come to the same readings.
+  void limit_timed() {
+    constexpr std::size_t most = 1u << 13;
+    if (passing_.size() > most) passing_.clear();
+  }
   /// Forgets the rest, and lets go of it bit by bit, so that no single step pays for all of it.
   void forget() {
     retired_.clear();

@@ -42,9 +42,9 @@ class KBest final : public ListedFilter {
       : step_(step),
         options_(options),
         clocks_(step.plant(), options.live_clocks_only),
-        sources_(step, options_),
+        sources_(step, clocks_, options_),
         search_(clocks_, options_),
-        merging_(step.plant(), sources_.excluding()) {
+        merging_(step.plant(), clocks_, sources_.excluding()) {
     CHECK(options.k > 0);
     estimate_.modes = likeliest_initial_modes(step.plant());
     estimate_.consistent = start({});

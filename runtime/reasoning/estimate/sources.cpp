@@ -37,18 +37,6 @@ double slack_of(PossibleShare::Share share) {
   return share.value > 0 ? 1 / share.value : std::numeric_limits<double>::infinity();
 }
 
-/// The components whose clocks are not the same in all of the combination.
-void find_differing(const Combination& own, std::vector<std::size_t>& differing) {
-  differing.clear();
-  if (own.clocks.size() == 1) return;
-  const std::vector<Ticks>& first = own.clocks.front().starts;
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    const bool differs = std::any_of(own.clocks.begin() + 1, own.clocks.end(),
-                                     [&](const Clocked& clocked) { return clocked.starts[c] != first[c]; });
-    if (differs) differing.push_back(c);
-  }
-}
-
 /// For each mode the greatest probability, over every `stride`-th of the moves from `first` on.
 ComponentMoves best_of(const std::vector<const ComponentMoves*>& moves, std::size_t first, std::size_t stride) {
   std::vector<double> greatest;
@@ -96,8 +84,9 @@ std::size_t restrict_to(const std::vector<bool>& free, std::vector<std::vector<M
 Sources::Remembered::Remembered(ReadingEvidence& evidence, const MoveTable::Moves& moves, PossibleShare::Share share)
     : extensions(evidence, moves), scale(scale_by(share)), slack(slack_of(share)) {}
 
-Sources::Sources(automata::PlantStep& step, const EstimatorOptions& options)
+Sources::Sources(automata::PlantStep& step, const Clocks& clocks, const EstimatorOptions& options)
     : step_(step),
+      clocks_(clocks),
       options_(options),
       has_restarts_(automata::has_restarts(step.plant())),
       table_(step.plant(), options.ranks),
@@ -115,7 +104,7 @@ Sources::Context& Sources::context(const Observation& observation) {
 
 /// What was remembered is let go of bit by bit.
 void Sources::begin_update() {
-  table_.forget_timed();
+  table_.limit_timed();
   for (std::size_t i = 0; i < 4 * options_.k && !retired_.empty(); ++i) {
     auto& extensions = retired_.begin()->second.extensions;
     if (extensions.empty()) {
@@ -142,7 +131,7 @@ std::span<const Source> Sources::of(const Combinations& belief, const StepInput&
   restarted_.resize(std::max(restarted_.size(), belief.size()));
   for (const Combination& own : belief) {
     std::vector<std::size_t>& differing = differing_[sources_.size()];
-    find_differing(own, differing);
+    find_differing(own, clocks_, differing);
     Source& source = sources_.emplace_back(Source{&own.modes, own.clocks, own.probability, nullptr});
     source.differing = differing;
     source.restarted = restarted(own.modes, input.action, restarted_[sources_.size() - 1]);
@@ -172,7 +161,7 @@ bool Sources::of_rest(const Combinations& belief, const Combinations& before, co
     Source& source = sources_[i];
     source.modes = &own.modes;
     source.clocks = own.clocks;
-    find_differing(own, differing_[i]);
+    find_differing(own, clocks_, differing_[i]);
     source.differing = differing_[i];
     source.weight = own.probability * (source.scales.empty() ? 1 : source.scales.front());
   }

@@ -1,9 +1,8 @@
 // Where k-best searches go out from: the mode combinations of the belief, each with its extensions.
 //
 // The extensions of a combination depend on the control action, the length of the step and the readings of the clocks
-// that matter. Where no clock matters they are remembered from cycle to cycle; where one runs, no reading comes twice,
-// and they are worked out anew in the memory of the last cycle: one search for all clocks, by the best that any of them
-// promises.
+// that matter. Where no clock matters they are remembered from cycle to cycle; where one runs they are worked out anew
+// in the memory of the last cycle: one search for all clocks, by the best that any of them promises.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -29,7 +28,7 @@ namespace rmpl::runtime {
 class Sources {
  public:
   /// Keeps references.
-  Sources(automata::PlantStep& step, const EstimatorOptions& options);
+  Sources(automata::PlantStep& step, const Clocks& clocks, const EstimatorOptions& options);
 
   /// Once an update, before anything else: past the limits of memory everything is forgotten.
   void begin_update();
@@ -96,6 +95,7 @@ class Sources {
   [[nodiscard]] std::vector<bool> components_in(const std::vector<Conflict>& conflicts) const;
 
   automata::PlantStep& step_;
+  const Clocks& clocks_;
   const EstimatorOptions& options_;
   const bool has_restarts_;
   MoveTable table_;

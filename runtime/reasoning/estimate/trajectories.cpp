@@ -44,7 +44,7 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
   ways_.clear();
   cursors_.assign(sources.size(), 0);
   barriers_.assign(sources.size(), 0);
-  begin(k);
+  begin(k, sources.size());
   now_ = now;
   line_up(sources);
   if (may_tighten() && long_) tighten(sources);
@@ -71,7 +71,7 @@ void TrajectorySearch::run(std::span<const Source> sources, std::span<const Sour
 
 void TrajectorySearch::run_again(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline) {
   CHECK(repeatable_ && sources.size() == cursors_.size() && now > now_);
-  begin(k_);
+  begin(k_, sources.size());
   take_up(sources, now);
   line_up(sources);
   enumerate(sources, now, deadline);
@@ -81,8 +81,9 @@ void TrajectorySearch::run_again(std::span<const Source> sources, automata::Tick
 }
 
 /// What every run begins with, whatever it knows of its targets.
-void TrajectorySearch::begin(std::size_t k) {
+void TrajectorySearch::begin(std::size_t k, std::size_t sources) {
   k_ = k;
+  weights_.begin(sources);
   best_.clear();
   explored_ = dropped_ = unexplored_ = 0;
   checked_ = 0;
@@ -304,9 +305,7 @@ double TrajectorySearch::chance(std::uint32_t number, const Source& source, cons
     }
   }
   if (source.varied.empty() || !(source.weight > 0)) return product;
-  double sum = 0;
-  for (std::size_t e = 0; e < source.clocks.size(); ++e) sum += source.weight_into(e, to.modes);
-  return product * (sum / source.weight);
+  return product * (weights_.into(number, source, to.modes).sum / source.weight);
 }
 
 /// Clocks may each allow something else, so that a target of the best moves of all is not one of any.
@@ -337,14 +336,15 @@ void TrajectorySearch::tell(const Target& target, std::span<const Way> ways, std
   collected_.begin(result.clocks, telling_);
   for (const Way& way : ways) {
     const double worth = sources[way.source].weight * way.chance * target.factor;
-    if (worth > 0) add_clocks(result.modes, sources[way.source], worth);
+    if (worth > 0) add_clocks(result.modes, way.source, sources[way.source], worth);
   }
   collected_.end();
 }
 
 /// What the clocks of a source become, with what all of them are worth together there. They stay apart where no clock
 /// that tells them apart starts anew; where all of these do, they become one.
-void TrajectorySearch::add_clocks(const automata::Modes& modes, const Source& source, double worth) {
+void TrajectorySearch::add_clocks(const automata::Modes& modes, std::uint32_t number, const Source& source,
+                                  double worth) {
   entered_.clear();
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const automata::ModeId from = (*source.modes)[c], to = modes[c];
@@ -361,14 +361,10 @@ void TrajectorySearch::add_clocks(const automata::Modes& modes, const Source& so
   };
   const std::size_t before = collected_.size();
   if (moved == source.differing.size()) return add(0, before, worth);
-  shares_.clear();
-  double sum = 0;
-  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
-    shares_.push_back(source.weight_into(e, modes));
-    sum += shares_.back();
-  }
-  for (std::size_t e = 0; e < source.clocks.size(); ++e) {
-    if (shares_[e] > 0) add(e, moved == 0 ? before : collected_.size(), worth * shares_[e] / sum);
+  const ClockWeights::Weights& weights = weights_.into(number, source, modes);
+  for (std::size_t e = 0; e < weights.by_clock.size(); ++e) {
+    const double own = weights.by_clock[e];
+    if (own > 0) add(e, moved == 0 ? before : collected_.size(), worth * own / weights.sum);
   }
 }
 

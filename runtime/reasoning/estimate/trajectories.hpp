@@ -10,6 +10,7 @@
 
 #include "runtime/reasoning/estimate/belief.hpp"
 #include "runtime/reasoning/estimate/clock_collector.hpp"
+#include "runtime/reasoning/estimate/clock_weights.hpp"
 #include "runtime/reasoning/estimate/combination.hpp"
 #include "runtime/reasoning/estimate/extensions.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
@@ -86,7 +87,7 @@ class TrajectorySearch {
   bool enough_found(std::span<const Source> sources);
   void tighten(std::span<const Source> sources);
   double unexplored(std::span<const Source> sources);
-  void begin(std::size_t k);
+  void begin(std::size_t k, std::size_t sources);
   void take_up(std::span<const Source> sources, automata::Ticks now);
   void enumerate(std::span<const Source> sources, automata::Ticks now, const Deadline& deadline);
   std::pair<Target*, bool> reach(const Source& source, const Extension& extension, automata::Ticks now);
@@ -94,7 +95,7 @@ class TrajectorySearch {
   void weigh(Target& target, std::span<const Way> ways, std::span<const Source> sources) const;
   double chance(std::uint32_t number, const Source& source, const Target& target, automata::Ticks now);
   void tell(const Target& target, std::span<const Way> ways, std::span<const Source> sources, Combination& result);
-  void add_clocks(const automata::Modes& modes, const Source& source, double worth);
+  void add_clocks(const automata::Modes& modes, std::uint32_t number, const Source& source, double worth);
   void note(double worth);
   void keep(std::span<const Source> sources);
   void rebuild_index(std::size_t slots);
@@ -129,13 +130,13 @@ class TrajectorySearch {
   bool cut_ = false;
   /// The last run was long, so that the next one takes the observation factor into account at once.
   bool long_ = false;
-  bool tight_ = false;        ///< the sources were told to take the observation factor into account, or need not
-  Combinations kept_;         ///< its memory serves the next run
-  ClockCollector collected_;  ///< of the target that is being told,
+  bool tight_ = false;  ///< the sources were told to take the observation factor into account, or need not
+  Combinations kept_;   ///< its memory serves the next run
+  ClockWeights weights_;
+  ClockCollector collected_;          ///< of the target that is being told,
   std::vector<std::size_t> telling_;  ///< and the components whose clocks matter there
   std::vector<std::pair<std::size_t, automata::Ticks>>
-      entered_;                 ///< components that a way moves, and their clock starts
-  std::vector<double> shares_;  ///< by clock of a source, for one target
+      entered_;  ///< components that a way moves, and their clock starts
   double lost_ = 0;
 };
 

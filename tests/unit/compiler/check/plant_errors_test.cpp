@@ -115,6 +115,8 @@ TEST_F(PlantErrors, FaultsThatExcludeEachOtherMaySumAboveOne) {
 TEST_F(PlantErrors, TimeBounds) {
   EXPECT_THAT(in_component("m -> n in [60 s, 30 s];"), ElementsAre("RMPL0202 p.tcca:2:12"));
   EXPECT_THAT(in_component("m -> n in [60 s, inf];"), ElementsAre("RMPL0203 p.tcca:2:8"));
+  EXPECT_THAT(in_component("m -> { n with 0.9, f with 0.1 } in [60 s, inf];"), ElementsAre("RMPL0203 p.tcca:2:33"));
+  EXPECT_THAT(in_component("m -> f in [60 s, inf] with rate 1 /h;"), IsEmpty());
   EXPECT_THAT(in_component("m -> n in [60 s, inf] ~ exponential(0 s);"), ElementsAre("RMPL0213 p.tcca:2:37"));
   EXPECT_THAT(in_component("m -> n in [60 s, inf] ~ normal(60 s, 0 s);"), ElementsAre("RMPL0213 p.tcca:2:38"));
   EXPECT_THAT(in_component("m -> n in [0, inf] ~ weibull(0, 60 s);"), ElementsAre("RMPL0213 p.tcca:2:30"));
