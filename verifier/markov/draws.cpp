@@ -21,6 +21,8 @@ namespace {
 /// precision, but for densities that take series or special functions.
 constexpr Real error_of_move = 2e-14L;
 constexpr Real error_of_series = 4e-12L;
+/// What faults take of a step at most, where it is told apart from the rest.
+constexpr Real few = 0.5L;
 
 using Option = DrawOption;
 
@@ -75,6 +77,13 @@ class Product {
     return scaled();
   }
 
+  /// Not scaled, with what is impossible.
+  Draws part() {
+    tell_impossible_ = true;
+    descend(0, certain(), faults_);
+    return sorted();
+  }
+
  private:
   void descend(std::size_t at, const Enclosure& so_far, unsigned faults) {
     if (left_out_.faults_beyond && faults > *left_out_.faults_beyond) return leave_out(so_far);
@@ -103,6 +112,7 @@ class Product {
       result_.outcomes.push_back({modes_, probability, faults});
     } else {
       impossible_ = true;
+      if (tell_impossible_) result_.impossible.push_back(modes_);
     }
   }
 
@@ -135,6 +145,7 @@ class Product {
   const std::vector<std::vector<Option>>& options_;
   const LeftOut& left_out_;
   Meter& meter_;
+  bool tell_impossible_ = false;
   std::vector<std::size_t> open_;  ///< components with more than one option
   Modes modes_;
   unsigned faults_ = 0;  ///< of the others
@@ -156,11 +167,8 @@ std::vector<Option> options_in(const Component& component, ModeId mode, const st
 StepDraws::StepDraws(automata::PlantStep& step, Modes modes, automata::AllEnabled enabled, automata::Ticks period)
     : step_(step), modes_(std::move(modes)), enabled_(std::move(enabled)), period_(period), options_(modes_.size()) {
   for (std::size_t c = 0; c < modes_.size(); ++c) {
-    if (automata::clock_matters(step.plant().components[c], enabled_[c])) {
-      timed_.push_back(c);
-    } else {
-      options_[c] = options_of(c, 0);
-    }
+    timed_.push_back(automata::clock_matters(step.plant().components[c], enabled_[c]));
+    if (!timed_[c]) options_[c] = options_of(c, 0);
   }
 }
 
@@ -172,9 +180,81 @@ std::vector<Option> StepDraws::options_of(std::size_t c, Units age) const {
   return options_in(component, modes_[c], moves, error);
 }
 
+bool StepDraws::enables_as(const StepDraws& other, std::size_t c) const {
+  const Enabled& a = enabled_[c];
+  const Enabled& b = other.enabled_[c];
+  return &a == &b || (a.faults == b.faults && a.untimed == b.untimed && a.timed == b.timed);
+}
+
+std::vector<ModeId> StepDraws::nominal(std::size_t c) const {
+  const std::vector<automata::Transition>& transitions = step_.plant().components[c].transitions;
+  std::vector<ModeId> result;
+  for (const automata::TransitionId t : enabled_[c].untimed) result.push_back(transitions[t.index()].to);
+  if (!result.empty()) return result;
+  result.push_back(modes_[c]);
+  for (const automata::TransitionId t : enabled_[c].timed) result.push_back(transitions[t.index()].to);
+  return result;
+}
+
+std::optional<std::vector<DrawOption>> StepDraws::faults(std::size_t c) const {
+  const Component& component = step_.plant().components[c];
+  const std::vector<ModeId> others = nominal(c);
+  std::vector<Option> result;
+  Real faulty = 0;
+  for (const automata::TransitionId id : enabled_[c].faults) {
+    const automata::Transition& t = component.transitions[id.index()];
+    if (t.timing || std::find(others.begin(), others.end(), t.to) != others.end()) return std::nullopt;
+    const Real p = static_cast<Real>(t.weight.fault_probability(period_));
+    const Enclosure bounds = outward({p * (1 - error_of_move), p * (1 + error_of_move)}, 2);
+    faulty += bounds.upper;
+    const auto known = std::find_if(result.begin(), result.end(), [&](const Option& o) { return o.mode == t.to; });
+    if (known != result.end()) {
+      known->probability = known->probability + bounds;
+    } else {
+      result.push_back({t.to, bounds, component.modes[t.to.index()].fault ? 1u : 0u});
+    }
+  }
+  if (faulty > few) return std::nullopt;
+  return result;
+}
+
+bool StepDraws::decides(std::size_t c, Units age) const {
+  if (!timed_[c] || !enabled_[c].untimed.empty()) return false;
+  const std::vector<ModeId> modes = nominal(c);
+  const std::vector<Option> options = options_of(c, age);
+  return std::count_if(options.begin(), options.end(), [&](const Option& option) {
+           return std::find(modes.begin(), modes.end(), option.mode) != modes.end();
+         }) > 1;
+}
+
+std::vector<Option> StepDraws::joined_options(std::size_t c) const {
+  std::vector<Option> result = *faults(c);
+  Enclosure faulty;
+  for (const Option& option : result) faulty = faulty + option.probability;
+  const Enclosure share = result.empty() ? certain() : outward({1 - faulty.upper, 1 - faulty.lower}, 1);
+  result.insert(result.begin(), Option{nominal(c).front(), as_probability(share), 0});
+  return result;
+}
+
 Draws StepDraws::at(const std::vector<Units>& ages, const LeftOut& left_out, Meter& meter) {
-  for (const std::size_t c : timed_) options_[c] = options_of(c, ages[c]);
+  for (std::size_t c = 0; c < ages.size(); ++c) {
+    if (timed_[c]) options_[c] = options_of(c, ages[c]);
+  }
   return Product(step_, options_, left_out, meter).run();
+}
+
+Draws StepDraws::part(const Modes& timed, const std::vector<bool>& joined, const LeftOut& left_out,
+                      Meter& meter) const {
+  std::vector<std::vector<Option>> options = options_;
+  for (std::size_t c = 0; c < timed.size(); ++c) {
+    if (joined[c]) {
+      options[c] = joined_options(c);
+    } else if (timed_[c]) {
+      const bool fault = timed[c] != modes_[c] && step_.plant().components[c].modes[timed[c].index()].fault;
+      options[c] = {{timed[c], certain(), fault ? 1u : 0u}};
+    }
+  }
+  return Product(step_, options, left_out, meter).part();
 }
 
 /// At any age one of these is a mixture of them. Where the clock has nothing to do with faults, they are the same in
@@ -197,7 +277,6 @@ std::vector<std::vector<Option>> StepDraws::extremes_of(std::size_t c) const {
     faulty = faulty + faults.back().probability;
     apart = apart && !transition(t).timing;
   }
-  constexpr Real few = 0.5L;
   apart = apart && faulty.upper < few;
   if (apart && !enabled.untimed.empty()) return {options_of(c, 0)};
   std::vector<ModeId> modes;
@@ -221,7 +300,8 @@ std::vector<std::vector<Option>> StepDraws::extremes_of(std::size_t c) const {
 std::vector<Draws> StepDraws::extremes(Meter& meter) {
   constexpr std::size_t most = 64;
   std::vector<std::vector<std::vector<Option>>> combinations{options_};
-  for (const std::size_t c : timed_) {
+  for (std::size_t c = 0; c < timed_.size(); ++c) {
+    if (!timed_[c]) continue;
     const std::vector<std::vector<Option>> own = extremes_of(c);
     std::vector<std::vector<std::vector<Option>>> longer;
     for (const auto& one : combinations) {

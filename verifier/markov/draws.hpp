@@ -21,8 +21,9 @@ struct Draw {
 
 /// All that a step may lead to. Nothing at all: nothing can follow.
 struct Draws {
-  std::vector<Draw> outcomes;  ///< each once, the likelier ones first
-  Real left_out = 0;           ///< at most the probability of what is not listed
+  std::vector<Draw> outcomes;                    ///< each once, the likelier ones first
+  Real left_out = 0;                             ///< at most the probability of what is not listed
+  std::vector<automata::Modes> impossible = {};  ///< of a part: what contradicts the interconnections
 };
 
 /// What is not listed.
@@ -36,6 +37,7 @@ struct DrawOption {
   automata::ModeId mode;
   Enclosure probability;
   unsigned faults = 0;
+  bool operator==(const DrawOption&) const = default;
 };
 
 /// The step from some modes under a command, which they permit, whatever clocks read. Keeps a reference.
@@ -50,8 +52,29 @@ class StepDraws {
   /// What may be drawn at any ages is a mixture of these, with nothing left out. Nothing where there are too many.
   std::vector<Draws> extremes(Meter& meter);
 
+  /// Whether the same is enabled in a component.
+  [[nodiscard]] bool enables_as(const StepDraws& other, std::size_t component) const;
+  /// Whether what a component may do depends on its clock.
+  [[nodiscard]] bool is_timed(std::size_t component) const { return timed_[component]; }
+  /// What a component may do at that age, in periods, the likelier first.
+  [[nodiscard]] std::vector<DrawOption> options(std::size_t component, Units age) const {
+    return options_of(component, age);
+  }
+  /// What all draw, not scaled, where the timed components come to these modes for certain, but for those that are
+  /// `joined`, by component: all that such a one may do but for faults is one outcome, told as the first of `nominal`.
+  [[nodiscard]] Draws part(const automata::Modes& timed, const std::vector<bool>& joined, const LeftOut& left_out,
+                           Meter& meter) const;
+  /// The modes that a component may come to, or stay in, without a fault, whatever its clock reads.
+  [[nodiscard]] std::vector<automata::ModeId> nominal(std::size_t component) const;
+  /// The faults that a component may take; nothing where they depend on its clock, or are not few, or lead where it
+  /// may come to without one.
+  [[nodiscard]] std::optional<std::vector<DrawOption>> faults(std::size_t component) const;
+  /// Whether its clock decides between what it may do without a fault at that age.
+  [[nodiscard]] bool decides(std::size_t component, Units age) const;
+
  private:
   [[nodiscard]] std::vector<DrawOption> options_of(std::size_t component, Units age) const;
+  [[nodiscard]] std::vector<DrawOption> joined_options(std::size_t component) const;
   [[nodiscard]] std::vector<std::vector<DrawOption>> extremes_of(std::size_t component) const;
 
   automata::PlantStep& step_;
@@ -59,7 +82,7 @@ class StepDraws {
   automata::AllEnabled enabled_;
   automata::Ticks period_;
   std::vector<std::vector<DrawOption>> options_;  ///< by component
-  std::vector<std::size_t> timed_;                ///< components whose options depend on their clocks
+  std::vector<bool> timed_;                       ///< by component: its options depend on its clock
 };
 
 /// The same at an instant, in which rates and densities weigh nothing: of faults only those with a probability a step

@@ -14,8 +14,6 @@ namespace {
 
 /// A row is worked out for outcomes that are so much less likely than is asked for, as masses grow.
 constexpr Real finer_than_asked = 64;
-/// What is left out of a row is as if it were wanted, in each of many steps.
-constexpr Real many_steps = 1024;
 
 }  // namespace
 
@@ -105,8 +103,8 @@ Real Front::find_worths(Units now) {
 
 void Front::leave(Units now) {
   for (const auto& [point, mass] : points_) {
-    const KnownRow& next = rows_.of(point.state, ignored_ / (mass.upper * many_steps));
-    Real rest = next.row.left_out;
+    const KnownRow& next = rows_.of(point.state, ignored_ / mass.upper);
+    Real rest = rounding::up(next.row.left_out + next.row.foreseen.within(last_ - now), 1);
     for (std::size_t e = 0; e < next.row.edges.size(); ++e) {
       const Branch& edge = next.row.edges[e];
       const Enclosure part = mass * edge.probability;

@@ -16,7 +16,7 @@ class RowMemory {
  public:
   /// Keeps references.
   RowMemory(Process& process, KnownRows& known) : process_(process), known_(known) {}
-  /// With all outcomes that are as likely as that. The reference lasts until the next call.
+  /// With all outcomes that matter as much as that (`Process::rows`). The reference lasts until the next call.
   const KnownRow& of(StateNumber state, Real less_likely_than);
 
  private:

@@ -82,7 +82,7 @@ const std::vector<Row>& PlantProcess::rows(StateNumber number_of_state, Real les
   rows_.clear();
   const State state = states_[number_of_state];
   LeftOut left_out = walked_.left_out;
-  left_out.less_likely_than = std::max(left_out.less_likely_than, less_likely_than);
+  left_out.less_likely_than = std::max(left_out.less_likely_than, less_likely_than / many_steps);
   if (left_out.faults_beyond) *left_out.faults_beyond -= state.faults;
   for (const ControlAction& action : actions_) {
     const automata::AllEnabled* enabled = step_.enabled_if_permitted(state.modes, action);
@@ -93,6 +93,11 @@ const std::vector<Row>& PlantProcess::rows(StateNumber number_of_state, Real les
     Row row;
     row.left_out = drawn.left_out;
     for (const Draw& draw : drawn.outcomes) {
+      const Prospect prospect = prospect_of(walked_, draw.modes);
+      if (draw.probability.upper * prospect.within(walked_.steps) < less_likely_than) {
+        row.foreseen.add(draw.probability.upper, prospect);
+        continue;
+      }
       std::vector<Units> ages;
       Passage passage;
       std::size_t clock = 0;  // of this state
@@ -110,11 +115,11 @@ const std::vector<Row>& PlantProcess::rows(StateNumber number_of_state, Real les
       row.edges.push_back({to, draw.probability, number(passage, clock)});
     }
     const bool known = std::any_of(rows_.begin(), rows_.end(), [&](const Row& other) {
-      return other.left_out == row.left_out && std::equal(other.edges.begin(), other.edges.end(), row.edges.begin(),
-                                                          row.edges.end(), [](const Branch& a, const Branch& b) {
-                                                            return a.to == b.to && a.probability == b.probability &&
-                                                                   a.passage == b.passage;
-                                                          });
+      return other.left_out == row.left_out && other.foreseen == row.foreseen &&
+             std::equal(other.edges.begin(), other.edges.end(), row.edges.begin(), row.edges.end(),
+                        [](const Branch& a, const Branch& b) {
+                          return a.to == b.to && a.probability == b.probability && a.passage == b.passage;
+                        });
     });
     if (!known) rows_.push_back(std::move(row));
   }

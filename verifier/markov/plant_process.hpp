@@ -23,7 +23,11 @@ struct Walked {
   bool for_ever = false;
   Units longest_in_state = 0;            ///< clocks are kept apart on which nothing depends for more steps
   const Prospects* prospects = nullptr;  ///< null: nothing is known of them
+  Units steps = unbounded;               ///< how many matter
 };
+
+/// What is unknown of a row is as if it were wanted, in each of many steps.
+inline constexpr Real many_steps = 1024;
 
 inline Prospect prospect_of(const Walked& walked, const automata::Modes& modes) {
   return walked.prospects == nullptr ? Prospect{} : walked.prospects->of(modes);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t answers_remembered = std::size_t{1} << 16;
 /// Of what is walked: first what is less likely than this is left out, then less and less.
-constexpr Real first_ignored = 1e-12L;
+constexpr Real first_ignored = 1e-10L;
 constexpr Real least_ignored = 1e-60L;
 /// Once something is known of the probability, such parts of what bounds may be apart are left out at will: of all, and
 /// of an episode, within which others may begin.
@@ -110,6 +110,10 @@ class Decision {
       answer_.startless = process->initial().empty();
       const Real now = result.probability.upper - result.probability.lower;
       if (is_within(result.probability, precision())) return;
+      if (process->tells_more_apart()) {
+        known.clear();
+        continue;
+      }
       if (question_.faults && width && now > *width / 2) return;
       width = now;
       tolerance.ignored = less_than(tolerance.ignored, result.probability);
@@ -119,13 +123,15 @@ class Decision {
     }
   }
 
-  /// What to leave out in the next round: the further apart bounds are, the less. Coincidences grow rarer in steps.
+  /// What to leave out in the next round: where the probability is known by half, what many such things may sum up to;
+  /// else the less, the further apart bounds are.
   [[nodiscard]] Real less_than(Real ignored, const Enclosure& found) const {
     constexpr Real least_factor = 1e3L;
     constexpr Real greatest_factor = 1e9L;
+    constexpr Real many = 1e7L;
+    if (found.lower > found.upper / 2) return std::min(ignored / least_factor, precision() * found.lower / many);
     const Real apart = (found.upper - found.lower) / (precision() * found.upper);
-    constexpr Real more = 16;
-    return ignored / std::clamp(more * apart * apart, least_factor, greatest_factor);
+    return ignored / std::clamp(apart * apart, least_factor, greatest_factor);
   }
 
   void note(const std::vector<Reached>& reached, Likelihood& result) const {
@@ -186,7 +192,8 @@ Walked walked_of(automata::PlantStep& step, const ProbabilityQuestion& question)
           .left_out = {},
           .for_ever = !question.within || question.mean_time,
           .longest_in_state = longest_in_state,
-          .prospects = nullptr};
+          .prospects = nullptr,
+          .steps = question.within ? steps_of(question).back() : unbounded};
 }
 
 /// Where there is an end by which they tell something.
@@ -246,7 +253,7 @@ ProbabilityAnswer probability(const automata::Program& program, automata::PlantS
     const auto prospects = prospects_of(step.plant(), question, Commands::any, meter);
     walked.prospects = prospects.get();
     const auto make = [&](const Walked& own, bool apart) -> std::unique_ptr<Process> {
-      return std::make_unique<LoopProcess>(loop, step, own, apart, meter);
+      return std::make_unique<LoopProcess>(loop, step, own, apart, apart, meter);
     };
     return Decision(question, walked, make, meter).run(true);
   });

@@ -32,12 +32,6 @@ struct Branch {
   std::uint32_t passage = 0;  ///< what becomes of long clocks, a number of the process; 0: they go on
 };
 
-/// What one choice leads to. Neither edges nor anything left out: nothing can follow.
-struct Row {
-  std::vector<Branch> edges;  ///< the likelier ones first
-  Real left_out = 0;          ///< at most the probability of what the edges do not lead to
-};
-
 /// At most how likely it is to come to what is wanted: once and for all, and for each step more.
 struct Prospect {
   Real once = 1;
@@ -47,6 +41,23 @@ struct Prospect {
     const Real all = once + each_step * static_cast<Real>(std::max<Units>(steps, 0));
     return std::min<Real>(rounding::up(all, 2), 1);
   }
+  bool operator==(const Prospect&) const = default;
+  /// Of one of two, nobody knows which.
+  [[nodiscard]] Prospect operator|(const Prospect& other) const {
+    return {std::max(once, other.once), std::max(each_step, other.each_step)};
+  }
+  /// One more that is so likely to come into question.
+  void add(Real probability, const Prospect& other) {
+    once = rounding::up(once + probability * other.once, 2);
+    each_step = rounding::up(each_step + probability * other.each_step, 2);
+  }
+};
+
+/// What one choice leads to. Nothing at all: nothing can follow.
+struct Row {
+  std::vector<Branch> edges;  ///< the likelier ones first
+  Real left_out = 0;          ///< at most the probability of what is not known
+  Prospect foreseen{0, 0};    ///< of what else the edges do not lead to, from the end of the step on
 };
 
 class Process {
@@ -61,13 +72,16 @@ class Process {
     Enclosure probability;
   };
   virtual std::vector<Start> initial() = 0;
-  /// A row for each choice; outcomes that are less likely than that may be left out. The reference lasts until the next
-  /// call. Throws LimitReached.
+  /// A row for each choice. Outcomes may be left out from which it is less likely than that to come to what is wanted,
+  /// as far as that is foreseen. The reference lasts until the next call. Throws LimitReached.
   virtual const std::vector<Row>& rows(StateNumber state, Real less_likely_than) = 0;
   /// Whether it is a state that the question asks for.
   virtual bool wanted(StateNumber state) = 0;
   /// From a state on, whatever clocks read.
   virtual Prospect prospect(StateNumber /*state*/) { return {}; }
+  /// Whether states had been taken for one that are not. What followed such a state was left out. From now on they are
+  /// told apart; numbers of states are void.
+  virtual bool tells_more_apart() { return false; }
   /// How many states have been met.
   [[nodiscard]] virtual std::size_t states() const = 0;
 

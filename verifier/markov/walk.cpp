@@ -119,7 +119,7 @@ class Walk {
       // Of all steps together.
       const Real least = ignored_ / (likely[i] * steps * finer);
       const KnownRow& next = rows_.of(point.state, least);
-      own.unknown = next.row.left_out;
+      own.unknown = rounding::up(next.row.left_out + next.row.foreseen.within(last_ - now_), 1);
       for (std::size_t e = 0; e < next.row.edges.size(); ++e) {
         const Branch& edge = next.row.edges[e];
         if (e < next.wanted) {

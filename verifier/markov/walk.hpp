@@ -25,7 +25,7 @@ struct Tolerance {
 /// What a state leads to, as far as it has been worked out.
 struct KnownRow {
   Row row;                          ///< edges to what is wanted come first
-  Real less_likely_than = 0;        ///< outcomes of less may be left out
+  Real less_likely_than = 0;        ///< that `Process::rows` was asked for
   std::size_t wanted = 0;           ///< how many of the edges lead to what is wanted
   std::vector<Prospect> prospects;  ///< by edge, of where it leads
 };
