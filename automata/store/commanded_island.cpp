@@ -8,12 +8,13 @@
 namespace rmpl::automata {
 
 CommandedIsland::CommandedIsland(const Plant& plant, const PlantIndex& index, const Island& island, bool excludes)
-    : theory_(plant, island),
-      consistent_(plant, index, island, excludes, Locality::Commanded::yes),
-      verdicts_(plant, island.support) {}
+    : theory_(plant, island), verdicts_(plant, island.support) {
+  if (excludes) consistent_.emplace(plant, index, island, Locality::Commanded::yes);
+}
 
 bool CommandedIsland::consistent(const Modes& modes, const ControlAction& action) {
-  return consistent_.find(modes, action, [&] { return theory_().consistent(theory_.assumptions(modes, action)); });
+  if (!consistent_) return true;
+  return consistent_->find(modes, action, [&] { return theory_().consistent(theory_.assumptions(modes, action)); });
 }
 
 CommandedIsland::Verdicts& CommandedIsland::verdicts(const Modes& modes, const ControlAction& action) {

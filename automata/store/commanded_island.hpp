@@ -63,7 +63,7 @@ class CommandedIsland {
 
  private:
   IslandTheory theory_;
-  Consistency consistent_;
+  std::optional<Consistency> consistent_;  ///< where something may contradict the island
   Memory<Verdicts> verdicts_;
 };
 

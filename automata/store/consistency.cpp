@@ -15,13 +15,9 @@ constexpr std::size_t most_commands = 64;
 
 }  // namespace
 
-Consistency::Consistency(const Plant& plant, const PlantIndex& index, const Island& island, bool excludes,
+Consistency::Consistency(const Plant& plant, const PlantIndex& index, const Island& island,
                          Locality::Commanded commanded)
     : plant_(plant), index_(index), island_(island) {
-  if (!excludes) {
-    any_.emplace(Answers{true, {plant, {}}});
-    return;
-  }
   if (commanded == Locality::Commanded::no) {
     any_.emplace(folded({}));
     return;

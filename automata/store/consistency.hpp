@@ -20,10 +20,8 @@ namespace rmpl::automata {
 /// Remembers the answers of one island. Keeps references.
 class Consistency {
  public:
-  /// `excludes`: whether anything may contradict the island. `commanded`: whether the command is known; else its
-  /// controls are attributes of the island, with any values.
-  Consistency(const Plant& plant, const PlantIndex& index, const Island& island, bool excludes,
-              Locality::Commanded commanded);
+  /// `commanded`: whether the command is known; else its controls are attributes of the island, with any values.
+  Consistency(const Plant& plant, const PlantIndex& index, const Island& island, Locality::Commanded commanded);
 
   /// The remembered answer, or `ask()`, which is then remembered. The action is looked at where it is known.
   template <class Ask>

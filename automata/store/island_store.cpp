@@ -10,16 +10,15 @@
 namespace rmpl::automata {
 
 IslandStore::IslandStore(const Plant& plant, const PlantIndex& index, const Island& island)
-    : excludes_(!is_total(plant, island)),
-      theory_(plant, island),
-      possible_(plant, index, island, excludes_, Locality::Commanded::no),
-      factors_(plant, {island.support.components, {}}) {
+    : theory_(plant, island), factors_(plant, {island.support.components, {}}) {
+  if (!is_total(plant, island)) possible_.emplace(plant, index, island, Locality::Commanded::no);
   const auto& components = island.support.components;
   if (components.size() <= 1) by_mode_.resize(components.empty() ? 1 : plant[components.front()].modes.size());
 }
 
 bool IslandStore::possible(const Modes& modes) {
-  return possible_.find(modes, ControlAction{}, [&] { return theory_().consistent(theory_.assumptions(modes)); });
+  if (!possible_) return true;
+  return possible_->find(modes, ControlAction{}, [&] { return theory_().consistent(theory_.assumptions(modes)); });
 }
 
 std::vector<ComponentId> IslandStore::conflict(const Modes& modes) {

@@ -29,7 +29,7 @@ class IslandStore {
   IslandStore(const Plant& plant, const PlantIndex& index, const Island& island);
 
   /// Whether there are modes and controls that the constraints exclude, as far as can be seen.
-  [[nodiscard]] bool excludes() const { return excludes_; }
+  [[nodiscard]] bool excludes() const { return possible_.has_value(); }
   /// Makes the theory beforehand, so that no question has to.
   void prepare() { theory_(); }
 
@@ -52,11 +52,10 @@ class IslandStore {
   static constexpr std::size_t observations_remembered = 1u << 12;
   [[nodiscard]] double weigh(const Modes& modes);
 
-  bool excludes_;
   IslandTheory theory_;
-  Consistency possible_;
-  std::vector<Assignment> readings_;  ///< of the theory's variables
-  std::uint64_t seen_ = 0;            ///< a number that the readings have, and no others
+  std::optional<Consistency> possible_;  ///< where something may contradict the island
+  std::vector<Assignment> readings_;     ///< of the theory's variables
+  std::uint64_t seen_ = 0;               ///< a number that the readings have, and no others
   std::uint64_t seen_so_far_ = 0;
   base::BoundedCache<std::vector<std::uint64_t>, std::uint64_t> seen_before_{observations_remembered};
   Memory<double> factors_;  ///< by modes and readings
