@@ -202,9 +202,7 @@ class PlantDraw {
       t.weight = {Weight::Kind::probability, probability};
       left -= probability;
     }
-    if (!shape_.timed || !chance(25)) return;
-    t.timing = draw_timing();
-    if (shape_.densities && chance(25)) t.timing->upper = Ticks::infinite();  // with a density or without
+    if (shape_.timed && chance(25)) t.timing = draw_timing();
   }
 
   Timing draw_timing() {
