@@ -204,6 +204,7 @@ Formula KnownAttributes::equality_of(VariableId one, VariableId other, std::opti
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   std::vector<Formula> cases;
+  cases.reserve(values.size());
   for (const ValueId value : values) {
     cases.push_back(folded({member_of(one, {value}, under), member_of(other, {value}, under)}, true));
   }

@@ -314,6 +314,7 @@ std::vector<Draws> StepDraws::extremes(Meter& meter) {
     combinations = std::move(longer);
   }
   std::vector<Draws> result;
+  result.reserve(combinations.size());
   const LeftOut nothing;
   for (const auto& options : combinations) result.push_back(Product(step_, options, nothing, meter).run());
   return result;

@@ -161,6 +161,7 @@ Branch LoopProcess::branch_to(const State& state, const Cycles& cycles, const Ne
 LoopProcess::Part LoopProcess::work_out(const Cycles& cycles, const std::vector<Units>& ages, const Modes& timed,
                                         const LeftOut& left_out) {
   std::vector<bool> joined_ones;
+  joined_ones.reserve(ages.size());
   for (const Units age : ages) joined_ones.push_back(age == joined);
   Draws drawn = cycles.front()->draws.part(timed, joined_ones, left_out, meter_);
   Part result;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t answers_remembered = std::size_t{1} << 16;
 /// Of what is walked: first what is less likely than this is left out, then less and less.
-constexpr Real first_ignored = 1e-10L;
+constexpr Real first_ignored = 1e-12L;
 constexpr Real least_ignored = 1e-60L;
 /// Once something is known of the probability, such parts of what bounds may be apart are left out at will: of all, and
 /// of an episode, within which others may begin.
