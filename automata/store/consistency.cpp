@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "automata/store/consistency.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "automata/dependencies/known_attributes.hpp"
@@ -54,13 +53,11 @@ Consistency::Answers Consistency::folded(const std::vector<Assignment>& command)
   Support support;
   for (const std::size_t left : elimination.left()) {
     const Constraint& constraint = known.constraints()[left];
-    if (constraint.under) support.components.push_back(*index_.component_of(constraint.under->variable));
+    if (constraint.under) support.join({{*index_.component_of(constraint.under->variable)}, {}});
     for (const VariableId v : variables_of(constraint.formula)) {
-      if (const auto component = index_.component_of(v)) support.components.push_back(*component);
+      if (const auto component = index_.component_of(v)) support.join({{*component}, {}});
     }
   }
-  std::sort(support.components.begin(), support.components.end());
-  support.components.erase(std::unique(support.components.begin(), support.components.end()), support.components.end());
   return {elimination.left().empty(), {plant_, support}};
 }
 
