@@ -4,29 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "automata/logic/folding.hpp"
+
 namespace rmpl::automata {
 namespace {
 
 /// How many pairs of a mode and a value one constraint is evaluated for.
 constexpr std::size_t most_pairs = 1u << 12;
-
-Formula not_of(Formula operand) {
-  if (operand.kind == Formula::Kind::constant) return constant(!operand.truth);
-  return negation(std::move(operand));
-}
-
-/// A conjunction, or a disjunction, without constants.
-Formula folded(std::vector<Formula> operands, bool conjunctive) {
-  std::vector<Formula> rest;
-  for (Formula& operand : operands) {
-    if (operand.kind != Formula::Kind::constant) {
-      rest.push_back(std::move(operand));
-    } else if (operand.truth != conjunctive) {
-      return constant(!conjunctive);
-    }
-  }
-  return conjunctive ? conjunction(std::move(rest)) : disjunction(std::move(rest));
-}
 
 }  // namespace
 
@@ -206,42 +190,20 @@ Formula KnownAttributes::equality_of(VariableId one, VariableId other, std::opti
   std::vector<Formula> cases;
   cases.reserve(values.size());
   for (const ValueId value : values) {
-    cases.push_back(folded({member_of(one, {value}, under), member_of(other, {value}, under)}, true));
+    cases.push_back(
+        folded(Formula::Kind::conjunction, {member_of(one, {value}, under), member_of(other, {value}, under)}));
   }
-  return folded(std::move(cases), false);
+  return folded(Formula::Kind::disjunction, std::move(cases));
 }
 
 Formula KnownAttributes::rewritten(const Formula& formula, std::optional<Assignment> under) const {
+  if (formula.kind == Formula::Kind::member) return member_of(formula.variable, formula.values, under);
+  if (formula.kind == Formula::Kind::equality) return equality_of(formula.variable, formula.other, under);
+  if (formula.operands.empty() || formula.kind == Formula::Kind::knowledge) return formula;
   std::vector<Formula> operands;
+  operands.reserve(formula.operands.size());
   for (const Formula& operand : formula.operands) operands.push_back(rewritten(operand, under));
-  switch (formula.kind) {
-    case Formula::Kind::member:
-      return member_of(formula.variable, formula.values, under);
-    case Formula::Kind::equality:
-      return equality_of(formula.variable, formula.other, under);
-    case Formula::Kind::negation:
-      return not_of(std::move(operands[0]));
-    case Formula::Kind::conjunction:
-      return folded(std::move(operands), true);
-    case Formula::Kind::disjunction:
-      return folded(std::move(operands), false);
-    case Formula::Kind::implication:
-      if (operands[0].kind == Formula::Kind::constant) {
-        return operands[0].truth ? std::move(operands[1]) : constant(true);
-      }
-      if (operands[1].kind == Formula::Kind::constant) {
-        return operands[1].truth ? constant(true) : not_of(std::move(operands[0]));
-      }
-      return implication(std::move(operands[0]), std::move(operands[1]));
-    case Formula::Kind::equivalence:
-      for (std::size_t i = 0; i < 2; ++i) {
-        if (operands[i].kind != Formula::Kind::constant) continue;
-        return operands[i].truth ? std::move(operands[1 - i]) : not_of(std::move(operands[1 - i]));
-      }
-      return equivalence(std::move(operands[0]), std::move(operands[1]));
-    default:
-      return formula;
-  }
+  return folded(formula.kind, std::move(operands));
 }
 
 }  // namespace rmpl::automata

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "automata/logic/folding.hpp"
 #include "base/check.hpp"
 
 namespace rmpl::automata {
@@ -29,45 +30,6 @@ bool compare(Ticks reading, Comparison comparison, Ticks bound) {
       return reading >= bound;
   }
   return false;
-}
-
-/// Rebuilds a connective over operands that may have become constants.
-Formula folded(Formula::Kind kind, std::vector<Formula> operands) {
-  const auto is_constant = [](const Formula& f, bool truth) {
-    return f.kind == Formula::Kind::constant && f.truth == truth;
-  };
-  switch (kind) {
-    case Formula::Kind::negation:
-      if (operands[0].kind == Formula::Kind::constant) return constant(!operands[0].truth);
-      break;
-    case Formula::Kind::conjunction:
-    case Formula::Kind::disjunction: {
-      const bool neutral = kind == Formula::Kind::conjunction;
-      if (std::any_of(operands.begin(), operands.end(), [&](const auto& f) { return is_constant(f, !neutral); })) {
-        return constant(!neutral);
-      }
-      std::erase_if(operands, [&](const Formula& f) { return is_constant(f, neutral); });
-      return neutral ? conjunction(std::move(operands)) : disjunction(std::move(operands));
-    }
-    case Formula::Kind::implication:
-      if (is_constant(operands[0], false) || is_constant(operands[1], true)) return constant(true);
-      if (is_constant(operands[0], true)) return std::move(operands[1]);
-      if (is_constant(operands[1], false)) return negation(std::move(operands[0]));
-      break;
-    case Formula::Kind::equivalence:
-      for (const std::size_t i : {0u, 1u}) {
-        if (is_constant(operands[i], true)) return std::move(operands[1 - i]);
-        if (is_constant(operands[i], false)) return folded(Formula::Kind::negation, {std::move(operands[1 - i])});
-      }
-      break;
-    case Formula::Kind::constant:
-    case Formula::Kind::member:
-    case Formula::Kind::equality:
-    case Formula::Kind::clock:
-    case Formula::Kind::knowledge:
-      CHECK(false && "a connective");
-  }
-  return node(kind, std::move(operands));
 }
 
 template <class Visit>
@@ -212,6 +174,44 @@ bool evaluate(const Formula& formula, const std::function<ValueId(VariableId)>& 
       return holds(operands[0]) == holds(operands[1]);
   }
   return false;
+}
+
+Formula folded(Formula::Kind kind, std::vector<Formula> operands) {
+  const auto is_constant = [](const Formula& f, bool truth) {
+    return f.kind == Formula::Kind::constant && f.truth == truth;
+  };
+  switch (kind) {
+    case Formula::Kind::negation:
+      if (operands[0].kind == Formula::Kind::constant) return constant(!operands[0].truth);
+      break;
+    case Formula::Kind::conjunction:
+    case Formula::Kind::disjunction: {
+      const bool neutral = kind == Formula::Kind::conjunction;
+      if (std::any_of(operands.begin(), operands.end(), [&](const auto& f) { return is_constant(f, !neutral); })) {
+        return constant(!neutral);
+      }
+      std::erase_if(operands, [&](const Formula& f) { return is_constant(f, neutral); });
+      return neutral ? conjunction(std::move(operands)) : disjunction(std::move(operands));
+    }
+    case Formula::Kind::implication:
+      if (is_constant(operands[0], false) || is_constant(operands[1], true)) return constant(true);
+      if (is_constant(operands[0], true)) return std::move(operands[1]);
+      if (is_constant(operands[1], false)) return negation(std::move(operands[0]));
+      break;
+    case Formula::Kind::equivalence:
+      for (const std::size_t i : {0u, 1u}) {
+        if (is_constant(operands[i], true)) return std::move(operands[1 - i]);
+        if (is_constant(operands[i], false)) return folded(Formula::Kind::negation, {std::move(operands[1 - i])});
+      }
+      break;
+    case Formula::Kind::constant:
+    case Formula::Kind::member:
+    case Formula::Kind::equality:
+    case Formula::Kind::clock:
+    case Formula::Kind::knowledge:
+      CHECK(false && "a connective");
+  }
+  return node(kind, std::move(operands));
 }
 
 Formula with_clocks(const Formula& formula, const std::function<const Ticks*(ClockId)>& value_of) {
