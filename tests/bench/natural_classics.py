@@ -54,6 +54,25 @@ component {name} {{
 }}"""
 
 
+def until(name, initial, before, after, seconds, told):
+    """A timer that tells by an attribute in which of its modes it is."""
+    def says(mode):
+        return f'{told} = {"yes" if mode == told else "no"}'
+    width = max(len('idle'), len(before), len(after))
+    modes = '\n'.join(f'  mode {mode:{width}} {{ {says(mode)} }};' for mode in ('idle', before, after))
+    arrows = max(len('idle'), len(before), len('any'))
+    return f"""
+component {name} {{
+  input  starts, stops : Bool;
+  output {told} : Bool;
+  initial {initial};
+{modes}
+  {'idle':{arrows}} -> {before:{width}} when starts = yes;
+  {before:{arrows}} -> {after:{width}} after {seconds} s;
+  {'any':{arrows}} -> {'idle':{width}} when stops = yes;
+}}"""
+
+
 def philosophers(n, delays):
     lines = [f'// never: {" | ".join(f"p{i} = eating & p{i % n + 1} = eating" for i in numbers(n))}',
              f'domain Turn = {{ {listed(n, first=("nobody",))} }};', 'domain Bool = { no, yes };', """
@@ -222,30 +241,8 @@ component Station{i} {{
   {free} -> {then} when releases = yes;""")
         lines.append('}')
         for half, timer, watchdog in (('A', 'fresh', 'run'), ('B', 'idle', 'idle')):
-            lines.append(f"""
-component Timer{half}{i} {{
-  input  starts, stops : Bool;
-  output fresh : Bool;
-  initial {timer};
-  mode idle  {{ fresh = no }};
-  mode fresh {{ fresh = yes }};
-  mode old   {{ fresh = no }};
-  idle  -> fresh when starts = yes;
-  fresh -> old   after {rotation} s;
-  any   -> idle  when stops = yes;
-}}
-
-component Watchdog{half}{i} {{
-  input  starts, stops : Bool;
-  output over : Bool;
-  initial {watchdog};
-  mode idle {{ over = no }};
-  mode run  {{ over = no }};
-  mode over {{ over = yes }};
-  idle -> run  when starts = yes;
-  run  -> over after {rotation + held} s;
-  any  -> idle when stops = yes;
-}}""")
+            lines += [until(f'Timer{half}{i}', timer, 'fresh', 'old', rotation, told='fresh'),
+                      until(f'Watchdog{half}{i}', watchdog, 'run', 'over', rotation + held, told='over')]
     lines.append('\nplant Fddi {\n  ring : Ring;')
     for i in numbers(n):
         lines.append(f'  p{i} : Station{i};')
