@@ -317,6 +317,36 @@ rc::Gen<Model> mirrored(Shape shape) {
   });
 }
 
+rc::Gen<Model> side_by_side(Shape shape, std::size_t least, std::size_t most) {
+  return rc::gen::exec([shape, least, most] {
+    Plant all;
+    all.name = "SideBySide";
+    const std::size_t count = up_to(least, most);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Model drawn = *models(shape);
+      const Plant& part = drawn.plant;
+      const std::string prefix = "p" + std::to_string(i) + ".";
+      const std::size_t offset = all.variables.size();
+      const auto own = [offset](VariableId v) { return VariableId(v.index() + offset); };
+      const auto moved = [&](const Formula& f) {
+        return automata::renamed(f, own, [](VariableId, ValueId value) { return value; });
+      };
+      for (const auto& variable : part.variables) all.variables.add({prefix + variable.name, variable.values});
+      for (Component component : part.components) {
+        component.name = prefix + component.name;
+        component.mode = own(component.mode);
+        for (auto& mode : component.modes) mode.constraint = moved(mode.constraint);
+        for (auto& t : component.transitions) t.guard = moved(t.guard);
+        all.components.push_back(std::move(component));
+      }
+      for (const auto& q : part.interconnections) all.interconnections.emplace_back(moved(q.constraint));
+      for (const auto& control : part.controls) all.controls.push_back({own(control.variable), control.idle});
+      for (const VariableId v : part.observables) all.observables.push_back(own(v));
+    }
+    return Model{std::move(all)};
+  });
+}
+
 rc::Gen<Formula> formulas(const automata::Variables& table, std::vector<VariableId> variables, int depth) {
   return rc::gen::exec(
       [table, variables = std::move(variables), depth] { return draw_formula(table, variables, depth); });

@@ -57,6 +57,9 @@ rc::Gen<Model> models(Shape shape = {});
 /// of either half what they say of the other. They can be without a consistent initial state.
 rc::Gen<Model> mirrored(Shape shape = {});
 
+/// Plants of some plants of `models(shape)`, so many at least and at most, that have nothing to do with each other.
+rc::Gen<Model> side_by_side(Shape shape, std::size_t least, std::size_t most);
+
 /// Constraints over some of the variables of a table, without clocks. `variables` is not empty.
 rc::Gen<automata::Formula> formulas(const automata::Variables& table, std::vector<automata::VariableId> variables,
                                     int depth = 2);

@@ -187,13 +187,10 @@ RC_GTEST_PROP(Probability, EpisodesAreFollowedOnce, ()) {
   });
 }
 
-void compare_loop(bool knows, bool episodes) {
-  Shape shape;
-  shape.max_components = 2;
-  shape.max_attributes = 3;
-  shape.commanded = chance(50);
-  shape.tangled = chance(30);
-  const Model model = *models(shape);
+/// What is asked of a program with its plant.
+enum class Loops { answers, episodes };
+
+void compare_loop(const Model& model, bool knows, Loops loops) {
   automata::Program program = (knows ? *programs_that_know(model.plant) : *programs(model.plant)).program;
   for (automata::Location& location : program.locations) {
     if (!knows) break;
@@ -210,7 +207,7 @@ void compare_loop(bool knows, bool episodes) {
   const auto exactly = [&](std::size_t steps) {
     return reference::loop_probability(program, slow, adviser, asked, period, steps);
   };
-  if (!episodes) {
+  if (loops == Loops::answers) {
     verifier::ProbabilityQuestion question;
     question.target = asked.target;
     question.entailed = asked.entailed;
@@ -228,13 +225,46 @@ void compare_loop(bool knows, bool episodes) {
   if (chance(70)) prospects = prospects_of(model.plant, asked, verifier::Commands::any, period, last, meter);
   const verifier::Walked walked = walked_of(step, asked, period, prospects, last);
   verifier::Loop loop(program, step, *reconfigurer, verifier::TimeModel::sampled(period), 0, meter, {});
-  verifier::LoopProcess process(loop, step, walked, true, chance(80), meter);
+  const verifier::Outlook::Question outlooked{asked.target, asked.entailed, period, 1e-9L};
+  verifier::Outlook outlook(program, model.plant, outlooked, meter);
+  verifier::LoopProcess process(loop, step, walked, true, chance(80), chance(70) ? &outlook : nullptr, meter);
   compare_walked(process, last, meter, exactly);
 }
 
-RC_GTEST_PROP(Probability, HoldsTheExactOneUnderAProgram, ()) { compare_loop(chance(30), false); }
+Model small_plant() {
+  Shape shape;
+  shape.max_components = 2;
+  shape.max_attributes = 3;
+  shape.commanded = chance(50);
+  shape.tangled = chance(30);
+  return *models(shape);
+}
 
-RC_GTEST_PROP(Probability, EpisodesAreFollowedOnceUnderAProgram, ()) { compare_loop(chance(30), true); }
+/// Of two or three that have nothing to do with each other, so that some of it does not matter.
+Model plant_of_parts() {
+  Shape shape;
+  shape.max_components = chance(70) ? 1 : 2;
+  shape.max_modes = chance(80) ? 2 : 3;
+  shape.max_attributes = 2;
+  shape.timed = chance(50);
+  shape.commanded = chance(70);
+  shape.rewards = chance(30);
+  return *side_by_side(shape, 2, 3);
+}
+
+RC_GTEST_PROP(Probability, HoldsTheExactOneUnderAProgram, ()) {
+  compare_loop(small_plant(), chance(30), Loops::answers);
+}
+
+RC_GTEST_PROP(Probability, EpisodesAreFollowedOnceUnderAProgram, ()) {
+  compare_loop(small_plant(), chance(30), Loops::episodes);
+}
+
+RC_GTEST_PROP(Probability, HoldsTheExactOneOfParts, ()) { compare_loop(plant_of_parts(), false, Loops::answers); }
+
+RC_GTEST_PROP(Probability, EpisodesOfPartsAreFollowedOnce, ()) {
+  compare_loop(plant_of_parts(), false, Loops::episodes);
+}
 
 }  // namespace
 }  // namespace rmpl::property

@@ -54,6 +54,27 @@ LoopStateId LoopCycles::go_on(LoopStateId at, const std::vector<Units>& readings
   return loop_.number(settled);
 }
 
+const Outlook::Told& LoopCycles::told(LoopStateId at) {
+  if (outlook_ == nullptr) return nothing_;
+  const Outlook::Told*& known = entry_of(told_, at);
+  if (known == nullptr) known = &outlook_->tell(loop_[at].marking, loop_[at].modes);
+  return *known;
+}
+
+LoopStateId LoopCycles::at_rest(LoopStateId at) {
+  auto& known = entry_of(at_rest_, at);
+  if (known) return *known;
+  const Outlook::Told& told = this->told(at);
+  LoopStateId result = at;
+  if (!told.idle.empty() && told.modes != loop_[at].modes) {
+    LoopState state = loop_[at];
+    state.modes = told.modes;
+    result = loop_.number(state);
+  }
+  known = result;
+  return result;
+}
+
 LoopCycles::Cycle* LoopCycles::at(LoopStateId at) {
   auto& known = entry_of(cycles_, at);
   if (known) return known->get();
@@ -76,7 +97,7 @@ void LoopCycles::follow(LoopStateId at, Cycle& cycle, const std::vector<Modes>& 
   if (unknown.empty()) return;
   std::vector<Outcome> outcomes = loop_.outcomes(at, unknown);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const LoopStateId next = loop_.number(outcomes[i].state);
+    const LoopStateId next = at_rest(loop_.number(outcomes[i].state));
     cycle.followers.emplace(std::move(unknown[i]), Follower{next, std::move(outcomes[i].sources)});
   }
   loop_.explored(at);

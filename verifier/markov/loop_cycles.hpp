@@ -9,6 +9,7 @@
 
 #include "verifier/closed_loop/loop.hpp"
 #include "verifier/markov/draws.hpp"
+#include "verifier/markov/outlook.hpp"
 
 namespace rmpl::verifier {
 
@@ -26,9 +27,14 @@ class LoopCycles {
     std::unordered_map<automata::Modes, Follower, automata::ModesHash> followers;  ///< looked up, never iterated
   };
 
-  /// Keeps references.
-  LoopCycles(Loop& loop, automata::PlantStep& step, automata::Ticks period)
-      : loop_(loop), step_(step), period_(period) {}
+  /// Keeps references. `outlook`: null where there is none.
+  LoopCycles(Loop& loop, automata::PlantStep& step, automata::Ticks period, Outlook* outlook)
+      : loop_(loop), step_(step), period_(period), outlook_(outlook) {}
+
+  /// The state of the loop in whose place it is put: components that do not matter are in modes in which they stay.
+  LoopStateId at_rest(LoopStateId at);
+  /// What may still come of a state.
+  const Outlook::Told& told(LoopStateId at);
 
   /// The cycle that starts there; null where no command is permitted, or the program has ended.
   Cycle* at(LoopStateId at);
@@ -43,7 +49,11 @@ class LoopCycles {
   Loop& loop_;
   automata::PlantStep& step_;
   automata::Ticks period_;
-  std::vector<std::optional<std::vector<Interval>>> cells_;    ///< by state of the loop
+  Outlook* outlook_;
+  const Outlook::Told nothing_;
+  std::vector<const Outlook::Told*> told_;                     ///< by state of the loop; null: not asked yet
+  std::vector<std::optional<LoopStateId>> at_rest_;            ///< likewise
+  std::vector<std::optional<std::vector<Interval>>> cells_;    ///< likewise
   std::vector<std::optional<std::unique_ptr<Cycle>>> cycles_;  ///< likewise
 };
 

@@ -12,7 +12,7 @@ namespace rmpl::verifier {
 using automata::Modes;
 
 LoopProcess::LoopProcess(Loop& loop, automata::PlantStep& step, const Walked& walked, bool long_clocks, bool joins,
-                         Meter& meter)
+                         Outlook* outlook, Meter& meter)
     : LongClocks(walked.longest_in_state),
       loop_(loop),
       step_(step),
@@ -22,12 +22,14 @@ LoopProcess::LoopProcess(Loop& loop, automata::PlantStep& step, const Walked& wa
       meter_(meter),
       ages_(step.plant(), walked.period, long_clocks ? std::optional(walked.longest_in_state) : std::nullopt,
             walked.for_ever),
-      cycles_(loop, step, walked.period) {}
+      cycles_(loop, step, walked.period, outlook) {}
 
 StateNumber LoopProcess::enter(std::vector<LoopStateId> places, const std::vector<Units>& readings,
                                std::vector<Units> ages, unsigned faults, std::vector<std::size_t>& apart) {
-  State entered{{}, walked_.left_out.faults_beyond ? faults : 0, std::move(ages), {}, {}, {}, {}, -1};
   apart.clear();
+  if (const auto hazard = steady_hazard(places)) return enter_steady(*hazard);
+  stop_idle_clocks(places, ages);
+  State entered{{}, walked_.left_out.faults_beyond ? faults : 0, std::move(ages), {}, {}, {}, {}, -1, {}};
   std::vector<std::size_t> groups(readings.size());
   std::iota(groups.begin(), groups.end(), std::size_t{0});
   const std::vector<Interval> before = cycles_.cells(places.front());
@@ -90,7 +92,7 @@ std::vector<Process::Start> LoopProcess::initial() {
     CHECK(at != states.end() && "the loop starts wherever the plant does");
     std::vector<Units> ages;
     for (std::size_t c = 0; c < draw.modes.size(); ++c) ages.push_back(ages_.entered(c, draw.modes[c]));
-    const StateNumber state = enter({loop_.number(*at)}, {}, std::move(ages), 0, none);
+    const StateNumber state = enter({cycles_.at_rest(loop_.number(*at))}, {}, std::move(ages), 0, none);
     result.push_back({at_start({state, std::vector<Units>(states_[state].longest.size(), 0)}), draw.probability});
   }
   return result;
@@ -105,12 +107,15 @@ bool LoopProcess::wanted(StateNumber state) {
 bool LoopProcess::tells_more_apart() {
   if (!joins_.learn()) return false;
   states_.clear();
+  steady_.clear();
+  end_.reset();
   numbers_ = {};
   return true;
 }
 
 LongClocks::Settled LoopProcess::settle(StateNumber number_of_state, const std::vector<Units>& readings) {
   const State state = states_[number_of_state];
+  if (state.places.empty()) return {number_of_state, {}};
   std::size_t next = 0;
   std::vector<Units> of_groups = state.readings;
   for (Units& reading : of_groups) {

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "verifier/closed_loop/loop.hpp"
 #include "verifier/markov/joins.hpp"
 #include "verifier/markov/loop_cycles.hpp"
+#include "verifier/markov/outlook.hpp"
 #include "verifier/markov/plant_process.hpp"
 
 namespace rmpl::verifier {
@@ -22,11 +25,15 @@ inline constexpr Units joined = -2;
 /// States that differ only in what some components are in the middle of, or how long, count as one where all that
 /// follows is the same: from each of them the other components step alike, what comes next differs in no more than
 /// that, and the same is so again of what comes next. That is looked at step by step, for as far as runs are followed.
+///
+/// States of which an outlook tells how likely each step from now on is to come to what is wanted are one state, which
+/// only what is wanted follows.
 class LoopProcess final : public LongClocks {
  public:
   /// Keeps references. `long_clocks`: whether clocks that run for long are kept apart, or are part of states as well;
-  /// `joins`: whether states count as one.
-  LoopProcess(Loop& loop, automata::PlantStep& step, const Walked& walked, bool long_clocks, bool joins, Meter& meter);
+  /// `joins`: whether states count as one; `outlook`: null where there is none.
+  LoopProcess(Loop& loop, automata::PlantStep& step, const Walked& walked, bool long_clocks, bool joins,
+              Outlook* outlook, Meter& meter);
 
   std::vector<Start> initial() override;
   const std::vector<Row>& rows(StateNumber state, Real less_likely_than) override;
@@ -37,7 +44,7 @@ class LoopProcess final : public LongClocks {
 
  private:
   struct State {
-    std::vector<LoopStateId> places;  ///< the loop is in one of these, ascending
+    std::vector<LoopStateId> places;  ///< the loop is in one of these, ascending; none: see `hazard`
     unsigned faults = 0;
     std::vector<Units> ages;      ///< by component
     std::vector<Units> readings;  ///< by group of clocks
@@ -45,6 +52,7 @@ class LoopProcess final : public LongClocks {
     InState in_state;
     Prospect prospect;
     std::int8_t wanted = -1;  ///< below 0: not asked yet
+    Enclosure hazard{};       ///< where there are no places: how likely a step is to come to what is wanted
   };
   using Cycles = std::vector<LoopCycles::Cycle*>;  ///< by place
 
@@ -55,6 +63,13 @@ class LoopProcess final : public LongClocks {
   /// in `places`.
   StateNumber enter(std::vector<LoopStateId> places, const std::vector<Units>& readings, std::vector<Units> ages,
                     unsigned faults, std::vector<std::size_t>& apart);
+
+  /// Where all of them have the same steady hazard.
+  std::optional<Enclosure> steady_hazard(const std::vector<LoopStateId>& places);
+  void stop_idle_clocks(const std::vector<LoopStateId>& places, std::vector<Units>& ages);
+  StateNumber enter_steady(const Enclosure& hazard);
+  StateNumber enter_end();
+  void leave_steady(StateNumber state);
 
   /// The cycles that start there; nothing where the places differ in more than what is joined.
   std::optional<Cycles> cycles_of(const std::vector<LoopStateId>& places, const std::vector<Units>& ages);
@@ -111,6 +126,8 @@ class LoopProcess final : public LongClocks {
   Joins joins_;
   ListNumbers numbers_;
   std::vector<State> states_;
+  std::map<std::pair<Real, Real>, StateNumber> steady_;  ///< by hazard
+  std::optional<StateNumber> end_;                       ///< what is wanted, out of a steady state
   ListNumbers part_numbers_;
   std::vector<std::unique_ptr<Part>> parts_;
   std::vector<Row> rows_;

@@ -152,6 +152,7 @@ Branch LoopProcess::branch_to(const State& state, const Cycles& cycles, const Ne
   }
   std::vector<std::size_t> apart;
   const StateNumber to = enter(next.places, readings, std::move(ages), state.faults + draw.faults, apart);
+  if (states_[to].places.empty()) return {to, draw.probability, number({}, clock)};
   Passage passage;
   for (const std::size_t g : apart) passage.push_back({from[g], from[g] ? 0 : readings[g]});
   passage.insert(passage.end(), of_components.begin(), of_components.end());
@@ -304,9 +305,8 @@ std::optional<Row> LoopProcess::row(const State& state, const Cycles& cycles, co
     const Branch branch =
         branch_to(state, cycles, *one.outcome->next,
                   {one.outcome->draw.modes, as_probability(one.probability / all), one.outcome->draw.faults});
-    if (fresh && one.probability.upper >= looked_at && !cycles_of(states_[branch.to].places, states_[branch.to].ages)) {
-      return std::nullopt;
-    }
+    const bool look = fresh && one.probability.upper >= looked_at && !states_[branch.to].places.empty();
+    if (look && !cycles_of(states_[branch.to].places, states_[branch.to].ages)) return std::nullopt;
     result.edges.push_back(branch);
   }
   std::stable_sort(result.edges.begin(), result.edges.end(),
@@ -320,6 +320,7 @@ void LoopProcess::note_joined(const State& state, const std::vector<Units>& ages
     if (ages[c] != joined) continue;
     const Joins::Spot here = spot(c, state);
     for (const Branch& branch : row.edges) {
+      if (states_[branch.to].places.empty()) continue;
       if (states_[branch.to].ages[c] == joined) joins_.leads(here, spot(c, states_[branch.to]));
     }
   }
@@ -327,6 +328,10 @@ void LoopProcess::note_joined(const State& state, const std::vector<Units>& ages
 
 const std::vector<Row>& LoopProcess::rows(StateNumber number_of_state, Real less_likely_than) {
   rows_.clear();
+  if (states_[number_of_state].places.empty()) {
+    leave_steady(number_of_state);
+    return rows_;
+  }
   const State state = states_[number_of_state];
   LeftOut left_out = walked_.left_out;
   left_out.less_likely_than = std::max(left_out.less_likely_than, less_likely_than / many_steps);

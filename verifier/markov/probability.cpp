@@ -12,6 +12,7 @@
 #include "verifier/markov/bounded.hpp"
 #include "verifier/markov/dense.hpp"
 #include "verifier/markov/loop_process.hpp"
+#include "verifier/markov/outlook.hpp"
 #include "verifier/markov/plant_process.hpp"
 #include "verifier/markov/unbounded.hpp"
 #include "verifier/markov/walk.hpp"
@@ -252,8 +253,16 @@ ProbabilityAnswer probability(const automata::Program& program, automata::PlantS
   return limited(meter, [&] {
     const auto prospects = prospects_of(step.plant(), question, Commands::any, meter);
     walked.prospects = prospects.get();
+    std::optional<Outlook> outlook;
+    if (question.within && !question.faults) {
+      outlook.emplace(program, step.plant(),
+                      Outlook::Question{question.target, question.entailed, *question.period,
+                                        static_cast<Real>(question.precision)},
+                      meter);
+    }
     const auto make = [&](const Walked& own, bool apart) -> std::unique_ptr<Process> {
-      return std::make_unique<LoopProcess>(loop, step, own, apart, apart, meter);
+      return std::make_unique<LoopProcess>(loop, step, own, apart, apart, apart && outlook ? &*outlook : nullptr,
+                                           meter);
     };
     return Decision(question, walked, make, meter).run(true);
   });
