@@ -187,14 +187,14 @@ class Decision {
 
 Walked walked_of(automata::PlantStep& step, const ProbabilityQuestion& question) {
   demand_modes(step.plant(), question.from);
-  return {.period = *question.period,
-          .wanted = holds_in(step, question),
-          .from = question.from,
-          .left_out = {},
-          .for_ever = !question.within || question.mean_time,
-          .longest_in_state = longest_in_state,
-          .prospects = nullptr,
-          .steps = question.within ? steps_of(question).back() : unbounded};
+  Walked result;
+  result.period = *question.period;
+  result.wanted = holds_in(step, question);
+  result.from = question.from;
+  result.for_ever = !question.within || question.mean_time;
+  result.longest_in_state = longest_in_state;
+  if (question.within) result.steps = steps_of(question).back();
+  return result;
 }
 
 /// Where there is an end by which they tell something.
