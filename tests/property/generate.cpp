@@ -202,7 +202,10 @@ class PlantDraw {
       t.weight = {Weight::Kind::probability, probability};
       left -= probability;
     }
-    if (shape_.timed && chance(25)) t.timing = draw_timing();
+    if (shape_.timed && chance(25)) {
+      t.timing = draw_timing();
+      if (chance(25)) t.timing->upper = Ticks::infinite();
+    }
   }
 
   Timing draw_timing() {

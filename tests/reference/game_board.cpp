@@ -66,7 +66,14 @@ std::optional<GameStep::Action> Board::rest(Node node) {
     best = step().idle();
     return best;
   }
-  const auto cost = [&](GameStep::Action a) { return std::tuple(!turn(node, a)->waits, step().off_idle(a), a); };
+  const Modes modes = arena_.modes(node);
+  const auto leavers = [&](GameStep::Action a) {
+    const std::vector<Freedom>& freedom = *step().freedom(modes, a);
+    std::size_t result = 0;
+    for (std::size_t c = 0; c < modes.size(); ++c) result += freedom[c].leaves_at_once(modes[c]) ? 1 : 0;
+    return result;
+  };
+  const auto cost = [&](GameStep::Action a) { return std::tuple(step().off_idle(a), leavers(a), a); };
   for (GameStep::Action a = 0; a < step().actions().size(); ++a)
     if (turn(node, a) && (!best || cost(a) < cost(*best))) best = a;
   return best;

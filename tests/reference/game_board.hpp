@@ -57,8 +57,8 @@ class GameTooLarge : public std::runtime_error {
 /// one of its outcomes takes, contradicts or leads to what is not in harm(n).
 ///
 /// "Nothing is commanded" is the idle action; where that contradicts the model, the first action that does not by:
-/// moves nothing at once, fewest controls off idle, order. It counts, too, where nothing can come of it: what
-/// contradicts itself then is what may come.
+/// fewest controls off idle, fewest components that leave at once, order. It counts, too, where nothing can come of it:
+/// what contradicts itself then is what may come.
 ///
 /// Of actions that let the same happen only the one with the fewest controls off idle counts, then the first.
 class Board {

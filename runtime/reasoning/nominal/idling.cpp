@@ -19,7 +19,8 @@ using automata::Modes;
 
 namespace {
 
-using Suits = base::FunctionRef<bool(const ControlAction&)>;
+/// How many components have to leave their modes at once under an action.
+using Leavers = base::FunctionRef<std::size_t(const ControlAction&)>;
 
 /// By control: what the precondition asks of it.
 std::vector<const Requirement*> asked_of(const automata::Plant& plant, const Precondition& precondition) {
@@ -32,10 +33,20 @@ std::vector<const Requirement*> asked_of(const automata::Plant& plant, const Pre
   return asked;
 }
 
-/// Of the tolerated actions that suit and do as they are asked, the one with the fewest controls off idle, of several
-/// the first by values.
+/// The controls off idle with their values: actions of as many are in this order.
+std::vector<std::pair<std::size_t, automata::ValueId>> order_of(const automata::Plant& plant,
+                                                                const ControlAction& action) {
+  std::vector<std::pair<std::size_t, automata::ValueId>> result;
+  for (std::size_t i = 0; i < action.size(); ++i) {
+    if (action[i] != plant.controls[i].idle) result.emplace_back(i, action[i]);
+  }
+  return result;
+}
+
+/// Of the tolerated actions that do as they are asked, one with the fewest controls off idle; of several the one under
+/// which the fewest leave, then the first. Looks at up to 4,096.
 std::optional<ControlAction> least_of_all(automata::PlantStep& step, const Modes& modes,
-                                          const std::vector<const Requirement*>& asked, Suits suits) {
+                                          const std::vector<const Requirement*>& asked, Leavers leavers) {
   const automata::Plant& plant = step.plant();
   const auto& controls = plant.controls;
   OptimalSearch::Costs costs;
@@ -51,17 +62,13 @@ std::optional<ControlAction> least_of_all(automata::PlantStep& step, const Modes
   constexpr std::size_t action_limit = 1u << 12;
   search.set_budget(action_limit);
   ControlAction action = idle_action(plant);
-  const auto outcome = search.next([&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
+  const auto is_tolerated = [&](std::span<const std::uint32_t> values) -> std::optional<Conflict> {
     for (std::size_t i = 0; i < action.size(); ++i) action[i] = automata::ValueId(values[i]);
     std::vector<automata::Assignment> store = assignments_of(plant, modes);
     const auto commands = assignments_of(plant, action);
     store.insert(store.end(), commands.begin(), commands.end());
+    if (step.theory().consistent(store)) return std::nullopt;
     Conflict conflict;
-    if (step.theory().consistent(store)) {
-      if (suits(action)) return std::nullopt;
-      for (std::uint32_t i = 0; i < action.size(); ++i) conflict.push_back({i, values[i]});
-      return conflict;
-    }
     for (const automata::Assignment& a : step.theory().conflict()) {
       for (std::uint32_t i = 0; i < action.size(); ++i) {
         if (controls[i].variable == a.variable) conflict.push_back({i, values[i]});
@@ -69,24 +76,32 @@ std::optional<ControlAction> least_of_all(automata::PlantStep& step, const Modes
     }
     std::sort(conflict.begin(), conflict.end());
     return conflict;
-  });
-  if (outcome != OptimalSearch::Outcome::solution) return std::nullopt;
-  return action;
+  };
+  std::optional<ControlAction> best;
+  std::size_t least = 0;
+  while (search.next(is_tolerated) == OptimalSearch::Outcome::solution) {
+    const auto order = order_of(plant, action);
+    if (best && order.size() > order_of(plant, *best).size()) break;
+    const std::size_t leave = leavers(action);
+    if (best && (leave > least || (leave == least && order > order_of(plant, *best)))) continue;
+    best = action;
+    least = leave;
+  }
+  return best;
 }
 
-constexpr auto any = [](const ControlAction&) { return true; };
-
-/// Whether no untimed transition changes a mode, but of the component that is to move.
-bool rests(automata::PlantStep& step, const Modes& modes, const ControlAction& action,
-           std::optional<ComponentId> moved) {
+/// But for the component that is to move.
+std::size_t leavers_under(automata::PlantStep& step, const Modes& modes, const ControlAction& action,
+                          std::optional<ComponentId> moved) {
   const automata::AllEnabled& enabled = step.enabled(modes, action);
+  std::size_t result = 0;
   for (std::size_t c = 0; c < modes.size(); ++c) {
     const auto& transitions = step.plant()[ComponentId(c)].transitions;
     const auto& untimed = enabled[c].untimed;
     const auto leaves = [&](automata::TransitionId id) { return transitions[id.index()].to != modes[c]; };
-    if (moved != ComponentId(c) && std::any_of(untimed.begin(), untimed.end(), leaves)) return false;
+    if (moved != ComponentId(c) && std::any_of(untimed.begin(), untimed.end(), leaves)) ++result;
   }
-  return true;
+  return result;
 }
 
 }  // namespace
@@ -94,9 +109,8 @@ bool rests(automata::PlantStep& step, const Modes& modes, const ControlAction& a
 ControlAction resting_action(automata::PlantStep& step, const Modes& modes) {
   ControlAction idle = idle_action(step.plant());
   if (step.permits(modes, idle) || !step.possible(modes)) return idle;
-  const auto asked = asked_of(step.plant(), {});
-  auto resting = least_of_all(step, modes, asked, [&](const ControlAction& a) { return rests(step, modes, a, {}); });
-  if (!resting) resting = least_of_all(step, modes, asked, any);
+  const auto leavers = [&](const ControlAction& a) { return leavers_under(step, modes, a, {}); };
+  auto resting = least_of_all(step, modes, asked_of(step.plant(), {}), leavers);
   return resting ? *std::move(resting) : std::move(idle);
 }
 
@@ -110,10 +124,9 @@ std::optional<ControlAction> least_action(automata::PlantStep& step, const Modes
     const auto& values = asked[i]->values;
     if (!std::binary_search(values.begin(), values.end(), action[i])) action[i] = values.front();
   }
-  const auto others_rest = [&](const ControlAction& a) { return idles || rests(step, modes, a, moved); };
-  if (step.permits(modes, action) && others_rest(action)) return action;
-  auto least = idles ? std::nullopt : least_of_all(step, modes, asked, others_rest);
-  return least ? std::move(least) : least_of_all(step, modes, asked, any);
+  const auto leavers = [&](const ControlAction& a) { return idles ? 0 : leavers_under(step, modes, a, moved); };
+  if (step.permits(modes, action) && leavers(action) == 0) return action;
+  return least_of_all(step, modes, asked, leavers);
 }
 
 }  // namespace rmpl::runtime

@@ -10,9 +10,10 @@
 
 namespace rmpl::runtime {
 
-/// All controls idle; where the store of the modes does not tolerate that, the tolerated action with the fewest
-/// controls off idle, before all others one under which no untimed transition changes a mode. Idle where it tolerates
-/// none.
+/// The tolerated action with the fewest controls off idle: all idle, where the store of the modes tolerates that. Of
+/// several the one under which the fewest components have to leave their modes at once, then the first by the lists of
+/// controls off idle with their values. So what has nothing to do with each other does not decide what the other is
+/// sent. Idle where none is tolerated among the first 4,096.
 automata::ControlAction resting_action(automata::PlantStep& step, const automata::Modes& modes);
 
 /// The same of the actions that meet the precondition, under which a component is to move. Nothing where none is
