@@ -127,7 +127,7 @@ class Outlook {
   std::vector<std::vector<automata::LocationId>> children_;
   std::vector<Conjunct> conjuncts_;
   std::vector<Location> locations_;
-  automata::Modes base_;                 ///< some modes that are possible
+  automata::Modes base_;  ///< some modes that are possible
   std::map<Key, Told> worked_out_;
   const Told nothing_;
   /// What `settled` has found, by part, reach, commands, and modes of the components that matter.

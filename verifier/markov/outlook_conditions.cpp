@@ -40,16 +40,14 @@ bool meet(const Cone& a, const Cone& b) {
 }  // namespace
 
 Outlook::Outlook(const automata::Program& program, const automata::Plant& plant, const Question& question, Meter& meter)
-    : program_(program),
-      slices_(plant),
-      question_(question),
-      meter_(meter),
-      children_(program.locations.size()) {
+    : program_(program), slices_(plant), question_(question), meter_(meter), children_(program.locations.size()) {
   const auto& start = slices_.start({});
   known_ = start && automata::knowledge_asked_by(program).empty();
   if (!known_) return;
   base_ = *start;
   find_parts();
+  known_ = std::none_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->is_too_large(); });
+  if (!known_) return;
   compile();
   set_ends();
 }

@@ -13,7 +13,9 @@ using automata::Modes;
 
 namespace {
 
-/// Modes, control actions of one state, and outcomes in all, beyond which nothing is told.
+/// Modes of all components together, modes that are met, control actions of one state, and outcomes in all, beyond
+/// which nothing is told.
+constexpr std::size_t most_mode_products = std::size_t{1} << 14;
 constexpr std::size_t most_modes = 4096;
 constexpr std::size_t most_actions = 256;
 constexpr std::size_t most_outcomes = std::size_t{1} << 19;
@@ -38,6 +40,14 @@ double reward_of(const automata::Plant& plant, const Modes& modes) {
 
 PartMoves::PartMoves(Cone cone, Part part, automata::Ticks period)
     : cone_(std::move(cone)), part_(std::move(part)), step_(part_.plant()), period_(period) {}
+
+bool PartMoves::is_too_large() const {
+  std::size_t combinations = 1;
+  for (const automata::Component& component : plant().components) {
+    combinations = std::min(combinations * component.modes.size(), most_mode_products + 1);
+  }
+  return combinations > most_mode_products;
+}
 
 void PartMoves::end_in(const automata::Formula& target, bool entailed) {
   target_ = step_.theory().encode(part_.into(target));

@@ -31,6 +31,8 @@ class PartMoves {
 
   [[nodiscard]] const Cone& cone() const { return cone_; }
   [[nodiscard]] const automata::Plant& plant() const { return part_.plant(); }
+  /// Whether its components have so many modes together that nothing is told.
+  [[nodiscard]] bool is_too_large() const;
   /// Steps end where the formula, over variables of the whole, is implied, or (not `entailed`) allowed.
   void end_in(const automata::Formula& target, bool entailed);
 
