@@ -3,8 +3,10 @@
 #include "automata/state.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "automata/controls.hpp"
+#include "automata/dependencies/plant_index.hpp"
 #include "automata/facade.hpp"
 #include "base/error.hpp"
 
@@ -48,8 +50,10 @@ void append_known(const Plant& plant, const Modes& modes, std::vector<Assignment
 
 ControlAction action_from(const Plant& plant, std::span<const Assignment> assignments) {
   ControlAction action = idle_action(plant);
+  constexpr std::size_t few = 16;  // the list of controls is gone through for each
+  const std::optional<PlantIndex> index = assignments.size() > few ? std::optional<PlantIndex>(plant) : std::nullopt;
   for (const Assignment& a : assignments) {
-    const auto at = control_of(plant, a.variable);
+    const auto at = index ? index->control_of(a.variable) : control_of(plant, a.variable);
     if (!at) {
       throw base::InputError("'" + plant.variables.name(a.variable) + "' is no control variable of plant '" +
                              plant.name + "'");

@@ -3,9 +3,13 @@
 #include "automata/json/parse.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
-#include <unordered_set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +26,38 @@ constexpr std::size_t usual_keys = 6;
 
 /// Up to so many keys of an object are looked through one by one; more are looked up.
 constexpr std::size_t few_keys = 16;
+
+/// The keys of one object, looked up among its members.
+class KeyTable {
+ public:
+  [[nodiscard]] bool contains(const Json::object_t& members, std::string_view name) {
+    index(members);
+    return slots_[slot_of(members, name)] != 0;
+  }
+
+ private:
+  /// Takes in the members that came since.
+  void index(const Json::object_t& members) {
+    if (2 * members.size() >= slots_.size()) {
+      slots_.assign(std::max<std::size_t>(4 * few_keys, 4 * std::bit_ceil(members.size())), 0);
+      indexed_ = 0;
+    }
+    for (; indexed_ < members.size(); ++indexed_) {
+      slots_[slot_of(members, members.begin()[static_cast<std::ptrdiff_t>(indexed_)].first)] =
+          static_cast<std::uint32_t>(indexed_ + 1);
+    }
+  }
+  /// Where the name is, or would be.
+  [[nodiscard]] std::size_t slot_of(const Json::object_t& members, std::string_view name) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = std::hash<std::string_view>{}(name)&mask;
+    while (slots_[slot] != 0 && members.begin()[slots_[slot] - 1].first != name) slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  std::vector<std::uint32_t> slots_;  ///< open addressing: position + 1, or 0; size a power of two
+  std::size_t indexed_ = 0;           ///< so many members are in it
+};
 
 /// What is told of a text, made into a value. Every value is made where it stays: a vector does not grow while what is
 /// at its back is open.
@@ -56,7 +92,6 @@ class Reader : public nlohmann::json_sax<Json> {
       slot_ = &lost_.emplace_back();
       return true;
     }
-    if (members.size() > few_keys) open_.back().keys.insert(name);
     if (members.empty()) members.reserve(usual_keys);
     // Not `emplace`, which looks through all that are there.
     members.emplace_back(std::move(name), Json());
@@ -77,18 +112,14 @@ class Reader : public nlohmann::json_sax<Json> {
  private:
   struct Open {
     Json* value;
-    std::unordered_set<std::string> keys;  ///< so far, of an object with more than a few
+    KeyTable keys;  ///< so far, of an object with more than a few
   };
 
   bool known(const Json::object_t& members, const std::string& name) {
-    auto& keys = open_.back().keys;
     if (members.size() <= few_keys) {
       return std::any_of(members.begin(), members.end(), [&](const auto& member) { return member.first == name; });
     }
-    if (keys.empty()) {
-      for (const auto& member : members) keys.insert(member.first);
-    }
-    return keys.contains(name);
+    return open_.back().keys.contains(members, name);
   }
 
   /// Where the next value goes.

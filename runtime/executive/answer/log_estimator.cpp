@@ -26,10 +26,10 @@ double unlisted(const Estimate& estimate, const Belief& belief) {
 }  // namespace
 
 LogEstimator::LogEstimator(const automata::Plant& plant, LogEstimatorOptions options)
-    : plant_(plant), options_(std::move(options)), step_(plant) {
+    : plant_(plant), options_(std::move(options)) {
   const bool exact = options_.engine == Engine::exact;
   estimator_ =
-      exact ? make_exact_estimator(step_, estimator_options()) : make_k_best_estimator(step_, estimator_options());
+      exact ? make_exact_estimator(plant, estimator_options()) : make_k_best_estimator(plant, estimator_options());
   if (options_.forgets_clocks()) live_ = runtime::live_clocks(plant);
   if (options_.window && starts()) window_.emplace(plant, estimator_options(), exact, *options_.window);
 }

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "automata/plant.hpp"
-#include "automata/step/plant_step.hpp"
 #include "runtime/executive/answer/estimate_answer.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
@@ -86,7 +85,6 @@ class LogEstimator {
 
   const automata::Plant& plant_;
   const LogEstimatorOptions options_;
-  automata::PlantStep step_;
   std::unique_ptr<Estimator> estimator_;
   std::optional<ClockTable> live_;  ///< where the others are forgotten
   LogAccount account_;

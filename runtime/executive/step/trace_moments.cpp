@@ -76,7 +76,7 @@ std::string why_of(const Json& reason) {
 class Reader {
  public:
   Reader(const automata::Plant& plant, const automata::Program& program, std::string name)
-      : plant_(plant), program_(program), name_(std::move(name)) {}
+      : plant_(plant), names_(plant), program_(program), name_(std::move(name)) {}
 
   std::vector<TraceMoment> read(const std::string& text) {
     Json whole = Json::parse(text, nullptr, false);
@@ -225,7 +225,7 @@ class Reader {
         for (const auto& [name, value] : told->items()) {
           if (!value.is_string())
             throw base::InputError(std::string(at).append("/command/").append(name).append(": expected a value"));
-          command.push_back(resolve(plant_, LogReader::Role::command, name, value.get<std::string>()));
+          command.push_back(names_.resolve(LogReader::Role::command, name, value.get<std::string>()));
         }
       }
       raw.moment.command = automata::action_from(plant_, command);
@@ -299,7 +299,7 @@ class Reader {
       if (!value.is_string())
         throw base::InputError(std::string(at).append(": ").append(name).append(": expected a mode"));
       try {
-        told.push_back(resolve(plant_, LogReader::Role::estimate, name, value.get<std::string>()));
+        told.push_back(names_.resolve(LogReader::Role::estimate, name, value.get<std::string>()));
       } catch (const base::InputError& error) {
         throw base::InputError(at + ": " + error.what());
       }
@@ -308,6 +308,7 @@ class Reader {
   }
 
   const automata::Plant& plant_;
+  LogNames names_;
   const automata::Program& program_;
   std::string name_;
   std::vector<Raw> found_;

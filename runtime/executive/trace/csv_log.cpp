@@ -12,7 +12,6 @@
 #include "automata/controls.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
-#include "runtime/executive/trace/log_names.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -47,7 +46,7 @@ std::optional<std::int64_t> take_unit(std::string& name) {
 
 CsvLog::CsvLog(std::istream& in, std::string name, const automata::Plant& plant, const Monitors& monitors,
                const CsvLogOptions& options)
-    : reader_(in, name, options.delimiter), name_(std::move(name)), plant_(plant), monitors_(monitors) {
+    : reader_(in, name, options.delimiter), name_(std::move(name)), plant_(plant), names_(plant), monitors_(monitors) {
   samples_ = options.samples;
   read_header(options);
 }
@@ -183,7 +182,7 @@ void CsvLog::interpret(const CsvRow& row, LogLine& line) const {
     const bool command = column.kind == Column::Kind::command;
     const auto role = command ? LogReader::Role::command : LogReader::Role::observations;
     try {
-      (command ? line.command : line.observations).push_back(resolve(plant_, role, column.name, trimmed(cell)));
+      (command ? line.command : line.observations).push_back(names_.resolve(role, column.name, trimmed(cell)));
     } catch (const base::InputError& error) {
       fail(row, std::string(error.what()).substr(1));  // it begins with a blank
     }

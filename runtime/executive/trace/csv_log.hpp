@@ -10,6 +10,7 @@
 
 #include "automata/plant.hpp"
 #include "runtime/executive/trace/log.hpp"
+#include "runtime/executive/trace/log_names.hpp"
 #include "runtime/telemetry/csv.hpp"
 #include "runtime/telemetry/log_times.hpp"
 #include "runtime/telemetry/monitors.hpp"
@@ -54,6 +55,7 @@ class CsvLog final : public LogSource {
   CsvReader reader_;
   std::string name_;
   const automata::Plant& plant_;
+  LogNames names_;
   const Monitors& monitors_;
   LogTimes times_;
   std::vector<Column> columns_;

@@ -70,8 +70,8 @@ Ticks LogLine::time_of_unchanged(std::uint64_t cycle_left_out) const {
 LogReader::LogReader(std::istream& in, std::string name, const automata::Plant& plant)
     : in_(in),
       name_(std::move(name)),
-      resolve_([&plant](Role role, const std::string& variable, const auto& value) {
-        return resolve(plant, role, variable, value);
+      resolve_([names = LogNames(plant)](Role role, const std::string& variable, const auto& value) {
+        return names.resolve(role, variable, value);
       }),
       find_([&plant](const std::string& variable) { return plant.variables.find(variable); }) {}
 
@@ -301,9 +301,11 @@ void LogReader::assign(Role role, const std::string& key, const Json& json, bool
     if (line != nullptr && add_sample(name, value, *line)) continue;
     const bool gone = delta && value.is_null();
     if (!gone) expect(value.is_string(), prefix + name, "a value as a string", value);
-    const auto known = delta ? find_(name) : std::nullopt;
-    std::erase_if(into, [&](const Assignment& before) { return before.variable == known; });
-    if (gone && !known) throw base::InputError(" '" + key + "': there is no '" + name + "' that could be gone");
+    if (delta) {
+      const auto known = find_(name);
+      if (gone && !known) throw base::InputError(" '" + key + "': there is no '" + name + "' that could be gone");
+      std::erase_if(into, [&](const Assignment& before) { return before.variable == known; });
+    }
     if (!gone) into.push_back(resolve_(role, name, value.get_ref<const std::string&>()));
   }
   std::sort(into.begin(), into.end());

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "automata/controls.hpp"
 #include "automata/facade.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
@@ -49,20 +48,6 @@ std::string_view noun(Role role) {
   return {};
 }
 
-/// Whether a variable makes sense in a role.
-bool plays(const automata::Plant& plant, Role role, automata::VariableId variable) {
-  switch (role) {
-    case Role::command:
-      return automata::is_control(plant, variable);
-    case Role::estimate:
-      return plant.component_of(variable).has_value();
-    case Role::observations:  // what the software of a facade tells may be seen
-      return !plant.component_of(variable) ||
-             std::find(plant.observables.begin(), plant.observables.end(), variable) != plant.observables.end();
-  }
-  return false;
-}
-
 [[noreturn]] void refuse_mode(const std::string& name) {
   throw base::InputError(" '" + name + "' is a component: no sensor reads its mode; expected an attribute");
 }
@@ -78,15 +63,31 @@ automata::ValueId value_of(const automata::Variable& variable, const std::string
 
 }  // namespace
 
-Assignment resolve(const automata::Plant& plant, LogReader::Role role, const std::string& name,
-                   const std::string& value) {
-  const auto variable = plant.variables.find(name);
-  if (role == Role::observations && variable && !plays(plant, role, *variable)) refuse_mode(name);
-  if (!variable || !plays(plant, role, *variable)) {
-    throw base::InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant.name + "'" +
-                           base::suggestion(name, candidates(plant, role)));
+LogNames::LogNames(const automata::Plant& plant) : plant_(plant), index_(plant), observed_(plant.variables.size()) {
+  for (const automata::VariableId v : plant.observables) observed_[v.index()] = true;
+}
+
+Assignment LogNames::resolve(Role role, const std::string& name, const std::string& value) const {
+  const auto variable = plant_.variables.find(name);
+  if (role == Role::observations && variable && !plays(role, *variable)) refuse_mode(name);
+  if (!variable || !plays(role, *variable)) {
+    throw base::InputError(" '" + name + "' is no " + std::string(noun(role)) + " of plant '" + plant_.name + "'" +
+                           base::suggestion(name, candidates(plant_, role)));
   }
-  return {*variable, value_of(plant.variables[*variable], value)};
+  return {*variable, value_of(plant_.variables[*variable], value)};
+}
+
+/// Whether a variable makes sense in a role.
+bool LogNames::plays(Role role, automata::VariableId variable) const {
+  switch (role) {
+    case Role::command:
+      return index_.control_of(variable).has_value();
+    case Role::estimate:
+      return index_.component_of(variable).has_value();
+    case Role::observations:  // what the software of a facade tells may be seen
+      return !index_.component_of(variable) || observed_[variable.index()];
+  }
+  return false;
 }
 
 Assignment resolve(const automata::ModelProgram& program, LogReader::Role role, const std::string& name,

@@ -12,7 +12,6 @@
 #include "automata/time/checked_ticks.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
-#include "runtime/executive/trace/log_names.hpp"
 
 namespace rmpl::runtime {
 namespace {
@@ -46,7 +45,7 @@ void put(std::vector<Assignment>& into, Assignment assignment) {
 }  // namespace
 
 ScriptLog::ScriptLog(std::istream& in, std::string name, const automata::Plant& plant, automata::Ticks period)
-    : in_(in), name_(std::move(name)), plant_(plant), period_(period) {
+    : in_(in), name_(std::move(name)), plant_(plant), names_(plant), period_(period) {
   line_.timed = true;
 }
 
@@ -103,7 +102,7 @@ bool ScriptLog::read_line() {
     const auto role = step ? LogReader::Role::command : LogReader::Role::observations;
     try {
       put(step ? line_.command : line_.observations,
-          resolve(plant_, role, word.substr(0, equals), word.substr(equals + 1)));
+          names_.resolve(role, word.substr(0, equals), word.substr(equals + 1)));
     } catch (const base::InputError& error) {
       fail(error.what());
     }

@@ -9,6 +9,7 @@
 
 #include "automata/plant.hpp"
 #include "runtime/executive/trace/log.hpp"
+#include "runtime/executive/trace/log_names.hpp"
 #include "runtime/telemetry/log_times.hpp"
 
 namespace rmpl::runtime {
@@ -33,6 +34,7 @@ class ScriptLog final : public LogSource {
   std::istream& in_;
   std::string name_;
   const automata::Plant& plant_;
+  LogNames names_;
   automata::Ticks period_;
   LogTimes times_;
   std::size_t number_ = 0;

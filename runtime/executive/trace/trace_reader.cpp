@@ -10,7 +10,6 @@
 #include "automata/facade.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
-#include "runtime/executive/trace/log_names.hpp"
 #include "runtime/executive/trace/reasons.hpp"
 #include "runtime/executive/trace/told_estimator.hpp"
 #include "runtime/reasoning/reconfigure/outcome.hpp"
@@ -73,6 +72,7 @@ TraceReader::TraceReader(std::istream& in, std::string name, const automata::Pla
     : in_(in),
       name_(std::move(name)),
       plant_(plant),
+      names_(plant),
       program_(program),
       constraint_(std::move(constraint)),
       reader_(line_, name_, plant),
@@ -312,7 +312,7 @@ automata::Modes TraceReader::named_modes(const Json& names) const {
   std::vector<automata::Assignment> told;
   for (const auto& [name, value] : names.items()) {
     if (!value.is_null())
-      told.push_back(resolve(plant_, LogReader::Role::estimate, name, value.get_ref<const std::string&>()));
+      told.push_back(names_.resolve(LogReader::Role::estimate, name, value.get_ref<const std::string&>()));
   }
   return modes_of(told);
 }

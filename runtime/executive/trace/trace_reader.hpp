@@ -15,6 +15,7 @@
 #include "automata/program.hpp"
 #include "runtime/executive/trace/cycle_record.hpp"
 #include "runtime/executive/trace/log.hpp"
+#include "runtime/executive/trace/log_names.hpp"
 
 namespace rmpl::runtime {
 
@@ -65,6 +66,7 @@ class TraceReader {
   std::istream& in_;
   std::string name_;
   const automata::Plant& plant_;
+  LogNames names_;
   const automata::Program& program_;
   Constraint constraint_;
   std::istringstream line_;

@@ -3,6 +3,7 @@
 #include "runtime/reasoning/estimate/estimator.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <utility>
 
@@ -20,10 +21,11 @@ namespace {
 
 using automata::ControlAction;
 using automata::Observation;
+using automata::Plant;
 using automata::PlantStep;
 using automata::Ticks;
 
-using MakeFilter = std::unique_ptr<Filter> (*)(PlantStep&, const EstimatorOptions&);
+using MakeFilters = std::unique_ptr<Filters> (*)(PlantStep&, const EstimatorOptions&);
 
 /// The belief is the product of the filters' beliefs. Exact as long as no control action contradicts the store of a
 /// group, for then the guards of all groups hold: from there on one filter keeps the belief of all.
@@ -31,20 +33,20 @@ class FactoredEstimator final : public Estimator {
  public:
   /// `listed`: of a product; `carried`: of the belief that one filter takes over from all, at most; `by_modes`: mode
   /// combinations, not states.
-  FactoredEstimator(PlantStep& step, const EstimatorOptions& options, MakeFilter make, std::size_t listed,
-                    std::size_t carried, bool by_modes)
-      : step_(step), options_(options), make_(make), listed_(listed), carried_(carried), by_modes_(by_modes) {
+  /// `step`: of the whole plant; where it is null one is made, should the plant ever be one part.
+  FactoredEstimator(const Plant& plant, PlantStep* step, const EstimatorOptions& options, MakeFilters make,
+                    std::size_t listed, std::size_t carried, bool by_modes)
+      : plant_(plant),
+        whole_step_(step),
+        options_(options),
+        make_(make),
+        listed_(listed),
+        carried_(carried),
+        by_modes_(by_modes) {
     // Without merging or normalisation numbers of different groups do not multiply to what Fig. 6-11 has.
     if (options.factored && options.merge_trajectories && options.normalise) {
-      for (const Group& group : groups_.emplace(step.plant())) {
-        if (groups_->size() == 1) break;
-        Part& part = parts_.emplace_back(group.components);
-        part.own_step = std::make_unique<PlantStep>(group.plant);
-        part.step = part.own_step.get();
-        part.filter = make(*part.step, options);
-        part.conditioning = std::make_unique<Conditioning>(*part.step);
-        part.group = &group;
-      }
+      groups_.emplace(plant);
+      if (groups_->size() > 1) take_apart();
     }
     if (parts_.empty()) take_as_one();
     summarise(std::all_of(parts_.begin(), parts_.end(), [](const Part& p) { return p.filter->estimate().consistent; }));
@@ -56,7 +58,7 @@ class FactoredEstimator final : public Estimator {
     forget_set_aside();
     bool consistent = true;
     for (std::size_t p = 0; p < parts_.size(); ++p) {
-      consistent = note(parts_[p], parts_[p].conditioning->start(*parts_[p].filter, seen[p])) && consistent;
+      consistent = note(parts_[p], parts_[p].shape.conditioning.start(*parts_[p].filter, seen[p])) && consistent;
     }
     summarise(consistent);
     return estimate_;
@@ -87,7 +89,7 @@ class FactoredEstimator final : public Estimator {
       }
       stayed_ = false;
       const StepInput input{part.action, part.observation, now, deadline};
-      consistent = note(part, part.conditioning->update(*part.filter, input, last_)) && consistent;
+      consistent = note(part, part.shape.conditioning.update(*part.filter, input, last_)) && consistent;
     }
     before_ = std::exchange(last_, now);
     updated_ = true;
@@ -113,7 +115,7 @@ class FactoredEstimator final : public Estimator {
       if (asked) factors.push_back({&part.filter->belief(), part.components});
     }
     if (factors.empty()) return {{{estimate_.modes, {}}, 1}};
-    Belief result = product(factors, step_.plant().components.size(), most);
+    Belief result = product(factors, plant_.components.size(), most);
     const double whole = options_.normalise ? 1 : total(result);
     std::vector<bool> decided(estimate_.modes.size(), false);
     for (const Factor& factor : factors) {
@@ -132,14 +134,15 @@ class FactoredEstimator final : public Estimator {
   [[nodiscard]] std::optional<automata::Modes> likeliest_without(
       automata::ComponentId component, automata::ModeId mode, const std::vector<RefutedModes>& refuted) const override {
     if (!updated_) return std::nullopt;
-    automata::Modes whole(step_.plant().components.size());
+    automata::Modes whole(plant_.components.size());
     for (const Part& part : parts_) {
       ConflictSet avoided;
       if (const auto own = decisions_of(part, {{component, mode}})) avoided.add(*own);
       for (const RefutedModes& modes : refuted) {
         if (const auto own = decisions_of(part, modes)) avoided.add(*own);
       }
-      const auto own = likeliest_successor(*part.step, part.filter->before(), part.action, before_, last_, avoided);
+      const auto own =
+          likeliest_successor(part.shape.step, part.filter->before(), part.action, before_, last_, avoided);
       if (!own) return std::nullopt;
       for (std::size_t i = 0; i < part.components.size(); ++i) whole[part.components[i].index()] = (*own)[i];
     }
@@ -161,24 +164,29 @@ class FactoredEstimator final : public Estimator {
   [[nodiscard]] std::size_t groups() const override { return parts_.size(); }
   [[nodiscard]] std::size_t questions() const override {
     std::size_t sum = retired_questions_;
-    for (const Part& part : parts_) sum += part.step->questions();
+    for (const Shape& shape : shapes_) sum += shape.step.questions();
     return sum;
   }
   [[nodiscard]] std::size_t solver_calls() const override {
     std::size_t sum = retired_calls_;
-    for (const Part& part : parts_) sum += part.step->solver_calls();
+    for (const Shape& shape : shapes_) sum += shape.step.solver_calls();
     return sum;
   }
 
  private:
+  /// What all parts of one shape have in common: it tells of one as of another, and they are asked one at a time.
+  struct Shape {
+    Shape(PlantStep& of, std::unique_ptr<Filters> own) : step(of), conditioning(of), filters(std::move(own)) {}
+    PlantStep& step;
+    Conditioning conditioning;
+    std::unique_ptr<Filters> filters;
+  };
   struct Part {
-    explicit Part(std::vector<automata::ComponentId> members) : components(std::move(members)) {}
-    std::vector<automata::ComponentId> components;
-    const Group* group = nullptr;         ///< none where the part is the whole
-    std::unique_ptr<PlantStep> own_step;  ///< likewise
-    PlantStep* step = nullptr;
+    Part(std::span<const automata::ComponentId> members, Shape& own) : components(members), shape(own) {}
+    std::span<const automata::ComponentId> components;
+    Shape& shape;
+    const Group* group = nullptr;  ///< none where the part is the whole
     std::unique_ptr<Filter> filter;
-    std::unique_ptr<Conditioning> conditioning;
     ControlAction action;  ///< of the last update, as the next two
     Observation observation;
     bool told_again = false;  ///< the update before had the same
@@ -213,7 +221,7 @@ class FactoredEstimator final : public Estimator {
   bool note(const Part& part, const Conditioned& conditioned) {
     estimate_.follows = estimate_.follows && conditioned.follows;
     if (conditioned.set_aside.empty()) return conditioned.follows;
-    estimate_.surprised.resize(step_.plant().components.size(), false);
+    estimate_.surprised.resize(plant_.components.size(), false);
     for (const automata::ComponentId c : part.components) estimate_.surprised[c.index()] = true;
     for (automata::Assignment reading : conditioned.set_aside) {
       if (part.group != nullptr) reading.variable = part.group->variables[reading.variable.index()];
@@ -234,14 +242,26 @@ class FactoredEstimator final : public Estimator {
     return result;
   }
 
-  void take_as_one() {
-    std::vector<automata::ComponentId> all;
-    for (std::size_t c = 0; c < step_.plant().components.size(); ++c) all.emplace_back(c);
-    Part& part = parts_.emplace_back(std::move(all));
-    part.step = &step_;
-    part.filter = make_(step_, options_);
-    part.conditioning = std::make_unique<Conditioning>(step_);
+  void take_apart() {
+    for (std::size_t s = 0; s < groups_->shapes().size(); ++s) {
+      take_shape(own_steps_.emplace_back(groups_->shapes()[s]));
+    }
+    parts_.reserve(groups_->size());
+    for (const Group& group : *groups_) {
+      Part& part = parts_.emplace_back(group.components, shapes_[group.shape]);
+      part.filter = part.shape.filters->make();
+      part.group = &group;
+    }
   }
+
+  void take_as_one() {
+    for (std::size_t c = 0; c < plant_.components.size(); ++c) all_.emplace_back(c);
+    if (whole_step_ == nullptr) whole_step_ = &own_steps_.emplace_back(plant_);
+    Part& part = parts_.emplace_back(all_, take_shape(*whole_step_));
+    part.filter = part.shape.filters->make();
+  }
+
+  Shape& take_shape(PlantStep& step) { return shapes_.emplace_back(step, make_(step, options_)); }
 
   [[nodiscard]] std::vector<Factor> factors() const {
     std::vector<Factor> result;
@@ -250,7 +270,7 @@ class FactoredEstimator final : public Estimator {
   }
 
   [[nodiscard]] Belief head_of_product(std::size_t most) const {
-    const std::size_t components = step_.plant().components.size();
+    const std::size_t components = plant_.components.size();
     return by_modes_ ? product_by_modes(factors(), components, most, options_.clocks)
                      : product(factors(), components, most);
   }
@@ -259,7 +279,7 @@ class FactoredEstimator final : public Estimator {
   bool all_permit() {
     for (const Part& part : parts_) {
       if (!part.group->constrains_controls) continue;
-      const auto permits = [&](const automata::Modes& modes) { return part.step->permits(modes, part.action); };
+      const auto permits = [&](const automata::Modes& modes) { return part.shape.step.permits(modes, part.action); };
       if (!part.filter->all_modes(permits)) return false;
     }
     return true;
@@ -270,11 +290,17 @@ class FactoredEstimator final : public Estimator {
     Belief joint = head_of_product(carried_);
     // A sum that is rounded must not make what is whole look as if some of it were missing.
     const bool whole = joint.size() == product_size(parts);
-    retired_questions_ = questions() - step_.questions();
-    retired_calls_ = solver_calls() - step_.solver_calls();
+    retired_questions_ = questions();
+    retired_calls_ = solver_calls();
+    if (whole_step_ != nullptr) {
+      retired_questions_ -= whole_step_->questions();
+      retired_calls_ -= whole_step_->solver_calls();
+    }
     const double missing =
         whole ? estimate_.missing_total : std::min(1.0, estimate_.missing_total + 1 - std::min(1.0, total(joint)));
     parts_.clear();
+    shapes_.clear();
+    own_steps_.clear();
     take_as_one();
     parts_.front().filter->resume(std::move(joint), missing, last_);
   }
@@ -282,7 +308,7 @@ class FactoredEstimator final : public Estimator {
   /// The estimate of the whole from the estimates of the parts.
   void summarise(bool consistent) {
     multiplied_ = false;
-    estimate_.modes.resize(step_.plant().components.size());
+    estimate_.modes.resize(plant_.components.size());
     estimate_.consistent = consistent;
     estimate_.probability = 1;
     estimate_.cut = false;
@@ -305,13 +331,17 @@ class FactoredEstimator final : public Estimator {
     estimate_.missing_total = parts_.size() == 1 ? parts_.front().filter->estimate().missing_total : 1 - kept_of_all;
   }
 
-  PlantStep& step_;
+  const Plant& plant_;
+  PlantStep* whole_step_;  ///< of the whole plant; null where nobody needs it
   const EstimatorOptions options_;
-  const MakeFilter make_;
+  const MakeFilters make_;
   const std::size_t listed_;
   const std::size_t carried_;
   const bool by_modes_;
   std::optional<Groups> groups_;
+  std::vector<automata::ComponentId> all_;  ///< once the plant is one part
+  std::deque<PlantStep> own_steps_;         ///< those that nobody else has
+  std::deque<Shape> shapes_;
   std::vector<Part> parts_;
   ControlAction action_;     ///< of the last update
   Observation observation_;  ///< likewise
@@ -326,15 +356,31 @@ class FactoredEstimator final : public Estimator {
   std::size_t retired_calls_ = 0;
 };
 
-}  // namespace
-
-std::unique_ptr<Estimator> make_exact_estimator(PlantStep& step, const EstimatorOptions& options) {
-  return std::make_unique<FactoredEstimator>(step, options, make_exact_filter, options.listed,
+std::unique_ptr<Estimator> make_exact(const Plant& plant, PlantStep* step, const EstimatorOptions& options) {
+  return std::make_unique<FactoredEstimator>(plant, step, options, exact_filters, options.listed,
                                              std::numeric_limits<std::size_t>::max(), false);
 }
 
+std::unique_ptr<Estimator> make_k_best(const Plant& plant, PlantStep* step, const EstimatorOptions& options) {
+  return std::make_unique<FactoredEstimator>(plant, step, options, k_best_filters, options.k, options.k, true);
+}
+
+}  // namespace
+
+std::unique_ptr<Estimator> make_exact_estimator(PlantStep& step, const EstimatorOptions& options) {
+  return make_exact(step.plant(), &step, options);
+}
+
+std::unique_ptr<Estimator> make_exact_estimator(const Plant& plant, const EstimatorOptions& options) {
+  return make_exact(plant, nullptr, options);
+}
+
 std::unique_ptr<Estimator> make_k_best_estimator(PlantStep& step, const EstimatorOptions& options) {
-  return std::make_unique<FactoredEstimator>(step, options, make_k_best_filter, options.k, options.k, true);
+  return make_k_best(step.plant(), &step, options);
+}
+
+std::unique_ptr<Estimator> make_k_best_estimator(const Plant& plant, const EstimatorOptions& options) {
+  return make_k_best(plant, nullptr, options);
 }
 
 }  // namespace rmpl::runtime

@@ -158,8 +158,12 @@ class Estimator {
 };
 
 /// BeliefUpdate of Fig. 6-10, with normalisation: the whole belief. The reference; exponential in the components.
+/// Keeps a reference to the plant, and where there is one to its step function: without one, the estimator makes one of
+/// the whole plant when it keeps that as one group, and else of each shape of group alone.
 std::unique_ptr<Estimator> make_exact_estimator(automata::PlantStep& step, const EstimatorOptions& options);
+std::unique_ptr<Estimator> make_exact_estimator(const automata::Plant& plant, const EstimatorOptions& options);
 /// TimedME of Fig. 6-11 by conflict-directed A*, with the corrections of semantics 4 as `options` say.
 std::unique_ptr<Estimator> make_k_best_estimator(automata::PlantStep& step, const EstimatorOptions& options);
+std::unique_ptr<Estimator> make_k_best_estimator(const automata::Plant& plant, const EstimatorOptions& options);
 
 }  // namespace rmpl::runtime

@@ -166,10 +166,20 @@ class Exact final : public ListedFilter {
   Belief posterior_;
 };
 
+class ExactFilters final : public Filters {
+ public:
+  ExactFilters(automata::PlantStep& step, const EstimatorOptions& options) : step_(step), options_(options) {}
+  std::unique_ptr<Filter> make() override { return std::make_unique<Exact>(step_, options_); }
+
+ private:
+  automata::PlantStep& step_;
+  EstimatorOptions options_;
+};
+
 }  // namespace
 
-std::unique_ptr<Filter> make_exact_filter(automata::PlantStep& step, const EstimatorOptions& options) {
-  return std::make_unique<Exact>(step, options);
+std::unique_ptr<Filters> exact_filters(automata::PlantStep& step, const EstimatorOptions& options) {
+  return std::make_unique<ExactFilters>(step, options);
 }
 
 }  // namespace rmpl::runtime

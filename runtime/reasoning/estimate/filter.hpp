@@ -57,7 +57,16 @@ class Filter {
   [[nodiscard]] virtual const Estimate& estimate() const = 0;
 };
 
-std::unique_ptr<Filter> make_exact_filter(automata::PlantStep& step, const EstimatorOptions& options);
-std::unique_ptr<Filter> make_k_best_filter(automata::PlantStep& step, const EstimatorOptions& options);
+/// Makes filters of plants that are the same but for names. What rests on the plant alone they have in common, so that
+/// they must not outlive it, and are asked one at a time.
+class Filters {
+ public:
+  virtual ~Filters() = default;
+  virtual std::unique_ptr<Filter> make() = 0;
+};
+
+/// Keep a reference to the step.
+std::unique_ptr<Filters> exact_filters(automata::PlantStep& step, const EstimatorOptions& options);
+std::unique_ptr<Filters> k_best_filters(automata::PlantStep& step, const EstimatorOptions& options);
 
 }  // namespace rmpl::runtime

@@ -3,7 +3,6 @@
 #include "runtime/reasoning/estimate/groups.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 #include "automata/dependencies/dependencies.hpp"
@@ -21,15 +20,23 @@ namespace {
 /// Copies parts of a plant into another, whose variables get new numbers as they are met.
 class Extract {
  public:
-  Extract(const Plant& from, Plant& to) : from_(from), to_(to) {}
+  /// `numbers`: by variable of the whole, none has a number yet; it is left so.
+  Extract(const Plant& from, std::vector<std::optional<VariableId>>& numbers) : from_(from), numbers_(numbers) {
+    plant_.name = from.name;
+  }
+  ~Extract() {
+    for (const VariableId v : met_) numbers_[v.index()].reset();
+  }
+  Extract(const Extract&) = delete;
+  Extract& operator=(const Extract&) = delete;
 
   VariableId variable(VariableId id) {
-    const auto [known, fresh] = numbers_.try_emplace(id, VariableId(to_.variables.size()));
-    if (fresh) {
-      to_.variables.add(from_.variables[id]);
+    auto& number = numbers_[id.index()];
+    if (!number) {
+      number = plant_.variables.add(from_.variables[id]);
       met_.push_back(id);
     }
-    return known->second;
+    return *number;
   }
   Formula formula(const Formula& formula) {
     return renamed(
@@ -42,13 +49,21 @@ class Extract {
     copy.mode = variable(original.mode);
     for (auto& mode : copy.modes) mode.constraint = formula(mode.constraint);
     for (auto& transition : copy.transitions) transition.guard = formula(transition.guard);
-    to_.components.push_back(std::move(copy));
+    plant_.components.push_back(std::move(copy));
   }
+  void interconnection(const automata::Interconnection& q) {
+    plant_.interconnections.emplace_back(formula(q.constraint), q.origin);
+  }
+  void control(const automata::Control& control) {
+    plant_.controls.push_back({variable(control.variable), control.idle});
+  }
+  void observable(VariableId observed) { plant_.observables.push_back(variable(observed)); }
+  [[nodiscard]] Plant take() { return std::move(plant_); }
 
  private:
   const Plant& from_;
-  Plant& to_;
-  std::unordered_map<VariableId, VariableId> numbers_;
+  std::vector<std::optional<VariableId>>& numbers_;
+  Plant plant_;
   std::vector<VariableId> met_;
 };
 
@@ -69,45 +84,40 @@ Groups::Groups(const Plant& plant) {
   if (groups_.size() < 2) return;
 
   // What touches no component goes with the first one.
-  const auto group_of = [&](std::size_t number) { return inhabited[number].value_or(0); };
-
-  std::vector<Extract> extracts;
-  extracts.reserve(groups_.size());
-  for (Group& group : groups_) {
-    group.plant.name = plant.name;
-    extracts.emplace_back(plant, group.plant);
-  }
+  const auto group_of = [&](VariableId v) { return inhabited[*classes[v]].value_or(0); };
   homes_.resize(plant.variables.size());
   for (std::size_t v = 0; v < plant.variables.size(); ++v) {
     if (!classes.of[v]) continue;
-    const std::size_t g = group_of(*classes.of[v]);
-    homes_[v] = Home{g, extracts[g].variable(VariableId(v))};
-    groups_[g].variables.emplace_back(v);
+    Group& group = groups_[group_of(VariableId(v))];
+    homes_[v] = Home{group_of(VariableId(v)), VariableId(group.variables.size())};
+    group.variables.emplace_back(v);
   }
+  std::vector<std::vector<std::size_t>> interconnections(groups_.size());
+  for (std::size_t q = 0; q < plant.interconnections.size(); ++q) {
+    const auto read = variables_of(plant.interconnections[q].constraint);
+    interconnections[read.empty() ? 0 : group_of(read.front())].push_back(q);
+  }
+  std::vector<std::vector<VariableId>> observables(groups_.size());
+  for (const VariableId observed : plant.observables) observables[group_of(observed)].push_back(observed);
+
+  const automata::PlantIndex& index = dependencies.index();
+  std::vector<std::optional<VariableId>> numbers(plant.variables.size());
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    for (const ComponentId c : groups_[g].components) extracts[g].component(plant[c]);
-  }
-  for (const automata::Interconnection& q : plant.interconnections) {
-    const auto read = variables_of(q.constraint);
-    const std::size_t g = read.empty() ? 0 : group_of(*classes[read.front()]);
-    groups_[g].plant.interconnections.emplace_back(extracts[g].formula(q.constraint), q.origin);
-  }
-  for (const VariableId observed : plant.observables) {
-    const Home& home = *homes_[observed.index()];
-    groups_[home.group].plant.observables.push_back(home.variable);
-  }
-  std::vector<std::optional<std::size_t>> control_of(plant.variables.size());
-  for (std::size_t i = 0; i < plant.controls.size(); ++i) control_of[plant.controls[i].variable.index()] = i;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    for (const VariableId own : extracts[g].variables()) {
-      if (const auto& control = control_of[own.index()]) groups_[g].controls.push_back(*control);
+    Group& group = groups_[g];
+    Extract extract(plant, numbers);
+    for (const VariableId v : group.variables) extract.variable(v);
+    for (const ComponentId c : group.components) extract.component(plant[c]);
+    for (const std::size_t q : interconnections[g]) extract.interconnection(plant.interconnections[q]);
+    for (const VariableId observed : observables[g]) extract.observable(observed);
+    for (const VariableId own : extract.variables()) {
+      if (const auto control = index.control_of(own)) group.controls.push_back(*control);
     }
-    std::sort(groups_[g].controls.begin(), groups_[g].controls.end());
-    for (const std::size_t i : groups_[g].controls) {
-      const automata::Control& control = plant.controls[i];
-      groups_[g].plant.controls.push_back({extracts[g].variable(control.variable), control.idle});
-      if (dependencies.read_by_store(control.variable)) groups_[g].constrains_controls = true;
+    std::sort(group.controls.begin(), group.controls.end());
+    for (const std::size_t i : group.controls) {
+      extract.control(plant.controls[i]);
+      if (dependencies.read_by_store(plant.controls[i].variable)) group.constrains_controls = true;
     }
+    group.shape = shapes_.find_or_add(extract.take());
   }
 }
 

@@ -38,15 +38,14 @@ constexpr double least_scale = 1e-200;
 
 class KBest final : public ListedFilter {
  public:
-  KBest(automata::PlantStep& step, const EstimatorOptions& options)
-      : step_(step),
-        options_(options),
-        clocks_(step.plant(), options.live_clocks_only),
-        sources_(step, clocks_, options_),
-        search_(clocks_, options_),
-        merging_(step.plant(), clocks_, sources_.excluding()) {
-    CHECK(options.k > 0);
-    estimate_.modes = likeliest_initial_modes(step.plant());
+  explicit KBest(KBestModel& model)
+      : merging_(model.merging),
+        step_(model.step),
+        options_(model.options),
+        sources_(model),
+        search_(model.clocks, model.options) {
+    CHECK(options_.k > 0);
+    estimate_.modes = likeliest_initial_modes(step_.plant());
     estimate_.consistent = start({});
   }
 
@@ -229,15 +228,14 @@ class KBest final : public ListedFilter {
     replaced_ = std::min(1.0, replaced_ + changed);
   }
 
+  const ClockMerging& merging_;
   automata::PlantStep& step_;
-  const EstimatorOptions options_;
-  const Clocks clocks_;
+  const EstimatorOptions& options_;
   Sources sources_;
   TrajectorySearch search_;
-  std::shared_ptr<const ConflictSet> refuted_;  ///< by the readings that `condition` was asked about last
-  Observation set_aside_;                       ///< in the last update
-  std::size_t widened_ = 0;                     ///< cycles on end for these
-  ClockMerging merging_;
+  std::shared_ptr<const ConflictSet> refuted_;       ///< by the readings that `condition` was asked about last
+  Observation set_aside_;                            ///< in the last update
+  std::size_t widened_ = 0;                          ///< cycles on end for these
   Combinations combinations_, combinations_before_;  ///< the belief, and the one that the last step started from
   mutable bool belief_listed_ = false, before_listed_ = false;
   bool merged_ = false;       ///< clocks, in the last step
@@ -247,10 +245,19 @@ class KBest final : public ListedFilter {
   double replaced_ = 0;       ///< the share of the belief, at most, that took the place of something else
 };
 
+class KBestFilters final : public Filters {
+ public:
+  KBestFilters(automata::PlantStep& step, const EstimatorOptions& options) : model_(step, options) {}
+  std::unique_ptr<Filter> make() override { return std::make_unique<KBest>(model_); }
+
+ private:
+  KBestModel model_;
+};
+
 }  // namespace
 
-std::unique_ptr<Filter> make_k_best_filter(automata::PlantStep& step, const EstimatorOptions& options) {
-  return std::make_unique<KBest>(step, options);
+std::unique_ptr<Filters> k_best_filters(automata::PlantStep& step, const EstimatorOptions& options) {
+  return std::make_unique<KBestFilters>(step, options);
 }
 
 }  // namespace rmpl::runtime

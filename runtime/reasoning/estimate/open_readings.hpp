@@ -24,12 +24,13 @@ namespace rmpl::runtime {
 
 class OpenReadings {
  public:
-  /// Keeps a reference to the step, and looks at its plant when it is first asked.
-  explicit OpenReadings(automata::PlantStep& step) : step_(step), plant_(step.plant()) {}
+  /// Keeps references. Looks at the plant when it is first asked, but for its openings where these are known.
+  explicit OpenReadings(automata::PlantStep& step, const Openings* openings = nullptr)
+      : step_(step), plant_(step.plant()), openings_(openings) {}
 
   /// What single components leave open; worked out when it is first asked for.
   const Openings& openings() {
-    if (!openings_) openings_.emplace(plant_);
+    if (openings_ == nullptr) openings_ = &own_openings_.emplace(plant_);
     return *openings_;
   }
   /// Components whose modes in `modes` are enough to leave `reading` (of an attribute) unimplied, ascending; nothing
@@ -86,7 +87,8 @@ class OpenReadings {
 
   automata::PlantStep& step_;
   const automata::Plant& plant_;
-  std::optional<Openings> openings_;
+  const Openings* openings_;
+  std::optional<Openings> own_openings_;                     ///< where nobody else has them
   std::vector<std::optional<automata::ComponentId>> owner_;  ///< by variable
   std::vector<Attribute> equal_;                             ///< by variable
   std::vector<Told> told_;

@@ -50,8 +50,9 @@ class PlantWindow::Part {
         clocks_(plant, options.live_clocks_only),
         targets_(plant),
         possible_(step_),
+        filters_(exact ? exact_filters(step_, options) : k_best_filters(step_, options)),
         conditioning(step_),
-        filter(exact ? make_exact_filter(step_, options) : make_k_best_filter(step_, options)) {}
+        filter(filters_->make()) {}
 
   /// The trellis or search of all updates, `position` being that of the part in what was told.
   void weigh(const std::deque<Told>& told, std::size_t position, std::size_t k) {
@@ -218,6 +219,7 @@ class PlantWindow::Part {
   Clocks clocks_;
   StepTargets targets_;
   PossibleShare possible_;
+  std::unique_ptr<Filters> filters_;
   std::vector<SystemState> states_;
   std::unordered_map<SystemState, Trellis::Number, SystemStateHash> numbers_;  ///< looked up, never iterated
 
@@ -239,7 +241,7 @@ PlantWindow::PlantWindow(const automata::Plant& plant, const EstimatorOptions& o
                                                          [](const Group& group) { return group.constrains_controls; });
   if (apart) {
     for (const Group& group : *groups_) {
-      parts_.push_back(std::make_unique<Part>(group.plant, options, exact, group.components, &group, ways));
+      parts_.push_back(std::make_unique<Part>(groups_->plant(group), options, exact, group.components, &group, ways));
     }
   } else {
     groups_.reset();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 
@@ -67,19 +68,25 @@ Belief product(std::span<const Factor> factors, std::size_t components, std::siz
   }
   if (size <= most) return multiplied_out(factors, components);
 
+  // A factor of one state leaves nothing to choose.
   OptimalSearch::Costs costs;
-  for (const Factor& factor : factors) {
+  std::vector<std::size_t> open;
+  for (std::size_t f = 0; f < factors.size(); ++f) {
+    if (factors[f].belief->size() == 1) continue;
+    open.push_back(f);
     auto& values = costs.emplace_back();
     // A rounded probability may exceed 1 in the last bit.
-    for (const BeliefEntry& entry : *factor.belief) values.push_back(std::max(0.0, -std::log(entry.probability)));
+    for (const BeliefEntry& entry : *factors[f].belief) values.push_back(std::max(0.0, -std::log(entry.probability)));
   }
   OptimalSearch search(costs);
+  std::vector<std::uint32_t> entries(factors.size(), 0);
   const auto anything = [](std::span<const std::uint32_t>) -> std::optional<Conflict> { return std::nullopt; };
   Belief head;
   // Ties with the last one are told apart by state; of very many, the first that come.
   const std::size_t enough = 2 * most + 64;
   while (head.size() < enough && search.next(anything) == OptimalSearch::Outcome::solution) {
-    head.push_back(combine(factors, search.values(), components));
+    for (std::size_t i = 0; i < open.size(); ++i) entries[open[i]] = search.values()[i];
+    head.push_back(combine(factors, entries, components));
     if (head.size() > most && head.back().probability < head[most - 1].probability * (1 - tie_tolerance)) break;
   }
   put_in_order(head);
@@ -89,26 +96,32 @@ Belief product(std::span<const Factor> factors, std::size_t components, std::siz
 
 Belief product_by_modes(std::span<const Factor> factors, std::size_t components, std::size_t most, std::size_t clocks) {
   // Each factor by its modes: beliefs over combinations without clocks, and behind them one for each of these.
-  std::vector<Combinations> combinations;
-  std::vector<Belief> modes;
+  std::deque<Belief> modes;
+  std::vector<Combinations> combinations(factors.size());  // none of a factor of one state, which is its own
+  std::vector<Factor> by_modes(factors.begin(), factors.end());
   bool one_each = true;
-  for (const Factor& factor : factors) {
-    const Combinations& own = combinations.emplace_back(combinations_of(*factor.belief));
+  for (std::size_t f = 0; f < factors.size(); ++f) {
+    if (factors[f].belief->size() == 1) continue;
+    combinations[f] = combinations_of(*factors[f].belief);
     Belief& belief = modes.emplace_back();
-    for (const Combination& combination : own) {
+    for (const Combination& combination : combinations[f]) {
       one_each = one_each && combination.clocks.size() == 1;
       belief.push_back({{combination.modes, combination.clocks.front().starts}, combination.probability});
     }
+    by_modes[f].belief = &belief;
   }
-  std::vector<Factor> by_modes;
-  for (std::size_t f = 0; f < factors.size(); ++f) by_modes.push_back({&modes[f], factors[f].components});
   const Belief head = product(by_modes, components, most);
   if (one_each) return head;
   Belief result;
   for (const BeliefEntry& best : head) {
     std::vector<Belief> own(factors.size());
     std::vector<Factor> with_clocks;
+    with_clocks.reserve(factors.size());
     for (std::size_t f = 0; f < factors.size(); ++f) {
+      if (combinations[f].empty()) {
+        with_clocks.push_back(factors[f]);
+        continue;
+      }
       automata::Modes part;
       for (const automata::ComponentId c : factors[f].components) part.push_back(best.state.modes[c.index()]);
       const auto at = std::find_if(combinations[f].begin(), combinations[f].end(),

@@ -25,8 +25,7 @@ constexpr std::size_t most_remembered = 1u << 15;
 /// Beyond so many conflicts that need no observation all are forgotten: each candidate is compared with each.
 constexpr std::size_t most_lasting = 512;
 
-/// Up to so many extensions, components in a conflict are predicted exactly, and shares of what is possible summed.
-constexpr std::size_t exact_limit = 4096;
+constexpr std::size_t exact_limit = KBestModel::exact_limit;
 
 /// One by the share of the outcomes that is possible; 0 where none is, 1 where it is not known.
 double scale_by(PossibleShare::Share share) { return !share.exact ? 1 : share.value > 0 ? 1 / share.value : 0; }
@@ -84,20 +83,15 @@ std::size_t restrict_to(const std::vector<bool>& free, std::vector<std::vector<M
 Sources::Remembered::Remembered(ReadingEvidence& evidence, const MoveTable::Moves& moves, PossibleShare::Share share)
     : extensions(evidence, moves), scale(scale_by(share)), slack(slack_of(share)) {}
 
-Sources::Sources(automata::PlantStep& step, const Clocks& clocks, const EstimatorOptions& options)
-    : step_(step),
-      clocks_(clocks),
-      options_(options),
-      has_restarts_(automata::has_restarts(step.plant())),
-      table_(step.plant(), options.ranks),
-      open_(step),
-      possible_(step, exact_limit) {
-  if (options.observation_factor && options.merge_trajectories) open_.openings();
-}
+Sources::Sources(KBestModel& model)
+    : model_(model),
+      step_(model.step),
+      table_(step_.plant(), model.options.ranks),
+      open_(step_, model.openings ? &*model.openings : nullptr) {}
 
 Sources::Context& Sources::context(const Observation& observation) {
-  const auto [known, fresh] =
-      contexts_.try_emplace(observation, step_, observation, lasting_, options_.observation_factor ? &open_ : nullptr);
+  const auto [known, fresh] = contexts_.try_emplace(observation, step_, observation, lasting_,
+                                                    model_.options.observation_factor ? &open_ : nullptr);
   if (fresh) ++remembered_;
   return known->second;
 }
@@ -105,7 +99,7 @@ Sources::Context& Sources::context(const Observation& observation) {
 /// What was remembered is let go of bit by bit.
 void Sources::begin_update() {
   table_.limit_timed();
-  for (std::size_t i = 0; i < 4 * options_.k && !retired_.empty(); ++i) {
+  for (std::size_t i = 0; i < 4 * model_.options.k && !retired_.empty(); ++i) {
     auto& extensions = retired_.begin()->second.extensions;
     if (extensions.empty()) {
       retired_.erase(retired_.begin());
@@ -114,7 +108,7 @@ void Sources::begin_update() {
     }
   }
   // However large a state is: what a few cycles need.
-  const std::size_t sources = std::max(most_remembered / (step_.plant().components.size() + 1), 8 * options_.k);
+  const std::size_t sources = std::max(most_remembered / (step_.plant().components.size() + 1), 8 * model_.options.k);
   if (remembered_ < sources && table_.size() < most_remembered && lasting_.conflicts().size() < most_lasting) return;
   retired_ = std::exchange(contexts_, {});
   rest_.reset();
@@ -131,7 +125,7 @@ std::span<const Source> Sources::of(const Combinations& belief, const StepInput&
   restarted_.resize(std::max(restarted_.size(), belief.size()));
   for (const Combination& own : belief) {
     std::vector<std::size_t>& differing = differing_[sources_.size()];
-    find_differing(own, clocks_, differing);
+    find_differing(own, model_.clocks, differing);
     Source& source = sources_.emplace_back(Source{&own.modes, own.clocks, own.probability, nullptr});
     source.differing = differing;
     source.restarted = restarted(own.modes, input.action, restarted_[sources_.size() - 1]);
@@ -161,7 +155,7 @@ bool Sources::of_rest(const Combinations& belief, const Combinations& before, co
     Source& source = sources_[i];
     source.modes = &own.modes;
     source.clocks = own.clocks;
-    find_differing(own, clocks_, differing_[i]);
+    find_differing(own, model_.clocks, differing_[i]);
     source.differing = differing_[i];
     source.weight = own.probability * (source.scales.empty() ? 1 : source.scales.front());
   }
@@ -172,7 +166,7 @@ bool Sources::of_rest(const Combinations& belief, const Combinations& before, co
 std::span<const std::size_t> Sources::restarted(const Modes& modes, const ControlAction& action,
                                                 std::vector<std::size_t>& result) {
   result.clear();
-  if (!has_restarts_) return result;
+  if (!model_.has_restarts) return result;
   const std::vector<bool>& all = step_.restarted(modes, action);
   for (std::size_t c = 0; c < all.size(); ++c) {
     if (all[c]) result.push_back(c);
@@ -189,7 +183,7 @@ Sources::Remembered* Sources::remembered(Context& context, const Combination& ow
   if (!table_.timed().empty()) return nullptr;
   ++remembered_;
   const auto moves_of = [&](std::size_t c) { return moves_[c]->moves(); };
-  const auto share = possible_share(own.modes, moves_of, possible_.all());
+  const auto share = possible_share(own.modes, moves_of, model_.possible.all());
   return &context.extensions.try_emplace(key_, context.evidence, moves_, share).first->second;
 }
 
@@ -228,7 +222,7 @@ void Sources::work_out(std::size_t position, Context& context, const Combination
 
 /// What is possible is worth more, clock by clock where clocks differ in what may be excluded.
 void Sources::scale_up(Transient& slot, const Combination& own, Source& source) {
-  const auto [touched, others] = possible_.divide(slot.varied);
+  const auto [touched, others] = model_.possible.divide(slot.varied);
   const auto common = [&](std::size_t c) { return moves_[c]->moves(); };
   shares_.assign(touched.empty() ? 1 : own.clocks.size(), possible_share(own.modes, common, others));
   for (const std::size_t cluster : touched) multiply_shares(slot, own.modes, cluster);
@@ -250,7 +244,7 @@ void Sources::multiply_shares(const Transient& slot, const Modes& modes, std::si
   };
   std::vector<std::size_t> own;  // of those that vary
   for (std::size_t v = 0; v < slot.varied.size(); ++v) {
-    if (possible_.has(cluster, slot.varied[v])) own.push_back(v);
+    if (model_.possible.has(cluster, slot.varied[v])) own.push_back(v);
   }
   if (own.size() == 1) {
     const std::size_t component = slot.varied[own.front()];
@@ -286,13 +280,14 @@ void Sources::multiply_shares(const Transient& slot, const Modes& modes, std::si
 /// Fig. 6-11 scales nothing.
 PossibleShare::Share Sources::possible_share(const Modes& modes, PossibleShare::MovesOf moves,
                                              const PossibleShare::Clusters& clusters) {
-  return options_.merge_trajectories ? possible_.of(modes, moves, clusters) : PossibleShare::Share{};
+  return model_.options.merge_trajectories ? model_.possible.of(modes, moves, clusters) : PossibleShare::Share{};
 }
 
 std::vector<Source> Sources::exact_on_blamed(const Combinations& belief, const ConflictSet& refuted,
                                              const StepInput& rest, Ticks last) {
   obligatory_.clear();
   obligatory_restarted_.clear();
+  obligatory_restarted_.reserve(belief.size());  // sources refer to them
   const std::vector<bool> blamed = components_in(refuted.conflicts());
   std::vector<Source> result;
   std::size_t count = 0;
@@ -304,7 +299,7 @@ std::vector<Source> Sources::exact_on_blamed(const Combinations& belief, const C
       moves.resize(next.size());
       for (std::size_t c = 0; c < next.size(); ++c) take_best(moves[c], next[c]);
     }
-    if (options_.ranks) rank(moves);
+    if (model_.options.ranks) rank(moves);
     count += restrict_to(blamed, moves);
     if (count > exact_limit) return {};
     obligatory_.push_back(std::make_unique<Extensions>(evidence(rest.observation), moves));

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "runtime/reasoning/estimate/combination.hpp"
 #include "runtime/reasoning/estimate/extensions.hpp"
 #include "runtime/reasoning/estimate/filter.hpp"
+#include "runtime/reasoning/estimate/k_best_model.hpp"
 #include "runtime/reasoning/estimate/possible_share.hpp"
 #include "runtime/reasoning/estimate/source.hpp"
 #include "runtime/reasoning/estimate/source_key.hpp"
@@ -27,8 +27,8 @@ namespace rmpl::runtime {
 
 class Sources {
  public:
-  /// Keeps references.
-  Sources(automata::PlantStep& step, const Clocks& clocks, const EstimatorOptions& options);
+  /// Keeps a reference.
+  explicit Sources(KBestModel& model);
 
   /// Once an update, before anything else: past the limits of memory everything is forgotten.
   void begin_update();
@@ -45,8 +45,6 @@ class Sources {
   /// others taking its likeliest move; none where these are too many. Valid until the next call.
   std::vector<Source> exact_on_blamed(const Combinations& belief, const ConflictSet& refuted, const StepInput& rest,
                                       automata::Ticks last);
-  /// See `PossibleShare::excluding`.
-  [[nodiscard]] const std::vector<bool>& excluding() const { return possible_.excluding(); }
 
  private:
   /// The extensions of modes in which no clock matters.
@@ -94,10 +92,8 @@ class Sources {
                                       const PossibleShare::Clusters& clusters);
   [[nodiscard]] std::vector<bool> components_in(const std::vector<Conflict>& conflicts) const;
 
+  KBestModel& model_;
   automata::PlantStep& step_;
-  const Clocks& clocks_;
-  const EstimatorOptions& options_;
-  const bool has_restarts_;
   MoveTable table_;
   MoveTable::Moves moves_;
   OpenReadings open_;
@@ -113,8 +109,7 @@ class Sources {
   std::vector<std::vector<std::size_t>> restarted_;  ///< by source
   std::optional<Rest> rest_;                         ///< of `sources_`, where no clock matters in any of them
   std::vector<std::unique_ptr<Extensions>> obligatory_;
-  std::deque<std::vector<std::size_t>> obligatory_restarted_;
-  PossibleShare possible_;
+  std::vector<std::vector<std::size_t>> obligatory_restarted_;  ///< of these
 };
 
 }  // namespace rmpl::runtime

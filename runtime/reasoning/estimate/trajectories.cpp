@@ -17,7 +17,7 @@ namespace {
 /// what was rounded in bounds and products does no harm.
 constexpr double stop_margin = 1e-9;
 
-constexpr std::size_t least_index = 256;
+constexpr std::size_t least_index = 32;
 
 /// A search that is taken up again and again begins anew once it has so many times the targets that it needs.
 constexpr std::size_t outgrown = 2;

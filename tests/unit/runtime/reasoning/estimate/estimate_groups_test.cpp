@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "tests/unit/runtime/reasoning/estimate/estimate_models.hpp"
@@ -38,15 +39,16 @@ TEST(Groups, AControlThatOnlyGuardsReadLinksNothing) {
   const Groups groups(w.plant);
   ASSERT_EQ(groups.size(), 3u);
   for (const Group& group : groups) {
-    EXPECT_EQ(group.plant.components.size(), 1u);
-    EXPECT_EQ(group.plant.variables.size(), 3u);  // mode, light and switch
+    EXPECT_EQ(group.shape, 0u);
+    EXPECT_EQ(groups.plant(group).components.size(), 1u);
+    EXPECT_EQ(groups.plant(group).variables.size(), 3u);  // mode, light and switch
     EXPECT_EQ(group.controls, std::vector<std::size_t>{0});
     EXPECT_FALSE(group.constrains_controls);
   }
   const auto parts = groups.divide({w.assignment("right.light", "yes")});
   EXPECT_TRUE(parts[0].empty());
   ASSERT_EQ(parts[1].size(), 1u);
-  EXPECT_EQ(groups[1].plant.variables.name(parts[1][0].variable), "right.light");
+  EXPECT_EQ(w.plant.variables.name(groups[1].variables[parts[1][0].variable.index()]), "right.light");
 }
 
 TEST(Groups, WhatNoStoreReadsIsSeenByNoGroup) {
@@ -66,6 +68,41 @@ TEST(Groups, ConstraintsAndGuardsLink) {
   EXPECT_EQ(Groups(w.plant).size(), 2u);
   w.plant.components[2].transitions.front().guard = w.is("left.light", "no");
   EXPECT_EQ(Groups(w.plant).size(), 1u);
+}
+
+TEST(Groups, ShareThePlantWhereTheyAreTheSameButForNames) {
+  PlantWriter w = lamps({"left", "right", "rear"});
+  w.plant.components[1].transitions.back().weight.value = 0.25;
+  const Groups groups(w.plant);
+  EXPECT_EQ(groups.shapes().size(), 2u);
+  EXPECT_EQ(groups[0].shape, groups[2].shape);
+  EXPECT_NE(groups[0].shape, groups[1].shape);
+  EXPECT_EQ(groups.plant(groups[1]).components.front().transitions.back().weight.value, 0.25);
+}
+
+TEST(Groups, TellWhatSetsPlantsApart) {
+  const PlantWriter w = lamps({"left"});
+  const auto differs = [&](const std::function<void(automata::Plant&)>& change) {
+    automata::Plant other = w.plant;
+    change(other);
+    return !same_but_for_names(w.plant, other);
+  };
+  EXPECT_FALSE(differs([](automata::Plant& plant) { plant.name = "other"; }));
+  EXPECT_FALSE(differs([](automata::Plant& plant) { plant.components[0].name = plant.components[0].type = "other"; }));
+  EXPECT_FALSE(differs([](automata::Plant& plant) { plant.components[0].modes[0].name = "other"; }));
+  EXPECT_TRUE(differs([](automata::Plant& plant) { plant.components[0].modes[0].fault = true; }));
+  EXPECT_TRUE(
+      differs([](automata::Plant& plant) { plant.components[0].modes[0].constraint = automata::constant(true); }));
+  EXPECT_TRUE(
+      differs([](automata::Plant& plant) { plant.components[0].transitions[0].guard = automata::constant(true); }));
+  EXPECT_TRUE(differs([](automata::Plant& plant) { plant.components[0].transitions[0].restart = true; }));
+  EXPECT_TRUE(differs([](automata::Plant& plant) {
+    plant.components[0].transitions[0].timing = {Ticks{}, at(1), {}};
+  }));
+  EXPECT_TRUE(differs([](automata::Plant& plant) { plant.components[0].initial[0] = 0.5; }));
+  EXPECT_TRUE(differs([](automata::Plant& plant) { plant.controls[0].idle = automata::ValueId(1); }));
+  EXPECT_TRUE(differs([](automata::Plant& plant) { plant.observables.clear(); }));
+  EXPECT_TRUE(differs([](automata::Plant& plant) { plant.interconnections.emplace_back(automata::constant(true)); }));
 }
 
 TEST(Groups, TheBeliefIsAProduct) {
