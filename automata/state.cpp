@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "automata/controls.hpp"
-#include "automata/dependencies/plant_index.hpp"
 #include "automata/facade.hpp"
 #include "base/error.hpp"
 
@@ -50,10 +49,14 @@ void append_known(const Plant& plant, const Modes& modes, std::vector<Assignment
 
 ControlAction action_from(const Plant& plant, std::span<const Assignment> assignments) {
   ControlAction action = idle_action(plant);
-  constexpr std::size_t few = 16;  // the list of controls is gone through for each
-  const std::optional<PlantIndex> index = assignments.size() > few ? std::optional<PlantIndex>(plant) : std::nullopt;
+  constexpr std::size_t few = 16;  // for which the list of controls is gone through
+  std::vector<std::optional<std::size_t>> by_variable;
+  if (assignments.size() > few) {
+    by_variable.resize(plant.variables.size());
+    for (std::size_t i = 0; i < plant.controls.size(); ++i) by_variable[plant.controls[i].variable.index()] = i;
+  }
   for (const Assignment& a : assignments) {
-    const auto at = index ? index->control_of(a.variable) : control_of(plant, a.variable);
+    const auto at = by_variable.empty() ? control_of(plant, a.variable) : by_variable[a.variable.index()];
     if (!at) {
       throw base::InputError("'" + plant.variables.name(a.variable) + "' is no control variable of plant '" +
                              plant.name + "'");

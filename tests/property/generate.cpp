@@ -202,10 +202,7 @@ class PlantDraw {
       t.weight = {Weight::Kind::probability, probability};
       left -= probability;
     }
-    if (shape_.timed && chance(25)) {
-      t.timing = draw_timing();
-      if (chance(25)) t.timing->upper = Ticks::infinite();
-    }
+    if (shape_.timed && chance(25)) t.timing = draw_timing();
   }
 
   Timing draw_timing() {
