@@ -272,6 +272,31 @@ rc::Gen<Model> models(Shape shape) {
   });
 }
 
+namespace {
+
+using Renaming = std::function<VariableId(VariableId)>;
+
+Formula with_variables(const Formula& formula, const Renaming& own) {
+  return automata::renamed(formula, own, [](VariableId, ValueId value) { return value; });
+}
+
+/// Adds all of one plant to another, with a prefix to its names and variables of its own.
+void add_renamed(Plant& all, const Plant& part, const std::string& prefix, const Renaming& own) {
+  for (const auto& variable : part.variables) all.variables.add({prefix + variable.name, variable.values});
+  for (Component component : part.components) {
+    component.name = prefix + component.name;
+    component.mode = own(component.mode);
+    for (auto& mode : component.modes) mode.constraint = with_variables(mode.constraint, own);
+    for (auto& t : component.transitions) t.guard = with_variables(t.guard, own);
+    all.components.push_back(std::move(component));
+  }
+  for (const auto& q : part.interconnections) all.interconnections.emplace_back(with_variables(q.constraint, own));
+  for (const auto& control : part.controls) all.controls.push_back({own(control.variable), control.idle});
+  for (const VariableId v : part.observables) all.observables.push_back(own(v));
+}
+
+}  // namespace
+
 rc::Gen<Model> mirrored(Shape shape) {
   return rc::gen::exec([shape] {
     const Model drawn = *models(shape);
@@ -281,20 +306,8 @@ rc::Gen<Model> mirrored(Shape shape) {
     const auto other = [&](VariableId v) {
       return VariableId(v.index() < offset ? v.index() + offset : v.index() - offset);
     };
-    const auto mirror = [&](const Formula& f) {
-      return automata::renamed(f, other, [](VariableId, ValueId value) { return value; });
-    };
-    for (const auto& variable : half.variables) plant.variables.add({"m." + variable.name, variable.values});
-    for (Component component : half.components) {
-      component.name = "m." + component.name;
-      component.mode = other(component.mode);
-      for (auto& mode : component.modes) mode.constraint = mirror(mode.constraint);
-      for (auto& t : component.transitions) t.guard = mirror(t.guard);
-      plant.components.push_back(std::move(component));
-    }
-    for (const auto& q : half.interconnections) plant.interconnections.emplace_back(mirror(q.constraint));
-    for (const auto& control : half.controls) plant.controls.push_back({other(control.variable), control.idle});
-    for (const VariableId v : half.observables) plant.observables.push_back(other(v));
+    const auto mirror = [&](const Formula& f) { return with_variables(f, other); };
+    add_renamed(plant, half, "m.", other);
     if (chance(50)) {
       const Formula bridge = draw_formula(plant.variables, all_variables(plant), 1);
       plant.interconnections.push_back(bridge);
@@ -324,24 +337,9 @@ rc::Gen<Model> side_by_side(Shape shape, std::size_t least, std::size_t most) {
     const std::size_t count = up_to(least, most);
     for (std::size_t i = 0; i < count; ++i) {
       const Model drawn = *models(shape);
-      const Plant& part = drawn.plant;
-      const std::string prefix = "p" + std::to_string(i) + ".";
       const std::size_t offset = all.variables.size();
-      const auto own = [offset](VariableId v) { return VariableId(v.index() + offset); };
-      const auto moved = [&](const Formula& f) {
-        return automata::renamed(f, own, [](VariableId, ValueId value) { return value; });
-      };
-      for (const auto& variable : part.variables) all.variables.add({prefix + variable.name, variable.values});
-      for (Component component : part.components) {
-        component.name = prefix + component.name;
-        component.mode = own(component.mode);
-        for (auto& mode : component.modes) mode.constraint = moved(mode.constraint);
-        for (auto& t : component.transitions) t.guard = moved(t.guard);
-        all.components.push_back(std::move(component));
-      }
-      for (const auto& q : part.interconnections) all.interconnections.emplace_back(moved(q.constraint));
-      for (const auto& control : part.controls) all.controls.push_back({own(control.variable), control.idle});
-      for (const VariableId v : part.observables) all.observables.push_back(own(v));
+      add_renamed(all, drawn.plant, "p" + std::to_string(i) + ".",
+                  [offset](VariableId v) { return VariableId(v.index() + offset); });
     }
     return Model{std::move(all)};
   });

@@ -31,13 +31,13 @@ bool can_be_certain(const Component& component) {
   return std::any_of(faults.begin(), faults.end(), [](double sum) { return sum >= 1; });
 }
 
+}  // namespace
+
 bool meet(const Cone& a, const Cone& b) {
   Cone both;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
   return !both.empty();
 }
-
-}  // namespace
 
 std::vector<ConnectedPart> connected_parts(Slices& slices) {
   const auto& components = slices.plant().components;

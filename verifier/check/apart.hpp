@@ -13,6 +13,9 @@ struct ConnectedPart {
   Cone cone;                                ///< all of them
 };
 
+/// Whether a component is in both.
+bool meet(const Cone& a, const Cone& b);
+
 /// Every component is in one of them.
 std::vector<ConnectedPart> connected_parts(Slices& slices);
 

@@ -67,6 +67,7 @@ class LoopProcess final : public LongClocks {
   /// Where all of them have the same steady hazard.
   std::optional<Enclosure> steady_hazard(const std::vector<LoopStateId>& places);
   void stop_idle_clocks(const std::vector<LoopStateId>& places, std::vector<Units>& ages);
+  StateNumber add_known(const Prospect& prospect, bool wanted, const Enclosure& hazard);
   StateNumber enter_steady(const Enclosure& hazard);
   StateNumber enter_end();
   void leave_steady(StateNumber state);

@@ -31,12 +31,6 @@ std::vector<Formula> disjuncts_of(const Formula& formula) {
   return formula.kind == Formula::Kind::disjunction ? formula.operands : std::vector<Formula>{formula};
 }
 
-/// Whether a component is in both.
-bool meet(const Cone& a, const Cone& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](automata::ComponentId c) { return std::binary_search(b.begin(), b.end(), c); });
-}
-
 }  // namespace
 
 Outlook::Outlook(const automata::Program& program, const automata::Plant& plant, const Question& question, Meter& meter)

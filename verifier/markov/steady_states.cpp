@@ -27,11 +27,10 @@ void LoopProcess::stop_idle_clocks(const std::vector<LoopStateId>& places, std::
   }
 }
 
-StateNumber LoopProcess::enter_steady(const Enclosure& hazard) {
+/// Adds a state of which all is known without the loop.
+StateNumber LoopProcess::add_known(const Prospect& prospect, bool wanted, const Enclosure& hazard) {
   const auto fresh = static_cast<StateNumber>(states_.size());
-  const auto [at, added] = steady_.try_emplace({hazard.lower, hazard.upper}, fresh);
-  if (!added) return at->second;
-  State state{{}, 0, {}, {}, {}, {}, {0, hazard.upper}, 0, hazard};
+  State state{{}, 0, {}, {}, {}, {}, prospect, static_cast<std::int8_t>(wanted ? 1 : 0), hazard};
   states_.push_back(std::move(state));
   // States and lists are numbered alike.
   numbers_.number({0, fresh});
@@ -39,14 +38,16 @@ StateNumber LoopProcess::enter_steady(const Enclosure& hazard) {
   return fresh;
 }
 
+StateNumber LoopProcess::enter_steady(const Enclosure& hazard) {
+  const auto known = steady_.find({hazard.lower, hazard.upper});
+  if (known != steady_.end()) return known->second;
+  const StateNumber fresh = add_known({0, hazard.upper}, false, hazard);
+  steady_.emplace(std::pair(hazard.lower, hazard.upper), fresh);
+  return fresh;
+}
+
 StateNumber LoopProcess::enter_end() {
-  if (!end_) {
-    end_ = static_cast<StateNumber>(states_.size());
-    State state{{}, 0, {}, {}, {}, {}, {}, 1, {}};
-    states_.push_back(std::move(state));
-    numbers_.number({0, *end_});
-    meter_.count_state();
-  }
+  if (!end_) end_ = add_known({}, true, {});
   return *end_;
 }
 

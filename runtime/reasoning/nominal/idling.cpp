@@ -78,14 +78,14 @@ std::optional<ControlAction> least_of_all(automata::PlantStep& step, const Modes
     return conflict;
   };
   std::optional<ControlAction> best;
-  std::size_t least = 0;
+  std::pair<std::size_t, std::vector<std::pair<std::size_t, automata::ValueId>>> least;
   while (search.next(is_tolerated) == OptimalSearch::Outcome::solution) {
-    const auto order = order_of(plant, action);
-    if (best && order.size() > order_of(plant, *best).size()) break;
-    const std::size_t leave = leavers(action);
-    if (best && (leave > least || (leave == least && order > order_of(plant, *best)))) continue;
+    auto order = order_of(plant, action);
+    if (best && order.size() > least.second.size()) break;
+    std::pair cost(leavers(action), std::move(order));
+    if (best && cost > least) continue;
     best = action;
-    least = leave;
+    least = std::move(cost);
   }
   return best;
 }
