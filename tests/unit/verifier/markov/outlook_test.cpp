@@ -25,7 +25,7 @@ class OutlookOnALamp : public testing::Test {
     b_.control("fire", {"none", "now"});
     auto& lamp = b_.component("lamp", {"dark", "lit", "broken!"});
     b_.transition(lamp, 0, 1, b_.is("switch", "on"));
-    for (const std::size_t mode : {0, 1}) b_.transition(lamp, mode, 2, automata::constant(true), {}, test::rate(1e-6));
+    for (const std::size_t mode : {0U, 1U}) b_.transition(lamp, mode, 2, automata::constant(true), {}, test::rate(1e-6));
     auto& bolt = b_.component("bolt", {"holds", "gone", "stuck!"});
     b_.transition(bolt, 0, 1, b_.is("fire", "now"));
     b_.transition(bolt, 0, 2, b_.is("fire", "now"), {}, test::probability(0.01));
@@ -37,7 +37,7 @@ class OutlookOnALamp : public testing::Test {
     program_.locations.resize(3);
     program_.locations[0].composite = true;
     program_.locations[1].start = true;
-    for (const std::size_t l : {1, 2}) program_.locations[l].parent = LocationId(0);
+    for (const std::size_t l : {1U, 2U}) program_.locations[l].parent = LocationId(0);
     program_.locations[1].goal = {{b_.plant.components[1].mode, automata::ValueId(1)}};
     program_.locations[1].arcs = {{{}, LocationId(2)}};
     program_.locations[2].goal = {{b_.plant.components[0].mode, automata::ValueId(1)}};
