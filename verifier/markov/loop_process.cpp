@@ -29,7 +29,7 @@ StateNumber LoopProcess::enter(std::vector<LoopStateId> places, const std::vecto
   apart.clear();
   if (const auto hazard = steady_hazard(places)) return enter_steady(*hazard);
   stop_idle_clocks(places, ages);
-  State entered{{}, walked_.left_out.faults_beyond ? faults : 0, std::move(ages), {}, {}, {}, {}, -1, {}};
+  State entered{{}, walked_.left_out.faults_beyond ? faults : 0, std::move(ages), {}, {}, {}, {}, {}};
   std::vector<std::size_t> groups(readings.size());
   std::iota(groups.begin(), groups.end(), std::size_t{0});
   const std::vector<Interval> before = cycles_.cells(places.front());
@@ -92,16 +92,12 @@ std::vector<Process::Start> LoopProcess::initial() {
     CHECK(at != states.end() && "the loop starts wherever the plant does");
     std::vector<Units> ages;
     for (std::size_t c = 0; c < draw.modes.size(); ++c) ages.push_back(ages_.entered(c, draw.modes[c]));
-    const StateNumber state = enter({cycles_.at_rest(loop_.number(*at))}, {}, std::move(ages), 0, none);
+    const StateNumber state = walked_.wanted(draw.modes)
+                                  ? enter_end()
+                                  : enter({cycles_.at_rest(loop_.number(*at))}, {}, std::move(ages), 0, none);
     result.push_back({at_start({state, std::vector<Units>(states_[state].longest.size(), 0)}), draw.probability});
   }
   return result;
-}
-
-bool LoopProcess::wanted(StateNumber state) {
-  State& own = states_[state];
-  if (own.wanted < 0) own.wanted = walked_.wanted(loop_[own.places.front()].modes) ? 1 : 0;
-  return own.wanted == 1;
 }
 
 bool LoopProcess::tells_more_apart() {

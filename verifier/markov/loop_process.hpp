@@ -26,8 +26,8 @@ inline constexpr Units joined = -2;
 /// follows is the same: from each of them the other components step alike, what comes next differs in no more than
 /// that, and the same is so again of what comes next. That is looked at step by step, for as far as runs are followed.
 ///
-/// States of which an outlook tells how likely each step from now on is to come to what is wanted are one state, which
-/// only what is wanted follows.
+/// All states in which what is wanted holds are one, as runs are followed no further. So are states of which an outlook
+/// tells how likely each step from now on is to come there, if it is alike: only that one follows them.
 class LoopProcess final : public LongClocks {
  public:
   /// Keeps references. `long_clocks`: whether clocks that run for long are kept apart, or are part of states as well;
@@ -37,7 +37,7 @@ class LoopProcess final : public LongClocks {
 
   std::vector<Start> initial() override;
   const std::vector<Row>& rows(StateNumber state, Real less_likely_than) override;
-  bool wanted(StateNumber state) override;
+  bool wanted(StateNumber state) override { return end_ == state; }
   Prospect prospect(StateNumber state) override { return states_[state].prospect; }
   bool tells_more_apart() override;
   [[nodiscard]] std::size_t states() const override { return states_.size(); }
@@ -51,8 +51,7 @@ class LoopProcess final : public LongClocks {
     std::vector<Units> longest;   ///< of groups, then of components
     InState in_state;
     Prospect prospect;
-    std::int8_t wanted = -1;  ///< below 0: not asked yet
-    Enclosure hazard{};       ///< where there are no places: how likely a step is to come to what is wanted
+    Enclosure hazard{};  ///< where there are no places: how likely a step is to come to what is wanted
   };
   using Cycles = std::vector<LoopCycles::Cycle*>;  ///< by place
 
@@ -67,7 +66,7 @@ class LoopProcess final : public LongClocks {
   /// Where all of them have the same steady hazard.
   std::optional<Enclosure> steady_hazard(const std::vector<LoopStateId>& places);
   void stop_idle_clocks(const std::vector<LoopStateId>& places, std::vector<Units>& ages);
-  StateNumber add_known(const Prospect& prospect, bool wanted, const Enclosure& hazard);
+  StateNumber add_known(const Prospect& prospect, const Enclosure& hazard);
   StateNumber enter_steady(const Enclosure& hazard);
   StateNumber enter_end();
   void leave_steady(StateNumber state);
@@ -82,6 +81,7 @@ class LoopProcess final : public LongClocks {
     std::vector<LoopStateId> places;
     const std::vector<std::size_t>* sources = nullptr;
     std::vector<bool> clocks_unknown;  ///< by component
+    bool wanted = false;               ///< what is wanted holds there
   };
   /// What may be drawn where the clocks of all components have been asked.
   struct Outcome {
@@ -110,7 +110,8 @@ class LoopProcess final : public LongClocks {
                  const std::vector<Outcome*>& outcomes);
   std::optional<Next> next(const State& state, const Cycles& cycles, const std::vector<Units>& ages,
                            const automata::Modes& drawn);
-  Branch branch_to(const State& state, const Cycles& cycles, const Next& next, const Draw& draw);
+  Branch branch_to(const State& state, const Cycles& cycles, const Next& next, const Enclosure& probability,
+                   unsigned faults);
   /// Nothing where what follows differs in more than what is joined.
   std::optional<Row> row(const State& state, const Cycles& cycles, const std::vector<Units>& ages,
                          const LeftOut& left_out, Real less_likely_than);
@@ -128,7 +129,7 @@ class LoopProcess final : public LongClocks {
   ListNumbers numbers_;
   std::vector<State> states_;
   std::map<std::pair<Real, Real>, StateNumber> steady_;  ///< by hazard
-  std::optional<StateNumber> end_;                       ///< what is wanted, out of a steady state
+  std::optional<StateNumber> end_;                       ///< what is wanted: a run ends there
   ListNumbers part_numbers_;
   std::vector<std::unique_ptr<Part>> parts_;
   std::vector<Row> rows_;

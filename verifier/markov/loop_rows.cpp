@@ -107,10 +107,12 @@ std::optional<LoopProcess::Next> LoopProcess::next(const State& state, const Cyc
   }
   std::sort(result.places.begin(), result.places.end());
   result.places.erase(std::unique(result.places.begin(), result.places.end()), result.places.end());
+  result.wanted = walked_.wanted(loop_[result.places.front()].modes);
   return result;
 }
 
-Branch LoopProcess::branch_to(const State& state, const Cycles& cycles, const Next& next, const Draw& draw) {
+Branch LoopProcess::branch_to(const State& state, const Cycles& cycles, const Next& next, const Enclosure& probability,
+                              unsigned faults) {
   const auto apart_before = [&state](std::size_t group) {
     return static_cast<std::size_t>(
         std::count(state.readings.begin(), state.readings.begin() + static_cast<std::ptrdiff_t>(group), kept_apart));
@@ -151,12 +153,12 @@ Branch LoopProcess::branch_to(const State& state, const Cycles& cycles, const Ne
     if (apart) ++clock;
   }
   std::vector<std::size_t> apart;
-  const StateNumber to = enter(next.places, readings, std::move(ages), state.faults + draw.faults, apart);
-  if (states_[to].places.empty()) return {to, draw.probability, number({}, clock)};
+  const StateNumber to = enter(next.places, readings, std::move(ages), state.faults + faults, apart);
+  if (states_[to].places.empty()) return {to, probability, number({}, clock)};
   Passage passage;
   for (const std::size_t g : apart) passage.push_back({from[g], from[g] ? 0 : readings[g]});
   passage.insert(passage.end(), of_components.begin(), of_components.end());
-  return {to, draw.probability, number(passage, clock)};
+  return {to, probability, number(passage, clock)};
 }
 
 LoopProcess::Part LoopProcess::work_out(const Cycles& cycles, const std::vector<Units>& ages, const Modes& timed,
@@ -300,15 +302,21 @@ std::optional<Row> LoopProcess::row(const State& state, const Cycles& cycles, co
     result.foreseen = scaled;
   }
   const bool fresh = ages != state.ages;
+  Enclosure end;
+  result.edges.reserve(followed.size());
   for (const Followed& one : followed) {
     if (!one.outcome->next) return std::nullopt;
-    const Branch branch =
-        branch_to(state, cycles, *one.outcome->next,
-                  {one.outcome->draw.modes, as_probability(one.probability / all), one.outcome->draw.faults});
+    const Enclosure probability = as_probability(one.probability / all);
+    if (one.outcome->next->wanted) {
+      end = end + probability;
+      continue;
+    }
+    const Branch branch = branch_to(state, cycles, *one.outcome->next, probability, one.outcome->draw.faults);
     const bool look = fresh && one.probability.upper >= looked_at && !states_[branch.to].places.empty();
     if (look && !cycles_of(states_[branch.to].places, states_[branch.to].ages)) return std::nullopt;
     result.edges.push_back(branch);
   }
+  if (end.upper > 0) result.edges.push_back({enter_end(), as_probability(end), number({}, state.longest.size())});
   std::stable_sort(result.edges.begin(), result.edges.end(),
                    [](const Branch& a, const Branch& b) { return a.probability.upper > b.probability.upper; });
   note_joined(state, ages, result);

@@ -28,9 +28,9 @@ void LoopProcess::stop_idle_clocks(const std::vector<LoopStateId>& places, std::
 }
 
 /// Adds a state of which all is known without the loop.
-StateNumber LoopProcess::add_known(const Prospect& prospect, bool wanted, const Enclosure& hazard) {
+StateNumber LoopProcess::add_known(const Prospect& prospect, const Enclosure& hazard) {
   const auto fresh = static_cast<StateNumber>(states_.size());
-  State state{{}, 0, {}, {}, {}, {}, prospect, static_cast<std::int8_t>(wanted ? 1 : 0), hazard};
+  State state{{}, 0, {}, {}, {}, {}, prospect, hazard};
   states_.push_back(std::move(state));
   // States and lists are numbered alike.
   numbers_.number({0, fresh});
@@ -41,13 +41,13 @@ StateNumber LoopProcess::add_known(const Prospect& prospect, bool wanted, const 
 StateNumber LoopProcess::enter_steady(const Enclosure& hazard) {
   const auto known = steady_.find({hazard.lower, hazard.upper});
   if (known != steady_.end()) return known->second;
-  const StateNumber fresh = add_known({0, hazard.upper}, false, hazard);
+  const StateNumber fresh = add_known({0, hazard.upper}, hazard);
   steady_.emplace(std::pair(hazard.lower, hazard.upper), fresh);
   return fresh;
 }
 
 StateNumber LoopProcess::enter_end() {
-  if (!end_) end_ = add_known({}, true, {});
+  if (!end_) end_ = add_known({}, {});
   return *end_;
 }
 
