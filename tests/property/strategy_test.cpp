@@ -6,11 +6,13 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/game/rewards.hpp"
 #include "runtime/reasoning/game/strategist.hpp"
+#include "runtime/reasoning/game/ways.hpp"
 #include "runtime/reasoning/nominal/nominal_graph.hpp"
 #include "tests/property/engineered.hpp"
 #include "tests/reference/game.hpp"
@@ -50,13 +52,14 @@ struct Played {
   runtime::Game game;
 
   Played(const Engineered& drawn, runtime::Game::Memory memory,
-         automata::Ticks cycle = automata::Ticks{automata::Ticks::per_second})
+         automata::Ticks cycle = automata::Ticks{automata::Ticks::per_second},
+         std::optional<std::size_t> alike = std::nullopt)
       : step(drawn.plant),
         graph(drawn.plant),
         goal(drawn.goal, step, graph),
         arena(step, graph, goal, all_parts(goal), all_components(drawn.plant), drawn.start,
               [](std::size_t) { return true; }),
-        game(arena, memory, cycle, {std::size_t{1} << 14, std::size_t{1} << 20}, drawn.start) {}
+        game(arena, memory, cycle, {std::size_t{1} << 14, std::size_t{1} << 20, alike}, drawn.start) {}
 
   static std::vector<std::size_t> all_parts(const runtime::GameGoal& goal) {
     std::vector<std::size_t> parts(goal.parts());
@@ -99,6 +102,23 @@ RC_GTEST_PROP(Strategy, AgreesWithTheTwinOverModes, ()) { compare(runtime::Game:
 RC_GTEST_PROP(Strategy, AgreesWithTheTwinOverAges, ()) { compare(runtime::Game::Memory::ages, 4); }
 RC_GTEST_PROP(Strategy, AgreesWithTheTwinInDenseTime, ()) {
   compare(runtime::Game::Memory::ages, 4, automata::Ticks{0});
+}
+
+/// A strategy that looks at few ages of the same modes is no surer than the best of all ages.
+RC_GTEST_PROP(Strategy, OfFewAgesPromisesNoMore, ()) {
+  const Engineered drawn = *engineered(2, 4);
+  const automata::Ticks cycle{*rc::gen::element<std::int64_t>(0, automata::Ticks::per_second)};
+  RC_LOG() << rc::toString(drawn) << std::endl;
+  Played all(drawn, runtime::Game::Memory::ages, cycle);
+  Played few(drawn, runtime::Game::Memory::ages, cycle, *rc::gen::inRange<std::size_t>(1, 8));
+  RC_PRE(!all.game.too_large() && !few.game.too_large());
+  const runtime::GameDecision best = runtime::Solution(all.game, 0).at(0);
+  const runtime::GameDecision found = runtime::Solution(few.game, 0).at(0);
+  const int least = runtime::level_number({best.rank, best.lasts});
+  const int own = runtime::level_number({found.rank, found.lasts});
+  RC_TAG(few.game.nodes().size() < all.game.nodes().size() ? "fewer" : "as many",
+         own == least ? "as sure" : "less sure");
+  RC_ASSERT(own >= least);
 }
 
 /// Whether a reward is pursued where the goal is kept, which, and what that costs.

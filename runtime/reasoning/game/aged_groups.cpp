@@ -6,6 +6,7 @@
 
 #include "runtime/reasoning/game/sorted_sets.hpp"
 #include "runtime/reasoning/game/strategist.hpp"
+#include "runtime/reasoning/game/ways.hpp"
 
 namespace rmpl::runtime {
 
@@ -16,9 +17,10 @@ using automata::Modes;
 
 namespace {
 
-// Beyond these a game over ages is too large: the one over modes stands. Where that one has more than so many outcomes,
-// nearly every game over ages is, and none is tried.
+// Beyond these a game over ages is too large. Where the one over modes has more than so many outcomes, nearly every
+// game over ages is, and none is tried.
 constexpr Game::Limits aged_limits{std::size_t{1} << 12, std::size_t{1} << 12};
+constexpr Game::Limits few_ages{std::size_t{1} << 13, std::size_t{1} << 16, std::size_t{16}};
 constexpr std::size_t most_over_modes = std::size_t{1} << 9;
 constexpr std::size_t games_remembered = 16;  // of one group
 
@@ -64,30 +66,59 @@ bool Strategist::bounds_matter(const Group& group, const Modes& modes) const {
   });
 }
 
-/// Of a group that was solved over modes: over ages, too, where that can make a difference and is not too large.
+/// Of a group that was solved over modes: over ages, too, where that can make a difference. Where the game over ages is
+/// too large, its part with few ages stands if its strategy is surer than what is known without bounds.
 void Strategist::count_ages(Group& group, const Played& over_modes, const Modes& modes) {
   if (!bounds_matter(group, modes) || rests_for_good(*group.solved)) {
     group.ages.reset();
     return;
   }
   group.solved->bounds_counted = false;
-  if (!over_modes.best || over_modes.game->outcomes().size() > most_over_modes) return;
+  const bool few = over_modes.best && over_modes.game->outcomes().size() <= most_over_modes;
+  if (few && play_over_ages(group, over_modes.arena, aged_limits, modes)) return;
+  const SolvedGame without_bounds = *group.solved;
+  const auto level = [](const SolvedGame& solved) {
+    const GameDecision& decision = solved.decision();
+    return level_number({decision.rank, decision.lasts});
+  };
+  if (level(without_bounds) == 0) return;
+  const bool surer = play_over_ages(group, useful_arena(over_modes, group, modes), few_ages, modes) &&
+                     level(*group.solved) < level(without_bounds);
+  if (!surer) group.solved = without_bounds;
+  group.solved->best = false;
+}
+
+/// Whether that game is not too large; then it is solved.
+bool Strategist::play_over_ages(Group& group, const std::shared_ptr<Arena>& arena, const Game::Limits& limits,
+                                const Modes& modes) {
   auto& games = aged_games_[{group.parts, group.components}];
   for (Played& played : games) {
-    const auto start = in_context(*played.arena, modes) ? played.game->find(modes, group.ages) : std::nullopt;
-    if (start) {
+    if (played.best == limits.alike.has_value() || !in_context(*played.arena, modes)) continue;
+    if (const auto start = played.game->find(modes, group.ages)) {
+      if (played.game->too_large() && *start != 0) continue;
+      if (played.game->too_large()) return false;
       group.solved = solved(played, *start, group.parts);
-      return;
+      return true;
     }
   }
-  auto game = kept_with(over_modes.arena,
-                        new Game(*over_modes.arena, Game::Memory::ages, *cycle_, aged_limits, modes, group.ages));
-  if (game->too_large()) return;
+  auto game = kept_with(arena, new Game(*arena, Game::Memory::ages, *cycle_, limits, modes, group.ages));
   if (games.size() >= games_remembered) games.erase(games.begin());
   Played& played = games.emplace_back();
-  played.arena = over_modes.arena;
+  played.arena = arena;
   played.game = std::move(game);
+  played.best = !limits.alike;
+  if (played.game->too_large()) return false;
   group.solved = solved(played, 0, group.parts);
+  return true;
+}
+
+/// An arena in which only useful actions are looked at.
+std::shared_ptr<Arena> Strategist::useful_arena(const Played& over_modes, const Group& group, const Modes& modes) {
+  if (!over_modes.best) return over_modes.arena;
+  auto arena = std::make_shared<Arena>(step_, graph_, goal_, group.parts, group.components, modes,
+                                       [this](std::size_t island) { return excludes(island); });
+  arena->restrict_to_useful();
+  return arena;
 }
 
 /// Whether the strategy in force of a group still holds: it leads on, and disturbs nothing outside.

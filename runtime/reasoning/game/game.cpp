@@ -14,7 +14,8 @@ using automata::Ticks;
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t most_outcomes_of_one = 4096;  // of one action
+constexpr std::uint64_t unknown_harm = std::uint64_t{1} << 63;  // of a node that is not explored
+constexpr std::size_t most_outcomes_of_one = 4096;              // of one action
 
 std::int64_t sum(std::int64_t a, std::int64_t b) { return std::min(a + b, Cycles::never); }
 
@@ -55,7 +56,7 @@ std::size_t Game::KeyHash::operator()(const Key& key) const noexcept {
 
 Game::Game(Arena& arena, Memory memory, Ticks cycle, Limits limits, const automata::Modes& start,
            const std::optional<std::vector<Age>>& ages)
-    : arena_(arena), memory_(memory), cycle_(cycle), rules_(cycle) {
+    : arena_(arena), memory_(memory), cycle_(cycle), rules_(cycle), most_alike_(limits.alike) {
   if (memory == Memory::ages) find_caps();
   const auto position = position_of(start);
   too_large_ = !position;
@@ -112,17 +113,37 @@ void Game::cap(Key& key) const {
 std::uint32_t Game::node_of(Key key) {
   cap(key);
   const std::uint32_t position = key.position;
+  if (most_alike_) {
+    for (Age& age : key.ages) age.charged = 0;
+    if (alike_.size() <= position) alike_.resize(position + std::size_t{1});
+    if (!numbers_.contains(key) && ++alike_[position] > *most_alike_) return unexplored(position);
+  }
   const auto [at, fresh] = numbers_.try_emplace(std::move(key), static_cast<std::uint32_t>(nodes_.size()));
   if (fresh) {
-    nodes_.push_back({position, 0, 0, 0});
+    nodes_.push_back({position, 0, 0, 0, true});
     ages_.push_back(&at->first.ages);
+  }
+  return at->second;
+}
+
+/// The node of these modes from which on nothing is looked at.
+std::uint32_t Game::unexplored(std::uint32_t position) {
+  const auto [at, fresh] = unexplored_.try_emplace(position, static_cast<std::uint32_t>(nodes_.size()));
+  if (fresh) {
+    std::vector<Age>& unknown = unknown_ages_.emplace_back();
+    const auto& modes = arena_.modes(position);
+    for (std::size_t i = 0; i < arena_.components().size(); ++i) {
+      unknown.push_back({0, caps_[i][modes[arena_.components()[i].index()].index()], 0});
+    }
+    nodes_.push_back({position, 0, 0, unknown_harm, false});
+    ages_.push_back(&unknown);
   }
   return at->second;
 }
 
 std::uint64_t Game::bit_of(Harm harm) {
   const auto [at, fresh] = harms_.try_emplace(std::move(harm), static_cast<std::uint32_t>(harms_.size()));
-  if (at->second >= 64) {
+  if (at->second >= 63) {
     too_large_ = true;
     return 0;
   }
@@ -156,6 +177,7 @@ void Game::explore(Limits limits, Key start) {
   for (std::uint32_t node = 0; node < nodes_.size() && !too_large_; ++node) {
     const Position& position = arena_.at(nodes_[node].position);
     nodes_[node].first = static_cast<std::uint32_t>(edges_.size());
+    if (!nodes_[node].explored) continue;
     for (const Position::Action& action : position.actions) add_edge(node, position, action);
     nodes_[node].count = static_cast<std::uint32_t>(edges_.size()) - nodes_[node].first;
     too_large_ = too_large_ || arena_.too_large() || nodes_.size() > limits.nodes || outcomes_.size() > limits.outcomes;
@@ -322,10 +344,11 @@ void Game::spread_harm() {
   std::vector<std::uint32_t> changed;
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
     Node& node = nodes_[n];
-    if (node.count == 0) continue;
-    const Edge& rest = edges_[node.first];
-    node.harm = rest.takes;
-    for (std::uint32_t o = rest.first; o < rest.first + rest.count; ++o) before[outcomes_[o].node].push_back(n);
+    if (node.count > 0) {
+      const Edge& rest = edges_[node.first];
+      node.harm = rest.takes;
+      for (std::uint32_t o = rest.first; o < rest.first + rest.count; ++o) before[outcomes_[o].node].push_back(n);
+    }
     if (node.harm != 0) changed.push_back(n);
   }
   while (!changed.empty()) {
@@ -343,7 +366,9 @@ void Game::spread_harm() {
 std::uint64_t Game::added_harm(std::uint32_t node, const Edge& edge) const {
   std::uint64_t harm = edge.takes;
   for (std::uint32_t o = edge.first; o < edge.first + edge.count; ++o) harm |= nodes_[outcomes_[o].node].harm;
-  return harm & ~nodes_[node].harm;
+  // Unknown harm is never told to be that of resting, but of the edge to rest with.
+  const bool rests = &edge == &edges_[nodes_[node].first];
+  return harm & ~(nodes_[node].harm & (rests ? ~std::uint64_t{0} : ~unknown_harm));
 }
 
 void Game::forbid() {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -55,10 +56,14 @@ class Game {
     std::uint32_t first;     ///< of its edges; the first is the one to rest with
     std::uint32_t count;     ///< 0: nothing is possible here
     std::uint64_t harm = 0;  ///< what may come from here if the executive rests
+    bool explored = true;    ///< else nothing is possible here, as far as is looked at
   };
 
   struct Limits {
     std::size_t nodes, outcomes;
+    /// Of the same modes so many ages are looked at, as they are met; no strategy relies on others. What a wait costs
+    /// is then its longest time, however much of that has been charged.
+    std::optional<std::size_t> alike = std::nullopt;
   };
   /// Explores from `start`, which is possible. `cycle`: of the executive; 0 where actions take no time. `ages`: of the
   /// arena's components, where they are known; else nothing is but that nothing is overdue that resting enables.
@@ -113,6 +118,7 @@ class Game {
   bool list_choices(std::uint32_t node, const Position& position, const Position::Action& action, Turn& turn);
   void add_outcome(std::uint32_t node, const Position& position, const Turn& turn, Edge& edge);
   std::uint32_t node_of(Key key);
+  std::uint32_t unexplored(std::uint32_t position);
   void find_caps();
   void cap(Key& key) const;
   std::uint64_t bit_of(Harm harm);
@@ -131,6 +137,10 @@ class Game {
   std::unordered_map<Key, std::uint32_t, KeyHash> numbers_;
   std::map<Harm, std::uint32_t> harms_;
   std::map<std::vector<std::pair<std::size_t, std::uint32_t>>, std::uint32_t> classes_;  ///< of the present edge
+  std::optional<std::size_t> most_alike_;
+  std::vector<std::size_t> alike_;                     ///< by position: how many ages were met, where few are kept
+  std::map<std::uint32_t, std::uint32_t> unexplored_;  ///< by position
+  std::deque<std::vector<Age>> unknown_ages_;          ///< of nodes that are not explored
   bool too_large_ = false;
 };
 

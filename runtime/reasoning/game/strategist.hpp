@@ -153,6 +153,9 @@ class Strategist {
   Answer answer(const automata::Modes& modes, const StrategyPosition& position);
   bool rests_from(const SolvedGame& solved, const automata::Modes& modes);
   void count_ages(Group& group, const Played& over_modes, const automata::Modes& modes);
+  bool play_over_ages(Group& group, const std::shared_ptr<Arena>& arena, const Game::Limits& limits,
+                      const automata::Modes& modes);
+  std::shared_ptr<Arena> useful_arena(const Played& over_modes, const Group& group, const automata::Modes& modes);
   static bool leaves(const Game& game, const Game::Edge& edge, std::uint32_t node, std::size_t member);
   std::vector<automata::ComponentId> follow(Group& group, const automata::Modes& modes);
   using Apart = std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>>;  ///< parts of two groups

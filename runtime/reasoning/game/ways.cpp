@@ -23,6 +23,20 @@ bool comes_before(std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
+int level_number(const Level& level) {
+  switch (level.rank) {
+    case Rank::sure:
+      return level.lasts ? 0 : 2;
+    case Rank::fair:
+      return level.lasts ? 1 : 3;
+    case Rank::hoped:
+      return level.lasts ? 4 : 5;
+    case Rank::none:
+      break;
+  }
+  return 6;
+}
+
 Level best_level(Rank lasting, Rank passing) {
   if (lasting <= Rank::fair) return {lasting, true};
   if (passing <= Rank::fair || lasting == Rank::none) return {passing, false};

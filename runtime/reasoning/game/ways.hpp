@@ -17,6 +17,8 @@ struct Level {
   bool operator==(const Level&) const = default;
 };
 
+/// 0 for the best one, the greater the worse (semantics 5, "What can be had").
+int level_number(const Level& level);
 /// The better one of what can be had towards where the goal can be kept, and towards where it holds.
 Level best_level(Rank lasting, Rank passing);
 

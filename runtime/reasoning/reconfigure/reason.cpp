@@ -100,7 +100,8 @@ std::string remedy(const Reason& reason, const Plant& plant) {
              plant[reason.step->component]
                  .modes[lasting(plant[reason.step->component], transition(plant, *reason.step)).index()]
                  .name +
-             ", or transitions back in the model, would permit a plan";
+             " or transitions back in the model would permit a plan; so would a progress component, if '" +
+             plant[reason.step->component].name + "' is meant to go only forward";
     case Reason::Obstacle::unsupported:
       return "a control or a mode that makes its guard true would permit a plan";
     case Reason::Obstacle::side_effect:
