@@ -44,7 +44,7 @@ install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONE
         PATTERN CMakeLists.txt EXCLUDE PATTERN fly EXCLUDE PATTERN check EXCLUDE)
 
 # The libraries: find_package(rmpl), targets rmpl::automata, …
-set(RMPL_LIBRARIES base automata grammar compiler reasoning telemetry executive report verifier)
+set(RMPL_LIBRARIES base automata grammar language lint_codes lint diagram format import compiler reasoning telemetry executive report verifier)
 install(TARGETS ${RMPL_LIBRARIES} rmpl_cadical rmpl_bliss EXPORT rmpl
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/rmpl COMPONENT development
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rmpl)

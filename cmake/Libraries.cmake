@@ -26,12 +26,16 @@ target_link_libraries(rmpl_bliss INTERFACE $<BUILD_INTERFACE:${BLISS_LIBRARY}> $
 target_compile_definitions(rmpl_bliss INTERFACE BLISS_USE_GMP)
 target_include_directories(rmpl_bliss SYSTEM INTERFACE $<BUILD_INTERFACE:${BLISS_INCLUDE_DIR}>)
 
-# rmpl_folder(<name> [links…] [ALONE <folders…>]): every .cpp below this folder, as one static library. No unit is made of
-# the files of the folders named after ALONE.
+# rmpl_folder(<name> [links…] [FOLDERS <folders…>] [ALONE <folders…>]): every .cpp below this folder, or below those folders of
+# it, as one static library. No unit is made of the files of the folders named after ALONE.
 # A folder sees another only through a link named here; the test `arrows` checks the includes against the links.
 function(rmpl_folder name)
-  cmake_parse_arguments(arg "" "" "ALONE" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  cmake_parse_arguments(arg "" "" "FOLDERS;ALONE" ${ARGN})
+  set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(arg_FOLDERS)
+    list(TRANSFORM arg_FOLDERS REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/*.cpp" OUTPUT_VARIABLE patterns)
+  endif()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
   set(alone "")
   foreach(folder ${arg_ALONE})
     file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
@@ -44,11 +48,11 @@ function(rmpl_folder name)
   target_link_libraries(${name} PUBLIC ${arg_UNPARSED_ARGUMENTS} PRIVATE $<BUILD_INTERFACE:rmpl_warnings>)
 endfunction()
 
-# rmpl_program(<name> <links…>): one command-line program, of every .cpp right in this folder. Each command has `Options` and
-# `notes` of its own, so that no units are made of them.
+# rmpl_program(<name> <links…>): one command-line program, of every .cpp right in this folder.
 function(rmpl_program name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  add_executable(${name} ${sources})
+  rmpl_units(units ${name} ${sources})
+  add_executable(${name} ${units})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARGN} CLI11::CLI11 rmpl_warnings)
   target_compile_definitions(${name} PRIVATE RMPL_VERSION="${PROJECT_VERSION}")

@@ -15,41 +15,6 @@ namespace rmpl::compiler {
 
 using grammar::Diagnostics;
 
-const char* to_string(LintGroup group) {
-  switch (group) {
-    case LintGroup::impossible:
-      return "impossible";
-    case LintGroup::suspicious:
-      return "suspicious";
-    case LintGroup::unused:
-      return "unused";
-    case LintGroup::observability:
-      return "observability";
-    case LintGroup::timing:
-      return "timing";
-    case LintGroup::style:
-      return "style";
-    case LintGroup::allowance:
-      return "allowance";
-  }
-  return "";
-}
-
-std::vector<LintCode> lint_codes() {
-  std::vector<LintCode> all;
-  for (const auto codes : {plant_lint_codes(), program_lint_codes()}) all.insert(all.end(), codes.begin(), codes.end());
-  std::sort(all.begin(), all.end(), [](const LintCode& a, const LintCode& b) { return a.code < b.code; });
-  return all;
-}
-
-const LintCode* find_lint_code(grammar::Code code) {
-  for (const auto codes : {plant_lint_codes(), program_lint_codes()}) {
-    const auto found = std::find_if(codes.begin(), codes.end(), [&](const LintCode& one) { return one.code == code; });
-    if (found != codes.end()) return &*found;
-  }
-  return nullptr;
-}
-
 grammar::Diagnostic& add_finding(Diagnostics& found, grammar::Code code, grammar::Span span, std::string message) {
   const LintCode* known = find_lint_code(code);
   CHECK(known != nullptr && "what lint finds is among its codes");

@@ -12,6 +12,7 @@
 #include "automata/property.hpp"
 #include "automata/scenario.hpp"
 #include "compiler/lint/places.hpp"
+#include "compiler/lint_codes/lint_codes.hpp"
 #include "compiler/lower/program_places.hpp"
 #include "compiler/session/compiler.hpp"
 #include "compiler/session/files.hpp"
@@ -38,48 +39,15 @@ struct LintInput {
 /// A pass: looks for one kind of thing, by proof, and adds what it found with `add_finding`, in any order.
 using LintPass = void (*)(const LintInput&, grammar::Diagnostics&);
 
-/// What a finding is about; groups have levels, too.
-enum class LintGroup {
-  impossible,     ///< it can never be, hold or happen
-  suspicious,     ///< it is most likely meant otherwise
-  unused,         ///< it is there for nothing
-  observability,  ///< nothing tells it from something else
-  timing,         ///< it does not fit the time there is
-  style,          ///< it is easily misread
-  allowance       ///< of the `lint: allow` comments themselves
-};
-/// `impossible`, ….
-const char* to_string(LintGroup group);
-
-/// A code that lint finds, with its group and the level that it has where nothing else is said.
-struct LintCode {
-  grammar::Code code;
-  LintGroup group;
-  grammar::Severity level;
-};
-
-/// The passes and codes of lint, by subject: plants; model programs; programs, scenarios and properties. What is found
-/// in model programs has codes of the others.
+/// The passes of lint, by subject: plants; model programs; programs, scenarios and properties.
 std::span<const LintPass> model_program_passes();
 std::span<const LintPass> plant_passes();
-std::span<const LintCode> plant_lint_codes();
 std::span<const LintPass> program_passes();
-std::span<const LintCode> program_lint_codes();
-/// All codes that lint finds, by number. Warnings of the compiler are among them.
-std::vector<LintCode> lint_codes();
-/// The entry of a code; null where lint does not find it.
-const LintCode* find_lint_code(grammar::Code code);
 
 /// Adds a finding at the level of its code and returns it, for notes, a suggestion and a fix. The code has an entry
 /// among the lint codes. The reference lasts until the next addition.
 grammar::Diagnostic& add_finding(grammar::Diagnostics& found, grammar::Code code, grammar::Span span,
                                  std::string message);
-
-/// What a user has to say of lint as a whole.
-struct LintSettings {
-  std::map<grammar::Code, std::optional<grammar::Severity>> levels;  ///< where not their own; nothing: not to be told
-  automata::Ticks cycle{automata::Ticks::per_second / 2};            ///< of the executive, where no scenario says it
-};
 
 /// All that there is to say of an input set that compiled: the warnings of the compiler and what the passes find, but
 /// for what comments allow (allowances.hpp).

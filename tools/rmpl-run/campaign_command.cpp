@@ -62,7 +62,7 @@ AtMost at_most(const std::string& text) {
   return result;
 }
 
-struct Options {
+struct CampaignOptions {
   std::string file;
   std::string only;
   std::vector<std::string> monitors;  ///< files; empty: those of the project
@@ -80,7 +80,7 @@ struct Options {
   std::optional<std::uint64_t> replay;  ///< the number of a run
 };
 
-constexpr const char* footer =
+constexpr const char* campaign_footer =
     R"(Every run is the scenario with a seed of its own and --faults faults, each as soon as the model allows
 it from a random time of the flight on. What comes of a run depends on the scenario, --seed and its
 number alone. The same command goes on where one was ended, and shares the work with others that run at
@@ -97,7 +97,7 @@ examples:
   rmpl-run campaign landing.scn --enumerate --at 10s --at 4.5h --db each.sqlite --csv each.csv
   mpirun --enable-recovery -n 8 rmpl-run campaign landing.scn --runs 10000 --jobs 1 --db landing.sqlite)";
 
-const automata::Scenario& selected(const automata::Document& document, const Options& options) {
+const automata::Scenario& selected(const automata::Document& document, const CampaignOptions& options) {
   std::vector<std::string_view> names;
   for (const automata::Scenario& scenario : document.scenarios) names.emplace_back(scenario.name);
   const auto found = std::find(names.begin(), names.end(), options.only);
@@ -145,7 +145,7 @@ std::string digest_of(const std::vector<std::string>& files) {
   return std::to_string(hash);
 }
 
-Campaign prepare(const automata::Document& document, const Options& options) {
+Campaign prepare(const automata::Document& document, const CampaignOptions& options) {
   const automata::Scenario& scenario = selected(document, options);
   runtime::expect_faults(document, scenario, options.enumerate ? 1 : options.faults);
   Campaign campaign{document, scenario, {}, options.runs, {}, {}};
@@ -182,7 +182,7 @@ bool is_first_rank() {
   return rank == nullptr || std::string_view(rank) == "0";
 }
 
-void check(const Options& options) {
+void check(const CampaignOptions& options) {
   if (options.replay && (!options.csv.empty() || !options.database.empty()))
     throw base::InputError("--replay flies one run, so it cannot be combined with --db or --csv");
   if (!options.replay && options.database.empty())
@@ -195,7 +195,7 @@ void check(const Options& options) {
 }
 
 /// Tells and writes what the runs came to that are there.
-ExitStatus publish(const Campaign& campaign, const Options& options, const Common& common) {
+ExitStatus publish(const Campaign& campaign, const CampaignOptions& options, const Common& common) {
   CampaignStore store(options.database, campaign.plant(), campaign.identity);
   CampaignSummary summary(campaign.plant());
   std::string csv = runtime::csv_head();
@@ -225,7 +225,7 @@ ExitStatus publish(const Campaign& campaign, const Options& options, const Commo
 }
 
 /// One run again, told as the flight that it is.
-ExitStatus replay(const Campaign& campaign, const Options& options, const Common& common) {
+ExitStatus replay(const Campaign& campaign, const CampaignOptions& options, const Common& common) {
   if (options.enumerate && *options.replay >= campaign.runs) {
     throw base::InputError("--replay: expected a run below " + std::to_string(campaign.runs) +
                            "; runs are numbered from 0");
@@ -265,7 +265,7 @@ ExitStatus replay(const Campaign& campaign, const Options& options, const Common
   }
 }
 
-ExitStatus run(Options options, const Common& common, const Settings& settings) {
+ExitStatus run(CampaignOptions options, const Common& common, const Settings& settings) {
   check(options);
   options.monitors = ScenarioMonitors(options.monitors, settings.manifest).of(options.file);
   const compiler::Compilation compilation = load(with_monitors(options.file, options.monitors), common, to_be_flown());
@@ -285,7 +285,7 @@ ExitStatus run(Options options, const Common& common, const Settings& settings) 
 
 void add_campaign(Program& program) {
   Command command = program.add_command("campaign", "fly a scenario many times, with faults injected");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CampaignOptions>();
   command.add_option("FILE", options->file, "a .scn file, or a compiled .json").required();
   command.add_option("--only", options->only, "the scenario of the file").option_text("NAME");
   add_monitors(command, options->monitors);
@@ -314,7 +314,7 @@ void add_campaign(Program& program) {
       .option_text("OUT.html");
   add_whole_number(command, "--replay", options->replay, 0, most_runs,
                    "fly only this run, by its number from 0, and tell its story; not with --db");
-  command.footer(footer);
+  command.footer(campaign_footer);
   program.add({command,
                [options, &program] {
                  return within_limits([&] { return run(*options, program.common(), program.settings()); });

@@ -21,7 +21,7 @@ using runtime::Diagnoses;
 using runtime::Diagnosis;
 using runtime::JsonLine;
 
-struct Options {
+struct DiagnoseOptions {
   std::string plant;
   std::string observe;
   std::string modes;
@@ -30,7 +30,7 @@ struct Options {
   bool stats = false;
 };
 
-constexpr const char* footer =
+constexpr const char* diagnose_footer =
     R"(Every component is in some mode; a diagnosis names those that are in a fault mode, and all others are
 nominal. It is consistent with the observations and the model. Best first is by prior probability.
 Of a model program, or a plant that holds one, a diagnosis names what is marked in the threads that took
@@ -71,7 +71,7 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
 }
 
 /// A model program, or a plant that holds one, is diagnosed by its threads.
-ExitStatus run_model(const automata::ModelProgram& program, const Options& options, const Common& common) {
+ExitStatus run_model(const automata::ModelProgram& program, const DiagnoseOptions& options, const Common& common) {
   const runtime::DiagnoseOptions& search = options.search;
   const bool modes = !options.modes.empty();
   if (search.all_minimal || search.first || search.count_only || !options.scenario.empty() || modes) {
@@ -86,7 +86,7 @@ ExitStatus run_model(const automata::ModelProgram& program, const Options& optio
   return diagnose_model(program, options.plant, observation, search.k, search.ratio, options.stats, common);
 }
 
-ExitStatus run(Options options, const Common& common) {
+ExitStatus run(DiagnoseOptions options, const Common& common) {
   check_standard_input({options.plant, options.scenario});
   const compiler::Compilation compilation = load({options.plant}, common);
   if (is_model_program(compilation.document())) {
@@ -127,7 +127,7 @@ ExitStatus run(Options options, const Common& common) {
 
 void add_diagnose(Program& program) {
   Command command = program.add_command("diagnose", "find the faults that explain one snapshot");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiagnoseOptions>();
   command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
       .required();
   Option observe = command.add_option("--observe", options->observe, "the observations: attributes and their values")
@@ -157,7 +157,7 @@ void add_diagnose(Program& program) {
   command.add_flag("--count", options->search.count_only, "print only the number of diagnoses with the fewest faults");
   add_format(command, program.common());
   command.add_flag("--stats", options->stats, "print the cost on standard error");
-  command.footer(footer);
+  command.footer(diagnose_footer);
   program.add({command,
                [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); }});
 }

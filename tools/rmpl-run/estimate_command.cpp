@@ -27,7 +27,7 @@ using runtime::LogLine;
 
 using Engine = runtime::LogEstimatorOptions::Engine;
 
-struct Options {
+struct EstimateOptions {
   std::string plant;
   std::string log;
   std::string script;
@@ -37,7 +37,7 @@ struct Options {
   bool text = false;
 };
 
-constexpr const char* footer =
+constexpr const char* estimate_footer =
     R"(Each line of the log is a JSON object: "time" in seconds, the "command" that was in force since the
 line before (absent variables are idle), and the "observations" at that time. For each a line comes out:
 "time", the most likely modes as "estimate", and the "belief", most probable first, with the clocks that
@@ -91,7 +91,7 @@ void report(const runtime::LogEstimator& flight, const Latency& latency, bool ra
 /// Answers a log line by line.
 class Flight {
  public:
-  Flight(const automata::Plant& plant, const Options& options)
+  Flight(const automata::Plant& plant, const EstimateOptions& options)
       : plant_(plant), options_(options), estimator_(plant, options.estimator) {
     if (!estimator_.starts()) {
       throw base::InputError(options.plant +
@@ -131,7 +131,7 @@ class Flight {
 
  private:
   const automata::Plant& plant_;
-  const Options& options_;
+  const EstimateOptions& options_;
   runtime::LogEstimator estimator_;
   runtime::AnswerWriter writer_;
   runtime::JsonLine json_;
@@ -139,7 +139,7 @@ class Flight {
 };
 
 /// A model program is estimated by markings.
-ExitStatus run_model(const automata::ModelProgram& program, const Options& options, const Common& common) {
+ExitStatus run_model(const automata::ModelProgram& program, const EstimateOptions& options, const Common& common) {
   if (is_about_plants(options.estimator)) {
     throw base::InputError(options.plant +
                            ": --thesis, --ranks, --live-clocks, --all-clocks, --deadline and --max-memory apply to "
@@ -156,7 +156,7 @@ ExitStatus run_model(const automata::ModelProgram& program, const Options& optio
   return estimate_model(program, own);
 }
 
-ExitStatus run(Options options, const Common& common) {
+ExitStatus run(EstimateOptions options, const Common& common) {
   const auto begin = std::chrono::steady_clock::now();
   check_standard_input({options.plant, options.log, options.reading.monitors_file});
   const compiler::Compilation compilation = load({options.plant}, common);
@@ -215,7 +215,7 @@ ExitStatus run(Options options, const Common& common) {
 
 void add_estimate(Program& program) {
   Command command = program.add_command("estimate", "estimate the state of a plant from a log");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EstimateOptions>();
   command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
       .required();
   Option log = command.add_option("--log", options->log, "commands and observations; - is standard input")
@@ -257,7 +257,7 @@ void add_estimate(Program& program) {
   command.add_flag("--text", options->text,
                    "write text for people; for a model program, with the source of each marked location");
   command.add_flag("--stats", options->estimator.stats, "print the cost on standard error");
-  command.footer(footer);
+  command.footer(estimate_footer);
   program.add({command,
                [options, &common = program.common()] {
                  options->reading.quiet = common.quiet;

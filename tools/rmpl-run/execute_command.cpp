@@ -31,7 +31,7 @@ using runtime::ScenarioOptions;
 using runtime::TraceDetail;
 using Time = runtime::LiveOptions::Time;
 
-struct Options {
+struct ExecuteOptions {
   std::string program;
   std::string plant;
   std::string main;
@@ -50,7 +50,7 @@ struct Options {
   runtime::LiveRun run;
 };
 
-constexpr const char* footer =
+constexpr const char* execute_footer =
     R"(Each cycle the plant gets one line, {"cycle":7,"time":3,"until":3.5,"command":{…}}, and answers with
 one, {"cycle":7,"observations":{…}}, before the cycle is over. What it does not say is not observed.
 docs/execute.md has the whole protocol, and what becomes of a plant that is late, dead or mad.
@@ -78,7 +78,7 @@ std::string read_token(const std::string& path) {
   return token;
 }
 
-std::unique_ptr<runtime::Channel> make_channel(const Options& options) {
+std::unique_ptr<runtime::Channel> make_channel(const ExecuteOptions& options) {
   if (!options.command.empty()) return std::make_unique<ChildPlant>(options.command, interrupted);
   if (options.remote && options.token.empty()) {
     throw base::InputError("--allow-remote requires --token: otherwise anybody could connect");
@@ -102,7 +102,7 @@ ExitStatus status_of(LiveResult::End end) {
   return ExitStatus::undecided;
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const ExecuteOptions& options, const Common& common) {
   const compiler::Compilation compilation = load({options.program, options.plant}, common, {options.main});
   const automata::Document& document = compilation.document();
   const automata::Program& program = only_program(document, options.program);
@@ -176,7 +176,7 @@ void add_engines(Command& command, ScenarioOptions& engines) {
 
 void add_execute(Program& program) {
   Command command = program.add_command("execute", "run a control program on a plant outside the process");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExecuteOptions>();
   command.add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json").required();
   command.add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json").required();
   Option exec =
@@ -224,7 +224,7 @@ void add_execute(Program& program) {
   command
       .add_option("--main", options->main, "the definition to run, if there are several that no other definition calls")
       .option_text("NAME");
-  command.footer(footer);
+  command.footer(execute_footer);
   program.add({command,
                [options, &common = program.common()] { return within_limits([&] { return run(*options, common); }); },
                AtSignal::tell});

@@ -4,7 +4,8 @@
 
 namespace {
 
-constexpr const char* notes = R"(Times are seconds, or have a unit: 30, 30 s, 270 min, 4.5 h. '-' is standard input.
+constexpr const char* main_notes =
+    R"(Times are seconds, or have a unit: 30, 30 s, 270 min, 4.5 h. '-' is standard input.
 Every subcommand has its own --help, with examples.
 
 exit code: 0 done, expectations met; 1 an expectation failed, or no plan; 2 the command line or an
@@ -17,7 +18,7 @@ int main(int count, char** arguments) {
   using namespace rmpl::tools;
   Program program("rmpl-run", RMPL_VERSION,
                   "Runs timed model-based programs: the executive on a simulated plant, and its parts one by one.",
-                  notes);
+                  main_notes);
   add_scenario(program);
   add_step(program);
   add_execute(program);

@@ -29,7 +29,7 @@ using runtime::TransitionOf;
 
 enum class PlanFormat { text, json, dot };
 
-struct Options {
+struct PlanOptions {
   std::string plant;
   std::string from;
   std::string goal;
@@ -41,7 +41,7 @@ struct Options {
   std::string component;
 };
 
-constexpr const char* footer =
+constexpr const char* plan_footer =
     R"(The commands are those that lead to the goal state if nothing fails, a line for each cycle: what the goal
 needs, and what is worth more by reward. A wait is for a transition that needs no command. Components that
 --from does not name are in their most likely initial mode.
@@ -148,7 +148,7 @@ std::vector<automata::ComponentId> components_named(const automata::Plant& plant
   return result;
 }
 
-ExitStatus print_policies(const Options& options, const Common& common, const automata::Plant& plant) {
+ExitStatus print_policies(const PlanOptions& options, const Common& common, const automata::Plant& plant) {
   const auto components = components_named(plant, options.component);
   const runtime::NominalGraph graph(plant);
   if (common.format == Format::json) {
@@ -161,7 +161,7 @@ ExitStatus print_policies(const Options& options, const Common& common, const au
   return ExitStatus::done;
 }
 
-ExitStatus print_strategy(const Options& options, automata::PlantStep& step, const automata::Modes& modes,
+ExitStatus print_strategy(const PlanOptions& options, automata::PlantStep& step, const automata::Modes& modes,
                           const automata::Formula& goal) {
   const automata::Plant& plant = step.plant();
   const runtime::NominalGraph graph(plant);
@@ -189,7 +189,7 @@ ExitStatus print_strategy(const Options& options, automata::PlantStep& step, con
   return strategy->rank == runtime::Rank::none ? ExitStatus::violated : ExitStatus::done;
 }
 
-ExitStatus run(const Options& options, Common common) {
+ExitStatus run(const PlanOptions& options, Common common) {
   if (options.format == PlanFormat::json) common.format = Format::json;
   const compiler::Compilation compilation = load({options.plant}, common);
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
@@ -220,7 +220,7 @@ ExitStatus run(const Options& options, Common common) {
 
 void add_plan(Program& program) {
   Command command = program.add_command("plan", "plan the commands that lead from a state to a goal");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanOptions>();
   command.add_option("PLANT", options->plant, "a .tcca model, or a compiled .json").required();
   command.add_option("--from", options->from, "the modes to start from").option_text("'x = m, ...'");
   const Option goal =
@@ -243,7 +243,7 @@ void add_plan(Program& program) {
   add_choice<PlanFormat>(command, "--format", options->format,
                          {{"text", PlanFormat::text}, {"json", PlanFormat::json}, {"dot", PlanFormat::dot}},
                          "text for people (the default), json for programs, dot for a picture of the strategy");
-  command.footer(footer);
+  command.footer(plan_footer);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 

@@ -23,7 +23,7 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string trace;
   std::vector<std::string> models;
   std::string main;
@@ -31,7 +31,7 @@ struct Options {
   ViewPaths views;
 };
 
-constexpr const char* footer =
+constexpr const char* report_footer =
     R"(Tells the story of a trace, as of rmpl-run scenario or execute, and writes the views that are asked for,
 the same as those of the flight itself: of a trace with the detail beliefs to the byte, but for what the
 scenario expected; of the others without the belief. A trace that was cut off in a line, as by a crash, is
@@ -48,13 +48,13 @@ examples:
   rmpl-run report flight.jsonl --csv flight.csv)";
 
 /// What flew, and as which scenario: of no account but for the name and the length of a cycle.
-struct Flown {
+struct ReportedFlight {
   automata::Document document;
   automata::Scenario scenario;
 };
 
-Flown models_of(const Options& options, const std::string& text, const Common& common) {
-  Flown flown;
+ReportedFlight models_of(const ReportOptions& options, const std::string& text, const Common& common) {
+  ReportedFlight flown;
   if (options.models.empty()) {
     auto named = named_model(text, options.trace);
     flown.document.plants.push_back(std::move(named.plant));
@@ -74,7 +74,7 @@ Flown models_of(const Options& options, const std::string& text, const Common& c
 
 /// The records of a text, one by one. The last one that there was, if any.
 template <class Look>
-std::optional<runtime::CycleRecord> read(const Flown& flown, const std::string& text, const std::string& name,
+std::optional<runtime::CycleRecord> read(const ReportedFlight& flown, const std::string& text, const std::string& name,
                                          const Look& look) {
   const automata::Plant& plant = flown.document.plant_of(flown.scenario);
   std::istringstream in(text);
@@ -88,10 +88,10 @@ std::optional<runtime::CycleRecord> read(const Flown& flown, const std::string& 
   return last;
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const ReportOptions& options, const Common& common) {
   check_standard_input({options.trace});
   const std::string text = base::read_file(options.trace);
-  Flown flown = models_of(options, text, common);
+  ReportedFlight flown = models_of(options, text, common);
   const automata::Plant& plant = flown.document.plant_of(flown.scenario);
   const automata::Program& program = flown.document.programs.front();
   if (!options.monitors.empty()) flown.scenario.monitors = load_monitors(options.monitors, plant, common);
@@ -128,7 +128,7 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_report(Program& program) {
   Command command = program.add_command("report", "tell the story of a trace, and write any view of it");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportOptions>();
   command.add_option("TRACE", options->trace, "a trace of a flight; - is standard input").required();
   command.add_option("MODELS", options->models, "PROGRAM and PLANT: the models of the flight");
   command
@@ -140,7 +140,7 @@ void add_report(Program& program) {
       .add_option("--main", options->main,
                   "the definition that ran, if there are several that no other definition calls")
       .option_text("NAME");
-  command.footer(footer);
+  command.footer(report_footer);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 

@@ -29,7 +29,8 @@ using runtime::TraceDetail;
 using Engine = runtime::ScenarioOptions::Engine;
 using Recovery = runtime::ScenarioOptions::Recovery;
 
-constexpr const char* footer = R"(A scenario names a control program, a plant, what happens and what is expected.
+constexpr const char* scenario_footer =
+    R"(A scenario names a control program, a plant, what happens and what is expected.
 Those of one file are told as stories while they fly, a line for each thing that changes; those of
 several files as a table, with what was not met and why (-v tells their stories, too).
 
@@ -277,7 +278,7 @@ void add_scenario(Program& program) {
   command.add_flag("--stats", options->stats,
                    "print on standard error how long cycles took: estimation, reconfiguration, both");
   exclude_flights(command);
-  command.footer(footer);
+  command.footer(scenario_footer);
   program.add({command,
                [options, &program] {
                  return within_limits([&] { return run(*options, program.common(), program.settings()); });

@@ -13,14 +13,14 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options {
+struct SequenceOptions {
   std::string program;
   std::string plant;
   std::string log;
   std::string main;
 };
 
-constexpr const char* footer =
+constexpr const char* sequence_footer =
     R"(Line i of the log holds "time" and "estimate" (and, if there are any, "observations") at the start of
 cycle i; what line i + 1 holds is what cycle i reads back. So n + 1 lines are n cycles, and for each a
 line comes out: "cycle", "time", the "marking" with which it starts, its "goal", and the active "clocks".
@@ -34,7 +34,7 @@ examples:
   rmpl-run sequence entry.rmpl --log estimates.jsonl
   rmpl-run sequence entry.rmpl lander.tcca --log flight.jsonl)";
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const SequenceOptions& options, const Common& common) {
   std::vector<std::string> paths{options.program};
   if (!options.plant.empty()) paths.push_back(options.plant);
   check_standard_input({options.program, options.plant, options.log});
@@ -63,14 +63,14 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_sequence(Program& program) {
   Command command = program.add_command("sequence", "step a control program through a log of state estimates");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SequenceOptions>();
   command.add_option("PROGRAM", options->program, "a .rmpl control program, or a compiled .json").required();
   command.add_option("PLANT", options->plant, "a plant model: .tcca, or a compiled .json");
   command.add_option("--log", options->log, "state estimates; - is standard input").required().option_text("IN.jsonl");
   command
       .add_option("--main", options->main, "the definition to run, if there are several that no other definition calls")
       .option_text("NAME");
-  command.footer(footer);
+  command.footer(sequence_footer);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }});
 }
 

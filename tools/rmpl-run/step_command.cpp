@@ -18,7 +18,7 @@
 namespace rmpl::tools {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* step_footer =
     R"(Shows where the run stands, and what may come: commands, transitions with their time windows, faults,
 each with a number to choose it by. An empty line goes on by one cycle; `help` lists the commands.
 On a terminal lines are edited; otherwise they are read from standard input, as a script, and a wrong
@@ -101,7 +101,7 @@ void add_step(Program& program) {
   add_monitors(command, options->monitors);
   const Option monitors = command.option("--monitors");
   for (const Option& said : {files, only, monitors, trace, cycle, duration, seed, main}) dap.excludes(said);
-  command.footer(footer);
+  command.footer(step_footer);
   program.add({command,
                [options, debugger, &program] {
                  return within_limits([&] { return run(*options, *debugger, program.common(), program.settings()); });

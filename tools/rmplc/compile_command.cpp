@@ -12,14 +12,14 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options {
+struct CompileOptions {
   std::vector<std::string> files;
   std::string output;
   std::string depfile;  ///< where to write what the output depends on; empty: nowhere
   std::string main;
 };
 
-constexpr const char* notes =
+constexpr const char* compile_notes =
     R"(Writes one self-contained JSON document to standard output, or to OUT.json with -o:
 the plant, the control program (checked against the plant and bound to it, where
 both are given) and the scenarios with what they refer to. The same input gives the
@@ -50,7 +50,7 @@ void print_sizes(const automata::Document& document) {
   print_error(text);
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const CompileOptions& options, const Common& common) {
   const compiler::Compilation result = load(options.files, common, {options.main});
   write_result(options.output, automata::to_text(result.document()));
   if (!options.depfile.empty()) {
@@ -67,7 +67,7 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_compile(Program& program) {
   Command command = program.add_command("compile", "compile sources into one JSON document");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompileOptions>();
   command.add_option("FILE", options->files, "sources and compiled documents").required();
   add_output(command, options->output, "OUT.json", "write the document to this file");
   command.add_option("--depfile", options->depfile, "write the files that the output depends on, for make and ninja")
@@ -76,7 +76,7 @@ void add_compile(Program& program) {
   command.add_option("--main", options->main, "start the control program at this definition").option_text("NAME");
   Common& common = program.common();
   add_diagnostics_format(command, common);
-  command.footer(notes);
+  command.footer(compile_notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }
 

@@ -23,7 +23,7 @@ enum class Picture { unsaid, dot, svg, png, pdf };
 const std::vector<std::pair<std::string, Picture>> pictures = {
     {"dot", Picture::dot}, {"svg", Picture::svg}, {"png", Picture::png}, {"pdf", Picture::pdf}};
 
-struct Options {
+struct DiagramOptions {
   std::vector<std::string> files;
   std::string output;
   std::string main;
@@ -32,7 +32,7 @@ struct Options {
   Picture format = Picture::unsaid;
 };
 
-constexpr const char* notes =
+constexpr const char* diagram_notes =
     R"(A program is drawn as its hierarchy of locations, a component type as its modes and
 transitions, a plant or a module in it as a block diagram; in a model program, a
 choose is a diamond, with a dot for each of its transition functions. Of several
@@ -60,7 +60,7 @@ std::string listed(const std::vector<Figure>& figures) {
 }
 
 /// The figures that were asked for; of those that look alike the first.
-std::vector<Figure> asked_for(const std::vector<Figure>& figures, const Options& options) {
+std::vector<Figure> asked_for(const std::vector<Figure>& figures, const DiagramOptions& options) {
   if (options.of.empty()) return compiler::main_figures(figures);
   std::vector<Figure> found = compiler::named(figures, options.of);
   if (found.empty()) {
@@ -74,7 +74,7 @@ std::vector<Figure> asked_for(const std::vector<Figure>& figures, const Options&
   return found;
 }
 
-std::string drawn(const std::vector<Figure>& figures, const Options& options) {
+std::string drawn(const std::vector<Figure>& figures, const DiagramOptions& options) {
   const std::vector<Figure> asked = asked_for(figures, options);
   if (asked.empty()) throw base::InputError("there is nothing to draw: no program, plant or component type");
   std::string graph = to_dot(asked.front(), options.depth);
@@ -88,7 +88,7 @@ std::string drawn(const std::vector<Figure>& figures, const Options& options) {
 
 /// The name of the form that was asked for, or that the name of the output tells: no end is DOT. Throws
 /// base::InputError for another end, whose readers would find no picture there.
-std::string form_of(const Options& options) {
+std::string form_of(const DiagramOptions& options) {
   const std::string end = std::filesystem::path(options.output).extension().string();
   for (const auto& [name, picture] : pictures) {
     if (options.format == Picture::unsaid ? end == "." + name : options.format == picture) return name;
@@ -97,7 +97,7 @@ std::string form_of(const Options& options) {
   throw base::InputError(options.output + ": expected a name that ends in .dot, .gv, .svg, .png or .pdf, or --format");
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const DiagramOptions& options, const Common& common) {
   const std::string form = form_of(options);
   const compiler::Compilation result = load(options.files, common, {.main = options.main, .types_suffice = true});
   constexpr std::string_view way_out = "install the package 'graphviz', or write DOT with --format dot";
@@ -110,7 +110,7 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_diagram(Program& program) {
   Command command = program.add_command("diagram", "draw a program, a component type or a plant");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiagramOptions>();
   command.add_option("FILE", options->files, "sources and compiled documents").required();
   add_output(command, options->output, "OUT", "write the picture to this file");
   add_choice<Picture>(command, "--format", options->format, pictures,
@@ -119,7 +119,7 @@ void add_diagram(Program& program) {
   add_whole_number(command, "--depth", options->depth, 0, 1000, "how many levels of boxes are opened");
   command.add_option("--main", options->main, "start the control program at this definition").option_text("NAME");
   Common& common = program.common();
-  command.footer(notes);
+  command.footer(diagram_notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }
 

@@ -101,7 +101,7 @@ ExitStatus explain(const std::string& text, Format format) {
   return ExitStatus::done;
 }
 
-constexpr const char* notes = R"(Exit status: 0 it is told, 2 there is no such code.
+constexpr const char* explain_notes = R"(Exit status: 0 it is told, 2 there is no such code.
 
 Examples:
   rmplc explain RMPL0301
@@ -118,7 +118,7 @@ void add_explain(Program& program) {
   command.require_one(one, list_all);
   Common& common = program.common();
   add_format(command, common);
-  command.footer(notes);
+  command.footer(explain_notes);
   program.add({command, [code, all, &common] { return *all ? list(common.format) : explain(*code, common.format); }});
 }
 

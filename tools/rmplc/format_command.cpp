@@ -13,7 +13,7 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options {
+struct FormatOptions {
   std::vector<std::string> files;
   bool check = false;
   bool diff = false;
@@ -26,7 +26,7 @@ struct Formatted {
   std::string after;
 };
 
-constexpr const char* notes =
+constexpr const char* format_notes =
     R"(Lays out .rmpl, .tcca, .scn, .props and .mon files in one style, in place: lines of at most
 120 columns, tables aligned. Tokens and comments stay as they are; of blank lines at
 most one stays. A file that is well laid out is not touched. `-` is standard input,
@@ -63,7 +63,7 @@ std::vector<Formatted> format_all(const std::vector<std::string>& paths, const C
   return all;
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const FormatOptions& options, const Common& common) {
   check_standard_input(options.files);
   std::string report;
   bool changes = false;
@@ -90,13 +90,13 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_format(Program& program) {
   Command command = program.add_command("format", "lay out sources in the standard style");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FormatOptions>();
   command.add_option("FILE", options->files, "sources; - is standard input").required();
   command.add_flag("--check", options->check, "write nothing; print the names of files that would change");
   command.add_flag("--diff", options->diff, "write nothing; print what would change");
   Common& common = program.common();
   add_diagnostics_format(command, common);
-  command.footer(notes);
+  command.footer(format_notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }
 

@@ -11,13 +11,13 @@ namespace {
 
 using compiler::FaultModel;
 
-struct Options {
+struct ImportOptions {
   std::string file;
   std::string output;
   FaultModel faults = FaultModel::weak;
 };
 
-constexpr const char* notes =
+constexpr const char* import_notes =
     R"(Writes a plant, with the names of the file. Of a circuit, one instance a gate; ports are observed.
 weak:   a gate is ok or faulty, and a faulty one does anything
 strong: ok, stuck-at-0, stuck-at-1 or unknown, with 0.099, 0.099 and 0.002
@@ -28,7 +28,7 @@ Examples:
   rmplc import pumps.dft -o pumps.tcca
   rmplc import cb.xmpl -o cb.tcca)";
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const ImportOptions& options, const Common& common) {
   const auto imported = compiler::is_livingstone(options.file) ? compiler::import_livingstone(options.file)
                                                                : compiler::import_plant(options.file, options.faults);
   tell_findings(imported.findings, common);
@@ -41,7 +41,7 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_import(Program& program) {
   Command command = program.add_command("import", "turn a circuit, a fault tree or a Livingstone2 model into a plant");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ImportOptions>();
   command
       .add_option(
           "FILE", options->file,
@@ -54,7 +54,7 @@ void add_import(Program& program) {
                          "fault model of the gates of circuits (default: weak)");
   Common& common = program.common();
   add_diagnostics_format(command, common);
-  command.footer(notes);
+  command.footer(import_notes);
   program.add({command, [options, &common] { return run(*options, common); }});
 }
 

@@ -30,13 +30,13 @@ using grammar::Diagnostic;
 using grammar::Severity;
 using grammar::Sources;
 
-enum class Form { text, json, sarif, github };
+enum class LintForm { text, json, sarif, github };
 
-struct Options {
+struct LintOptions {
   std::vector<std::string> files;
   std::string main;
   std::optional<Severity> level;
-  Form form = Form::text;
+  LintForm form = LintForm::text;
   bool fix = false;
   std::string baseline;        ///< findings that are known; empty: as the project has it
   std::string write_baseline;  ///< where to write those that there are now; empty: nowhere
@@ -65,24 +65,24 @@ Example:
   rmplc check mars_entry.rmpl mars_lander.tcca)";
 
 /// Of what is allowed SARIF alone tells.
-std::string rendered(Form form, std::span<const Diagnostic> found, const Sources& sources, bool color,
+std::string rendered(LintForm form, std::span<const Diagnostic> found, const Sources& sources, bool color,
                      std::span<const grammar::AllowedFinding> allowed = {}) {
   switch (form) {
-    case Form::json:
+    case LintForm::json:
       return base::printable_json(grammar::render_json(found, sources));
-    case Form::sarif:
+    case LintForm::sarif:
       return base::printable_json(
           grammar::render_sarif(found, sources, {"rmplc", RMPL_VERSION, RMPL_HOMEPAGE}, allowed));
-    case Form::github:
+    case LintForm::github:
       return grammar::render_github(found, sources);
-    case Form::text:
+    case LintForm::text:
       break;
   }
   return grammar::render_text(found, sources, color);
 }
 
 /// Monitors speak of a plant. Where nothing else is named, it is the one of the project's set that has them.
-void add_plant_of_monitors(Options& options, const Settings& settings) {
+void add_plant_of_monitors(LintOptions& options, const Settings& settings) {
   const auto are_monitors = [](const std::string& path) { return path.ends_with(".mon"); };
   if (!std::all_of(options.files.begin(), options.files.end(), are_monitors)) return;
   std::set<std::string> plants;
@@ -110,11 +110,11 @@ struct Input {
   bool library = false;
 };
 
-compiler::Options all_kinds(const Options& options) {
+compiler::Options all_kinds(const LintOptions& options) {
   return {.main = options.main, .properties = true, .monitors = true};
 }
 
-Input compiled(const Options& options) {
+Input compiled(const LintOptions& options) {
   check_standard_input(options.files);
   compiler::Compilation whole = compiler::compile(options.files, all_kinds(options));
   const auto& found = whole.findings().diagnostics.all();
@@ -129,7 +129,7 @@ Input compiled(const Options& options) {
 }
 
 /// What is known, by the option or else by the project: nothing where it is written anew.
-Baseline known_findings(const Options& options, const Settings& settings) {
+Baseline known_findings(const LintOptions& options, const Settings& settings) {
   if (!options.write_baseline.empty()) return {};
   if (!options.baseline.empty()) return Baseline(options.baseline);
   const std::string path = settings.manifest ? baseline_of(*settings.manifest) : "";
@@ -137,7 +137,7 @@ Baseline known_findings(const Options& options, const Settings& settings) {
 }
 
 /// Leaves out what is known, and says what of it is there no more. In a project other files may have that.
-void forget(Baseline known, std::vector<Diagnostic>& found, const Sources& sources, const Options& options,
+void forget(Baseline known, std::vector<Diagnostic>& found, const Sources& sources, const LintOptions& options,
             const Common& common) {
   found = known.unknown(found, sources);
   const std::size_t unmet = options.baseline.empty() ? 0 : known.unmet();
@@ -147,7 +147,7 @@ void forget(Baseline known, std::vector<Diagnostic>& found, const Sources& sourc
 }
 
 /// What is to be told of it, sorted: where it did not compile, everything.
-std::vector<Diagnostic> found_in(const compiler::Compilation& compilation, const Options& options,
+std::vector<Diagnostic> found_in(const compiler::Compilation& compilation, const LintOptions& options,
                                  const Settings& settings, bool library,
                                  std::vector<grammar::AllowedFinding>& allowed) {
   allowed.clear();
@@ -186,7 +186,7 @@ struct Mending {
 bool is_standard_input(const Sources& sources, std::uint32_t file) { return sources[file].name() == "<stdin>"; }
 
 /// One round of fixes, in memory. What is known and standard input are left as they are. Whether there was any.
-bool mend(Mending& mending, compiler::Overlay& texts, Baseline known, const Options& options,
+bool mend(Mending& mending, compiler::Overlay& texts, Baseline known, const LintOptions& options,
           const Settings& settings) {
   const Sources& sources = mending.compilation.findings().sources;
   std::vector<Diagnostic> on_disk = known.unknown(mending.found, sources);
@@ -208,7 +208,7 @@ bool mend(Mending& mending, compiler::Overlay& texts, Baseline known, const Opti
 }
 
 /// Fixes until there is nothing left to fix, as one may bring another, and then rewrites the files.
-void fix(Mending& mending, const Baseline& known, const Options& options, const Common& common,
+void fix(Mending& mending, const Baseline& known, const LintOptions& options, const Common& common,
          const Settings& settings) {
   compiler::Disk disk;
   compiler::Overlay texts(disk);
@@ -220,13 +220,13 @@ void fix(Mending& mending, const Baseline& known, const Options& options, const 
               std::to_string(mending.texts.size()) + (mending.texts.size() == 1 ? " file\n" : " files\n"));
 }
 
-ExitStatus run_lint(const Options& options, const Common& common, const Settings& settings) {
+ExitStatus run_lint(const LintOptions& options, const Common& common, const Settings& settings) {
   auto [compilation, library] = compiled(options);
   std::vector<grammar::AllowedFinding> allowed;
   std::vector<Diagnostic> all = found_in(compilation, options, settings, library, allowed);
   if (!compilation.ok()) {
     // For programs the errors are the result; people find them where all errors are.
-    const bool to_people = options.form == Form::text;
+    const bool to_people = options.form == LintForm::text;
     const bool color = to_people && error_painter(common.color).color;
     (to_people ? print_error : print)(rendered(options.form, all, compilation.findings().sources, color));
     throw Rejected{};
@@ -246,14 +246,14 @@ ExitStatus run_lint(const Options& options, const Common& common, const Settings
   return found.empty() ? ExitStatus::done : ExitStatus::violated;
 }
 
-ExitStatus run_check(const Options& options, const Common& common, const Settings& settings) {
+ExitStatus run_check(const LintOptions& options, const Common& common, const Settings& settings) {
   const auto [compilation, library] = compiled(options);
   std::vector<grammar::AllowedFinding> allowed;
   auto found = found_in(compilation, options, settings, library, allowed);
   const Sources& sources = compilation.findings().sources;
   if (compilation.ok()) forget(known_findings(options, settings), found, sources, options, common);
   if (!found.empty()) {
-    const Form form = common.format == Format::json ? Form::json : Form::text;
+    const LintForm form = common.format == Format::json ? LintForm::json : LintForm::text;
     print_error(rendered(form, found, sources, error_painter(common.color).color));
   }
   if (!compilation.ok()) throw Rejected{};
@@ -266,7 +266,7 @@ ExitStatus run_check(const Options& options, const Common& common, const Setting
 }
 
 /// What both take.
-void add_inputs(Command& command, Options& options) {
+void add_inputs(Command& command, LintOptions& options) {
   command.add_option("FILE", options.files, "sources, scenarios, properties and monitors").required();
   command.add_option("--main", options.main, "start the control program at this definition").option_text("NAME");
   add_choice<std::optional<Severity>>(
@@ -279,11 +279,12 @@ void add_inputs(Command& command, Options& options) {
 
 void add_lint(Program& program) {
   Command command = program.add_command("lint", "find probable mistakes, by proof");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LintOptions>();
   add_inputs(command, *options);
-  add_choice<Form>(command, "--format", options->form,
-                   {{"text", Form::text}, {"json", Form::json}, {"sarif", Form::sarif}, {"github", Form::github}},
-                   "the format of findings (default: text)");
+  add_choice<LintForm>(
+      command, "--format", options->form,
+      {{"text", LintForm::text}, {"json", LintForm::json}, {"sarif", LintForm::sarif}, {"github", LintForm::github}},
+      "the format of findings (default: text)");
   command.add_flag("--fix", options->fix, "apply every fix that is certain, and report the other findings");
   Option known = command.add_option("--baseline", options->baseline, "omit the findings that this file lists");
   known.option_text("FILE.json");
@@ -300,7 +301,7 @@ void add_lint(Program& program) {
 
 void add_check(Program& program) {
   Command command = program.add_command("check", "compile and lint, and write nothing");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LintOptions>();
   add_inputs(command, *options);
   add_diagnostics_format(command, program.common());
   command.footer(check_notes);

@@ -6,7 +6,7 @@
 namespace rmpl::tools {
 namespace {
 
-constexpr const char* notes = R"(Exit status:
+constexpr const char* main_notes = R"(Exit status:
   0  done; lint found nothing
   1  lint found something; format --check, --diff: a file would change
   2  the command line or an input is wrong; nothing was written
@@ -41,7 +41,7 @@ void write_result(const std::string& output, const std::string& text) {
 int main(int count, char** arguments) {
   using namespace rmpl::tools;
   Program program("rmplc", RMPL_VERSION,
-                  "The RMPL compiler: control programs, plant models and scenarios become automata.", notes);
+                  "The RMPL compiler: control programs, plant models and scenarios become automata.", main_notes);
   add_compile(program);
   add_check(program);
   add_lint(program);

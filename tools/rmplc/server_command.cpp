@@ -18,7 +18,7 @@
 namespace rmpl::tools {
 namespace {
 
-constexpr const char* notes =
+constexpr const char* server_notes =
     R"(Editors start it and speak the Language Server Protocol 3.17 with it, on standard
 input and output. docs/editors.md says how to set up Neovim, VS Code, Vim, Emacs
 and Helix.
@@ -75,7 +75,7 @@ ExitStatus run() {
 void add_server(Program& program) {
   Command command = program.add_command("server", "the language server, for editors");
   command.add_flag("--stdio", "use standard input and output, as it always does");
-  command.footer(notes);
+  command.footer(server_notes);
   program.add({command, [] { return run(); }});
 }
 

@@ -19,17 +19,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Form { text, json, junit, github, markdown };
+enum class TestForm { text, json, junit, github, markdown };
 
-struct Options {
+struct TestOptions {
   std::string where;
   TestChoice choice;
   unsigned jobs = 1;
-  Form form = Form::text;
+  TestForm form = TestForm::text;
   std::string junit, markdown, coverage, depfile;  ///< where to write it; empty: nowhere
 };
 
-constexpr const char* notes =
+constexpr const char* test_notes =
     R"(Reads the file rmpl.toml in DIR (here, where none is given) or a folder above it; see
 rmpl.toml(5). Each set in it is compiled and linted, its scenarios are flown by
 rmpl-run, and its properties are checked by tcca-check. A folder below that of
@@ -51,7 +51,7 @@ Examples:
   rmplc test --format github --markdown "$GITHUB_STEP_SUMMARY")";
 
 /// The manifest of what is meant, and how it is chosen from it.
-Manifest manifest_of(const Options& options, TestChoice& choice) {
+Manifest manifest_of(const TestOptions& options, TestChoice& choice) {
   std::error_code error;
   const std::string where = options.where.empty() ? "." : options.where;
   if (!fs::exists(where, error)) throw base::InputError(where + ": there is no such folder or file");
@@ -66,17 +66,17 @@ Manifest manifest_of(const Options& options, TestChoice& choice) {
   return read_manifest(*path, base::read_file(*path));
 }
 
-void print_answer(const ProjectOutcomes& outcomes, Form form, const Common& common) {
+void print_answer(const ProjectOutcomes& outcomes, TestForm form, const Common& common) {
   switch (form) {
-    case Form::json:
+    case TestForm::json:
       return print_json(to_json(outcomes));
-    case Form::junit:
+    case TestForm::junit:
       return print_file(to_junit(outcomes));
-    case Form::github:
+    case TestForm::github:
       return print(to_github(outcomes));
-    case Form::markdown:
+    case TestForm::markdown:
       return print(to_markdown(outcomes));
-    case Form::text:
+    case TestForm::text:
       break;
   }
   const TestDetail detail = common.quiet     ? TestDetail::failures
@@ -85,7 +85,7 @@ void print_answer(const ProjectOutcomes& outcomes, Form form, const Common& comm
   print(to_text(outcomes, detail, output_painter(common.color)));
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const TestOptions& options, const Common& common) {
   TestChoice choice = options.choice;
   const Manifest manifest = manifest_of(options, choice);
   // Names that cannot be written are told before anything runs.
@@ -114,7 +114,7 @@ ExitStatus run(const Options& options, const Common& common) {
 
 void add_test(Program& program) {
   Command command = program.add_command("test", "lint, fly and check a project");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TestOptions>();
   command.add_option("DIR", options->where, "the folder of the project, one in it, or a file of it");
   command.add_option("--set", options->choice.sets, "test this set alone; may be given several times")
       .option_text("NAME")
@@ -134,13 +134,13 @@ void add_test(Program& program) {
   add_read(command, "--time-limit", options->choice.patience, positive_duration,
            "time limit of a scenario, or of a file of properties")
       .option_text("TIME");
-  add_choice<Form>(command, "--format", options->form,
-                   {{"text", Form::text},
-                    {"json", Form::json},
-                    {"junit", Form::junit},
-                    {"github", Form::github},
-                    {"markdown", Form::markdown}},
-                   "the format of the answer (default: text)");
+  add_choice<TestForm>(command, "--format", options->form,
+                       {{"text", TestForm::text},
+                        {"json", TestForm::json},
+                        {"junit", TestForm::junit},
+                        {"github", TestForm::github},
+                        {"markdown", TestForm::markdown}},
+                       "the format of the answer (default: text)");
   Option junit =
       command.add_option("--junit", options->junit, "write a test case for each finding, expectation and property");
   junit.option_text("OUT.xml");
@@ -154,7 +154,7 @@ void add_test(Program& program) {
       .add_option("--coverage", options->coverage,
                   "write all modes, transitions, faults and locations, and how many runs reached each")
       .option_text("OUT.json");
-  command.footer(notes);
+  command.footer(test_notes);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/lint/lint.hpp"
+#include "compiler/lint_codes/lint_codes.hpp"
 #include "grammar/source/diagnostic.hpp"
 
 namespace rmpl::tools {

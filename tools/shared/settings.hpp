@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "compiler/lint/lint.hpp"
+#include "compiler/lint_codes/lint_codes.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "tools/shared/lint_levels.hpp"
 #include "tools/shared/manifest.hpp"

@@ -33,7 +33,7 @@ std::string name_of(Tool tool) {
   return {};
 }
 
-struct Options {
+struct ExportOptions {
   std::string model;
   Tool tool = Tool::tchecker;
   std::string target, never;
@@ -45,7 +45,7 @@ struct Options {
 
 /// For a tool of dense time.
 void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::ExportQuestion& question,
-                 const Options& options, const verifier::Limits& limits) {
+                 const ExportOptions& options, const verifier::Limits& limits) {
   if (options.freedom.period) {
     throw base::InputError(name_of(options.tool) + " reads time as dense; use it without a period");
   }
@@ -56,7 +56,7 @@ void write_dense(std::ostream& out, automata::PlantStep& step, const verifier::E
 }
 
 void write_steps(std::ostream& out, automata::PlantStep& step, const verifier::ExportQuestion& question,
-                 const Options& options, const verifier::Limits& limits) {
+                 const ExportOptions& options, const verifier::Limits& limits) {
   if (!options.freedom.period) {
     throw base::InputError("prism has no dense time; give the period of a step, as in --time 0.5s");
   }
@@ -64,8 +64,8 @@ void write_steps(std::ostream& out, automata::PlantStep& step, const verifier::E
 }
 
 /// What is written: of the cone of the question, where it has a start.
-void write(std::ostream& out, const automata::Plant& plant, verifier::ExportQuestion question, const Options& options,
-           const verifier::Limits& limits) {
+void write(std::ostream& out, const automata::Plant& plant, verifier::ExportQuestion question,
+           const ExportOptions& options, const verifier::Limits& limits) {
   const auto write_one = options.tool == Tool::prism ? write_steps : write_dense;
   verifier::Slices slices(plant);
   const bool starts = slices.start(question.from).has_value();
@@ -85,7 +85,7 @@ void write(std::ostream& out, const automata::Plant& plant, verifier::ExportQues
   write_one(out, step, question, options, limits);
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const ExportOptions& options, const Common& common) {
   const compiler::Compilation compilation = load({options.model}, common);
   const automata::Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::ExportQuestion question{
@@ -109,7 +109,7 @@ ExitStatus run(const Options& options, const Common& common) {
   return ExitStatus::done;
 }
 
-constexpr const char* notes =
+constexpr const char* export_notes =
     R"(Exit status: 0 it is written, 2 the command line or an input is wrong, 3 a limit or a signal came before it
 was whole: nothing is written, 4 an internal error.)";
 
@@ -117,7 +117,7 @@ was whole: nothing is written, 4 an internal error.)";
 
 void add_export(Program& program) {
   Command command = program.add_command("export", "write the same question for another tool");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExportOptions>();
   add_model(command, options->model);
   add_choice<Tool>(
       command, "--format", options->tool,
@@ -131,7 +131,7 @@ void add_export(Program& program) {
   add_freedom(command, options->freedom);
   add_commands(command, options->commands);
   add_budget(command, options->budget);
-  command.footer(notes);
+  command.footer(export_notes);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 

@@ -15,7 +15,7 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options {
+struct FaultTreeOptions {
   std::string model, top, output;
   std::optional<automata::Ticks> within;
   std::optional<std::size_t> listed;
@@ -49,7 +49,7 @@ std::string written(TreeForm form, const automata::Plant& plant, const verifier:
   return form == TreeForm::dot ? graph : svg_of(graph, "install the package 'graphviz', or write a .dot file");
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const FaultTreeOptions& options, const Common& common) {
   const TreeForm form = form_of(options.output);
   const compiler::Compilation compilation = load({options.model}, common);
   const automata::Plant& plant = only_plant(compilation.document(), options.model);
@@ -80,7 +80,7 @@ ExitStatus run(const Options& options, const Common& common) {
   return tree.limit ? ExitStatus::undecided : ExitStatus::done;
 }
 
-constexpr const char* notes =
+constexpr const char* fault_tree_notes =
     R"(Exit status: 0 the sets are told, 2 the command line or an input is wrong, 3 undecided: a limit or
 a signal ended it before all were found, 4 an internal error, and nothing is claimed.)";
 
@@ -90,7 +90,7 @@ void add_fault_tree(Program& program) {
   Command command = program.add_command(
       "fault-tree",
       "find the minimal sets of faults that cause a formula, their probabilities, and the importance of each fault");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FaultTreeOptions>();
   add_model(command, options->model);
   add_text(command, "--top", options->top, "FORMULA", "the top event").required();
   add_text(command, "-o,--output", options->output, "OUT.xml|OUT.svg|OUT.dot",
@@ -106,7 +106,7 @@ void add_fault_tree(Program& program) {
   add_commands(command, options->commands);
   add_budget(command, options->budget);
   add_answer_form(command, program.common(), options->statistics);
-  command.footer(notes);
+  command.footer(fault_tree_notes);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 

@@ -19,7 +19,7 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options {
+struct FmeaOptions {
   std::string program, plant, entry, properties, output;
   std::vector<std::string> components;
   std::optional<automata::Ticks> period;
@@ -28,7 +28,7 @@ struct Options {
 };
 
 /// The claims of the file, under the program: what is never to hold of the plant is not to hold under it either.
-std::vector<verifier::NamedProperty> mission_of(const Options& options, const automata::Plant& plant,
+std::vector<verifier::NamedProperty> mission_of(const FmeaOptions& options, const automata::Plant& plant,
                                                 const Common& common) {
   std::vector<verifier::NamedProperty> result;
   if (options.properties.empty()) return result;
@@ -63,7 +63,7 @@ std::vector<automata::ComponentId> components_of(const std::vector<std::string>&
   return result;
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const FmeaOptions& options, const Common& common) {
   const bool csv = options.output.ends_with(".csv");
   if (!options.output.empty() && !csv && !options.output.ends_with(".html")) {
     throw base::InputError("-o " + options.output + ": expected a name that ends in .csv or .html");
@@ -96,7 +96,7 @@ ExitStatus run(const Options& options, const Common& common) {
   return table.limit ? ExitStatus::undecided : ExitStatus::done;
 }
 
-constexpr const char* notes =
+constexpr const char* fmea_notes =
     R"(Exit status: 0 the table is told, 2 the command line or an input is wrong, 3 undecided: a limit or
 a signal ended it before it was whole, 4 an internal error, and nothing is claimed.)";
 
@@ -104,7 +104,7 @@ a signal ended it before it was whole, 4 an internal error, and nothing is claim
 
 void add_fmea(Program& program) {
   Command command = program.add_command("fmea", "a table of failure modes: effects, detection, response, severity");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FmeaOptions>();
   command.add_option("PROGRAM", options->program, "the program: .rmpl, or a compiled .json of program and plant")
       .required();
   command.add_option("PLANT", options->plant, "the plant: .tcca or compiled .json");
@@ -122,7 +122,7 @@ void add_fmea(Program& program) {
       .option_text("dense|T");
   add_budget(command, options->budget);
   add_answer_form(command, program.common(), options->statistics);
-  command.footer(notes);
+  command.footer(fmea_notes);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 

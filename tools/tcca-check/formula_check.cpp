@@ -12,11 +12,11 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options : PropertyOptions, WindowOptions {
+struct FormulaCheckOptions : PropertyOptions, WindowOptions {
   std::string formula;
 };
 
-ExitStatus run(const FormulaCheck& check, const Options& options, const Common& common) {
+ExitStatus run(const FormulaCheck& check, const FormulaCheckOptions& options, const Common& common) {
   const FormulaAsked asked{check.kind, options.formula, check.option, options.window};
   return check_property(
       options, common, std::string(check.name) + " " + options.formula,
@@ -34,7 +34,7 @@ ExitStatus run(const FormulaCheck& check, const Options& options, const Common& 
 
 void add_formula_check(Program& program, const FormulaCheck& check) {
   Command command = program.add_command(check.name, check.description);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FormulaCheckOptions>();
   add_text(command, check.option, options->formula, "FORMULA", check.meaning).required();
   add_window(command, *options);
   add_property_options(command, *options, program.common());

@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr const char* notes =
+constexpr const char* main_notes =
     R"(Exit status: 0 holds or reachable, 1 violated or unreachable, even if others are undecided, 2 the command
 line or an input is wrong, 3 undecided: a limit or a signal ended the search, 4 an internal error, and nothing is claimed.)";
 
@@ -18,7 +18,7 @@ int main(int count, char** arguments) {
   using namespace rmpl::tools;
   Program program("tcca-check", RMPL_VERSION,
                   "Checks what a plant model (TCCA) can do in time, by itself or under a control program (RMPL).",
-                  notes);
+                  main_notes);
   add_reachability(program);
   add_safety(program);
   add_response(program);

@@ -14,7 +14,7 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options {
+struct ProbabilityOptions {
   std::string model, plant, entry;
   std::string target;
   std::optional<automata::Ticks> within;
@@ -31,7 +31,8 @@ struct Options {
 
 constexpr std::size_t default_points = 101;
 
-verifier::ProbabilityQuestion question_of(const Options& options, const automata::Plant& plant, const Common& common) {
+verifier::ProbabilityQuestion question_of(const ProbabilityOptions& options, const automata::Plant& plant,
+                                          const Common& common) {
   const Freedom& freedom = options.freedom;
   verifier::ProbabilityQuestion question{.target = formula_option(options.target, plant, "--target", common),
                                          .entailed = freedom.entailed,
@@ -56,12 +57,12 @@ verifier::ProbabilityQuestion question_of(const Options& options, const automata
   return question;
 }
 
-void write_curve(const Options& options, const verifier::ProbabilityAnswer& answer) {
+void write_curve(const ProbabilityOptions& options, const verifier::ProbabilityAnswer& answer) {
   const bool svg = options.curve.ends_with(".svg");
   base::write_file(options.curve, svg ? verifier::curve_svg(answer, options.target) : verifier::curve_csv(answer));
 }
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const ProbabilityOptions& options, const Common& common) {
   const std::vector<std::string> paths =
       options.plant.empty() ? std::vector{options.model} : std::vector{options.model, options.plant};
   const std::string named = options.plant.empty() ? options.model : options.model + ", " + options.plant;
@@ -98,7 +99,7 @@ double precision(const std::string& text) {
   return *value;
 }
 
-constexpr const char* notes =
+constexpr const char* probability_notes =
     R"(Exit status: 0 the bounds are as close as was asked, 2 the command line or an input is wrong, 3 undecided: a limit or
 a signal ended it, or the bounds stay apart, 4 an internal error, and nothing is claimed.)";
 
@@ -107,7 +108,7 @@ a signal ended it, or the bounds stay apart, 4 an internal error, and nothing is
 void add_probability(Program& program) {
   Command command =
       program.add_command("probability", "how likely is it that a formula becomes true? with guaranteed bounds");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ProbabilityOptions>();
   command.add_option("MODEL", options->model, "the plant, or a program before its plant").required();
   command.add_option("PLANT", options->plant, "the plant of the program");
   add_text(command, "--main", options->entry, "NAME",
@@ -132,7 +133,7 @@ void add_probability(Program& program) {
   add_commands(command, options->commands);
   add_budget(command, options->budget);
   add_answer_form(command, program.common(), options->statistics);
-  command.footer(notes);
+  command.footer(probability_notes);
   program.add({command, [options, &common = program.common()] { return run(*options, common); }, AtSignal::tell});
 }
 

@@ -12,12 +12,12 @@
 namespace rmpl::tools {
 namespace {
 
-struct Options : PropertyOptions {
+struct ResponseOptions : PropertyOptions {
   TimedResponse response;
   std::optional<TimedFormula> within;
 };
 
-ExitStatus run(const Options& options, const Common& common) {
+ExitStatus run(const ResponseOptions& options, const Common& common) {
   TimedResponse response = options.response;
   if (options.within) {
     if (response.then.time) throw base::InputError("--within: --after already has its own time");
@@ -42,7 +42,7 @@ ExitStatus run(const Options& options, const Common& common) {
 void add_response(Program& program) {
   Command command = program.add_command(
       "response", "does a response always follow a trigger in time? if not, print a timed counterexample");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ResponseOptions>();
   add_read(command, "--after", options->response, timed_response, "the trigger: a formula")
       .option_text("FORMULA")
       .required();
