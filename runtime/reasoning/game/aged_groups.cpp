@@ -24,7 +24,8 @@ constexpr Game::Limits few_ages{std::size_t{1} << 13, std::size_t{1} << 16, std:
 constexpr std::size_t most_over_modes = std::size_t{1} << 9;
 constexpr std::size_t games_remembered = 16;  // of one group
 
-/// Whether the goal is kept for as long as the executive rests, whatever comes: no age can make that better.
+}  // namespace
+
 bool rests_for_good(const SolvedGame& solved) {
   const Game& game = *solved.game;
   std::vector<std::uint32_t> open{solved.start};
@@ -44,6 +45,8 @@ bool rests_for_good(const SolvedGame& solved) {
   }
   return true;
 }
+
+namespace {
 
 /// What is known where one of two things is.
 std::vector<Age> either(std::vector<Age> a, const std::vector<Age>& b) {
@@ -91,7 +94,7 @@ void Strategist::count_ages(Group& group, const Played& over_modes, const Modes&
 /// Whether that game is not too large; then it is solved.
 bool Strategist::play_over_ages(Group& group, const std::shared_ptr<Arena>& arena, const Game::Limits& limits,
                                 const Modes& modes) {
-  auto& games = aged_games_[{group.parts, group.components}];
+  auto& games = aged_games_[{group.parts, group.played()}];
   for (Played& played : games) {
     if (played.best == limits.alike.has_value() || !in_context(*played.arena, modes)) continue;
     if (const auto start = played.game->find(modes, group.ages)) {
@@ -115,7 +118,7 @@ bool Strategist::play_over_ages(Group& group, const std::shared_ptr<Arena>& aren
 /// An arena in which only useful actions are looked at.
 std::shared_ptr<Arena> Strategist::useful_arena(const Played& over_modes, const Group& group, const Modes& modes) {
   if (!over_modes.best) return over_modes.arena;
-  auto arena = std::make_shared<Arena>(step_, graph_, goal_, group.parts, group.components, modes,
+  auto arena = std::make_shared<Arena>(step_, graph_, goal_, group.parts, group.played(), modes,
                                        [this](std::size_t island) { return excludes(island); });
   arena->restrict_to_useful();
   return arena;
@@ -123,12 +126,19 @@ std::shared_ptr<Arena> Strategist::useful_arena(const Played& over_modes, const 
 
 /// Whether the strategy in force of a group still holds: it leads on, and disturbs nothing outside.
 bool Strategist::go_on(Group& group, const Modes& modes) {
+  std::vector<ComponentId> whole;
+  for (const std::size_t p : group.parts) whole = joined(whole, relevant_[p]);
+  if (!std::includes(group.components.begin(), group.components.end(), whole.begin(), whole.end())) {
+    group.least = std::exchange(group.components, {});
+    group.components = joined(whole, group.least);
+  }
   if (!is_small(group, modes)) return false;
-  Played& played = game_of(group, modes);
+  Played& played = game_of(group, modes, group.least.empty());
   if (played.game->too_large()) return false;
   group.solved = solved(played, *played.game->find(modes), group.parts);
   count_ages(group, played, modes);
   if (group.ages && group.solved->game->memory() == Game::Memory::modes) return false;
+  if (!group.least.empty()) return certificate(group, modes).holds;
   return group.solved->decision().rank != Rank::none && follow(group, modes).empty();
 }
 

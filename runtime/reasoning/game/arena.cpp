@@ -41,11 +41,11 @@ Arena::Arena(automata::PlantStep& step, const NominalGraph& graph, const GameGoa
     : step_(step),
       graph_(graph),
       goal_(goal),
+      idle_(idle_action(step.plant())),
       parts_(std::move(parts)),
       components_(std::move(components)),
       member_(step.plant().components.size()),
-      start_(start),
-      idle_(idle_action(step.plant())) {
+      start_(start) {
   const automata::Plant& plant = step.plant();
   for (std::size_t i = 0; i < components_.size(); ++i) member_[components_[i].index()] = i;
   for (std::size_t member = 0; member < components_.size(); ++member) {
@@ -178,14 +178,17 @@ automata::Enabled Arena::enabled_of(ComponentId c, const Modes& modes, const Con
 }
 
 LocalMoves Arena::moves_of(ComponentId c, const Modes& modes, const ControlAction& action) {
+  return moves_with(c, modes[c.index()], enabled_of(c, modes, action));
+}
+
+LocalMoves Arena::moves_with(ComponentId c, ModeId mode, const automata::Enabled& enabled) const {
   const automata::Component& component = plant()[c];
-  const automata::Enabled enabled = enabled_of(c, modes, action);
   LocalMoves result;
   result.untimed = !enabled.untimed.empty();
-  result.restarts = automata::restarts(component, enabled) && automata::needs_clock(component, modes[c.index()]);
+  result.restarts = automata::restarts(component, enabled) && automata::needs_clock(component, mode);
   for (const automata::TransitionId id : result.untimed ? enabled.untimed : enabled.timed) {
     const automata::Transition& t = component.transitions[id.index()];
-    if (t.timing && t.to == modes[c.index()]) {
+    if (t.timing && t.to == mode) {
       result.dawdles = true;
       continue;
     }
@@ -207,14 +210,16 @@ LocalMoves Arena::moves_of(ComponentId c, const Modes& modes, const ControlActio
 
 const LocalMoves* Arena::local(std::size_t member, const Modes& modes, const ControlAction& action) {
   const ComponentId c = components_[member];
-  return known_[member][modes[c.index()].index()].find(modes, action, [&]() -> const LocalMoves* {
-    LocalMoves moves = moves_of(c, modes, action);
-    auto& all = moves_by_member_[member];
-    const auto equal = std::find_if(all.begin(), all.end(), [&](const LocalMoves* m) { return *m == moves; });
-    if (equal != all.end()) return *equal;
-    moves_.push_back(std::move(moves));
-    return all.emplace_back(&moves_.back());
-  });
+  return known_[member][modes[c.index()].index()].find(
+      modes, action, [&]() -> const LocalMoves* { return kept(member, moves_of(c, modes, action)); });
+}
+
+const LocalMoves* Arena::kept(std::size_t member, LocalMoves moves) {
+  auto& all = moves_by_member_[member];
+  const auto equal = std::find_if(all.begin(), all.end(), [&](const LocalMoves* m) { return *m == moves; });
+  if (equal != all.end()) return *equal;
+  moves_.push_back(std::move(moves));
+  return all.emplace_back(&moves_.back());
 }
 
 std::uint32_t Arena::number_of(const ControlAction& action) {
@@ -236,8 +241,10 @@ std::optional<std::uint32_t> Arena::find(const std::vector<std::uint16_t>& key) 
   if (!fresh) return at->second;
   Modes modes = start_;
   for (std::size_t i = 0; i < components_.size(); ++i) modes[components_[i].index()] = ModeId(key[i]);
-  if (!step_.possible(modes)) return std::nullopt;
+  const bool free = key.size() > components_.size() && key.back() != 0;
+  if (!tolerates(modes, free)) return std::nullopt;
   Position position;
+  position.free = free;
   for (std::size_t i = 0; i < components_.size(); ++i) position.reward += reward(i, ModeId(key[i]));
   position.held = goal_.held(modes, parts_);
   position.goal = std::find(position.held.begin(), position.held.end(), false) == position.held.end();
@@ -247,6 +254,8 @@ std::optional<std::uint32_t> Arena::find(const std::vector<std::uint16_t>& key) 
   listed_.push_back(false);
   return at->second;
 }
+
+bool Arena::tolerates(const Modes& modes, bool /*free*/) { return step_.possible(modes); }
 
 std::vector<std::pair<ComponentId, ModeId>> Arena::conflict(const std::vector<std::uint16_t>& key) {
   Modes modes = start_;

@@ -44,8 +44,11 @@ struct Position {
     std::uint32_t action;                  ///< an index for `Arena::action`
     std::uint32_t off;                     ///< controls off idle
     std::vector<const LocalMoves*> moves;  ///< by component of the arena
+    bool frees = false;                    ///< components outside are free from here on (free_arena.hpp)
+    bool ticks = false;                    ///< it takes one cycle and costs nothing, though it could be held
   };
   automata::Modes modes;        ///< of all components of the plant
+  bool free = false;            ///< components outside may be in any mode (free_arena.hpp)
   std::vector<bool> held;       ///< by part of the goal that the arena is about
   bool goal = false;            ///< all are held
   std::int64_t reward = 0;      ///< of the arena's components, in millionths
@@ -67,7 +70,12 @@ class Arena {
   using Excludes = base::FunctionRef<bool(std::size_t)>;
   Arena(automata::PlantStep& step, const NominalGraph& graph, const GameGoal& goal, std::vector<std::size_t> parts,
         std::vector<automata::ComponentId> components, const automata::Modes& start, Excludes excludes);
+  virtual ~Arena() = default;
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
 
+  /// Components outside are not held: positions tell whether they are free, and their keys end with that.
+  [[nodiscard]] virtual bool is_relaxed() const { return false; }
   /// Before the first position is asked for: only actions under which some component may take a useful step towards
   /// the parts, or towards more reward where there are none, or is kept from a step that is none.
   void restrict_to_useful();
@@ -76,7 +84,7 @@ class Arena {
   [[nodiscard]] const automata::Plant& plant() const { return step_.plant(); }
   [[nodiscard]] const GameGoal& goal() const { return goal_; }
 
-  /// The position with these modes of the arena's components; none where the model excludes them.
+  /// The position with these modes of the arena's components, by its key; none where the model excludes them.
   std::optional<std::uint32_t> find(const std::vector<std::uint16_t>& modes);
   /// Its actions are known. Lasts as long as the arena.
   const Position& at(std::uint32_t position);
@@ -109,24 +117,37 @@ class Arena {
   /// Components outside that read modes of the arena or its controls, where they are in these modes; ascending.
   [[nodiscard]] std::vector<automata::ComponentId> readers(const automata::Modes& modes) const;
 
- private:
+ protected:
   static constexpr std::size_t most_actions = 4096;
 
+  virtual void list_actions(Position& position);
+  /// Whether the model tolerates the modes of the position together.
+  virtual bool tolerates(const automata::Modes& modes, bool free);
+  /// What a component may do where these transitions are enabled.
+  [[nodiscard]] LocalMoves moves_with(automata::ComponentId component, automata::ModeId mode,
+                                      const automata::Enabled& enabled) const;
+  /// The one of all equal moves of a member.
+  const LocalMoves* kept(std::size_t member, LocalMoves moves);
+  std::uint32_t number_of(const automata::ControlAction& action);
+  [[nodiscard]] bool is_member(automata::ComponentId component) const { return member_[component.index()].has_value(); }
+
+  automata::PlantStep& step_;
+  const NominalGraph& graph_;
+  const GameGoal& goal_;
+  automata::ControlAction idle_;
+  bool too_large_ = false;
+
+ private:
   automata::Enabled enabled_of(automata::ComponentId component, const automata::Modes& modes,
                                const automata::ControlAction& action);
   const LocalMoves* local(std::size_t member, const automata::Modes& modes, const automata::ControlAction& action);
   void find_controls(Excludes excludes);
   void find_context(Excludes excludes);
-  std::uint32_t number_of(const automata::ControlAction& action);
-  void list_actions(Position& position);
   [[nodiscard]] bool serves(std::size_t member, const automata::Modes& modes, const LocalMoves& with,
                             const LocalMoves& without) const;
   std::vector<std::vector<automata::ValueId>> values_that_matter(const Position& position,
                                                                  const automata::ControlAction& base);
 
-  automata::PlantStep& step_;
-  const NominalGraph& graph_;
-  const GameGoal& goal_;
   std::vector<std::size_t> parts_;
   std::vector<automata::ComponentId> components_;
   std::vector<automata::ComponentId> context_;
@@ -135,7 +156,6 @@ class Arena {
   std::vector<bool> coupled_;                       ///< by place in `controls_`: the model may exclude values of it
   std::vector<std::vector<std::size_t>> read_by_;   ///< by place in `controls_`: members that read it in some mode
   automata::Modes start_;
-  automata::ControlAction idle_;
 
   struct KeyHash {
     std::size_t operator()(const std::vector<std::uint16_t>& key) const noexcept;
@@ -151,7 +171,6 @@ class Arena {
   std::vector<Order> orders_;  ///< by action
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> action_numbers_;
   std::optional<UsefulSteps> useful_;  ///< where only these are looked at
-  bool too_large_ = false;
 };
 
 }  // namespace rmpl::runtime

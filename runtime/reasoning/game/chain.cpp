@@ -157,7 +157,7 @@ GameSet keeping_edges(const Game& game, const Backward& backward, const GameSet&
 }
 
 Chain::Chain(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& target,
-             const std::vector<Cost>& terminal)
+             const std::vector<Cost>& terminal, Rank last)
     : game_(game), backward_(backward), permitted_(permitted), target_(target), states_(game.nodes().size()) {
   for (std::uint32_t n = 0; n < target.size(); ++n) {
     if (target[n]) states_[n] = {Rank::sure, terminal.empty() ? Cost{} : terminal[n], GameDecision::no_edge};
@@ -165,7 +165,7 @@ Chain::Chain(const Game& game, const Backward& backward, const GameSet& permitte
   if (std::find(target.begin(), target.end(), true) == target.end()) return;
   solve(Rank::sure, nullptr);
   const bool all = std::none_of(states_.begin(), states_.end(), [](const State& s) { return s.rank == Rank::none; });
-  if (all) return;
+  if (all || last == Rank::sure) return;
   const GameSet fair = fair_nodes();
   solve(Rank::fair, &fair);
   solve(Rank::hoped, nullptr);

@@ -42,9 +42,10 @@ class Chain {
     std::uint32_t edge = GameDecision::no_edge;  ///< none in the target
   };
 
-  /// `permitted`: by edge. `terminal`: by node, what a run costs that ends there; empty where nothing.
+  /// `permitted`: by edge. `terminal`: by node, what a run costs that ends there; empty where nothing. `last`: no worse
+  /// ranks are looked at.
   Chain(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& target,
-        const std::vector<Cost>& terminal);
+        const std::vector<Cost>& terminal, Rank last = Rank::hoped);
 
   [[nodiscard]] const State& at(std::uint32_t node) const { return states_[node]; }
 

@@ -37,6 +37,9 @@ struct Game::Choice {
 /// An action as it is looked at: the choices of all components, and one of each.
 struct Game::Turn {
   bool waits = true, ends = false, at_once = false;
+  bool free = false;   ///< after it components outside are free
+  bool frees = false;  ///< it is the one that frees them
+  bool ticks = false;  ///< it would be a wait
   std::vector<const LocalMoves*> moves;
   std::vector<std::vector<Choice>> choices;                   ///< by component
   std::vector<std::int64_t> dues;                             ///< by component: the cycle by which it leaves
@@ -73,6 +76,7 @@ Game::Game(Arena& arena, Memory memory, Ticks cycle, Limits limits, const automa
 std::optional<std::uint32_t> Game::position_of(const automata::Modes& modes) const {
   std::vector<std::uint16_t> key;
   for (const ComponentId c : arena_.components()) key.push_back(static_cast<std::uint16_t>(modes[c.index()].index()));
+  if (arena_.is_relaxed()) key.push_back(0);
   return arena_.find(key);
 }
 
@@ -226,6 +230,10 @@ bool Game::list_choices(std::uint32_t node, const Position& position, const Posi
     combinations *= choices.size();
     if (combinations > most_outcomes_of_one) return false;
   }
+  turn.free = position.free || action.frees;
+  turn.frees = action.frees;
+  turn.ticks = turn.waits && action.ticks;
+  turn.waits = turn.waits && !action.ticks;
   turn.ends = !turn.waits || turn.upper != Cycles::never;
   turn.at_once = turn.at_once || !turn.waits;
   return true;
@@ -237,7 +245,10 @@ void Game::add_edge(std::uint32_t node, const Position& position, const Position
     too_large_ = true;
     return;
   }
+  // Where it could not be held it is listed as it is.
+  if (action.ticks && !action.frees && !turn.ticks) return;
   Edge edge{action.action, action.off, static_cast<std::uint32_t>(outcomes_.size()), 0};
+  edge.entry = static_cast<std::uint32_t>(&action - position.actions.data());
   edge.waits = turn.waits;
   edge.ends = turn.ends;
   edge.at_once = turn.at_once;
@@ -279,12 +290,14 @@ void Game::add_outcome(std::uint32_t node, const Position& position, const Turn&
     if (!choice.exit->irreversible) continue;
     if (choice.exit->licensed) {
       ++outcome.cost.irreversible;
-    } else {
+    } else if (!arena_.is_relaxed()) {
       takes |= bit_of({{c.value, from.value}, {c.value, choice.to.value}});
     }
   }
   if (cycles.empty() || (turn.waits && timed.empty())) return;
+  if (arena_.is_relaxed()) modes.push_back(turn.free ? 1 : 0);
   const auto target = arena_.find(modes);
+  if (!target && arena_.is_relaxed()) return;
   if (!target) {
     Harm excluded;
     for (const auto& [c, m] : arena_.conflict(modes)) excluded.emplace_back(c.value, m.value);
@@ -333,6 +346,8 @@ void Game::add_outcome(std::uint32_t node, const Position& position, const Turn&
   outcome.cost.moves = turn.waits && edge.off == 0 ? 0 : 1;
   outcome.cost.unbounded = bounded ? 0 : 1;
   outcome.cost.time = turn.waits ? times(charge, rules_.unit()) : cycle_.count;
+  if (turn.ticks) outcome.cost.commands = outcome.cost.waits = outcome.cost.moves = 0;
+  if (turn.frees) ++outcome.cost.disturbed;
   outcome.soonest = times((memory_ == Memory::ages || !turn.waits ? cycles.first : turn.lower), rules_.unit());
   outcome.node = node_of(std::move(key));
   outcomes_.push_back(outcome);

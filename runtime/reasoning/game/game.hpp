@@ -44,6 +44,7 @@ class Game {
     std::uint32_t first;   ///< of its outcomes
     std::uint32_t count;   ///< 0: nothing ever happens
     std::uint32_t choices = 0;
+    std::uint32_t entry = 0;  ///< its place among the actions of the position
     bool waits = false;       ///< else it takes one cycle
     bool at_once = false;     ///< something comes in the next cycle
     bool dead = false;        ///< all that could come of it is excluded: it is no action

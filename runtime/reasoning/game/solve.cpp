@@ -96,7 +96,14 @@ std::vector<std::uint32_t> longest(const Game& game, const GameSet& kept) {
 
 }  // namespace
 
-Solution::Solution(const Game& game, std::uint32_t start) : decisions_(game.nodes().size()) {
+Solution::Solution(const Game& game, std::uint32_t start) { solve(game, start, nullptr); }
+
+Solution::Solution(const Game& game, std::uint32_t start, const std::vector<std::vector<bool>>& counted) {
+  solve(game, start, &counted);
+}
+
+void Solution::solve(const Game& game, std::uint32_t start, const std::vector<std::vector<bool>>* counted_by_way) {
+  decisions_.resize(game.nodes().size());
   const Backward backward(game);
   GameSet permitted(game.edges().size()), goal(game.nodes().size());
   for (std::uint32_t e = 0; e < permitted.size(); ++e) permitted[e] = game.edges()[e].permitted;
@@ -127,16 +134,22 @@ Solution::Solution(const Game& game, std::uint32_t start) : decisions_(game.node
     }
     return costs;
   };
-  std::optional<GameWays> ways;
-  of_all_nodes_ = !has_rewards(game);
-  if (!of_all_nodes_) ways.emplace(game, backward, start);
-  if (ways && !ways->countable()) ways.reset();
-  std::vector<std::uint64_t> candidates{0};
-  if (ways && !kept_[start]) candidates = ways->find();
+  of_all_nodes_ = counted_by_way == nullptr && !has_rewards(game);
+  std::vector<std::vector<bool>> ways{{}};
+  if (counted_by_way != nullptr) {
+    ways = *counted_by_way;
+  } else if (!of_all_nodes_) {
+    const GameWays found(game, backward, start);
+    const std::vector<std::uint64_t> none{0};
+    if (found.countable()) {
+      ways.clear();
+      for (const std::uint64_t way : kept_[start] ? none : found.find()) ways.push_back(found.counted(way));
+    }
+  }
   std::optional<std::pair<Chain, Chain>> best;
   std::optional<Cost> least;
-  for (const std::uint64_t way : candidates) {
-    const auto costs = terminal(ways ? ways->counted(way) : std::vector<bool>{});
+  for (const std::vector<bool>& way : ways) {
+    const auto costs = terminal(way);
     Chain lasting(game, backward, permitted, kept_, costs), passing(game, backward, permitted, goal, costs);
     const Level level = best_level(lasting.at(start).rank, passing.at(start).rank);
     const Cost cost = (level.lasts ? lasting : passing).at(start).cost;

@@ -38,6 +38,8 @@ class Solution {
   /// `start`: what a component gains in reward counts only if it is on the way that is taken from this node, or is
   /// taken along.
   Solution(const Game& game, std::uint32_t start);
+  /// `counted`: by way, the components of the arena whose gains count.
+  Solution(const Game& game, std::uint32_t start, const std::vector<std::vector<bool>>& counted);
 
   /// From a node, after the target of its level too.
   [[nodiscard]] const GameDecision& at(std::uint32_t node) const { return decisions_[node]; }
@@ -47,6 +49,8 @@ class Solution {
   [[nodiscard]] bool is_of_all_nodes() const { return of_all_nodes_; }
 
  private:
+  void solve(const Game& game, std::uint32_t start, const std::vector<std::vector<bool>>* counted);
+
   bool of_all_nodes_ = true;
   std::vector<GameDecision> decisions_;
   std::vector<bool> kept_;

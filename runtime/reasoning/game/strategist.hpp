@@ -19,6 +19,7 @@
 #include "runtime/reasoning/game/position.hpp"
 #include "runtime/reasoning/game/rewards.hpp"
 #include "runtime/reasoning/game/solve.hpp"
+#include "runtime/reasoning/game/within_reach.hpp"
 #include "runtime/reasoning/nominal/nominal_graph.hpp"
 
 namespace rmpl::runtime {
@@ -39,6 +40,9 @@ struct SolvedGame {
   [[nodiscard]] const GameDecision& decision() const { return solution->at(start); }
 };
 
+/// Whether the goal is kept for as long as the executive rests, whatever comes: no age can make that better.
+bool rests_for_good(const SolvedGame& solved);
+
 /// A reward that is pursued in a game from one of its nodes.
 struct PursuedReward {
   std::shared_ptr<const Game> game;
@@ -56,6 +60,9 @@ struct PursuedReward {
 /// So are components that a strategy disturbs and that no part reads: as long as none is disturbed, leaving it out is
 /// exact. Where a group is too large with what it disturbs, it is left out all the same, if that cannot be harmed.
 ///
+/// A group that is too large with all that decides its steps is solved with the least set of components whose answer is
+/// that of all of them, where there is a certificate for that (least_groups.cpp).
+///
 /// Groups that are too large together take turns, as causal chains do (Williams and Nayak 1997; Chung 2003): first
 /// those that can be kept, in the order of the goal; the next one when the goal of those before it holds. That is not
 /// proved best.
@@ -69,10 +76,16 @@ class Strategist {
     upstream,  ///< the components that it reads, and all that decides their steps
     read       ///< the components that it reads; the others are held, and no rewards are pursued
   };
+  /// Which groups are solved with least sets of components.
+  enum class Least {
+    large,  ///< those that are too large with all that decides their steps
+    all     ///< all for which there is a certificate
+  };
   /// `cycle`: of the executive whose ages count; 0 is dense time, in which actions take none. Without it modes alone
   /// count.
   Strategist(automata::PlantStep& step, const NominalGraph& graph, const automata::Formula& goal,
-             std::optional<automata::Ticks> cycle = std::nullopt, Relevant relevant = Relevant::upstream);
+             std::optional<automata::Ticks> cycle = std::nullopt, Relevant relevant = Relevant::upstream,
+             Least least = Least::large);
 
   struct Answer {
     bool solved = false;             ///< else some group is too large, and nothing below is known
@@ -108,15 +121,19 @@ class Strategist {
  private:
   struct Group {
     std::vector<std::size_t> parts;
-    std::vector<automata::ComponentId> components;    ///< ascending
-    std::optional<SolvedGame> solved = {};            ///< where it is about the goal
-    std::optional<PursuedReward> reward = {};         ///< where it is about rewards
+    std::vector<automata::ComponentId> components;  ///< ascending: all that it rests on
+    std::vector<automata::ComponentId> least = {};  ///< ascending: with these alone it is solved; with all where empty
+    std::optional<SolvedGame> solved = {};          ///< where it is about the goal
+    std::optional<PursuedReward> reward = {};       ///< where it is about rewards
     std::vector<automata::ComponentId> touched = {};  ///< components that its strategy moves, ascending
     std::vector<std::size_t> commanded = {};          ///< controls that its strategy uses, ascending
     bool later = false;                               ///< another group goes first
     std::vector<std::uint32_t> nodes = {};            ///< of the game, that its strategy comes to
     std::optional<std::vector<Age>> ages = {};        ///< where a strategy is in force
 
+    [[nodiscard]] const std::vector<automata::ComponentId>& played() const {
+      return least.empty() ? components : least;
+    }
     [[nodiscard]] const Game& game() const { return solved ? *solved->game : *reward->game; }
     [[nodiscard]] std::uint32_t start() const { return solved ? solved->start : reward->start; }
     /// What is sent in a node; at the end of what is pursued what the executive rests with.
@@ -136,6 +153,26 @@ class Strategist {
 
   [[nodiscard]] bool is_small(const Group& group, const automata::Modes& modes) const;
   bool solve_group(Group& group, const automata::Modes& modes);
+  /// What is said of the answer of a group that is solved with few components.
+  struct Certificate {
+    bool holds = false;                             ///< it is the answer of all components
+    std::vector<automata::ComponentId> more = {};   ///< else components with which it may be
+    std::vector<automata::ComponentId> wider = {};  ///< on which the group rests, too
+  };
+  bool solve_least(Group& group, const automata::Modes& modes);
+  Certificate certificate(Group& group, const automata::Modes& modes);
+  Certificate relaxed(const Group& group, const automata::Modes& modes);
+  [[nodiscard]] std::vector<automata::ComponentId> gaining(const std::vector<automata::ComponentId>& components,
+                                                           const automata::Modes& modes,
+                                                           const WithinReach& reach) const;
+  [[nodiscard]] std::vector<automata::ComponentId> restless(const std::vector<automata::ComponentId>& components,
+                                                            const automata::Modes& modes) const;
+  std::vector<automata::ComponentId> moved_outside(const Group& group,
+                                                   const std::vector<automata::ComponentId>& components,
+                                                   const automata::Modes& modes, bool everywhere);
+  [[nodiscard]] std::vector<std::size_t> controls_of(const Group& group) const;
+  bool exclude_each_other(const Group& a, const Group& b, const automata::Modes& modes);
+  bool tolerates_all_commands();
   bool harmless(std::vector<automata::ComponentId> components);
   bool harmless_held(const Group& group, const automata::Modes& modes);
   bool pursue(Group& group, const automata::Modes& modes, const std::vector<automata::ComponentId>& taken);
@@ -144,7 +181,7 @@ class Strategist {
                      const std::vector<automata::ComponentId>& taken);
   static bool in_context(const Arena& arena, const automata::Modes& modes);
   void forget_large();
-  Played& game_of(const Group& group, const automata::Modes& modes);
+  Played& game_of(const Group& group, const automata::Modes& modes, bool useful = true);
   static std::shared_ptr<const Game> kept_with(std::shared_ptr<Arena> arena, const Game* game);
   static SolvedGame solved(Played& played, std::uint32_t start, const std::vector<std::size_t>& parts);
   std::vector<Group> first_groups(const automata::Modes& modes, const StrategyPosition& position);
@@ -164,7 +201,7 @@ class Strategist {
   bool merge_touching(std::vector<Group>& groups, const automata::Modes& modes, Apart& in_turn);
   bool judge_together(std::vector<Group>& groups, const automata::Modes& modes, const Apart& apart, Answer& answer);
   static void set_turns(std::vector<Group>& groups, const Apart& in_turn);
-  bool touches(const Group& a, const Group& b) const;
+  [[nodiscard]] bool touches(const Group& a, const Group& b) const;
   bool agree(const Group& a, const Group& b) const;
   bool merge_passing(std::vector<Group>& groups, const automata::Modes& modes, Apart& apart);
   std::vector<automata::ComponentId> neighbours(const std::vector<automata::ComponentId>& components,
@@ -177,6 +214,7 @@ class Strategist {
   std::optional<automata::Ticks> cycle_;  ///< where ages count
   bool counts_ages_;                      ///< in the answer at hand
   bool holds_;                            ///< the components that no part of the goal reads
+  Least least_;
   GameGoal goal_;
   std::string goal_text_;
   std::vector<std::vector<automata::ComponentId>> relevant_;  ///< by part

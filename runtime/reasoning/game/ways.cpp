@@ -89,11 +89,18 @@ Level GameWays::level(std::uint64_t commands) const {
   return best_level(lasting, Chain(game_, backward_, edges, goal_, {}).at(start_).rank);
 }
 
+bool GameWays::have(std::uint64_t commands, Level best) const {
+  if (best != Level{Rank::sure, true}) return level(commands) == best;
+  const GameSet edges = permitted(commands);
+  return Chain(game_, backward_, edges, kept_nodes(game_, backward_, edges), {}, Rank::sure).at(start_).rank ==
+         Rank::sure;
+}
+
 /// Leaves out the last commands first, so that the way keeps those declared first.
 std::uint64_t GameWays::shrink(std::uint64_t way, Level wanted) const {
   for (std::size_t i = commands_.size(); i-- > 0;) {
     const std::uint64_t bit = std::uint64_t{1} << i;
-    if ((way & bit) != 0 && level(way & ~bit) == wanted) way &= ~bit;
+    if ((way & bit) != 0 && have(way & ~bit, wanted)) way &= ~bit;
   }
   return way;
 }
@@ -110,7 +117,7 @@ std::vector<std::uint64_t> GameWays::find() const {
     open.pop_back();
     if (!tried.insert(within).second) continue;
     // Every way that was found is minimal: within a set that has one of them there may be others.
-    if (level(within) != wanted) continue;
+    if (within != all && !have(within, wanted)) continue;
     const std::uint64_t way = shrink(within, wanted);
     if (std::find(found.begin(), found.end(), way) == found.end()) found.push_back(way);
     // Another way leaves out some command of this one.
@@ -120,6 +127,14 @@ std::vector<std::uint64_t> GameWays::find() const {
   }
   std::sort(found.begin(), found.end(), comes_before);
   return found;
+}
+
+std::vector<GameWays::Command> GameWays::commands(std::uint64_t way) const {
+  std::vector<Command> result;
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    if ((way >> i & 1) != 0) result.push_back(commands_[i]);
+  }
+  return result;
 }
 
 std::vector<bool> GameWays::moved(std::uint64_t way) const {

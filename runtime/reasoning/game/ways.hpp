@@ -35,6 +35,9 @@ class GameWays {
   /// By component of the arena: whether it belongs to the way, or is taken along: a command of the way is named after
   /// it, or the way may move it, and nothing does where the executive rests.
   [[nodiscard]] std::vector<bool> counted(std::uint64_t way) const;
+  /// A control with a value.
+  using Command = std::pair<std::size_t, automata::ValueId>;
+  [[nodiscard]] std::vector<Command> commands(std::uint64_t way) const;
 
  private:
   /// `visit(edge, control, value)`, for what each action of a node commands beside resting.
@@ -42,6 +45,8 @@ class GameWays {
   void for_each_command(std::uint32_t node, const Visit& visit) const;
   [[nodiscard]] GameSet permitted(std::uint64_t commands) const;
   [[nodiscard]] Level level(std::uint64_t commands) const;
+  /// Whether these commands are enough for the best level of all.
+  [[nodiscard]] bool have(std::uint64_t commands, Level best) const;
   [[nodiscard]] std::uint64_t shrink(std::uint64_t way, Level wanted) const;
   [[nodiscard]] std::vector<bool> moved(std::uint64_t way) const;
 
@@ -49,8 +54,8 @@ class GameWays {
   const Backward& backward_;
   std::uint32_t start_;
   GameSet goal_;
-  std::vector<std::pair<std::size_t, automata::ValueId>> commands_;  ///< ascending
-  std::vector<std::uint64_t> off_;                                   ///< by edge: its commands
+  std::vector<Command> commands_;   ///< ascending
+  std::vector<std::uint64_t> off_;  ///< by edge: its commands
 };
 
 }  // namespace rmpl::runtime
