@@ -18,7 +18,9 @@ using automata::Modes;
 
 namespace {
 
-constexpr Game::Limits relaxed_limits{std::size_t{1} << 11, std::size_t{1} << 12};
+constexpr Game::Limits relaxed_limits{std::size_t{1} << 8, std::size_t{1} << 10};
+/// Of the modes of a least group, so that what fails in the end does not cost more than it is worth.
+constexpr std::size_t most_products = std::size_t{1} << 12;
 constexpr std::size_t most_edges_looked_at = std::size_t{1} << 12;  // at what they do outside
 
 /// The components outside that help a strategy of the relaxed game on its runs: those that have to leave their modes so
@@ -137,6 +139,9 @@ bool Strategist::solve_least(Group& group, const Modes& modes) {
     for (const ComponentId c : goal_.read_by(p)) insert(few.least, c);
   }
   for (;;) {
+    std::size_t product = 1;
+    for (const ComponentId c : few.least) product = std::min(product * graph_.mode_count(c), most_products + 1);
+    if (product > most_products) return false;
     Played* const played = is_small(few, modes) ? &game_of(few, modes, false) : nullptr;
     if (played == nullptr || played->game->too_large()) return false;
     few.solved = solved(*played, *played->game->find(modes), few.parts);
