@@ -4,7 +4,11 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "automata/assignment_text.hpp"
 #include "automata/step/plant_step.hpp"
@@ -95,6 +99,75 @@ RC_GTEST_PROP(LeastGroups, AnswerAsAllComponentsDoOnAnyPlant, ()) {
   automata::PlantStep step(model.plant);
   RC_PRE(step.possible(start));
   compare(model.plant, goal, start, cycle);
+}
+
+/// Parts with a command each, of which some set of two or more never is on together, while fewer of them may be. Each
+/// of them can step aside instead, and has a helper that would let it go on another way. The goal asks of some of them
+/// to be on, or not to be off.
+Engineered draw_rivals() {
+  using automata::Formula;
+  using automata::ModeId;
+  using automata::ValueId;
+  Engineered drawn;
+  automata::Plant& plant = drawn.plant;
+  plant.name = "Rivals";
+  std::uint32_t branch = 0;
+  const auto add = [&](const std::string& name, const std::vector<std::string>& modes,
+                       const std::vector<std::string>& commands) {
+    automata::Component component;
+    component.name = component.type = name;
+    component.mode = plant.variables.add({name, modes});
+    component.initial.assign(modes.size(), 0.0);
+    component.initial.front() = 1;
+    const automata::VariableId out = plant.variables.add({name + ".out", {"no", "yes"}});
+    for (std::size_t m = 0; m < modes.size(); ++m)
+      component.modes.push_back({modes[m], false, automata::is(out, ValueId(m == 1 ? 1U : 0U)), 0, {}});
+    if (chance(20)) component.modes[up_to(0, modes.size() - 1)].reward = chance(50) ? 1 : -1;
+    plant.controls.push_back({plant.variables.add({name + ".cmd", commands}), ValueId(0)});
+    plant.components.push_back(std::move(component));
+    return automata::is(out, ValueId(1));
+  };
+  const auto told = [&](std::size_t value) { return automata::is(plant.controls.back().variable, ValueId(value)); };
+  const auto move = [&](std::size_t from, std::size_t to, Formula guard) {
+    const auto timing =
+        chance(15) ? std::optional(automata::Timing{automata::Ticks::of_seconds(1), automata::Ticks::of_seconds(3), {}})
+                   : std::nullopt;
+    plant.components.back().transitions.push_back(
+        {ModeId(from), ModeId(to), std::move(guard), timing, {}, branch++, {}});
+  };
+  std::vector<Formula> on, wanted;
+  const std::size_t rivals = chance(15) ? 4 : 3;
+  for (std::size_t r = 0; r < rivals; ++r) {
+    std::optional<Formula> helped;
+    if (chance(40)) {
+      helped = add("helper" + std::to_string(r), {"idle", "ready"}, {"none", "help", "stop"});
+      move(0, 1, told(1));
+      move(1, 0, told(2));
+    }
+    on.push_back(add("rival" + std::to_string(r), {"off", "on", "aside"}, {"none", "on", "aside", "off"}));
+    const automata::VariableId mode = plant.components.back().mode;
+    move(0, 1, told(1));
+    move(0, 2, helped && chance(50) ? automata::conjunction({told(2), *helped}) : told(2));
+    move(2, 1, helped ? automata::conjunction({told(1), *helped}) : told(1));
+    move(1, 0, told(3));
+    if (chance(80)) move(2, 0, told(3));
+    drawn.start.resize(plant.components.size());
+    drawn.start.back() = ModeId(chance(80) ? 0 : 2);
+    if (chance(85))
+      wanted.push_back(chance(60) ? automata::is(mode, ValueId(1))
+                                  : automata::negation(automata::is(mode, ValueId(0))));
+  }
+  on.resize(chance(70) ? 3 : up_to(2, rivals), automata::constant(true));
+  plant.interconnections.emplace_back(automata::negation(automata::conjunction(std::move(on))));
+  drawn.goal = automata::conjunction(std::move(wanted));
+  return drawn;
+}
+
+RC_GTEST_PROP(LeastGroups, AnswerAsAllComponentsDoWhereSeveralExcludeEachOther, ()) {
+  const Engineered drawn = draw_rivals();
+  const Cycle cycle = cycles();
+  RC_LOG() << rc::toString(drawn) << "cycle " << (cycle ? cycle->count : -1) << std::endl;
+  compare(drawn.plant, drawn.goal, drawn.start, cycle);
 }
 
 }  // namespace

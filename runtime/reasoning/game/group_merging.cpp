@@ -47,7 +47,7 @@ void Strategist::merge_common(std::vector<Group>& groups) const {
 
 /// Whether the strategy of one moves or commands what the other rests on, and the other would not do the same.
 bool Strategist::touches(const Group& a, const Group& b) const {
-  const bool apart = !meet(a.touched, b.components) && !meet(a.commanded, controls_of(b));
+  const bool apart = !meet(a.touched, b.reads()) && !meet(a.commanded, b.read_controls());
   return !apart && !agree(a, b);
 }
 
@@ -55,10 +55,10 @@ bool Strategist::touches(const Group& a, const Group& b) const {
 /// then each comes to what it comes to by itself.
 bool Strategist::agree(const Group& a, const Group& b) const {
   std::vector<ComponentId> shared;
-  std::set_intersection(a.components.begin(), a.components.end(), b.components.begin(), b.components.end(),
+  std::set_intersection(a.reads().begin(), a.reads().end(), b.reads().begin(), b.reads().end(),
                         std::back_inserter(shared));
   std::vector<std::size_t> controls;
-  const auto a_controls = controls_of(a), b_controls = controls_of(b);
+  const auto &a_controls = a.read_controls(), &b_controls = b.read_controls();
   std::set_intersection(a_controls.begin(), a_controls.end(), b_controls.begin(), b_controls.end(),
                         std::back_inserter(controls));
   for (const ComponentId c : shared) {
@@ -92,9 +92,7 @@ bool Strategist::agree(const Group& a, const Group& b) const {
 bool Strategist::merge_touching(std::vector<Group>& groups, const Modes& modes, Apart& in_turn) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
-      if (!touches(groups[i], groups[j]) && !touches(groups[j], groups[i]) &&
-          !exclude_each_other(groups[i], groups[j], modes))
-        continue;
+      if (!touches(groups[i], groups[j]) && !touches(groups[j], groups[i])) continue;
       if (in_turn.contains({groups[i].parts, groups[j].parts})) continue;
       Group both = merged(groups[i], groups[j]);
       if (!solve_group(both, modes)) {

@@ -178,7 +178,11 @@ Strategist::Certificate Strategist::certificate(Group& group, const Modes& modes
   const std::vector<ComponentId> beside = neighbours(group.touched, {});
   more = joined(joined(wider, restless(beside, modes)), moved_outside(group, beside, modes, false));
   more = without(std::move(more), group.least);
-  if (more.empty()) return {true, {}, {}};
+  if (more.empty()) {
+    group.rests_on = joined(group.components, beside);
+    group.controls = controls_of(group, group.rests_on);
+    return {true, {}, {}};
+  }
   wider = joined(joined(wider, beside), more);
   return {false, std::move(more), std::move(wider)};
 }
@@ -300,48 +304,19 @@ std::vector<ComponentId> Strategist::gaining(const std::vector<ComponentId>& com
   return result;
 }
 
-/// Controls that what the group rests on reads.
-std::vector<std::size_t> Strategist::controls_of(const Group& group) const {
-  if (group.least.empty()) return group.game().arena().controls();
+/// Controls that these components read.
+std::vector<std::size_t> Strategist::controls_of(const Group& group, const std::vector<ComponentId>& components) const {
+  std::vector<bool> read(step_.plant().controls.size());
+  for (const ComponentId c : components) {
+    for (std::size_t m = 0; m < graph_.mode_count(c); ++m) {
+      for (const std::size_t i : group.game().arena().deciding(c, ModeId(m)).controls) read[i] = true;
+    }
+  }
   std::vector<std::size_t> result;
-  for (const ComponentId c : group.components) {
-    for (std::size_t m = 0; m < graph_.mode_count(c); ++m)
-      result = joined(result, group.game().arena().deciding(c, ModeId(m)).controls);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (read[i]) result.push_back(i);
   }
   return result;
-}
-
-/// Whether the model excludes modes that two groups come to on their runs, of which one is solved with few components.
-bool Strategist::exclude_each_other(const Group& a, const Group& b, const Modes& modes) {
-  constexpr std::size_t most_pairs = std::size_t{1} << 12;
-  if (a.least.empty() && b.least.empty()) return false;
-  const auto moved = [&](const Group& group) {
-    std::vector<ComponentId> result;
-    for (const std::uint32_t n : group.nodes) {
-      for (const ComponentId c : group.played()) {
-        if (group.game().position(n).modes[c.index()] != modes[c.index()]) insert(result, c);
-      }
-    }
-    return result;
-  };
-  const std::vector<ComponentId> own = moved(a), other = moved(b);
-  const auto& islands = step_.locality().islands();
-  bool together = false;
-  for (std::size_t i = 0; i < islands.size() && !together; ++i) {
-    const auto& components = islands[i].support.components;
-    together = meet(own, components) && meet(other, components) && excludes(i);
-  }
-  if (!together) return false;
-  if (a.nodes.size() * b.nodes.size() > most_pairs) return true;
-  for (const std::uint32_t n : a.nodes) {
-    for (const std::uint32_t m : b.nodes) {
-      Modes joint = modes;
-      for (const ComponentId c : own) joint[c.index()] = a.game().position(n).modes[c.index()];
-      for (const ComponentId c : other) joint[c.index()] = b.game().position(m).modes[c.index()];
-      if (!step_.possible(joint)) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace rmpl::runtime

@@ -125,6 +125,10 @@ class Strategist {
     std::vector<automata::ComponentId> least = {};  ///< ascending: with these alone it is solved; with all where empty
     std::optional<SolvedGame> solved = {};          ///< where it is about the goal
     std::optional<PursuedReward> reward = {};       ///< where it is about rewards
+    /// Of a group that is solved with its least components: all that it would rest on if it were solved with all, and
+    /// the controls that these read; ascending.
+    std::vector<automata::ComponentId> rests_on = {};
+    std::vector<std::size_t> controls = {};
     std::vector<automata::ComponentId> touched = {};  ///< components that its strategy moves, ascending
     std::vector<std::size_t> commanded = {};          ///< controls that its strategy uses, ascending
     bool later = false;                               ///< another group goes first
@@ -133,6 +137,12 @@ class Strategist {
 
     [[nodiscard]] const std::vector<automata::ComponentId>& played() const {
       return least.empty() ? components : least;
+    }
+    [[nodiscard]] const std::vector<automata::ComponentId>& reads() const {
+      return least.empty() ? components : rests_on;
+    }
+    [[nodiscard]] const std::vector<std::size_t>& read_controls() const {
+      return least.empty() ? game().arena().controls() : controls;
     }
     [[nodiscard]] const Game& game() const { return solved ? *solved->game : *reward->game; }
     [[nodiscard]] std::uint32_t start() const { return solved ? solved->start : reward->start; }
@@ -170,8 +180,8 @@ class Strategist {
   std::vector<automata::ComponentId> moved_outside(const Group& group,
                                                    const std::vector<automata::ComponentId>& components,
                                                    const automata::Modes& modes, bool everywhere);
-  [[nodiscard]] std::vector<std::size_t> controls_of(const Group& group) const;
-  bool exclude_each_other(const Group& a, const Group& b, const automata::Modes& modes);
+  [[nodiscard]] std::vector<std::size_t> controls_of(const Group& group,
+                                                     const std::vector<automata::ComponentId>& components) const;
   bool tolerates_all_commands();
   bool harmless(std::vector<automata::ComponentId> components);
   bool harmless_held(const Group& group, const automata::Modes& modes);
@@ -202,7 +212,7 @@ class Strategist {
   bool judge_together(std::vector<Group>& groups, const automata::Modes& modes, const Apart& apart, Answer& answer);
   static void set_turns(std::vector<Group>& groups, const Apart& in_turn);
   [[nodiscard]] bool touches(const Group& a, const Group& b) const;
-  bool agree(const Group& a, const Group& b) const;
+  [[nodiscard]] bool agree(const Group& a, const Group& b) const;
   bool merge_passing(std::vector<Group>& groups, const automata::Modes& modes, Apart& apart);
   std::vector<automata::ComponentId> neighbours(const std::vector<automata::ComponentId>& components,
                                                 const std::vector<std::size_t>& controls);
