@@ -102,16 +102,22 @@ std::set<Commands> Game::ways(Node start) const {
   return found;
 }
 
-/// The components of a way, and what it takes with it: those with a control that is named after them, and those that
-/// its actions may move, and that nothing moves where nothing is wanted.
+/// The components of a way, and what it takes with it: those with a control that their formulas mention, and those
+/// that its actions may move, and that nothing moves where nothing is wanted.
 std::set<std::size_t> Game::counted(Node start, const Commands& way) const {
   std::set<std::size_t> result = moved(start, only(way));
   for (const std::size_t c : moved(start, only({}))) result.erase(c);
   const automata::Plant& plant = board_.step().plant();
-  for (const auto& [i, value] : way)
-    for (std::size_t c = 0; c < plant.components.size(); ++c)
-      if (plant.variables.name(plant.controls[i].variable).starts_with(plant.components[c].name + "."))
-        result.insert(c);
+  for (std::size_t c = 0; c < plant.components.size(); ++c) {
+    std::set<automata::VariableId> mentioned;
+    const auto mention = [&](const automata::Formula& formula) {
+      for (const automata::VariableId v : automata::variables_of(formula)) mentioned.insert(v);
+    };
+    for (const automata::Mode& mode : plant.components[c].modes) mention(mode.constraint);
+    for (const automata::Transition& t : plant.components[c].transitions) mention(t.guard);
+    for (const auto& [i, value] : way)
+      if (mentioned.contains(plant.controls[i].variable)) result.insert(c);
+  }
   return result;
 }
 

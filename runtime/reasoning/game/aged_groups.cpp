@@ -78,21 +78,23 @@ void Strategist::count_ages(Group& group, const Played& over_modes, const Modes&
   }
   group.solved->bounds_counted = false;
   const bool few = over_modes.best && over_modes.game->outcomes().size() <= most_over_modes;
-  if (few && play_over_ages(group, over_modes.arena, aged_limits, modes)) return;
+  if (few && play_over_ages(
+                 group, [&] { return over_modes.arena; }, aged_limits, modes))
+    return;
   const SolvedGame without_bounds = *group.solved;
   const auto level = [](const SolvedGame& solved) {
     const GameDecision& decision = solved.decision();
     return level_number({decision.rank, decision.lasts});
   };
-  if (level(without_bounds) == 0) return;
-  const bool surer = play_over_ages(group, useful_arena(over_modes, group, modes), few_ages, modes) &&
-                     level(*group.solved) < level(without_bounds);
+  if (level(without_bounds) == 0 || !group.least.empty()) return;
+  const auto arena = [&] { return over_modes.best ? arena_of(group, modes, false) : over_modes.arena; };
+  const bool surer = play_over_ages(group, arena, few_ages, modes) && level(*group.solved) < level(without_bounds);
   if (!surer) group.solved = without_bounds;
   group.solved->best = false;
 }
 
 /// Whether that game is not too large; then it is solved.
-bool Strategist::play_over_ages(Group& group, const std::shared_ptr<Arena>& arena, const Game::Limits& limits,
+bool Strategist::play_over_ages(Group& group, const MakeArena& make_arena, const Game::Limits& limits,
                                 const Modes& modes) {
   auto& games = aged_games_[{group.parts, group.played()}];
   for (Played& played : games) {
@@ -104,6 +106,7 @@ bool Strategist::play_over_ages(Group& group, const std::shared_ptr<Arena>& aren
       return true;
     }
   }
+  const std::shared_ptr<Arena> arena = make_arena();
   auto game = kept_with(arena, new Game(*arena, Game::Memory::ages, *cycle_, limits, modes, group.ages));
   if (games.size() >= games_remembered) games.erase(games.begin());
   Played& played = games.emplace_back();
@@ -113,15 +116,6 @@ bool Strategist::play_over_ages(Group& group, const std::shared_ptr<Arena>& aren
   if (played.game->too_large()) return false;
   group.solved = solved(played, 0, group.parts);
   return true;
-}
-
-/// An arena in which only useful actions are looked at.
-std::shared_ptr<Arena> Strategist::useful_arena(const Played& over_modes, const Group& group, const Modes& modes) {
-  if (!over_modes.best) return over_modes.arena;
-  auto arena = std::make_shared<Arena>(step_, graph_, goal_, group.parts, group.played(), modes,
-                                       [this](std::size_t island) { return excludes(island); });
-  arena->restrict_to_useful();
-  return arena;
 }
 
 /// Whether the strategy in force of a group still holds: it leads on, and disturbs nothing outside.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "automata/store/totality.hpp"
 #include "runtime/reasoning/game/sorted_sets.hpp"
 #include "runtime/reasoning/nominal/closures.hpp"
 #include "runtime/reasoning/nominal/idling.hpp"
@@ -198,18 +197,12 @@ std::vector<ComponentId> Strategist::neighbours(const std::vector<ComponentId>& 
   for (std::size_t i = 0; i < islands.size(); ++i) {
     const auto& together = islands[i].support.components;
     const bool ours = meet(components, together) || meet(controls, islands[i].support.controls);
-    if (ours && excludes(i)) found.insert(found.end(), together.begin(), together.end());
+    if (ours && common_->excludes(i)) found.insert(found.end(), together.begin(), together.end());
   }
   std::vector<ComponentId> result = graph_.upstream(found);
   std::sort(result.begin(), result.end());
   std::erase_if(result, [&](ComponentId c) { return std::binary_search(components.begin(), components.end(), c); });
   return result;
-}
-
-bool Strategist::excludes(std::size_t island) {
-  auto& known = excludes_[island];
-  if (!known) known = !automata::is_total(step_.plant(), step_.locality().islands()[island]);
-  return *known;
 }
 
 }  // namespace rmpl::runtime

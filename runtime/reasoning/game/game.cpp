@@ -178,14 +178,21 @@ Game::Key Game::key_of(std::uint32_t number, const std::optional<std::vector<Age
 
 void Game::explore(Limits limits, Key start) {
   node_of(std::move(start));
-  for (std::uint32_t node = 0; node < nodes_.size() && !too_large_; ++node) {
+  const auto count = [&] { beyond_limits_ = nodes_.size() > limits.nodes || outcomes_.size() > limits.outcomes; };
+  count();
+  for (std::uint32_t node = 0; node < nodes_.size() && !too_large_ && !beyond_limits_; ++node) {
     const Position& position = arena_.at(nodes_[node].position);
     nodes_[node].first = static_cast<std::uint32_t>(edges_.size());
     if (!nodes_[node].explored) continue;
-    for (const Position::Action& action : position.actions) add_edge(node, position, action);
+    for (const Position::Action& action : position.actions) {
+      add_edge(node, position, action);
+      if (outcomes_.size() > limits.outcomes) break;
+    }
     nodes_[node].count = static_cast<std::uint32_t>(edges_.size()) - nodes_[node].first;
-    too_large_ = too_large_ || arena_.too_large() || nodes_.size() > limits.nodes || outcomes_.size() > limits.outcomes;
+    too_large_ = too_large_ || arena_.too_large();
+    count();
   }
+  too_large_ = too_large_ || beyond_limits_;
 }
 
 /// Fills the turn. Whether its combinations are few enough.

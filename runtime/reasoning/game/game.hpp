@@ -73,6 +73,8 @@ class Game {
 
   /// Not all was explored, as there are too many nodes, actions, outcomes or harms: nothing is known.
   [[nodiscard]] bool too_large() const { return too_large_; }
+  /// It is too large for its limits of nodes and outcomes.
+  [[nodiscard]] bool beyond_limits() const { return beyond_limits_; }
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   [[nodiscard]] const std::vector<Outcome>& outcomes() const { return outcomes_; }
@@ -143,6 +145,7 @@ class Game {
   std::map<std::uint32_t, std::uint32_t> unexplored_;  ///< by position
   std::deque<std::vector<Age>> unknown_ages_;          ///< of nodes that are not explored
   bool too_large_ = false;
+  bool beyond_limits_ = false;
 };
 
 }  // namespace rmpl::runtime

@@ -229,7 +229,7 @@ std::vector<ComponentId> Strategist::moved_outside(const Group& group, const std
 bool Strategist::tolerates_all_commands() {
   const auto& islands = step_.locality().islands();
   for (std::size_t i = 0; i < islands.size(); ++i) {
-    if (!islands[i].support.controls.empty() && excludes(i)) return false;
+    if (!islands[i].support.controls.empty() && common_->excludes(i)) return false;
   }
   return true;
 }
@@ -251,8 +251,8 @@ Strategist::Certificate Strategist::relaxed(const Group& group, const Modes& mod
     }
   }
   FreeArena arena(
-      step_, graph_, goal_, group.parts, group.least, modes, [this](std::size_t island) { return excludes(island); },
-      reach);
+      step_, graph_, goal_, group.parts, group.least, modes,
+      [this](std::size_t island) { return common_->excludes(island); }, reach);
   const Game game(arena, solved.game->memory(), aged ? *cycle_ : automata::Ticks{0}, relaxed_limits, modes,
                   aged ? std::optional(solved.game->ages(solved.start)) : std::nullopt);
   if (game.too_large()) return {};
@@ -281,9 +281,9 @@ Strategist::Certificate Strategist::relaxed(const Group& group, const Modes& mod
   std::vector<ComponentId> more = moved_outside(group, whole, modes, true);
   for (const auto& way : own->commands) {
     for (const auto& [control, value] : way) {
-      const std::string name = step_.plant().variables.name(step_.plant().controls[control].variable);
+      const automata::VariableId variable = step_.plant().controls[control].variable;
       for (const ComponentId c : gaining) {
-        if (is_outside(c) && name.starts_with(step_.plant()[c].name + ".")) insert(more, c);
+        if (is_outside(c) && has_control(step_.plant()[c], variable)) insert(more, c);
       }
     }
   }

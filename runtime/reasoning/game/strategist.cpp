@@ -29,7 +29,8 @@ constexpr std::size_t solutions_remembered = 64;                  // of one game
 }  // namespace
 
 Strategist::Strategist(automata::PlantStep& step, const NominalGraph& graph, const automata::Formula& goal,
-                       std::optional<automata::Ticks> cycle, Relevant relevant, Least least)
+                       std::optional<automata::Ticks> cycle, Relevant relevant, Least least,
+                       std::shared_ptr<PlantGames> common)
     : step_(step),
       graph_(graph),
       cycle_(cycle),
@@ -38,7 +39,7 @@ Strategist::Strategist(automata::PlantStep& step, const NominalGraph& graph, con
       least_(least),
       goal_(goal, step, graph),
       goal_text_(to_text(goal, step.plant().variables)),
-      excludes_(step.locality().islands().size()) {
+      common_(common ? std::move(common) : std::make_shared<PlantGames>(step)) {
   for (std::size_t p = 0; p < goal_.parts(); ++p) {
     auto components = relevant == Relevant::read ? goal_.read_by(p) : graph.upstream(goal_.read_by(p));
     std::sort(components.begin(), components.end());
@@ -65,16 +66,24 @@ void Strategist::forget_large() {
   }
 }
 
+/// The components of the group, with all actions or with useful ones only.
+std::shared_ptr<Arena> Strategist::arena_of(const Group& group, const Modes& modes, bool all_actions) {
+  auto arena = std::make_shared<Arena>(step_, graph_, goal_, group.parts, group.played(), modes,
+                                       [this](std::size_t island) { return common_->excludes(island); });
+  if (!all_actions) arena->restrict_to_useful();
+  return arena;
+}
+
 /// With all actions; where that is too large and `useful` is asked for, with useful ones.
 Strategist::Played& Strategist::game_of(const Group& group, const Modes& modes, bool useful) {
   auto& games = games_[{group.parts, group.played()}];
   const auto play = [&](Played& played, bool best) {
-    played.arena = std::make_shared<Arena>(step_, graph_, goal_, group.parts, group.played(), modes,
-                                           [this](std::size_t island) { return excludes(island); });
-    if (!best) played.arena->restrict_to_useful();
-    const Game::Limits limits{most_game_nodes, best ? few_outcomes : most_game_outcomes};
+    played.arena = arena_of(group, modes, best);
+    Game::Limits limits{most_game_nodes, best ? few_outcomes : most_game_outcomes};
+    if (best && common_->is_large(*played.arena, modes)) limits = {0, 0};
     played.game =
         kept_with(played.arena, new Game(*played.arena, Game::Memory::modes, automata::Ticks{0}, limits, modes));
+    if (best) common_->note(*played.game, modes);
     played.best = best;
   };
   for (Played& played : games) {

@@ -14,8 +14,10 @@
 
 #include "automata/state.hpp"
 #include "automata/step/plant_step.hpp"
+#include "base/function_ref.hpp"
 #include "runtime/reasoning/game/game.hpp"
 #include "runtime/reasoning/game/game_goal.hpp"
+#include "runtime/reasoning/game/plant_games.hpp"
 #include "runtime/reasoning/game/position.hpp"
 #include "runtime/reasoning/game/rewards.hpp"
 #include "runtime/reasoning/game/solve.hpp"
@@ -82,10 +84,10 @@ class Strategist {
     all     ///< all for which there is a certificate
   };
   /// `cycle`: of the executive whose ages count; 0 is dense time, in which actions take none. Without it modes alone
-  /// count.
+  /// count. `common`: of the plant, where strategists share it.
   Strategist(automata::PlantStep& step, const NominalGraph& graph, const automata::Formula& goal,
              std::optional<automata::Ticks> cycle = std::nullopt, Relevant relevant = Relevant::upstream,
-             Least least = Least::large);
+             Least least = Least::large, std::shared_ptr<PlantGames> common = nullptr);
 
   struct Answer {
     bool solved = false;             ///< else some group is too large, and nothing below is known
@@ -200,9 +202,10 @@ class Strategist {
   Answer answer(const automata::Modes& modes, const StrategyPosition& position);
   bool rests_from(const SolvedGame& solved, const automata::Modes& modes);
   void count_ages(Group& group, const Played& over_modes, const automata::Modes& modes);
-  bool play_over_ages(Group& group, const std::shared_ptr<Arena>& arena, const Game::Limits& limits,
+  using MakeArena = base::FunctionRef<std::shared_ptr<Arena>()>;
+  bool play_over_ages(Group& group, const MakeArena& make_arena, const Game::Limits& limits,
                       const automata::Modes& modes);
-  std::shared_ptr<Arena> useful_arena(const Played& over_modes, const Group& group, const automata::Modes& modes);
+  std::shared_ptr<Arena> arena_of(const Group& group, const automata::Modes& modes, bool all_actions);
   static bool leaves(const Game& game, const Game::Edge& edge, std::uint32_t node, std::size_t member);
   std::vector<automata::ComponentId> follow(Group& group, const automata::Modes& modes);
   using Apart = std::set<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>>;  ///< parts of two groups
@@ -216,7 +219,6 @@ class Strategist {
   bool merge_passing(std::vector<Group>& groups, const automata::Modes& modes, Apart& apart);
   std::vector<automata::ComponentId> neighbours(const std::vector<automata::ComponentId>& components,
                                                 const std::vector<std::size_t>& controls);
-  bool excludes(std::size_t island);
   static Group merged(const Group& a, const Group& b);
 
   automata::PlantStep& step_;
@@ -231,7 +233,7 @@ class Strategist {
   using Key = std::pair<std::vector<std::size_t>, std::vector<automata::ComponentId>>;
   std::map<Key, std::vector<Played>> games_;       ///< over modes
   std::map<Key, std::vector<Played>> aged_games_;  ///< over modes and ages
-  std::vector<std::optional<bool>> excludes_;      ///< by island: whether its constraints may exclude modes, once asked
+  std::shared_ptr<PlantGames> common_;
 };
 
 }  // namespace rmpl::runtime

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 
 namespace rmpl::runtime {
 
@@ -41,6 +40,17 @@ Level best_level(Rank lasting, Rank passing) {
   if (lasting <= Rank::fair) return {lasting, true};
   if (passing <= Rank::fair || lasting == Rank::none) return {passing, false};
   return {lasting, true};
+}
+
+bool has_control(const automata::Component& component, automata::VariableId control) {
+  const auto reads = [&](const automata::Formula& formula) {
+    const std::vector<automata::VariableId> variables = variables_of(formula);
+    return std::binary_search(variables.begin(), variables.end(), control);
+  };
+  return std::any_of(component.modes.begin(), component.modes.end(),
+                     [&](const automata::Mode& m) { return reads(m.constraint); }) ||
+         std::any_of(component.transitions.begin(), component.transitions.end(),
+                     [&](const automata::Transition& t) { return reads(t.guard); });
 }
 
 GameWays::GameWays(const Game& game, const Backward& backward, std::uint32_t start)
@@ -172,10 +182,9 @@ std::vector<bool> GameWays::counted(std::uint64_t way) const {
   const std::vector<bool> anyway = moved(0);
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = result[i] && !anyway[i];
-    const std::string prefix = arena.plant()[arena.components()[i]].name + ".";
     for (std::size_t bit = 0; bit < commands_.size(); ++bit) {
       const auto variable = arena.plant().controls[commands_[bit].first].variable;
-      if ((way >> bit & 1) != 0 && arena.plant().variables.name(variable).starts_with(prefix)) result[i] = true;
+      if ((way >> bit & 1) != 0 && has_control(arena.plant()[arena.components()[i]], variable)) result[i] = true;
     }
   }
   return result;

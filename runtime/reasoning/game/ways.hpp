@@ -22,6 +22,9 @@ int level_number(const Level& level);
 /// The better one of what can be had towards where the goal can be kept, and towards where it holds.
 Level best_level(Rank lasting, Rank passing);
 
+/// Whether a control is the component's own: the constraints of its modes or the guards of its transitions read it.
+bool has_control(const automata::Component& component, automata::VariableId control);
+
 /// A *way* is a minimal set of commands that is enough for the level from the start, all controls being left else as
 /// where the executive rests. A command is a control with a value; sets of them are bits. Keeps references.
 class GameWays {
@@ -32,8 +35,8 @@ class GameWays {
   [[nodiscard]] bool countable() const { return commands_.size() <= 64; }
   /// All ways, but for a bound on the tries; in lexicographic order of their commands.
   [[nodiscard]] std::vector<std::uint64_t> find() const;
-  /// By component of the arena: whether it belongs to the way, or is taken along: a command of the way is named after
-  /// it, or the way may move it, and nothing does where the executive rests.
+  /// By component of the arena: whether it belongs to the way, or is taken along: a command of the way is to a control
+  /// of its own, or the way may move it, and nothing does where the executive rests.
   [[nodiscard]] std::vector<bool> counted(std::uint64_t way) const;
   /// A control with a value.
   using Command = std::pair<std::size_t, automata::ValueId>;

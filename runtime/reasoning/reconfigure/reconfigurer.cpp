@@ -30,7 +30,12 @@ constexpr std::size_t answer_limit = 1u << 14;
 class StrategyReconfigurer : public Reconfigurer {
  public:
   StrategyReconfigurer(automata::PlantStep& step, std::shared_ptr<const NominalGraph> graph, automata::Ticks cycle)
-      : step_(step), cycle_(cycle), graph_(std::move(graph)), interpreter_(step, *graph_), goals_(step) {}
+      : step_(step),
+        cycle_(cycle),
+        graph_(std::move(graph)),
+        common_(std::make_shared<PlantGames>(step)),
+        interpreter_(step, *graph_),
+        goals_(step) {}
 
   Reconfiguration next(const Modes& modes, const Formula& goal) override { return go_on(modes, goal, {}); }
 
@@ -63,13 +68,15 @@ class StrategyReconfigurer : public Reconfigurer {
       return no_plan(step_, modes, std::move(impossible));
     }
     auto& strategist = asked.memory.strategist;
-    if (!strategist) strategist = std::make_unique<Strategist>(step_, *graph_, asked.goal.formula(), cycle_);
+    if (!strategist)
+      strategist = std::make_unique<Strategist>(step_, *graph_, asked.goal.formula(), cycle_,
+                                                Strategist::Relevant::upstream, Strategist::Least::large, common_);
     if (auto answer = strategy_answer(step_, *graph_, *strategist, modes, position)) {
       if (answer->why.obstacle != Reason::Obstacle::not_found) return *std::move(answer);
       auto impasse = bars(modes, asked.goal);
       return impasse ? no_plan(step_, modes, *std::move(impasse)) : *std::move(answer);
     }
-    if (!subgoals_) subgoals_.emplace(step_, *graph_);
+    if (!subgoals_) subgoals_.emplace(step_, *graph_, common_);
     return subgoals_->next(modes, asked.goal);
   }
 
@@ -111,6 +118,7 @@ class StrategyReconfigurer : public Reconfigurer {
   automata::PlantStep& step_;
   automata::Ticks cycle_;
   std::shared_ptr<const NominalGraph> graph_;
+  std::shared_ptr<PlantGames> common_;
   GoalInterpreter interpreter_;
   RecentGoals<Memory> goals_;
   std::optional<Subgoals> subgoals_;  ///< once they were asked for

@@ -32,8 +32,13 @@ bool is_met(const std::vector<ValueId>& modes, ModeId mode) {
 
 }  // namespace
 
-Subgoals::Subgoals(automata::PlantStep& step, const NominalGraph& graph)
-    : step_(step), graph_(graph), order_(step.plant(), graph), interpreter_(step, graph), steps_(step) {}
+Subgoals::Subgoals(automata::PlantStep& step, const NominalGraph& graph, std::shared_ptr<PlantGames> common)
+    : step_(step),
+      graph_(graph),
+      common_(std::move(common)),
+      order_(step.plant(), graph),
+      interpreter_(step, graph),
+      steps_(step) {}
 
 Reconfiguration Subgoals::next(const Modes& modes, const Goal& goal) {
   if (interpreter_.entailed(modes, goal)) {
@@ -193,7 +198,8 @@ std::optional<Reconfiguration> Subgoals::take(const Modes& modes, const Wanted& 
   const Formula there = automata::is(mode, ValueId(t.to.index()));
   auto& strategist = steps_.find(there).memory;
   if (!strategist) {
-    strategist = std::make_unique<Strategist>(step_, graph_, there, std::nullopt, Strategist::Relevant::read);
+    strategist = std::make_unique<Strategist>(step_, graph_, there, std::nullopt, Strategist::Relevant::read,
+                                              Strategist::Least::large, common_);
   }
   auto answer = strategy_answer(step_, graph_, *strategist, modes, {});
   const bool leads_on = answer && answer->expected && *answer->expected != modes;

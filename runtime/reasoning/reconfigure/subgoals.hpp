@@ -30,7 +30,7 @@ namespace rmpl::runtime {
 /// Cost of an answer: the search for the goal state, and a small game for the steps that are tried.
 class Subgoals {
  public:
-  Subgoals(automata::PlantStep& step, const NominalGraph& graph);
+  Subgoals(automata::PlantStep& step, const NominalGraph& graph, std::shared_ptr<PlantGames> common = nullptr);
 
   /// From possible modes.
   Reconfiguration next(const automata::Modes& modes, const Goal& goal);
@@ -69,6 +69,7 @@ class Subgoals {
 
   automata::PlantStep& step_;
   const NominalGraph& graph_;
+  std::shared_ptr<PlantGames> common_;
   CausalOrder order_;
   GoalInterpreter interpreter_;
   RecentGoals<std::unique_ptr<Strategist>> steps_;  ///< asked again cycle by cycle, and in other goals
