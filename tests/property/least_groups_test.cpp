@@ -139,10 +139,9 @@ Engineered draw_rivals() {
   const std::size_t rivals = chance(15) ? 4 : 3;
   for (std::size_t r = 0; r < rivals; ++r) {
     std::optional<Formula> helped;
-    if (chance(40)) {
-      helped = add("helper" + std::to_string(r), {"idle", "ready"}, {"none", "help", "stop"});
+    if (chance(25)) {
+      helped = add("helper" + std::to_string(r), {"idle", "ready"}, {"none", "help"});
       move(0, 1, told(1));
-      move(1, 0, told(2));
     }
     on.push_back(add("rival" + std::to_string(r), {"off", "on", "aside"}, {"none", "on", "aside", "off"}));
     const automata::VariableId mode = plant.components.back().mode;

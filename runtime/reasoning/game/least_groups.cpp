@@ -18,7 +18,7 @@ using automata::Modes;
 
 namespace {
 
-constexpr Game::Limits relaxed_limits{std::size_t{1} << 8, std::size_t{1} << 10};
+constexpr Game::Limits relaxed_limits{std::size_t{1} << 11, std::size_t{1} << 12};
 /// Of the modes of a least group, so that what fails in the end does not cost more than it is worth.
 constexpr std::size_t most_products = std::size_t{1} << 12;
 constexpr std::size_t most_edges_looked_at = std::size_t{1} << 12;  // at what they do outside
