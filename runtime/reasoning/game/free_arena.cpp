@@ -36,6 +36,15 @@ FreeArena::FreeArena(automata::PlantStep& step, const NominalGraph& graph, const
       place_(plant().variables.size()) {
   for (std::size_t i = 0; i < plant().controls.size(); ++i) place_[plant().controls[i].variable.index()] = i;
   for (const ComponentId c : graph.components()) others_move_ = others_move_ || may_help(c);
+  const auto& islands = step.locality().islands();
+  for (std::size_t i = 0; i < islands.size() && others_move_ && !exclude_; ++i) {
+    const auto& together = islands[i].support.components;
+    exclude_ =
+        std::any_of(together.begin(), together.end(), [&](ComponentId c) { return is_member(c); }) && excludes(i);
+  }
+  for (const ComponentId c : graph.components()) {
+    if (!is_member(c) && !may_help(c)) held_.push_back({plant()[c].mode, ValueId(start[c.index()].index())});
+  }
 }
 
 bool FreeArena::may_help(ComponentId c) const {
@@ -50,8 +59,15 @@ bool FreeArena::is_barred(ComponentId c, const LocalMoves& moves) const {
   });
 }
 
-/// Where the others are free, no modes are taken to exclude each other: that costs no question.
-bool FreeArena::tolerates(const Modes& modes, bool free) { return free || Arena::tolerates(modes, free); }
+/// Where the others are free: together with some of their modes.
+bool FreeArena::tolerates(const Modes& modes, bool free) {
+  if (!free) return Arena::tolerates(modes, free);
+  if (!exclude_) return true;
+  std::vector<automata::Assignment> assumed = held_;
+  assumed.reserve(held_.size() + components().size());
+  for (const ComponentId c : components()) assumed.push_back({plant()[c].mode, ValueId(modes[c.index()].index())});
+  return step_.theory().consistent(assumed);
+}
 
 void FreeArena::list_actions(Position& position) {
   if (position.free) {

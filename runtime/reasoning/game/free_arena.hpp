@@ -14,8 +14,9 @@ namespace rmpl::runtime {
 /// As long as no component outside has left its mode, the game is that of these components, with nothing forbidden but
 /// steps that no permitted strategy takes. The first departure of one outside costs what it costs at least: a
 /// component that is disturbed. From then on each of them is in each cycle in any mode within reach, as the executive
-/// likes: a step of a component here that rests on them is enabled or not, as it likes. Something outside may end a
-/// wait then, so that each wait is also an action of one cycle, at no cost.
+/// likes: a step of a component here that rests on them is enabled or not, as it likes, and the model excludes only
+/// modes that it excludes whatever theirs are. Something outside may end a wait then, so that each wait is also an
+/// action of one cycle, at no cost.
 class FreeArena : public Arena {
  public:
   FreeArena(automata::PlantStep& step, const NominalGraph& graph, const GameGoal& goal, std::vector<std::size_t> parts,
@@ -54,6 +55,8 @@ class FreeArena : public Arena {
   const WithinReach& reach_;
   std::vector<std::size_t> place_;  ///< by variable of a control, its place; of others none
   bool others_move_ = false;
+  bool exclude_ = false;                    ///< the model may exclude modes of members
+  std::vector<automata::Assignment> held_;  ///< modes of the components that neither play nor are free
 };
 
 }  // namespace rmpl::runtime

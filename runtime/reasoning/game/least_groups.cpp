@@ -18,9 +18,7 @@ using automata::Modes;
 
 namespace {
 
-constexpr Game::Limits relaxed_limits{std::size_t{1} << 11, std::size_t{1} << 12};
-/// Of the modes of a least group, so that what fails in the end does not cost more than it is worth.
-constexpr std::size_t most_products = std::size_t{1} << 12;
+constexpr Game::Limits relaxed_limits{std::size_t{1} << 12, std::size_t{1} << 14};
 constexpr std::size_t most_edges_looked_at = std::size_t{1} << 12;  // at what they do outside
 
 /// The components outside that help a strategy of the relaxed game on its runs: those that have to leave their modes so
@@ -70,6 +68,30 @@ std::vector<ComponentId> helpers(const Game& game, FreeArena& arena, const Solut
       const std::uint32_t then = game.outcomes()[o].node;
       if (!seen[then]) open.push_back(then);
       seen[then] = true;
+    }
+  }
+  return found;
+}
+
+/// The components outside that let commands do something which are on a way of the relaxed game alone.
+std::vector<ComponentId> helpers(const FreeArena& arena, const std::vector<std::vector<GameWays::Command>>& own,
+                                 const std::vector<std::vector<GameWays::Command>>& free) {
+  std::vector<ComponentId> found;
+  for (const auto& way : free) {
+    for (const GameWays::Command& command : way) {
+      const bool known = std::any_of(own.begin(), own.end(), [&](const auto& other) {
+        return std::find(other.begin(), other.end(), command) != other.end();
+      });
+      if (known) continue;
+      for (const ComponentId member : arena.components()) {
+        for (std::size_t m = 0; m < arena.plant()[member].modes.size(); ++m) {
+          const automata::Support& deciding = arena.deciding(member, ModeId(m));
+          if (!deciding.reads_control(command.first)) continue;
+          for (const ComponentId c : deciding.components) {
+            if (arena.may_help(c)) insert(found, c);
+          }
+        }
+      }
     }
   }
   return found;
@@ -130,22 +152,23 @@ std::vector<ComponentId> Strategist::restless(const std::vector<ComponentId>& co
   return result;
 }
 
-/// Starts with few components, and adds those without which there is no certificate.
+/// Starts with few components, and adds those without which there is no certificate. Where no ages were in play, what
+/// failed would fail without them, too.
 bool Strategist::solve_least(Group& group, const Modes& modes) {
-  if (!tolerates_all_commands()) return false;
+  const Key key{group.parts, group.components};
+  if (without_least_.contains(key) || !tolerates_all_commands()) return false;
   Group few{.parts = group.parts, .components = group.components};
   few.least = restless(group.components, modes);
   for (const std::size_t p : group.parts) {
     for (const ComponentId c : goal_.read_by(p)) insert(few.least, c);
   }
+  bool aged = false;
   for (;;) {
-    std::size_t product = 1;
-    for (const ComponentId c : few.least) product = std::min(product * graph_.mode_count(c), most_products + 1);
-    if (product > most_products) return false;
     Played* const played = is_small(few, modes) ? &game_of(few, modes, false) : nullptr;
-    if (played == nullptr || played->game->too_large()) return false;
+    if (played == nullptr || played->game->too_large()) break;
     few.solved = solved(*played, *played->game->find(modes), few.parts);
     if (counts_ages_) count_ages(few, *played, modes);
+    aged = aged || few.solved->game->memory() == Game::Memory::ages;
     const Certificate found = certificate(few, modes);
     if (found.holds) {
       group = std::move(few);
@@ -153,9 +176,11 @@ bool Strategist::solve_least(Group& group, const Modes& modes) {
     }
     const std::size_t before = few.least.size();
     few.least = joined(few.least, found.more);
-    if (few.least.size() == before) return false;
+    if (few.least.size() == before) break;
     few.components = joined(few.components, found.wider);
   }
+  if (!aged) without_least_.insert(key);
+  return false;
 }
 
 /// What is disturbed of the components on which the group rests joins it at once. What is disturbed beside them joins
@@ -277,7 +302,8 @@ Strategist::Certificate Strategist::relaxed(const Group& group, const Modes& mod
   if (!weighs) return {true, {}, {}};
   // The ways have to be those of all components: the same where these are free, and they move none of them.
   const auto free = ways_of(game, 0);
-  if (!free || own->commands != free->commands || solved.game->edges().size() > most_edges_looked_at) return {};
+  if (!free || solved.game->edges().size() > most_edges_looked_at) return {};
+  if (own->commands != free->commands) return without(helpers(arena, own->commands, free->commands));
   std::vector<ComponentId> more = moved_outside(group, whole, modes, true);
   for (const auto& way : own->commands) {
     for (const auto& [control, value] : way) {

@@ -22,7 +22,7 @@ constexpr std::size_t most_game_outcomes = std::size_t{1} << 21;  // solved in a
 constexpr std::size_t many_outcomes = std::size_t{1} << 16;       // beyond it a game is large
 constexpr std::size_t most_remembered = 3 * most_game_outcomes;   // beyond it large games are forgotten
 constexpr std::size_t most_combinations = std::size_t{1} << 16;   // of modes; beyond it no game is begun
-constexpr std::size_t few_combinations = std::size_t{1} << 8;     // the same of a least group
+constexpr std::size_t few_combinations = std::size_t{1} << 6;     // the same of a least group
 constexpr std::size_t games_remembered = 16;                      // of one group, in different contexts
 constexpr std::size_t solutions_remembered = 64;                  // of one game
 
@@ -164,6 +164,7 @@ bool Strategist::solve_group(Group& group, const Modes& modes) {
 
 Strategist::Answer Strategist::from(const Modes& modes, const StrategyPosition& position) {
   counts_ages_ = cycle_.has_value();
+  without_least_.clear();
   Answer answer = this->answer(modes, position);
   // What ages make of groups may be too large where groups over modes are not.
   if (answer.solved || !counts_ages_) return answer;

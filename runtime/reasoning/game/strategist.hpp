@@ -234,6 +234,7 @@ class Strategist {
   std::map<Key, std::vector<Played>> games_;       ///< over modes
   std::map<Key, std::vector<Played>> aged_games_;  ///< over modes and ages
   std::shared_ptr<PlantGames> common_;
+  std::set<Key> without_least_;  ///< groups, with their components, that have no least ones for the answer at hand
 };
 
 }  // namespace rmpl::runtime
