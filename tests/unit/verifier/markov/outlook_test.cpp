@@ -25,7 +25,8 @@ class OutlookOnALamp : public testing::Test {
     b_.control("fire", {"none", "now"});
     auto& lamp = b_.component("lamp", {"dark", "lit", "broken!"});
     b_.transition(lamp, 0, 1, b_.is("switch", "on"));
-    for (const std::size_t mode : {0U, 1U}) b_.transition(lamp, mode, 2, automata::constant(true), {}, test::rate(1e-6));
+    for (const std::size_t mode : {0U, 1U})
+      b_.transition(lamp, mode, 2, automata::constant(true), {}, test::rate(1e-6));
     auto& bolt = b_.component("bolt", {"holds", "gone", "stuck!"});
     b_.transition(bolt, 0, 1, b_.is("fire", "now"));
     b_.transition(bolt, 0, 2, b_.is("fire", "now"), {}, test::probability(0.01));
