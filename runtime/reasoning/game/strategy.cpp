@@ -65,6 +65,7 @@ std::vector<Strategy::KnownAge> known_ages(const Strategist::Answer& answer, aut
     }
   }
   std::vector<Strategy::KnownAge> result;
+  result.reserve(known.size());
   for (const auto& [c, age] : known) result.push_back(age);
   return result;
 }
