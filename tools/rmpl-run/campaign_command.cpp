@@ -31,9 +31,7 @@
 namespace rmpl::tools {
 namespace {
 
-using runtime::CampaignPlan;
 using runtime::CampaignRun;
-using runtime::ScenarioOptions;
 
 constexpr unsigned most_jobs = 256;
 constexpr std::uint64_t most_runs = 1'000'000'000;
