@@ -20,7 +20,7 @@ namespace {
 // Beyond these a game over ages is too large. Where the one over modes has more than so many outcomes, nearly every
 // game over ages is, and none is tried.
 constexpr Game::Limits aged_limits{std::size_t{1} << 12, std::size_t{1} << 12};
-constexpr Game::Limits few_ages{std::size_t{1} << 13, std::size_t{1} << 16, std::size_t{16}};
+constexpr Game::Limits few_ages{std::size_t{1} << 11, std::size_t{1} << 13, std::size_t{16}};
 constexpr std::size_t most_over_modes = std::size_t{1} << 9;
 constexpr std::size_t games_remembered = 16;  // of one group
 

@@ -104,13 +104,14 @@ void Game::find_caps() {
   }
 }
 
-/// Ages beyond what matters in a mode are as good as the least of these.
+/// Ages beyond what matters in a mode are as good as the least of these. Where few ages are kept none is told from
+/// another by what has been charged.
 void Game::cap(Key& key) const {
   const auto& modes = arena_.modes(key.position);
   for (std::size_t i = 0; i < key.ages.size(); ++i) {
     const std::int64_t most = caps_[i][modes[arena_.components()[i].index()].index()];
     Age& age = key.ages[i];
-    age = {std::min(age.least, most), std::min(age.most, most), std::min(age.charged, most)};
+    age = {std::min(age.least, most), std::min(age.most, most), most_alike_ ? 0 : std::min(age.charged, most)};
   }
 }
 
@@ -118,7 +119,6 @@ std::uint32_t Game::node_of(Key key) {
   cap(key);
   const std::uint32_t position = key.position;
   if (most_alike_) {
-    for (Age& age : key.ages) age.charged = 0;
     if (alike_.size() <= position) alike_.resize(position + std::size_t{1});
     if (!numbers_.contains(key) && ++alike_[position] > *most_alike_) return unexplored(position);
   }
