@@ -135,6 +135,26 @@ bool is_forbidden(const Step& step, std::size_t component, const Transition& t, 
   return std::none_of(named.begin(), named.end(), [&](ModeId m) { return further.contains(m); });
 }
 
+namespace {
+
+/// Whether a component may go from one mode to another while all controls stay idle, now or later.
+bool comes_at_rest(const Step& step, const Modes& start, std::size_t component, ModeId from, ModeId to) {
+  const ControlAction idle = automata::idle_action(step.plant());
+  std::set<Modes> seen{start};
+  std::vector<Modes> open{start};
+  while (!open.empty()) {
+    const Modes modes = std::move(open.back());
+    open.pop_back();
+    for (const Modes& next : nominal_successors(step, modes, idle)) {
+      if (modes[component] == from && next[component] == to) return true;
+      if (seen.insert(next).second) open.push_back(next);
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 const Transition* forbidden_step(const Step& step, const Modes& modes, const ControlAction& action,
                                  const automata::Formula& goal) {
   const automata::Plant& plant = step.plant();
@@ -143,9 +163,9 @@ const Transition* forbidden_step(const Step& step, const Modes& modes, const Con
   for (std::size_t i = 0; i < modes.size(); ++i) {
     for (const Transition& t : plant.components[i].transitions) {
       if (t.from != modes[i] || !step.enabled(t, modes, action) || !is_forbidden(step, i, t, goal)) continue;
-      if (step.enabled(t, modes, idle)) continue;
-      for (const Modes& next : nominal_successors(step, modes, action))
-        if (next[i] == t.to) return &t;
+      const auto all = nominal_successors(step, modes, action);
+      const bool comes = std::any_of(all.begin(), all.end(), [&](const Modes& next) { return next[i] == t.to; });
+      if (comes && !comes_at_rest(step, modes, i, t.from, t.to)) return &t;
     }
   }
   return nullptr;

@@ -33,8 +33,8 @@ std::set<automata::ModeId> named_modes(const automata::Plant& plant, std::size_t
 bool is_forbidden(const Step& step, std::size_t component, const automata::Transition& t,
                   const automata::Formula& goal);
 
-/// What a command does for which no goal asks: the first forbidden step that it may take and idling may not,
-/// where all controls can be idle.
+/// What a command does for which no goal asks: the first forbidden step that it may take and that does not come, now or
+/// later, while all controls are idle, where they can be.
 const automata::Transition* forbidden_step(const Step& step, const automata::Modes& modes,
                                            const automata::ControlAction& action, const automata::Formula& goal);
 
