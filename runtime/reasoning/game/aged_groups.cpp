@@ -17,11 +17,9 @@ using automata::Modes;
 
 namespace {
 
-// Beyond these a game over ages is too large. Where the one over modes has more than so many outcomes, nearly every
-// game over ages is, and none is tried.
+// Beyond these a game over ages is too large. None is tried where the one over modes has more outcomes.
 constexpr Game::Limits aged_limits{std::size_t{1} << 12, std::size_t{1} << 12};
 constexpr Game::Limits few_ages{std::size_t{1} << 11, std::size_t{1} << 13, std::size_t{16}};
-constexpr std::size_t most_over_modes = std::size_t{1} << 9;
 constexpr std::size_t games_remembered = 16;  // of one group
 
 }  // namespace
@@ -77,9 +75,9 @@ void Strategist::count_ages(Group& group, const Played& over_modes, const Modes&
     return;
   }
   group.solved->bounds_counted = false;
-  const bool few = over_modes.best && over_modes.game->outcomes().size() <= most_over_modes;
-  if (few && play_over_ages(
-                 group, [&] { return over_modes.arena; }, aged_limits, modes))
+  const bool small = over_modes.best && over_modes.game->outcomes().size() <= aged_limits.outcomes;
+  if (small && play_over_ages(
+                   group, [&] { return over_modes.arena; }, aged_limits, modes))
     return;
   const SolvedGame without_bounds = *group.solved;
   const auto level = [](const SolvedGame& solved) {
