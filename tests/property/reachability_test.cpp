@@ -8,6 +8,7 @@
 
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
+#include "tests/property/rounds.hpp"
 #include "tests/reference/reachability.hpp"
 #include "verifier/check/check.hpp"
 
@@ -193,7 +194,8 @@ void compare_some_day(const Model& model, Drawn drawn) {
   if (parts.verdict == whole.verdict) return;
   // A cone is taken to be able to go on where the rest of the plant is stuck, or is not looked at as a fault is
   // certain.
-  RC_ASSERT(whole.cut_off.spent || reference::comes_to_a_stop(slow, drawn.question, drawn.options.period, unit));
+  RC_ASSERT(reference::comes_to_a_stop(slow, drawn.question, drawn.options.period, unit) ||
+            reference::exceeds_faults(slow, drawn.question, drawn.options.period, unit));
 }
 
 RC_GTEST_PROP(Reachability, DenseLeadsToIsTheGrid, ()) {
@@ -277,29 +279,6 @@ bool rests_on_an_instant(const automata::Plant& plant, const verifier::CheckOpti
     if (verifier::check(slices, verifier::Stuck{}, options, {}).verdict == verifier::Verdict::violated) return true;
   }
   return false;
-}
-
-/// Whether some component may go round in no time, whatever the guards: in cycles that takes time, as often as it
-/// likes.
-bool goes_round_at_once(const automata::Plant& plant) {
-  return std::any_of(plant.components.begin(), plant.components.end(), [](const automata::Component& component) {
-    const std::size_t modes = component.modes.size();
-    std::vector<std::set<std::size_t>> reached(modes);
-    for (std::size_t round = 0; round < modes; ++round) {
-      for (const automata::Transition& t : component.transitions) {
-        const bool at_once = !component.is_fault(t) && (!t.timing || t.timing->lower == Ticks{0});
-        if (!at_once || (t.from == t.to && !t.restart)) continue;
-        std::set<std::size_t>& from = reached[t.from.index()];
-        from.insert(t.to.index());
-        const std::set<std::size_t> then = reached[t.to.index()];
-        from.insert(then.begin(), then.end());
-      }
-    }
-    for (std::size_t m = 0; m < modes; ++m) {
-      if (reached[m].contains(m)) return true;
-    }
-    return false;
-  });
 }
 
 /// A dense proof is about the limit of ever shorter cycles: cycles that are short against all bounds, of which the

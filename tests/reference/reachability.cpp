@@ -102,6 +102,11 @@ class Search {
     return comes_to_a_stop(all.edges, all.judged);
   }
 
+  bool exceeds_faults() {
+    const Explored all = explore(nullptr);
+    return std::find(all.judged.begin(), all.judged.end(), false) != all.judged.end();
+  }
+
   bool never_answers(LoopMoves& moves) {
     const Explored all = explore(&moves);
     std::vector<bool> goes_on(all.judged.size(), false);
@@ -431,6 +436,10 @@ bool never_answers(const Step& step, const Question& question, std::optional<Tic
 
 bool comes_to_a_stop(const Step& step, const Question& question, std::optional<Ticks> period, Ticks unit) {
   return period ? Sampled(step, question, *period).stops() : Dense(step, question, unit).stops();
+}
+
+bool exceeds_faults(const Step& step, const Question& question, std::optional<Ticks> period, Ticks unit) {
+  return period ? Sampled(step, question, *period).exceeds_faults() : Dense(step, question, unit).exceeds_faults();
 }
 
 std::optional<std::size_t> fewest_steps_dense(const Step& step, const Question& question, Ticks unit) {

@@ -50,4 +50,8 @@ bool never_answers(const Step& step, const Question& question, std::optional<aut
 bool comes_to_a_stop(const Step& step, const Question& question, std::optional<automata::Ticks> period,
                      automata::Ticks unit);
 
+/// Whether in some reachable state more faults are certain than there may be.
+bool exceeds_faults(const Step& step, const Question& question, std::optional<automata::Ticks> period,
+                    automata::Ticks unit);
+
 }  // namespace rmpl::reference
