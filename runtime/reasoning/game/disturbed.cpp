@@ -131,6 +131,8 @@ std::vector<ComponentId> Strategist::follow(Group& group, const Modes& modes) {
   const std::vector<ComponentId> readers = arena.readers(modes);
   undisturbed.reserve(readers.size());
   for (const ComponentId c : readers) undisturbed.push_back(arena.moves_of(c, modes, rest));
+  std::vector<ComponentId> read;
+  for (const std::size_t p : group.parts) read = joined(read, goal_.read_by(p));
   std::vector<bool> seen(game.nodes().size());
   std::vector<std::uint32_t> open{group.start()};
   seen[group.start()] = true;
@@ -147,6 +149,9 @@ std::vector<ComponentId> Strategist::follow(Group& group, const Modes& modes) {
     for (const std::size_t i : arena.controls()) {
       if (action[i] != idle[i]) insert(group.commanded, i);
     }
+    // Where the goal is kept, what decides steps of the components that it reads keeps it.
+    const bool kept =
+        group.solved && n != group.start() && group.solved->solution->at(n).purpose != GameDecision::Purpose::reach;
     const Position::Action* with = position.find(edge.action);
     const Position::Action& without = position.actions.front();
     for (std::size_t m = 0; m < arena.components().size(); ++m) {
@@ -154,7 +159,7 @@ std::vector<ComponentId> Strategist::follow(Group& group, const Modes& modes) {
       if (commanded) insert(group.touched, arena.components()[m]);
       // What a first wait is for may come whatever else is done meanwhile: that is looked at apart.
       const bool goes_on = commanded || (n != group.start() && leaves(game, edge, n, m));
-      if (goes_on)
+      if (goes_on || (kept && std::binary_search(read.begin(), read.end(), arena.components()[m])))
         part = joined(part,
                       arena.deciding(arena.components()[m], position.modes[arena.components()[m].index()]).components);
     }
