@@ -219,23 +219,36 @@ class Answering {
   std::optional<Modes> after(const std::vector<Course>& courses, const Course* awaited, const ControlAction& action) {
     using Change = std::vector<std::pair<ComponentId, ModeId>>;
     std::vector<std::vector<Change>> choices;
-    std::vector<bool> played(modes_.size());
+    // A reward whose game keeps a part of the goal is pursued in place of resting for that part.
+    std::vector<const Course*> played(modes_.size(), nullptr);
+    for (const Course& course : courses) {
+      for (const ComponentId c : course.game().arena().components()) {
+        const Course*& by = played[c.index()];
+        if (by == nullptr || !by->under_way()) by = &course;
+      }
+    }
+    const auto plays = [&](const Course& course) {
+      const auto& components = course.game().arena().components();
+      return std::any_of(components.begin(), components.end(),
+                         [&](ComponentId c) { return played[c.index()] == &course; });
+    };
     const auto add = [&](const Course& course) {
       auto& outcomes = choices.emplace_back();
       for (const Game::Outcome* outcome : course.outcomes(course.start())) {
         Change& change = outcomes.emplace_back();
-        for (std::size_t m = 0; m < course.game().arena().components().size(); ++m)
-          change.emplace_back(course.game().arena().components()[m], course.mode(outcome->node, m));
+        for (std::size_t m = 0; m < course.game().arena().components().size(); ++m) {
+          const ComponentId c = course.game().arena().components()[m];
+          if (played[c.index()] == &course) change.emplace_back(c, course.mode(outcome->node, m));
+        }
       }
       return !outcomes.empty();
     };
     for (const Course& course : courses) {
-      for (const ComponentId c : course.game().arena().components()) played[c.index()] = true;
-      if (course.edge() != nullptr && !course.edge()->waits && !add(course)) return std::nullopt;
+      if (course.edge() != nullptr && !course.edge()->waits && plays(course) && !add(course)) return std::nullopt;
     }
     // Components that no game is about do what they have to.
     for (const ComponentId c : graph_.components()) {
-      if (played[c.index()]) continue;
+      if (played[c.index()] != nullptr) continue;
       const automata::Enabled& enabled = step_.enabled(c, modes_, action);
       const auto& transitions = step_.plant()[c].transitions;
       std::vector<Change> options;
