@@ -347,7 +347,7 @@ bool is_better(const automata::Plant& plant, const Modes& from, const Modes& lef
   const double more = reward_of(plant, left) - reward_of(plant, right);
   constexpr double rounding = 1e-9;
   if (std::abs(more) > rounding) return more > 0;
-  return std::pair(changed(left), left) < std::pair(changed(right), right);
+  return changed(left) < changed(right);
 }
 
 static bool is_met(const Step& step, const Modes& state, const automata::Formula& goal) {

@@ -43,7 +43,7 @@ const automata::Transition* forbidden_step(const Step& step, const automata::Mod
 bool is_swayed(const Step& step, std::size_t component, automata::ModeId mode);
 
 /// Whether of two goal states that are as good otherwise the left one goes first: greater summed reward; fewer
-/// components changed; mode by mode, components in declaration order.
+/// components changed.
 bool is_better(const automata::Plant& plant, const automata::Modes& from, const automata::Modes& left,
                const automata::Modes& right);
 
