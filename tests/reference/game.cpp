@@ -140,7 +140,7 @@ std::set<std::size_t> Game::moved(Node start, const May& may) const {
 }
 
 Game::Chains Game::chains(Node start, const std::set<std::size_t>& counted) const {
-  const auto terminal = [&](Node node) {
+  const auto own = [&](Node node) {
     GameCost cost;
     if (const auto longest = longest_.find(node); longest != longest_.end() && longest->second != nullptr)
       cost.lost = lost_at_once(*longest->second);
@@ -151,7 +151,40 @@ Game::Chains Game::chains(Node start, const std::set<std::size_t>& counted) cons
     }
     return cost;
   };
+  // Of the nodes that keeping the goal comes back to for ever, the worst.
+  const auto terminal = [&](Node node) {
+    GameCost cost = own(node);
+    if (!kept_.contains(node)) return cost;
+    std::optional<GameCost> worst;
+    for (const Node then : later(node)) {
+      const std::set<Node> after = later(then);
+      if (std::any_of(after.begin(), after.end(), [&](Node last) { return !later(last).contains(then); })) continue;
+      const GameCost end = own(then);
+      if (!worst) worst = end;
+      worst->worth = std::max(worst->worth, end.worth);
+      worst->reward = std::max(worst->reward, end.reward);
+    }
+    cost.worth = worst->worth;
+    cost.reward = worst->reward;
+    return cost;
+  };
   return {Chain(board_, kept_, terminal, all_), Chain(board_, holding_, terminal, all_)};
+}
+
+/// The node, where the goal is kept, and all that keeping it leads to.
+const std::set<Node>& Game::later(Node node) const {
+  const auto [at, fresh] = later_.try_emplace(node);
+  if (!fresh) return at->second;
+  std::set<Node> met{node};
+  std::vector<Node> open{node};
+  while (!open.empty()) {
+    const Option* option = keeping(open.back());
+    open.pop_back();
+    if (option == nullptr) continue;
+    for (const Option::Way& way : option->ways)
+      if (met.insert(way.to).second) open.push_back(way.to);
+  }
+  return later_[node] = std::move(met);
 }
 
 /// Nothing where there is no action at all.

@@ -47,7 +47,8 @@ struct Solution {
 /// worth: a way is a set of commands, none of which can be spared, that is enough for the level from the start, all
 /// controls being left else as where nothing is wanted. Its components, and what its actions can move that does not
 /// move anyway, count with their rewards at the end, less those of the start; of other components losses count alone.
-/// Of several ways that which makes the whole cost least is taken, then the first.
+/// Where the goal is kept at the end, that is the worst of what keeping it comes back to for ever. Of several ways that
+/// which makes the whole cost least is taken, then the first.
 ///
 /// lost: where the goal holds at the end and is lost in the next cycle whatever is done, that counts, too.
 ///
@@ -77,6 +78,7 @@ class Game {
   [[nodiscard]] const Option* rest_option(Node node) const;
   [[nodiscard]] Decision decide(const Chains& chains, Node node, std::optional<Level> bound) const;
   [[nodiscard]] const Option* keeping(Node node) const;
+  [[nodiscard]] const std::set<Node>& later(Node node) const;
   void find_holds();
   void follow(const Chains& chains, Node start);
 
@@ -87,6 +89,7 @@ class Game {
   std::map<Node, const Option*> longest_;  ///< where the goal holds and cannot be kept
   Solution solution_;
   std::optional<Chains> chains_;
+  mutable std::map<Node, std::set<Node>> later_;
 };
 
 }  // namespace rmpl::reference

@@ -3,10 +3,12 @@
 #include "runtime/reasoning/game/solve.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "base/strong_components.hpp"
 #include "runtime/reasoning/game/chain.hpp"
 #include "runtime/reasoning/game/ways.hpp"
 
@@ -94,6 +96,61 @@ std::vector<std::uint32_t> longest(const Game& game, const GameSet& kept) {
   return result;
 }
 
+/// What keeping the goal comes back to for ever, from each node where it is kept.
+class Keeping {
+ public:
+  /// `edges`: by node, what is sent there to keep the goal; none where it is not kept.
+  Keeping(const Game& game, std::vector<std::uint32_t> edges)
+      : game_(game),
+        edges_(std::move(edges)),
+        classes_(base::strong_components(
+            edges_.size(), [&](std::size_t n, std::size_t o) { return next(static_cast<std::uint32_t>(n), o); })) {}
+
+  [[nodiscard]] std::uint32_t edge(std::uint32_t n) const { return edges_[n]; }
+
+  /// Where the goal is kept, the worst worth and reward of the nodes that come again for ever in place of the node's
+  /// own.
+  void settle(std::vector<Cost>& costs) const {
+    constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+    std::vector<Cost> worst(classes_.count);
+    for (Cost& cost : worst) cost.worth = cost.reward = least;
+    const auto raise = [](Cost& cost, const Cost& by) {
+      cost.worth = std::max(cost.worth, by.worth);
+      cost.reward = std::max(cost.reward, by.reward);
+    };
+    for (std::uint32_t n = 0; n < edges_.size(); ++n) raise(worst[classes_.number[n]], costs[n]);
+    // Successors have the smaller numbers.
+    std::vector<std::vector<std::uint32_t>> members(classes_.count);
+    for (std::uint32_t n = 0; n < edges_.size(); ++n) {
+      if (edges_[n] != GameDecision::no_edge) members[classes_.number[n]].push_back(n);
+    }
+    for (std::size_t c = 0; c < members.size(); ++c) {
+      Cost then;
+      then.worth = then.reward = least;
+      for (const std::uint32_t n : members[c]) {
+        for (std::size_t o = 0; const auto to = next(n, o); ++o) {
+          if (classes_.number[*to] != c) raise(then, worst[classes_.number[*to]]);
+        }
+      }
+      if (then.worth != least) worst[c] = then;
+      for (const std::uint32_t n : members[c]) {
+        costs[n].worth = worst[c].worth;
+        costs[n].reward = worst[c].reward;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> next(std::uint32_t n, std::size_t o) const {
+    if (edges_[n] == GameDecision::no_edge || o >= game_.edges()[edges_[n]].count) return std::nullopt;
+    return game_.outcomes()[game_.edges()[edges_[n]].first + o].node;
+  }
+
+  const Game& game_;
+  std::vector<std::uint32_t> edges_;
+  base::StrongComponents classes_;
+};
+
 }  // namespace
 
 Solution::Solution(const Game& game, std::uint32_t start) { solve(game, start, nullptr); }
@@ -111,6 +168,11 @@ void Solution::solve(const Game& game, std::uint32_t start, const std::vector<st
   kept_ = kept_nodes(game, backward, permitted);
   const GameSet keeps = keeping_edges(game, backward, permitted, kept_);
   const std::vector<std::uint32_t> holds = longest(game, kept_);
+  std::vector<std::uint32_t> kept_by(game.nodes().size(), GameDecision::no_edge);
+  for (std::uint32_t n = 0; n < kept_by.size(); ++n) {
+    if (kept_[n]) kept_by[n] = keeping(game, keeps, n);
+  }
+  const Keeping lasts(game, std::move(kept_by));
 
   const Arena& arena = game.arena();
   const auto terminal = [&](const std::vector<bool>& counted) {
@@ -132,6 +194,7 @@ void Solution::solve(const Game& game, std::uint32_t start, const std::vector<st
         lost = std::min<std::int64_t>(lost.value_or(game.outcomes()[o].cost.lost), game.outcomes()[o].cost.lost);
       costs[n].lost = lost.value_or(0);
     }
+    lasts.settle(costs);
     return costs;
   };
   of_all_nodes_ = counted_by_way == nullptr && !has_rewards(game);
@@ -164,7 +227,7 @@ void Solution::solve(const Game& game, std::uint32_t start, const std::vector<st
     decision = {GameDecision::Purpose::reach, level.rank, level.lasts, state.edge, state.cost};
     if (kept_[n]) {
       decision.purpose = GameDecision::Purpose::keep;
-      decision.edge = keeping(game, keeps, n);
+      decision.edge = lasts.edge(n);
     } else if (goal[n] && !(level.rank != Rank::none && level.lasts)) {
       decision.purpose = GameDecision::Purpose::hold;
       decision.edge = holds[n];
