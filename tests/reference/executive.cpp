@@ -11,10 +11,39 @@ bool all_in(const std::vector<Result>& results, const std::set<Node>& nodes) {
   return std::all_of(results.begin(), results.end(), [&](const Result& r) { return nodes.contains(r.to); });
 }
 
+/// The controls that formulas connect with those of the goal, be it by way of others.
+std::set<std::size_t> connected(const automata::Plant& plant, const automata::Formula& goal) {
+  std::vector<std::vector<automata::VariableId>> together;
+  for (const automata::Interconnection& rule : plant.interconnections)
+    together.push_back(automata::variables_of(rule.constraint));
+  for (const automata::Component& component : plant.components) {
+    auto& own = together.emplace_back(1, component.mode);
+    const auto add = [&](const automata::Formula& formula) {
+      const auto variables = automata::variables_of(formula);
+      own.insert(own.end(), variables.begin(), variables.end());
+    };
+    for (const automata::Mode& mode : component.modes) add(mode.constraint);
+    for (const automata::Transition& t : component.transitions) add(t.guard);
+  }
+  const auto first = automata::variables_of(goal);
+  std::set<automata::VariableId> found(first.begin(), first.end());
+  for (std::size_t before = 0; before != found.size();) {
+    before = found.size();
+    for (const auto& variables : together) {
+      const bool meets = std::any_of(variables.begin(), variables.end(), [&](auto v) { return found.contains(v); });
+      if (meets) found.insert(variables.begin(), variables.end());
+    }
+  }
+  std::set<std::size_t> result;
+  for (std::size_t i = 0; i < plant.controls.size(); ++i)
+    if (found.contains(plant.controls[i].variable)) result.insert(i);
+  return result;
+}
+
 }  // namespace
 
 Executive::Asked::Asked(GameStep& step, const automata::Formula& goal)
-    : arena(step, automata::Ticks::per_second), board(arena, goal, {}, 4000) {}
+    : arena(step, automata::Ticks::per_second), board(arena, goal, {}, 4000), own(connected(step.plant(), goal)) {}
 
 void Executive::Asked::explore(Node node) {
   if (!reached.insert(node).second) return;
@@ -36,8 +65,11 @@ void Executive::Asked::explore(Node node) {
     before = hopeful.size();
     for (const Node n : reached) {
       const auto leads = [&](const Option& option) {
-        return std::any_of(option.ways.begin(), option.ways.end(),
-                           [&](const Option::Way& way) { return hopeful.contains(way.to); });
+        const bool has_to_do = std::any_of(option.commands.begin(), option.commands.end(), [&](const Commands& all) {
+          return std::all_of(all.begin(), all.end(), [&](const auto& command) { return own.contains(command.first); });
+        });
+        return has_to_do && std::any_of(option.ways.begin(), option.ways.end(),
+                                        [&](const Option::Way& way) { return hopeful.contains(way.to); });
       };
       if (board.holds(n) || std::any_of(board.options(n).begin(), board.options(n).end(), leads)) hopeful.insert(n);
     }

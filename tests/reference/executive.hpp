@@ -24,7 +24,9 @@ struct Advice {
 };
 
 /// Advice is fit
-/// - for no goal, and where permitted actions lead to no state in which the goal holds: if it is what is sent where
+/// - for no goal, and where permitted actions lead to no state in which the goal holds, commands that have nothing to
+/// do
+///   with it left out, which would at best pass the time: if it is what is sent where
 ///   nothing is wanted; only there *no plan* is fit;
 /// - else if the action is permitted: it does no harm that could not come anyway; and where the goal can be kept, if
 ///   the action keeps it, whatever comes of it.
@@ -46,9 +48,10 @@ class Executive {
   struct Asked {
     AgedArena arena;
     Board board;
-    std::set<Node> reached;  ///< what was explored
-    std::set<Node> kept;     ///< of these
-    std::set<Node> hopeful;  ///< from these the goal can be hoped for
+    std::set<Node> reached;     ///< what was explored
+    std::set<Node> kept;        ///< of these
+    std::set<Node> hopeful;     ///< from these the goal can be hoped for
+    std::set<std::size_t> own;  ///< controls that have to do with the goal
 
     Asked(GameStep& step, const automata::Formula& goal);
     void explore(Node node);

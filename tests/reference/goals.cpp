@@ -160,6 +160,7 @@ const Transition* forbidden_step(const Step& step, const Modes& modes, const Con
   const automata::Plant& plant = step.plant();
   const ControlAction idle = automata::idle_action(plant);
   if (!step.models().consistent(assumptions_of(plant, modes, idle))) return nullptr;
+  if (nominal_successors(step, modes, idle).empty()) return nullptr;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     for (const Transition& t : plant.components[i].transitions) {
       if (t.from != modes[i] || !step.enabled(t, modes, action) || !is_forbidden(step, i, t, goal)) continue;
@@ -359,15 +360,6 @@ Modes best_kept(const Step& step, const Modes& modes, const automata::Formula& g
   const auto entails = [&](const Modes& state) { return is_met(step, state, goal); };
   for (const auto& [state, count] : reached(step, modes, entails))
     if (entails(state) && is_better(step.plant(), modes, state, best)) best = state;
-  return best;
-}
-
-std::optional<Modes> best_reached(const Step& step, const Modes& modes, const automata::Formula& goal) {
-  std::optional<Modes> best;
-  for (const auto& [state, count] : reached(step, modes, [](const Modes&) { return true; })) {
-    if (!is_met(step, state, goal)) continue;
-    if (!best || is_better(step.plant(), modes, state, *best)) best = state;
-  }
   return best;
 }
 

@@ -34,7 +34,7 @@ bool is_forbidden(const Step& step, std::size_t component, const automata::Trans
                   const automata::Formula& goal);
 
 /// What a command does for which no goal asks: the first forbidden step that it may take and that does not come, now or
-/// later, while all controls are idle, where they can be.
+/// later, while all controls are idle, where they can be and something can follow.
 const automata::Transition* forbidden_step(const Step& step, const automata::Modes& modes,
                                            const automata::ControlAction& action, const automata::Formula& goal);
 
@@ -50,11 +50,6 @@ bool is_better(const automata::Plant& plant, const automata::Modes& from, const 
 /// The best of the states that are reached from one that entails the goal by single commands with one outcome each, all
 /// of which can be undone, through states that entail it and in which nothing happens of itself.
 automata::Modes best_kept(const Step& step, const automata::Modes& modes, const automata::Formula& goal);
-
-/// The best of the states that entail the goal and that such commands reach, whatever is on the way. Nothing where
-/// there is none.
-std::optional<automata::Modes> best_reached(const Step& step, const automata::Modes& modes,
-                                            const automata::Formula& goal);
 
 /// The fewest such commands after which the goal is entailed first. Nothing where there are none.
 std::optional<std::size_t> fewest_commands(const Step& step, const automata::Modes& modes,
