@@ -1,4 +1,4 @@
-// The game, explored: what nature may do, and what must not be risked.
+// The game, explored: what nature may do.
 // SPDX-License-Identifier: MIT
 #include "runtime/reasoning/game/game.hpp"
 
@@ -13,9 +13,7 @@ using automata::Ticks;
 
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint64_t unknown_harm = std::uint64_t{1} << 63;  // of a node that is not explored
-constexpr std::size_t most_outcomes_of_one = 4096;              // of one action
+constexpr std::size_t most_outcomes_of_one = 4096;  // of one action
 
 std::int64_t sum(std::int64_t a, std::int64_t b) { return std::min(a + b, Cycles::never); }
 
@@ -120,10 +118,14 @@ std::uint32_t Game::node_of(Key key) {
   const std::uint32_t position = key.position;
   if (most_alike_) {
     if (alike_.size() <= position) alike_.resize(position + std::size_t{1});
-    if (!numbers_.contains(key) && ++alike_[position] > *most_alike_) return unexplored(position);
+    if (alike_[position] >= *most_alike_) {
+      const auto known = numbers_.find(key);
+      return known == numbers_.end() ? unexplored(position) : known->second;
+    }
   }
   const auto [at, fresh] = numbers_.try_emplace(std::move(key), static_cast<std::uint32_t>(nodes_.size()));
   if (fresh) {
+    if (most_alike_) ++alike_[position];
     nodes_.push_back({position, 0, 0, 0, true});
     ages_.push_back(&at->first.ages);
   }
@@ -143,15 +145,6 @@ std::uint32_t Game::unexplored(std::uint32_t position) {
     ages_.push_back(&unknown);
   }
   return at->second;
-}
-
-std::uint64_t Game::bit_of(Harm harm) {
-  const auto [at, fresh] = harms_.try_emplace(std::move(harm), static_cast<std::uint32_t>(harms_.size()));
-  if (at->second >= 63) {
-    too_large_ = true;
-    return 0;
-  }
-  return std::uint64_t{1} << at->second;
 }
 
 Game::Key Game::key_of(std::uint32_t number, const std::optional<std::vector<Age>>& ages) const {
@@ -308,7 +301,7 @@ void Game::add_outcome(std::uint32_t node, const Position& position, const Turn&
   if (!target) {
     Harm excluded;
     for (const auto& [c, m] : arena_.conflict(modes)) excluded.emplace_back(c.value, m.value);
-    excluded.emplace_back(none, none);  // apart from steps
+    excluded.push_back(exclusion);
     edge.takes |= bit_of(std::move(excluded));
     return;
   }
@@ -358,58 +351,6 @@ void Game::add_outcome(std::uint32_t node, const Position& position, const Turn&
   outcome.soonest = times((memory_ == Memory::ages || !turn.waits ? cycles.first : turn.lower), rules_.unit());
   outcome.node = node_of(std::move(key));
   outcomes_.push_back(outcome);
-}
-
-/// What may come of each node if the executive rests: of its step, and of all nodes behind it.
-void Game::spread_harm() {
-  std::vector<std::vector<std::uint32_t>> before(nodes_.size());
-  std::vector<std::uint32_t> changed;
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-    Node& node = nodes_[n];
-    if (node.count > 0) {
-      const Edge& rest = edges_[node.first];
-      node.harm = rest.takes;
-      for (std::uint32_t o = rest.first; o < rest.first + rest.count; ++o) before[outcomes_[o].node].push_back(n);
-    }
-    if (node.harm != 0) changed.push_back(n);
-  }
-  while (!changed.empty()) {
-    const std::uint32_t n = changed.back();
-    changed.pop_back();
-    for (const std::uint32_t earlier : before[n]) {
-      const std::uint64_t harm = nodes_[earlier].harm | nodes_[n].harm;
-      if (harm == nodes_[earlier].harm) continue;
-      nodes_[earlier].harm = harm;
-      changed.push_back(earlier);
-    }
-  }
-}
-
-std::uint64_t Game::added_harm(std::uint32_t node, const Edge& edge) const {
-  std::uint64_t harm = edge.takes;
-  for (std::uint32_t o = edge.first; o < edge.first + edge.count; ++o) harm |= nodes_[outcomes_[o].node].harm;
-  // Unknown harm is never told to be that of resting, but of the edge to rest with.
-  const bool rests = &edge == &edges_[nodes_[node].first];
-  return harm & ~(nodes_[node].harm & (rests ? ~std::uint64_t{0} : ~unknown_harm));
-}
-
-void Game::forbid() {
-  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
-    for (std::uint32_t e = nodes_[n].first; e < nodes_[n].first + nodes_[n].count; ++e)
-      edges_[e].permitted = !edges_[e].dead && added_harm(n, edges_[e]) == 0;
-  }
-}
-
-Game::HarmOf Game::harm_of(unsigned bit) const {
-  for (const auto& [harm, number] : harms_) {
-    if (number != bit) continue;
-    HarmOf result{{}, harm.back().first == none};
-    for (const auto& [c, m] : harm) {
-      if (c != none) result.modes.emplace_back(ComponentId(c), ModeId(m));
-    }
-    return result;
-  }
-  return {{}, false};
 }
 
 }  // namespace rmpl::runtime

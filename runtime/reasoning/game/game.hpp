@@ -102,6 +102,9 @@ class Game {
 
  private:
   using Harm = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  ///< a step, or modes that exclude each other
+  /// Stands behind modes that exclude each other, which tells them from a step.
+  static constexpr std::pair<std::uint32_t, std::uint32_t> exclusion{~std::uint32_t{0}, ~std::uint32_t{0}};
+  static constexpr std::uint64_t unknown_harm = std::uint64_t{1} << 63;  ///< of a node that is not explored
   struct Key {
     std::uint32_t position;
     std::vector<Age> ages;

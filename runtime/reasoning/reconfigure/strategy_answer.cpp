@@ -3,12 +3,12 @@
 #include "runtime/reasoning/reconfigure/strategy_answer.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "runtime/reasoning/game/barrier.hpp"
 #include "runtime/reasoning/nominal/idling.hpp"
+#include "runtime/reasoning/reconfigure/course.hpp"
 
 namespace rmpl::runtime {
 
@@ -20,111 +20,6 @@ using automata::Modes;
 namespace {
 
 using Purpose = GameDecision::Purpose;
-
-/// One game that is under way: for parts of the goal, or for a reward.
-class Course {
- public:
-  explicit Course(const SolvedGame& solved) : solved_(&solved), game_(*solved.game), start_(solved.start) {}
-  explicit Course(const PursuedReward& reward) : reward_(&reward), game_(*reward.game), start_(reward.start) {}
-
-  [[nodiscard]] const Game& game() const { return game_; }
-  [[nodiscard]] const Position& position() const { return game_.position(start_); }
-  [[nodiscard]] const SolvedGame* solved() const { return solved_; }
-  [[nodiscard]] std::uint32_t start() const { return start_; }
-  [[nodiscard]] std::uint32_t edge_number(std::uint32_t n) const {
-    return solved_ != nullptr ? solved_->solution->at(n).edge : reward_->edge(n);
-  }
-  [[nodiscard]] const Game::Edge* edge() const {
-    const std::uint32_t e = edge_number(start_);
-    return e == GameDecision::no_edge ? nullptr : &game_.edges()[e];
-  }
-  /// Whether it goes on towards a target, and does not only keep what there is.
-  [[nodiscard]] bool under_way() const { return solved_ == nullptr || solved_->decision().purpose == Purpose::reach; }
-  [[nodiscard]] bool rests() const {
-    const std::uint32_t e = edge_number(start_);
-    return e == GameDecision::no_edge || e == game_.nodes()[start_].first;
-  }
-  [[nodiscard]] ModeId mode(std::uint32_t n, std::size_t member) const {
-    return game_.position(n).modes[game_.arena().components()[member].index()];
-  }
-
-  /// What may come of a node, what is expected first: of a wait that in which as little as possible comes, of an action
-  /// that with which nothing timed coincides; then that of least cost. None where nothing ever happens.
-  [[nodiscard]] std::vector<const Game::Outcome*> outcomes(std::uint32_t n) const {
-    std::uint32_t number = edge_number(n);
-    // What is pursued for reward comes by itself in the end.
-    const bool had = reward_ == nullptr || game_.position(n).reward >= reward_->pursued.reward;
-    if (number == GameDecision::no_edge && !had && game_.nodes()[n].count > 0) number = game_.nodes()[n].first;
-    if (number == GameDecision::no_edge) return {};
-    const Game::Edge& taken = game_.edges()[number];
-    using Key = std::tuple<std::size_t, bool, Rank, Cost, std::uint32_t>;
-    std::vector<Key> keys;
-    for (std::uint32_t o = taken.first; o < taken.first + taken.count; ++o) {
-      const Game::Outcome& outcome = game_.outcomes()[o];
-      std::size_t surprises = outcome.coincides ? 1 : 0;
-      for (std::size_t m = 0; taken.waits && m < game_.arena().components().size(); ++m)
-        surprises += mode(n, m) != mode(outcome.node, m) ? 1 : 0;
-      Key key{surprises, false, Rank::sure, outcome.cost, o};
-      if (solved_ != nullptr) {
-        const GameDecision& then = solved_->solution->at(outcome.node);
-        if (then.rank == Rank::none && solved_->decision().rank != Rank::none) continue;
-        key = {surprises, !then.lasts, then.rank, outcome.cost + then.cost, o};
-      }
-      keys.push_back(std::move(key));
-    }
-    std::sort(keys.begin(), keys.end());
-    std::vector<const Game::Outcome*> result;
-    result.reserve(keys.size());
-    for (const Key& key : keys) result.push_back(&game_.outcomes()[std::get<4>(key)]);
-    return result;
-  }
-  [[nodiscard]] const Game::Outcome* expected(std::uint32_t n) const {
-    const auto all = outcomes(n);
-    return all.empty() ? nullptr : all.front();
-  }
-
-  /// The node in which the course ends if each action has the expected outcome.
-  [[nodiscard]] std::uint32_t end() const {
-    std::uint32_t n = start_;
-    std::vector<bool> seen(game_.nodes().size());
-    while (!seen[n]) {
-      seen[n] = true;
-      if (solved_ != nullptr && solved_->solution->at(n).purpose != Purpose::reach) break;
-      const Game::Outcome* next = expected(n);
-      if (next == nullptr) break;
-      n = next->node;
-    }
-    return n;
-  }
-
-  /// The open part of the goal that the step of a member serves: the first on whose way it lies, else the first.
-  [[nodiscard]] std::size_t open_part(const Strategist& strategist, std::optional<std::size_t> member) const {
-    const auto& held = game_.arena().held(game_.nodes()[start_].position);
-    std::optional<std::size_t> first;
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      if (held[i]) continue;
-      if (!first) first = i;
-      const auto& relevant = strategist.relevant(solved_->parts[i]);
-      if (member && std::binary_search(relevant.begin(), relevant.end(), game_.arena().components()[*member])) return i;
-    }
-    return first.value_or(0);
-  }
-
- private:
-  const SolvedGame* solved_ = nullptr;
-  const PursuedReward* reward_ = nullptr;
-  const Game& game_;
-  std::uint32_t start_;
-};
-
-/// The exit that takes a component of the course from its mode to that of a node.
-const LocalMoves::Exit* exit_to(const Course& course, const Position::Action& action, std::size_t member,
-                                std::uint32_t node) {
-  for (const LocalMoves::Exit& exit : action.moves[member]->exits) {
-    if (exit.to == course.mode(node, member)) return &exit;
-  }
-  return nullptr;
-}
 
 class Answering {
  public:
