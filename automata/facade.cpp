@@ -12,28 +12,18 @@
 namespace rmpl::automata {
 namespace {
 
-enum class Role { open, told, mode, commanded };
+enum class Role { open, told, commanded };
 
-/// Per variable. What stands beside a mode in the location of a mode is an attribute of it, not a state.
+/// Per variable.
 std::vector<Role> roles_of(const ModelProgram& program) {
   std::vector<Role> roles(program.variables.size(), Role::open);
   for (const CommandedVariable& control : program.controls) roles[control.variable.index()] = Role::commanded;
-  for (const ModelledComponent& component : program.components) roles[component.mode.index()] = Role::mode;
   for (const ModelLocation& location : program.locations) {
-    const auto told = variables_of(location.told);
-    const bool of_mode =
-        std::any_of(told.begin(), told.end(), [&](VariableId v) { return roles[v.index()] == Role::mode; });
-    if (of_mode) continue;
-    for (const VariableId variable : told) {
+    for (const VariableId variable : variables_of(location.told)) {
       if (roles[variable.index()] == Role::open) roles[variable.index()] = Role::told;
     }
   }
   return roles;
-}
-
-std::vector<ModelledComponent>::const_iterator component_at(const ModelProgram& program, VariableId variable) {
-  return std::find_if(program.components.begin(), program.components.end(),
-                      [&](const ModelledComponent& one) { return one.mode == variable; });
 }
 
 Component component_of(const ModelProgram& program, VariableId variable) {
@@ -43,17 +33,10 @@ Component component_of(const ModelProgram& program, VariableId variable) {
   component.origin = program.origin;
   for (const std::string& value : program.variables[variable].values) component.modes.emplace_back().name = value;
   component.modes.emplace_back().name.assign(1, '?');
-  const auto modelled = component_at(program, variable);
-  if (modelled == program.components.end()) return component;
-  for (const ValueId fault : modelled->faults) component.modes[fault.index()].fault = true;
   return component;
 }
 
 }  // namespace
-
-bool is_mode(const ModelProgram& program, VariableId variable) {
-  return component_at(program, variable) != program.components.end();
-}
 
 bool can_be_flown(const ModelProgram& program) {
   return std::all_of(program.controls.begin(), program.controls.end(),
@@ -72,8 +55,7 @@ Plant facade_of(const ModelProgram& program) {
   }
   const std::vector<Role> roles = roles_of(program);
   for (std::size_t v = 0; v < roles.size(); ++v) {
-    const bool seen = roles[v] == Role::told || roles[v] == Role::mode;
-    if (seen) plant.components.push_back(component_of(program, VariableId(v)));
+    if (roles[v] == Role::told) plant.components.push_back(component_of(program, VariableId(v)));
   }
   return plant;
 }

@@ -7,14 +7,10 @@
 
 namespace rmpl::automata {
 
-/// A plant over the same variables, whose components are what goals may name: the modes of components, and what other
-/// locations tell of, but for commands. A component has a mode for each value of its variable, and behind these one
-/// more, `?`, where the store leaves the value open. It has no transitions: what it does is up to the program, which
-/// `can_be_flown`.
+/// A plant over the same variables, whose components are what goals may name: what locations tell of, but for commands.
+/// A component has a mode for each value of its variable, and behind these one more, `?`, where the store leaves the
+/// value open. It has no transitions: what it does is up to the program, which `can_be_flown`.
 Plant facade_of(const ModelProgram& program);
-
-/// Whether a variable is the mode of a component.
-bool is_mode(const ModelProgram& program, VariableId variable);
 
 /// Whether every control has an idle value, so that it can be left alone.
 bool can_be_flown(const ModelProgram& program);

@@ -77,13 +77,6 @@ struct CommandedVariable {
 /// A value for each commanded variable of a model program, by position; nothing where it is unknown.
 using Command = std::vector<std::optional<ValueId>>;
 
-/// A component of a plant whose modes became locations (semantics 8, "A model program in a plant").
-struct ModelledComponent {
-  VariableId mode;              ///< its values are the modes; no sensor reads it
-  std::vector<ValueId> faults;  ///< ascending
-  bool operator==(const ModelledComponent&) const = default;
-};
-
 /// A PHCA. Location k (from 0) is printed as k + 1; a child comes after its parent (pre-order of the source, a `choose`
 /// before its branches). Location 1 is composite.
 /// A start marking is location 1 marked fully, and a branch of each initial draw.
@@ -94,8 +87,7 @@ struct ModelProgram {
   std::vector<VariableId> observables;       ///< declaration order
   std::vector<Interconnection> constraints;  ///< in every store
   std::vector<ModelLocation> locations;
-  std::vector<InitialDraw> initial;                ///< by `choice`
-  std::vector<ModelledComponent> components = {};  ///< of a plant, by `mode`; a program that stands alone has none
+  std::vector<InitialDraw> initial;  ///< by `choice`
   Origin origin;
   bool operator==(const ModelProgram&) const = default;
 };

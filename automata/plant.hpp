@@ -40,7 +40,7 @@ struct Weight {
 };
 
 /// A transition <v, g, v'>. Into a fault mode it is a fault transition, and has a probability or a rate; but a restart
-/// is nominal.
+/// is nominal, and so is the consequence of a fault.
 struct Transition {
   ModeId from;
   ModeId to;
@@ -52,6 +52,8 @@ struct Transition {
   std::uint32_t branch = 0;
   Origin origin;
   bool restart = false;  ///< from a mode to itself, untimed: the clock starts anew (semantics 3)
+  /// Of software: it leads to a fault mode, and is nominal, as its program goes on from a fault mode so (semantics 8).
+  bool consequence = false;
   bool operator==(const Transition&) const = default;
 };
 
@@ -66,9 +68,12 @@ struct Component {
   std::vector<Transition> transitions;
   Origin origin;
   bool progress = false;  ///< it is meant to go forward only: its steps need no licence (semantics 5)
+  bool software = false;  ///< a thread of a model program: its modes are markings, of which a step takes a cycle
   bool operator==(const Component&) const = default;
 
-  [[nodiscard]] bool is_fault(const Transition& t) const { return modes[t.to.index()].fault && !t.restart; }
+  [[nodiscard]] bool is_fault(const Transition& t) const {
+    return modes[t.to.index()].fault && !t.restart && !t.consequence;
+  }
 };
 
 /// A control variable with the value it has when nothing is commanded.

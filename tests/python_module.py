@@ -165,7 +165,7 @@ class ModelPrograms(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.model = EXAMPLES / "rover-camera/rover_camera.rmpl"
-        cls.logs = sorted(log for log in (EXAMPLES / "rover-camera").glob("*.jsonl") if log.stem not in ("rover_blank", "take"))
+        cls.logs = sorted(log for log in (EXAMPLES / "rover-camera").glob("*.jsonl") if log.stem not in ("rover_blank", "steps"))
 
     def test_the_same_as_the_program(self):
         self.assertTrue(self.logs)

@@ -92,7 +92,7 @@ Timing timing_from_json(const Node& node) {
 }
 
 Json transition_to_json(const Transition& t, const Component& component, const Variables& variables) {
-  Json json = object_with_room(8);
+  Json json = object_with_room(9);
   json["from"] = component.modes[t.from.index()].name;
   json["to"] = component.modes[t.to.index()].name;
   if (!t.guard.is_true()) json["guard"] = to_json(t.guard, variables);
@@ -100,13 +100,14 @@ Json transition_to_json(const Transition& t, const Component& component, const V
   if (t.weight.kind == Weight::Kind::probability) json["probability"] = t.weight.value;
   if (t.weight.kind == Weight::Kind::rate) json["rate"] = t.weight.value;
   if (t.restart) json["restart"] = true;
+  if (t.consequence) json["consequence"] = true;
   json["branch"] = t.branch;
   json["origin"] = to_json(t.origin);
   return json;
 }
 
 Transition transition_from_json(const Node& node, const Component& component, const Variables& variables) {
-  node.only({"from", "to", "guard", "timing", "probability", "rate", "restart", "branch", "origin"});
+  node.only({"from", "to", "guard", "timing", "probability", "rate", "restart", "consequence", "branch", "origin"});
   const auto mode = [&](const char* key) {
     const std::string name = node.at(key).text();
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
@@ -123,6 +124,7 @@ Transition transition_from_json(const Node& node, const Component& component, co
   if (node.has("probability") && node.has("rate")) node.fail("a probability or a rate, not both");
   if (node.has("probability")) t.weight = {Weight::Kind::probability, node.at("probability").probability()};
   if (node.has("rate")) t.weight = {Weight::Kind::rate, node.at("rate").number()};
+  if (node.has("consequence")) t.consequence = node.at("consequence").truth();
   if (node.has("restart")) t.restart = node.at("restart").truth();
   if (t.restart && (t.from != t.to || t.timing || t.weight.kind == Weight::Kind::rate)) {
     node.at("restart").fail("a restart from a mode to itself, without timing and rate");
@@ -154,13 +156,14 @@ Json component_to_json(const Component& component, const Variables& variables) {
   for (const Transition& t : component.transitions) {
     transitions.push_back(transition_to_json(t, component, variables));
   }
-  Json json = object_with_room(7);
+  Json json = object_with_room(8);
   json["name"] = component.name;
   json["type"] = component.type;
   json["modes"] = std::move(modes);
   json["initial"] = component.initial;
   json["transitions"] = std::move(transitions);
   if (component.progress) json["progress"] = true;
+  if (component.software) json["software"] = true;
   json["origin"] = to_json(component.origin);
   return json;
 }
@@ -178,7 +181,7 @@ std::vector<double> initial_from_json(const Node& node, const Component& compone
 }
 
 Component component_from_json(const Node& node, const Variables& variables) {
-  node.only({"name", "type", "modes", "initial", "transitions", "progress", "origin"});
+  node.only({"name", "type", "modes", "initial", "transitions", "progress", "software", "origin"});
   Component component;
   component.name = node.at("name").text();
   component.type = node.at("type").text();

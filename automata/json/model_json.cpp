@@ -60,8 +60,7 @@ Json location_to_json(const ModelLocation& location, std::size_t number, const M
 class Reading {
  public:
   explicit Reading(const Node& node) : node_(node), locations_(node.at("locations").items()) {
-    node.only({"name", "variables", "controls", "observables", "constraints", "locations", "initial", "components",
-               "origin"});
+    node.only({"name", "variables", "controls", "observables", "constraints", "locations", "initial", "origin"});
     if (locations_.empty()) node.at("locations").fail("at least one location");
   }
 
@@ -75,9 +74,6 @@ class Reading {
     for (std::size_t l = 0; l < locations_.size(); ++l) model_.locations.push_back(location(locations_[l], l));
     for (std::size_t l = 0; l < locations_.size(); ++l) check_started(l);
     for (const Node& item : node_.at("initial").items()) read_initial(item);
-    if (node_.has("components")) {
-      for (const Node& item : node_.at("components").items()) read_component(item);
-    }
     model_.origin = origin_from_json(node_.at("origin"));
     return std::move(model_);
   }
@@ -111,21 +107,6 @@ class Reading {
       model_.constraints.emplace_back(formula_from_json(item.at("constraint"), model_.variables),
                                       origin_from_json(item.at("origin")));
     }
-  }
-
-  void read_component(const Node& node) {
-    node.only({"mode", "faults"});
-    ModelledComponent component{variable(node.at("mode")), {}};
-    if (!model_.components.empty() && !(model_.components.back().mode < component.mode)) {
-      node.at("mode").fail("variables in order, each once");
-    }
-    for (const Node& item : node.at("faults").items()) {
-      const auto fault = model_.variables[component.mode].find(item.text());
-      if (!fault) item.fail("a value of '" + model_.variables.name(component.mode) + "'");
-      if (!component.faults.empty() && !(component.faults.back() < *fault)) item.fail("values in order, each once");
-      component.faults.push_back(*fault);
-    }
-    model_.components.push_back(std::move(component));
   }
 
   LocationId number(const Node& node) const {
@@ -261,16 +242,8 @@ Json to_json(const ModelProgram& model) {
             {"observables", std::move(observables)},
             {"constraints", std::move(constraints)},
             {"locations", std::move(locations)},
-            {"initial", std::move(initial)}};
-  if (!model.components.empty()) {
-    Json& components = json["components"] = Json::array();
-    for (const ModelledComponent& component : model.components) {
-      Json faults = Json::array();
-      for (const ValueId fault : component.faults) faults.push_back(model.variables.value({component.mode, fault}));
-      components.push_back({{"mode", model.variables.name(component.mode)}, {"faults", std::move(faults)}});
-    }
-  }
-  json["origin"] = to_json(model.origin);
+            {"initial", std::move(initial)},
+            {"origin", to_json(model.origin)}};
   return json;
 }
 

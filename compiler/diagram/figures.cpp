@@ -96,13 +96,17 @@ std::vector<Figure> figures_of(const automata::Document& document, const PlantsW
   for (const automata::Program& program : document.programs) {
     figures.push_back({Figure::Kind::program, program.name, &program});
   }
-  for (std::size_t m = 0; m < document.models.size(); ++m) {
-    const automata::ModelProgram& model = document.models[m];
-    if (plants.contains(m)) continue;
+  for (const automata::ModelProgram& model : document.models) {
     figures.push_back({Figure::Kind::program, model.name, nullptr, nullptr, nullptr, &model});
   }
-  for (const auto& [position, whole] : plants) add_plant(whole.plant, &whole, figures);
-  for (const automata::Plant& plant : document.plants) add_plant(plant, nullptr, figures);
+  for (std::size_t p = 0; p < document.plants.size(); ++p) {
+    const auto whole = plants.find(p);
+    if (whole == plants.end()) {
+      add_plant(document.plants[p], nullptr, figures);
+    } else {
+      add_plant(whole->second.plant, &whole->second, figures);
+    }
+  }
   return figures;
 }
 

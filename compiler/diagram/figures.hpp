@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "automata/scenario.hpp"
-#include "automata/step/plant_as_model.hpp"
+#include "automata/software/model_component.hpp"
 
 namespace rmpl::compiler {
 
@@ -31,8 +31,8 @@ struct Figure {
 using PlantsWithModels = std::map<std::size_t, automata::PlantWithModels>;
 
 /// All of a document: programs; then each plant, its component types in the order in which they are first used, its
-/// modules and its components. A plant without a name has none of its own. Model programs that became of plants, by
-/// position, are drawn as these plants, where a model program is a component of the type that its definition is.
+/// modules and its components. A plant without a name has none of its own. Plants that hold model programs, by
+/// position, are drawn as the text has them: a model program is a component of the type that its definition is.
 std::vector<Figure> figures_of(const automata::Document& document, const PlantsWithModels& plants = {});
 
 /// Those that a document is about, where nobody says which one: programs and plants, or where there is neither (a model

@@ -86,6 +86,8 @@ Diagnostics lint(const Compilation& compilation, const LintSettings& settings,
                         places,
                         compilation.places(),
                         compilation.model_places(),
+                        compilation.plants_with_models(),
+                        compilation.software_places(),
                         settings.cycle};
   for (const auto passes : {plant_passes(), model_program_passes(), program_passes()}) {
     for (const LintPass pass : passes) pass(input, found);

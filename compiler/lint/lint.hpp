@@ -32,8 +32,12 @@ struct LintInput {
   const NameIndex& names;
   const Places& places;
   std::span<const ProgramPlaces> programs;  ///< per program of the document; empty for one that came compiled
-  std::span<const ProgramPlaces> models;    ///< per model program, likewise; of a plant that holds some, conditions
-  automata::Ticks cycle;                    ///< of the executive, where no scenario says it
+  std::span<const ProgramPlaces> models;    ///< per model program, likewise
+  /// Plants that hold model programs, by position, as they were before the threads of these became components, and
+  /// where conditions of these stand.
+  const std::map<std::size_t, automata::PlantWithModels>& with_models;
+  const std::map<std::size_t, ProgramPlaces>& software;
+  automata::Ticks cycle;  ///< of the executive, where no scenario says it
 };
 
 /// A pass: looks for one kind of thing, by proof, and adds what it found with `add_finding`, in any order.

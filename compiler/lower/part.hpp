@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "automata/plant.hpp"
-#include "automata/step/plant_as_model.hpp"
+#include "automata/software/model_component.hpp"
 #include "compiler/lower/program_places.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/source_file.hpp"

@@ -14,6 +14,7 @@
 #include "compiler/check/mention.hpp"
 #include "compiler/check/plant_resolver.hpp"
 #include "compiler/lower/requirements.hpp"
+#include "compiler/lower/software_mode.hpp"
 #include "compiler/lower/timing.hpp"
 
 namespace rmpl::compiler {
@@ -114,7 +115,7 @@ class ScenarioLowering {
     report_no_truth(part.span, "`truth` sets modes of the plant",
                     "leave it out: the estimate starts with the initial modes of the plant");
     for (const grammar::AssignmentText& text : part.modes) {
-      const auto mode = mode_of(text);
+      const auto mode = mode_of(text, SoftwareMoment::start);
       if (!mode) continue;
       const auto [first, fresh] = truths_.emplace(mode->variable, text.span);
       if (fresh) {
@@ -131,7 +132,7 @@ class ScenarioLowering {
     report_no_truth(event.span, "a fault sets a mode of the plant",
                     "give the readings that would show the fault: `at … observe x = v`");
     const auto at = time_of(event.at, event.span);
-    const auto mode = mode_of(event.mode);
+    const auto mode = mode_of(event.mode, SoftwareMoment::fault);
     if (!at || !mode) return;
     scenario_.forced.push_back(
         {*at, components_.at(mode->variable), automata::ModeId(mode->value.index()), origin_of(sources_, event.span)});
@@ -281,10 +282,13 @@ class ScenarioLowering {
         "the scenario ends after " + automata::format_seconds(scenario_.duration) + " s, before " + what);
   }
 
-  std::optional<Assignment> mode_of(const grammar::AssignmentText& text) {
+  /// Of software also by what one mode alone tells, of those that it may start in, or that are faults.
+  std::optional<Assignment> mode_of(const grammar::AssignmentText& text, SoftwareMoment moment) {
     if (!resolver_) return std::nullopt;
     const auto mode = resolver_->assignment(text.variable, text.value);
     if (!mode || components_.count(mode->variable) != 0) return mode;
+    const std::vector<Assignment> telling = modes_that_tell(plant_->plant, *mode, moment);
+    if (!telling.empty()) return the_one(*plant_, *mode, telling, text.variable.span, diagnostics_);
     auto& error =
         diagnostics_.error(Code::scenario_not_a_mode, text.variable.span,
                            plant_->facade ? "no location tells " + backquoted(text.variable.text)

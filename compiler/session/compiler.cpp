@@ -25,6 +25,7 @@ struct Compilation::Result {
   std::vector<automata::PlantProperty> properties;
   std::vector<ProgramPlaces> places, model_places;
   std::map<std::size_t, automata::PlantWithModels> plants_with_models;
+  std::map<std::size_t, ProgramPlaces> software_places;
   std::vector<File> files;
 };
 
@@ -53,6 +54,11 @@ std::span<const ProgramPlaces> Compilation::places() const {
 std::span<const ProgramPlaces> Compilation::model_places() const {
   CHECK(ok() && "a compilation with errors has no model programs");
   return result_->model_places;
+}
+
+const std::map<std::size_t, ProgramPlaces>& Compilation::software_places() const {
+  CHECK(ok());
+  return result_->software_places;
 }
 
 const std::map<std::size_t, automata::PlantWithModels>& Compilation::plants_with_models() const {
@@ -84,6 +90,7 @@ Compilation compile(std::span<const std::string> paths, const Options& options, 
   result->places = inputs.take_places();
   result->model_places = inputs.take_model_places();
   result->plants_with_models = inputs.take_plants_with_models();
+  result->software_places = inputs.take_software_places();
   result->files = inputs.take_files();
   return Compilation(std::move(result));
 }

@@ -15,7 +15,7 @@
 #include "automata/plant.hpp"
 #include "automata/property.hpp"
 #include "automata/scenario.hpp"
-#include "automata/step/plant_as_model.hpp"
+#include "automata/software/model_component.hpp"
 #include "grammar/source/findings.hpp"
 
 namespace rmpl::compiler {
@@ -55,8 +55,10 @@ class Compilation {
   [[nodiscard]] std::span<const ProgramPlaces> places() const;
   /// The same of its model programs.
   [[nodiscard]] std::span<const ProgramPlaces> model_places() const;
-  /// Plants that hold model programs, by position among the model programs of the document, which they became.
+  /// Plants that hold model programs, by position, as they were before the threads of these became components.
   [[nodiscard]] const std::map<std::size_t, automata::PlantWithModels>& plants_with_models() const;
+  /// Where the conditions of those model programs stand, likewise. Only where `ok()`.
+  [[nodiscard]] const std::map<std::size_t, ProgramPlaces>& software_places() const;
   /// All that was read, with or without errors, by index; nothing once that was forgotten.
   [[nodiscard]] std::span<const File> files() const;
   /// Lets go of the files with their trees, a good part of what a large model takes: the document rests on none.

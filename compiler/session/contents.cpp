@@ -14,15 +14,11 @@ namespace {
 /// `'S' is a model program`, of the first thing that an input has in place of what was expected; empty where it has
 /// none.
 std::string found_in(const automata::Document& document, bool program_expected) {
-  const auto is_plant = [](const automata::ModelProgram& model) { return !model.components.empty(); };
-  const auto alone = std::find_if_not(document.models.begin(), document.models.end(), is_plant);
-  const auto whole = std::find_if(document.models.begin(), document.models.end(), is_plant);
-  constexpr std::string_view takers =
-      ", which rmpl-run estimate, diagnose, scenario and execute, tcca-check reachability and safety take";
-  if (whole != document.models.end() && (!program_expected || alone == document.models.end())) {
-    return "'" + whole->name + "' is a plant that holds a model program" + std::string(takers);
+  if (!document.models.empty()) {
+    return "'" + document.models.front().name +
+           "' is a model program, which rmpl-run estimate, diagnose, scenario and execute, tcca-check reachability and "
+           "safety take";
   }
-  if (alone != document.models.end()) return "'" + alone->name + "' is a model program" + std::string(takers);
   if (!program_expected && !document.programs.empty()) {
     return "'" + document.programs.front().name + "' is a control program";
   }

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <utility>
 
+#include "automata/software/as_components.hpp"
 #include "base/error.hpp"
+#include "base/limit_error.hpp"
 #include "compiler/check/clocks.hpp"
 #include "compiler/check/definitions.hpp"
 #include "compiler/check/recursion.hpp"
@@ -134,19 +135,8 @@ InputSet::Plant InputSet::plant(const Roots& roots, Span blame) {
   if (const auto known = plants_.find(roots); known != plants_.end()) return known->second;
   Plant result{document_.plants.size(), nullptr};
   auto part = lower_plant(roots, blame);
-  if (part && !part->models.empty()) {
-    if (auto program = in_steps(*part)) {
-      const std::size_t position = automata::add_model(document_, std::move(*program));
-      result = {0, facade(position, part->declared), position};
-      auto& conditions = model_places_.emplace_back().conditions;
-      automata::PlantWithModels& whole = with_models_[position];
-      for (ModelPart& model : part->models) {
-        conditions.insert(conditions.end(), model.conditions.begin(), model.conditions.end());
-        whole.models.push_back(std::move(model.component));
-      }
-      whole.plant = std::move(part->plant);
-    }
-  } else if (part) {
+  if (part && !part->models.empty() && !lower_software(*part, result.position)) part.reset();
+  if (part) {
     document_.plants.emplace_back();
     result.part = &add_part(result.position, std::move(*part));
   }
@@ -169,22 +159,35 @@ const Part* InputSet::facade(std::size_t model, const std::vector<Span>& declare
   return known->second = &part;
 }
 
-std::optional<automata::ModelProgram> InputSet::in_steps(const Part& plant) {
-  const ModelPart& first = plant.models.front();
-  std::set<std::string> told;  // instances of one type share what bars their way
-  for (const automata::Component& component : plant.plant.components) {
-    const auto obstacle = automata::obstacle_to_model(component);
-    if (!obstacle || !told.insert(obstacle->reason + in_brackets(obstacle->origin)).second) continue;
-    auto& error = diagnostics_.error(Code::not_in_steps, first.span,
-                                     "beside model program " + backquoted(first.component.name) +
-                                         " everything moves in steps, and component " + backquoted(component.name) +
-                                         " " + obstacle->reason + in_brackets(obstacle->origin));
-    error.suggestion = "give the transition a probability in a step, as in `-> { m with p, … }`";
+bool InputSet::lower_software(Part& part, std::size_t position) {
+  automata::PlantWithModels& whole = with_models_[position];
+  whole.plant = std::move(part.plant);
+  const Span first = part.models.front().span;
+  std::vector<std::pair<std::string, Span>> instances;
+  for (ModelPart& model : part.models) {
+    instances.emplace_back(model.component.name, model.span);
+    auto& conditions = software_places_[position].conditions;
+    conditions.insert(conditions.end(), model.conditions.begin(), model.conditions.end());
+    whole.models.push_back(std::move(model.component));
   }
-  if (!told.empty()) return std::nullopt;
-  std::vector<automata::ModelComponent> models;
-  for (const ModelPart& model : plant.models) models.push_back(model.component);
-  return automata::as_model_program(plant.plant, models);
+  part.models.clear();
+  try {
+    part.plant = automata::with_software(whole).plant;
+  } catch (const base::LimitError& limit) {
+    auto& error = diagnostics_.error(Code::too_much_software, first, limit.what());
+    error.suggestion = "take the definition apart: what stands side by side in it may be instances of their own";
+    with_models_.erase(position);
+    return false;
+  }
+  for (std::size_t v = part.declared.size(); v < part.plant.variables.size(); ++v) {
+    const std::string& name = part.plant.variables.name(automata::VariableId(v));
+    const auto is_of = [&](const auto& instance) {
+      return name == instance.first || name.starts_with(instance.first + ".");
+    };
+    const auto instance = std::find_if(instances.begin(), instances.end(), is_of);
+    part.declared.push_back(instance == instances.end() ? first : instance->second);
+  }
+  return true;
 }
 
 const Part* InputSet::model_type(const std::vector<const File*>& files, const grammar::Name& definition) {

@@ -37,8 +37,11 @@ class InputSet {
   std::vector<ProgramPlaces> take_places() { return std::move(places_); }
   /// The same of its model programs.
   std::vector<ProgramPlaces> take_model_places() { return std::move(model_places_); }
-  /// Plants that hold model programs, by position of the model that they became, once all is compiled.
+  /// Plants that hold model programs, by position, as they were before their threads became components, once all is
+  /// compiled.
   std::map<std::size_t, automata::PlantWithModels> take_plants_with_models() { return std::move(with_models_); }
+  /// Where the conditions of their model programs stand, by position of the plant, once all is compiled.
+  std::map<std::size_t, ProgramPlaces> take_software_places() { return std::move(software_places_); }
   /// What was read, once all is compiled.
   std::vector<File> take_files() { return files_.take(); }
 
@@ -49,7 +52,7 @@ class InputSet {
   struct Plant {
     std::size_t position = 0;               ///< among the plants, where it is no model
     const Part* part = nullptr;             ///< of a model, its facade; null too where it cannot be flown
-    std::optional<std::size_t> model = {};  ///< it is, or holds, model programs: its position among the models
+    std::optional<std::size_t> model = {};  ///< it is a model program: its position among the models
   };
   /// Where execution of a program starts, as the user said it.
   struct Entry {
@@ -72,8 +75,9 @@ class InputSet {
   const Part* facade(std::size_t model, const std::vector<grammar::Span>& declared);
   /// The plant that a scenario flies.
   Plant flown(const File& scenarios, const grammar::PlantPart& part);
-  /// A plant with model programs as one of these; nothing where a component does not move in steps.
-  std::optional<automata::ModelProgram> in_steps(const Part& plant);
+  /// Makes components of the model programs that a plant holds, which is to stand at a position; false where they are
+  /// too large for that.
+  bool lower_software(Part& part, std::size_t position);
   /// The model program of a definition in one of the files, as a part; null where there is none.
   const Part* model_type(const std::vector<const File*>& files, const grammar::Name& definition);
   std::optional<Part> lower_plant(const Roots& roots, grammar::Span blame);
@@ -126,7 +130,8 @@ class InputSet {
   automata::Document document_;
   std::vector<ProgramPlaces> places_;                             ///< per program of the document
   std::vector<ProgramPlaces> model_places_;                       ///< per model program of the document
-  std::map<std::size_t, automata::PlantWithModels> with_models_;  ///< by position of the model
+  std::map<std::size_t, automata::PlantWithModels> with_models_;  ///< by position of the plant
+  std::map<std::size_t, ProgramPlaces> software_places_;          ///< likewise
   std::vector<automata::PlantProperty> properties_;
   std::vector<Sampled> sampled_;
   std::vector<grammar::Span> adopted_;               ///< per program that a compiled document brought, that document

@@ -77,7 +77,7 @@ enum class Code : std::uint16_t {
   told_at_once = 315,
   choice_distribution = 316,
   clock_in_model = 317,
-  not_in_steps = 318,
+  too_much_software = 318,
   // Scenarios.
   scenario_missing_part = 400,
   scenario_repeated_part = 401,

@@ -54,44 +54,37 @@ model Main() :: {
 model Main() :: {
   next next lamp = lit
 })"},
-    CodeInfo{Code::not_in_steps, "component that does not move in steps",
-             "A plant that contains a model program moves in steps, and steps have no duration. Its components may not "
-             "have:\n\n- transitions with time bounds,\n- faults with a rate,\n- modes with more than ten different "
-             "guards.\n\nGive the transition a probability per step, or leave the model program out of this plant.",
-             R"(// software.rmpl
-variable power : { off, on };
-model Software() :: { always power = on }
-// lamp.tcca
-import "software.rmpl";
-component Lamp {
-  input power : { off, on };
-  initial dark;
-  mode dark;
-  mode lit;
-  dark -> lit when power = on after 2 s;
+    CodeInfo{
+        Code::too_much_software, "model program too large for a plant",
+        "Each thread of a model program in a plant becomes a component, and each marking of the thread a mode. There "
+        "are limits: 4,096 markings of a thread, 65,536 ways for its conditions to hold, and 16,384 combinations of "
+        "modes and commands that decide one condition. What stands side by side in the outermost definition is a "
+        "thread each; what stands side by side deeper inside is one thread, whose markings multiply.",
+        R"(// software.rmpl
+variable a, b, c, d, e, f, g, h, i, j, k, l, m : { no, yes };
+model Bits() :: { do { Half(), Rest() } maintaining true }
+model Half() :: { Bit(a), Bit(b), Bit(c), Bit(d), Bit(e), Bit(f) }
+model Rest() :: { Bit(g), Bit(h), Bit(i), Bit(j), Bit(k), Bit(l), Bit(m) }
+model Bit(x) :: {
+  x = no,
+  choose { next Bit(x) with 0.5, next always x = yes with 0.5 }
 }
-plant House {
-  software : model Software;
-  lamp : Lamp;
-  lamp.power = software.power;
-})",
-             R"(// software.rmpl
-variable power : { off, on };
-model Software() :: { always power = on }
-// lamp.tcca
+// computer.tcca
 import "software.rmpl";
-component Lamp {
-  input power : { off, on };
-  initial dark;
-  mode dark;
-  mode lit;
-  dark -> { lit with 0.5, dark with 0.5 } when power = on;
+plant Computer { bits : model Bits; })",
+        R"(// software.rmpl
+variable a, b, c, d, e, f, g, h, i, j, k, l, m : { no, yes };
+model Bits() :: {
+  Bit(a), Bit(b), Bit(c), Bit(d), Bit(e), Bit(f), Bit(g),
+  Bit(h), Bit(i), Bit(j), Bit(k), Bit(l), Bit(m)
 }
-plant House {
-  software : model Software;
-  lamp : Lamp;
-  lamp.power = software.power;
-})"},
+model Bit(x) :: {
+  x = no,
+  choose { next Bit(x) with 0.5, next always x = yes with 0.5 }
+}
+// computer.tcca
+import "software.rmpl";
+plant Computer { bits : model Bits; })"},
 };
 
 }  // namespace

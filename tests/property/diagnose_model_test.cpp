@@ -105,7 +105,7 @@ std::map<Marking, double> reached(const automata::MarkingRules& rules, const std
 }
 
 /// The primitive locations of a thread.
-std::set<LocationId> members_of(const runtime::Thread& thread) {
+std::set<LocationId> members_of(const runtime::JudgedThread& thread) {
   std::set<LocationId> members;
   for (const Marking& marking : thread.likely) members.insert(marking.begin(), marking.end());
   for (const auto& fault : thread.faults) members.insert(fault.marked.begin(), fault.marked.end());
@@ -148,10 +148,10 @@ RC_GTEST_PROP(DiagnoseModel, ThreadsComeToAllTheirMarkings, ()) {
   const ModelProgram program = (*model_programs(4)).program;
   const automata::MarkingRules rules(program);
   const std::vector<World> worlds = worlds_of(program);
-  const auto threads = runtime::threads_of(program);
+  const auto threads = runtime::judged_threads(program);
   // By what a thread can mark the test knows it: a draw before time 0 that marks nothing possible could be anybody's.
   for (const auto& outcomes : rules.initial().parts) {
-    RC_PRE(std::any_of(threads.begin(), threads.end(), [&](const runtime::Thread& thread) {
+    RC_PRE(std::any_of(threads.begin(), threads.end(), [&](const runtime::JudgedThread& thread) {
       const std::set<LocationId> members = members_of(thread);
       return std::any_of(outcomes.begin(), outcomes.end(), [&](const auto& outcome) {
         return std::any_of(outcome.marked.begin(), outcome.marked.end(),
@@ -159,7 +159,7 @@ RC_GTEST_PROP(DiagnoseModel, ThreadsComeToAllTheirMarkings, ()) {
       });
     }));
   }
-  for (const runtime::Thread& thread : threads) {
+  for (const runtime::JudgedThread& thread : threads) {
     std::map<Marking, double> found;
     for (const Marking& marking : thread.likely) found[marking] = 1;
     for (const auto& fault : thread.faults) found[fault.marked] = fault.probability;
@@ -178,13 +178,13 @@ RC_GTEST_PROP(DiagnoseModel, ThreadsComeToAllTheirMarkings, ()) {
 RC_GTEST_PROP(DiagnoseModel, RunsStayWithinTheThreads, ()) {
   const ModelProgram program = (*model_programs(4)).program;
   const reference::ModelProgramStep step(program);
-  const auto threads = runtime::threads_of(program);
+  const auto threads = runtime::judged_threads(program);
   const auto check = [&](const reference::MarkedSet& marked, bool likely) {
     Marking left;
     for (const LocationId l : marked) {
       if (!program.locations[l.index()].composite) left.push_back(l);
     }
-    for (const runtime::Thread& thread : threads) {
+    for (const runtime::JudgedThread& thread : threads) {
       const std::set<LocationId> members = members_of(thread);
       Marking mine;
       for (const LocationId l : left) {
@@ -222,7 +222,7 @@ RC_GTEST_PROP(DiagnoseModel, RunsStayWithinTheThreads, ()) {
 
 RC_GTEST_PROP(DiagnoseModel, LeadingOnesAreTheMostProbable, ()) {
   const ModelProgram program = (*model_programs(4)).program;
-  const auto threads = runtime::threads_of(program);
+  const auto threads = runtime::judged_threads(program);
   automata::Observation seen;
   for (const ModelInput& input : *model_inputs(program, 1)) seen = input.observation;
   const std::vector<World> worlds = worlds_of(program);

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "automata/step/marking_step.hpp"
-#include "automata/step/plant_as_model.hpp"
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
 #include "runtime/reasoning/estimate/marking_estimator.hpp"
@@ -22,6 +21,7 @@
 #include "tests/property/generate.hpp"
 #include "tests/property/generate_model_program.hpp"
 #include "tests/reference/model_program.hpp"
+#include "tests/reference/plant_as_model.hpp"
 
 namespace rmpl::property {
 namespace {
@@ -423,7 +423,7 @@ automata::Plant in_steps_of(automata::Plant plant, automata::Ticks step) {
 RC_GTEST_PROP(ModelPrograms, AnUntimedPlantHasTheSameBelief, ()) {
   const automata::Ticks second{automata::Ticks::per_second};
   const Model model = *models({.timed = false, .open = chance(40)});
-  const ModelProgram program = automata::as_model_program(in_steps_of(model.plant, second), {});
+  const ModelProgram program = reference::as_model_program(in_steps_of(model.plant, second), {});
   automata::PlantStep step(model.plant);
   const auto plant = runtime::make_exact_estimator(step, {});
   const auto markings = runtime::make_marking_estimator(program, {.kind = MarkingOptions::Kind::exact});

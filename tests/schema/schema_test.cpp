@@ -240,7 +240,8 @@ const std::vector<Output> outputs = {
      "{examples}/propulsion/propulsion.tcca --log - --window 2 -k 2",
      "trace", true},
     {"ModelProgramDrawn",
-     "rmpl-run scenario {examples}/rover-camera/rover.tcca --commands {examples}/rover-camera/take.jsonl --seed 3",
+     "rmpl-run scenario {examples}/rover-camera/rover_camera.rmpl --commands {examples}/rover-camera/steps.jsonl "
+     "--seed 3",
      "trace", true},
     {"HistoriesOfAModelProgram",
      "rmpl-run estimate {examples}/optical-navigation/optical_navigation.rmpl --log "

@@ -33,9 +33,9 @@ struct DiagnoseOptions {
 constexpr const char* diagnose_footer =
     R"(Every component is in some mode; a diagnosis names those that are in a fault mode, and all others are
 nominal. It is consistent with the observations and the model. Best first is by prior probability.
-Of a model program, or a plant that holds one, a diagnosis names what is marked in the threads that took
-an improbable draw: a branch that another one of its choose is likelier than, or a fault. The probability
-is that of these draws. Nothing is known of what was before; for that, use estimate --window.
+Of a model program a diagnosis names what is marked in the threads that took an improbable draw, of a
+branch that another one of its choose is likelier than. The probability is that of these draws. Nothing
+is known of what was before; for that, use estimate --window.
 
 exit code: 0 done; 2 an input is wrong; 3 a limit was hit, or there was not enough memory
 
@@ -70,19 +70,16 @@ std::string text_of(const automata::Plant& plant, const Diagnoses& found, bool c
   throw base::InputError("--observe: '" + name + "' is a component: no sensor reads its mode; expected an attribute");
 }
 
-/// A model program, or a plant that holds one, is diagnosed by its threads.
+/// A model program is diagnosed by its threads.
 ExitStatus run_model(const automata::ModelProgram& program, const DiagnoseOptions& options, const Common& common) {
   const runtime::DiagnoseOptions& search = options.search;
   const bool modes = !options.modes.empty();
   if (search.all_minimal || search.first || search.count_only || !options.scenario.empty() || modes) {
     throw base::InputError(options.plant +
                            ": --all-minimal, --first, --count, --modes and --scenario apply to plants of components, "
-                           "but this is or contains a model program");
+                           "but this is a model program");
   }
   const auto observation = assignments_option(options.observe, program, "--observe", common);
-  for (const automata::Assignment& reading : observation) {
-    if (automata::is_mode(program, reading.variable)) refuse_mode(program.variables.name(reading.variable));
-  }
   return diagnose_model(program, options.plant, observation, search.k, search.ratio, options.stats, common);
 }
 

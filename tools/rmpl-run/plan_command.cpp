@@ -195,6 +195,10 @@ ExitStatus run(const PlanOptions& options, Common common) {
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   if (options.policy) return print_policies(options, common, plant);
   if (options.goal.empty()) throw base::InputError("plan: expected --goal, or --policy");
+  for (const automata::Component& component : plant.components) {
+    if (!component.software || options.cycle > automata::Ticks{}) continue;
+    throw base::InputError("plan: '" + component.name + "' is software, which takes a step a cycle; give --cycle T");
+  }
   if (options.format == PlanFormat::dot && !options.strategy)
     throw base::InputError("plan: --format dot draws a strategy; expected --strategy with it");
   const auto given = assignments_option(options.from, plant, "--from", common);

@@ -11,9 +11,9 @@ namespace rmpl::tools {
 
 /// For the help of what takes model programs.
 inline constexpr const char* model_notes =
-    R"(MODEL may be a model program (.rmpl), or a plant that holds one. It moves in steps of a second, or of --time T,
-and what has a positive probability can happen. --faults and --fewest-faults then count improbable draws, of a
-branch that another one is likelier than: any number, unless --faults is given.)";
+    R"(MODEL may be a model program (.rmpl). It moves in steps of a second, or of --time T, and what has a positive probability
+can happen. --faults and --fewest-faults then count improbable draws, of a branch that another one is likelier than:
+any number, unless --faults is given.)";
 
 /// What is asked, where it may be asked of a model program too.
 struct FormulaAsked {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "automata/fault_step.hpp"
+
 namespace rmpl::verifier {
 
 bool subset(const FaultSet& a, const FaultSet& b) {
@@ -61,7 +63,7 @@ unsigned FaultSets::after(unsigned before, const automata::Plant& plant, const a
   FaultSet set = *sets_[before];
   set.count += faults;
   for (std::size_t c = 0; c < to.size(); ++c) {
-    if (to[c] == from[c] || !plant.components[c].modes[to[c].index()].fault) continue;
+    if (!automata::is_fault_step(plant.components[c], from[c], to[c])) continue;
     const Fault fault{automata::ComponentId(c), to[c]};
     const auto at = std::lower_bound(set.faults.begin(), set.faults.end(), fault);
     if (at == set.faults.end() || *at != fault) set.faults.insert(at, fault);

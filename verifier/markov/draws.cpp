@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/fault_step.hpp"
 #include "verifier/property/initial_modes.hpp"
 
 namespace rmpl::verifier {
@@ -157,7 +158,7 @@ class Product {
 std::vector<Option> options_in(const Component& component, ModeId mode, const std::vector<Move>& moves, Real error) {
   std::vector<Option> result = options_of(moves, error);
   for (Option& option : result) {
-    if (option.mode != mode && component.modes[option.mode.index()].fault) option.faults = 1;
+    if (automata::is_fault_step(component, mode, option.mode)) option.faults = 1;
   }
   return result;
 }
@@ -250,7 +251,7 @@ Draws StepDraws::part(const Modes& timed, const std::vector<bool>& joined, const
     if (joined[c]) {
       options[c] = joined_options(c);
     } else if (timed_[c]) {
-      const bool fault = timed[c] != modes_[c] && step_.plant().components[c].modes[timed[c].index()].fault;
+      const bool fault = automata::is_fault_step(step_.plant().components[c], modes_[c], timed[c]);
       options[c] = {{timed[c], certain(), fault ? 1u : 0u}};
     }
   }
@@ -266,7 +267,7 @@ std::vector<std::vector<Option>> StepDraws::extremes_of(std::size_t c) const {
     return component.transitions[t.index()];
   };
   const auto option = [&](ModeId mode, const Enclosure& probability) {
-    return Option{mode, probability, mode != modes_[c] && component.modes[mode.index()].fault ? 1u : 0u};
+    return Option{mode, probability, automata::is_fault_step(component, modes_[c], mode) ? 1u : 0u};
   };
   std::vector<Option> faults;
   Enclosure faulty;

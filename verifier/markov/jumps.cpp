@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "verifier/markov/draws.hpp"
+#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::verifier {
 
@@ -223,6 +224,7 @@ class Explorer {
 }  // namespace
 
 Jumps jumps(automata::PlantStep& step, const JumpQuestion& question, Meter& meter) {
+  refuse_dense_time(step.plant());
   return Explorer(step, question, meter).run();
 }
 

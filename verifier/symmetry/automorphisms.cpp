@@ -96,7 +96,7 @@ class PlantGraph {
   }
 
   void add_transition(const Component& component, const automata::Transition& t) {
-    std::string kind = t.restart ? "restart" : "transition";
+    std::string kind = t.restart ? "restart" : t.consequence ? "consequence" : "transition";
     if (t.timing) kind += " " + std::to_string(t.timing->lower.count) + " " + std::to_string(t.timing->upper.count);
     if (t.weight.kind != automata::Weight::Kind::none) {
       kind += (t.weight.kind == automata::Weight::Kind::rate ? " rate " : " weight ") + std::to_string(t.weight.value);

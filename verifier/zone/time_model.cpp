@@ -32,7 +32,18 @@ std::vector<Ticks> finite_bounds(const automata::Plant& plant) {
 
 }  // namespace
 
+void refuse_dense_time(const automata::Plant& plant) {
+  for (const automata::Component& component : plant.components) {
+    if (!component.software) continue;
+    throw base::InputError(
+        "'" + component.name +
+        "' is software, which takes a step a cycle: dense time has no cycles; give their length, as in "
+        "--time 1s");
+  }
+}
+
 TimeModel TimeModel::dense(const automata::Plant& plant, std::span<const Ticks> others) {
+  refuse_dense_time(plant);
   std::vector<Ticks> bounds = finite_bounds(plant);
   bounds.insert(bounds.end(), others.begin(), others.end());
   Units unit = 0;

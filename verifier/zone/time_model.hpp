@@ -11,6 +11,9 @@
 
 namespace rmpl::verifier {
 
+/// Throws base::InputError where software is a part of the plant: it takes a step a cycle.
+void refuse_dense_time(const automata::Plant& plant);
+
 /// How time is read, and what one unit of it is.
 ///
 /// Dense: the limit of ever shorter cycles. The unit is the greatest that divides every finite bound of the plant and

@@ -4,6 +4,7 @@
 
 #include "compiler/lint/lint.hpp"
 #include "compiler/lint/model_program/report.hpp"
+#include "compiler/lint/model_program/told_program.hpp"
 
 namespace rmpl::compiler {
 
@@ -16,10 +17,14 @@ void lint_model_programs(const LintInput& input, grammar::Diagnostics& found) {
     if (!report.name()) continue;
     if (!report_start(report)) continue;
     report_conditions(report);
-    if (report.places().locations.empty()) continue;  // a plant
     report_contradictions(report);
     report_unspoken(report);
     add_marked(report, marked);
+  }
+  for (const auto& [position, whole] : input.with_models) {
+    const automata::ModelProgram program = told_program(whole);
+    ModelReport report(input, program, input.software.at(position), found);
+    if (report.name() && report_start(report)) report_conditions(report);
   }
   report_unreached_steps(input, marked, found);
 }

@@ -43,7 +43,7 @@ std::string_view name_of(CampaignRun::Verdict verdict) {
 void expect_faults(const automata::Document& document, const automata::Scenario& scenario, std::size_t faults) {
   if (scenario.model) {
     throw base::InputError("scenario '" + scenario.name + "': '" + document.plant_of(scenario).name +
-                           "' is, or holds, a model program, which does not say what its faults are");
+                           "' is a model program, which does not say what its faults are");
   }
   if (scenario.rules_only) {
     throw base::InputError("scenario '" + scenario.name +

@@ -3,6 +3,7 @@
 #include "runtime/executive/plant/simulated_plant.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,6 +52,13 @@ SimulatedPlant::SimulatedPlant(automata::PlantStep& step, const automata::Scenar
       forced_(scenario.forced),
       awaited_(std::move(awaited)),
       action_(automata::idle_action(step.plant())) {
+  // Software goes wrong by a draw of its own.
+  const auto is_drawn = [&](const automata::ForcedMode& forced) {
+    const automata::Component& component = plant_[forced.component];
+    return component.software && component.modes[forced.mode.index()].fault;
+  };
+  std::copy_if(forced_.begin(), forced_.end(), std::back_inserter(awaited_), is_drawn);
+  std::erase_if(forced_, is_drawn);
   std::stable_sort(forced_.begin(), forced_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
   std::reverse(forced_.begin(), forced_.end());
   auto initial = step_.initial_moves();

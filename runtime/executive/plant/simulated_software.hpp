@@ -1,4 +1,4 @@
-// A model program, or a plant that holds some, as the plant of a scenario (semantics 8, "Flown by a control program").
+// A model program as the plant of a scenario (semantics 8, "Flown by a control program").
 // SPDX-License-Identifier: MIT
 #pragma once
 

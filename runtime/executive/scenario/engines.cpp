@@ -104,7 +104,7 @@ std::unique_ptr<Engines> make_engines(const automata::Plant& plant, const Scenar
 std::unique_ptr<Engines> make_engines(const automata::ModelProgram& program, const ScenarioOptions& options) {
   if (options.recovery == ScenarioOptions::Recovery::one_step) {
     throw base::InputError("--reconfigurer one-step: '" + program.name +
-                           "' is, or holds, a model program, which is planned for over its markings");
+                           "' is a model program, which is planned for over its markings");
   }
   return std::make_unique<SoftwareEngines>(program, options);
 }

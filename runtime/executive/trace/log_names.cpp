@@ -99,7 +99,6 @@ Assignment resolve(const automata::ModelProgram& program, LogReader::Role role, 
     for (const automata::Variable& variable : program.variables) names.emplace_back(variable.name);
   }
   const auto variable = program.variables.find(name);
-  if (role == Role::observations && variable && automata::is_mode(program, *variable)) refuse_mode(name);
   if (!variable || std::find(names.begin(), names.end(), name) == names.end()) {
     const std::string noun = role == Role::command ? "control variable" : "variable";
     throw base::InputError(" '" + name + "' is no " + noun + " of model program '" + program.name + "'" +

@@ -29,7 +29,7 @@ class Moment {
  public:
   Moment(const ModelProgram& program, const automata::Observation& observation)
       : program_(program),
-        threads_(threads_of(program)),
+        threads_(judged_threads(program)),
         theory_(with_threads(program), automata::Theory::Upkeep::maintained) {
     for (const automata::Interconnection& told : program.constraints) theory_.tell(told.constraint);
     for (const Assignment& reading : observation) theory_.tell(automata::is(reading.variable, reading.value));
@@ -46,14 +46,14 @@ class Moment {
   /// Whether every thread has a consistent start.
   [[nodiscard]] bool starts() const {
     return std::none_of(threads_.begin(), threads_.end(),
-                        [](const Thread& thread) { return thread.likely.empty() && thread.faults.empty(); });
+                        [](const JudgedThread& thread) { return thread.likely.empty() && thread.faults.empty(); });
   }
 
   [[nodiscard]] OptimalSearch::Costs costs() const {
     OptimalSearch::Costs costs;
-    for (const Thread& thread : threads_) {
+    for (const JudgedThread& thread : threads_) {
       auto& values = costs.emplace_back(1, 0.0);
-      for (const Thread::Fault& fault : thread.faults) values.push_back(-std::log(fault.probability));
+      for (const JudgedThread::Fault& fault : thread.faults) values.push_back(-std::log(fault.probability));
     }
     return costs;
   }
@@ -71,7 +71,7 @@ class Moment {
     ModelDiagnosis result;
     for (std::size_t t = 0; t < candidate.size(); ++t) {
       if (candidate[t] == 0) continue;
-      const Thread::Fault& fault = threads_[t].faults[candidate[t] - 1];
+      const JudgedThread::Fault& fault = threads_[t].faults[candidate[t] - 1];
       result.probability *= fault.probability;
       result.faults.push_back(fault.marked);
     }
@@ -113,7 +113,7 @@ class Moment {
   }
 
   const ModelProgram& program_;
-  std::vector<Thread> threads_;
+  std::vector<JudgedThread> threads_;
   automata::Theory theory_;
 };
 

@@ -1,4 +1,4 @@
-// Diagnosis of one moment of a model program, or of a plant that holds one: which improbable draws explain it.
+// Diagnosis of one moment of a model program: which improbable draws explain it.
 // SPDX-License-Identifier: MIT
 #pragma once
 

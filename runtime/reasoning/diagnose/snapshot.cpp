@@ -24,7 +24,8 @@ using automata::VariableId;
 constexpr ValueId no{0};
 constexpr ValueId yes{1};
 
-/// Per mode the probability of the likeliest way to it by fault transitions, from any nominal mode; 1 for these.
+/// Per mode the probability of the likeliest way to it by fault transitions and their consequences, from any nominal
+/// mode; 1 for these. Consequences are free.
 std::vector<double> ways_to_faults(const Component& component) {
   std::vector<double> way(component.modes.size(), 0.0);
   for (std::size_t m = 0; m < way.size(); ++m) way[m] = component.modes[m].fault ? 0.0 : 1.0;
@@ -32,8 +33,9 @@ std::vector<double> ways_to_faults(const Component& component) {
   for (bool changed = true; changed;) {
     changed = false;
     for (const Transition& t : component.transitions) {
-      if (!component.is_fault(t) || t.from == t.to) continue;
-      const double longer = way[t.from.index()] * t.weight.fault_probability(automata::Ticks::of_seconds(1));
+      if (t.from == t.to || !(component.is_fault(t) || t.consequence)) continue;
+      const double own = t.consequence ? 1 : t.weight.fault_probability(automata::Ticks::of_seconds(1));
+      const double longer = way[t.from.index()] * own;
       if (longer <= way[t.to.index()]) continue;
       way[t.to.index()] = longer;
       changed = true;

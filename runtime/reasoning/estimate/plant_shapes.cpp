@@ -21,8 +21,8 @@ bool same(const Mode& a, const Mode& b) {
 }
 
 bool same(const Transition& a, const Transition& b) {
-  return a.from == b.from && a.to == b.to && a.branch == b.branch && a.restart == b.restart && a.weight == b.weight &&
-         a.timing == b.timing && a.guard == b.guard;
+  return a.from == b.from && a.to == b.to && a.branch == b.branch && a.restart == b.restart &&
+         a.consequence == b.consequence && a.weight == b.weight && a.timing == b.timing && a.guard == b.guard;
 }
 
 bool same(const Component& a, const Component& b);

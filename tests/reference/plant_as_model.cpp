@@ -1,7 +1,7 @@
 // The moves of a mode depend on which guards hold, the draw does not: [0, 1] is cut where the moves under any guards
 // are cut, and each piece is a function with an arc for whatever the guards may say.
 // SPDX-License-Identifier: MIT
-#include "automata/step/plant_as_model.hpp"
+#include "tests/reference/plant_as_model.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,9 +9,30 @@
 #include <vector>
 
 #include "automata/step/transition_rules.hpp"
-#include "base/check.hpp"
 
-namespace rmpl::automata {
+namespace rmpl::reference {
+
+using automata::Component;
+using automata::Condition;
+using automata::Control;
+using automata::Enabled;
+using automata::Formula;
+using automata::GuardedArc;
+using automata::InitialBranch;
+using automata::InitialDraw;
+using automata::LocationId;
+using automata::ModeId;
+using automata::ModelComponent;
+using automata::ModelLocation;
+using automata::ModelProgram;
+using automata::Move;
+using automata::Plant;
+using automata::Ticks;
+using automata::Transition;
+using automata::TransitionFunction;
+using automata::TransitionId;
+using automata::ValueId;
+
 namespace {
 
 /// The guards out of a mode that are to be asked for, each once.
@@ -106,8 +127,6 @@ class Embedding {
     root.label = plant.name;
     for (const Component& component : plant.components) add(component);
     for (const ModelComponent& model : models) add(model);
-    std::sort(made_.components.begin(), made_.components.end(),
-              [](const ModelledComponent& a, const ModelledComponent& b) { return a.mode < b.mode; });
     return std::move(made_);
   }
 
@@ -118,7 +137,6 @@ class Embedding {
   }
 
   void add(const Component& component) {
-    CHECK(!obstacle_to_model(component));
     InitialDraw& draw = made_.initial.emplace_back();
     draw.choice = LocationId(made_.locations.size());
     ModelLocation& choice = made_.locations.emplace_back();
@@ -126,15 +144,12 @@ class Embedding {
     choice.functions.emplace_back();
     choice.label = component.name + ": initial";
     choice.origin = component.origin;
-    ModelledComponent& modelled = made_.components.emplace_back();
-    modelled.mode = component.mode;
     const LocationId first(made_.locations.size());
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       ModelLocation& location = made_.locations.emplace_back();
       location.parent = LocationId(0);
-      location.told = conjunction({is(component.mode, ValueId(m)), component.modes[m].constraint});
+      location.told = automata::conjunction({is(component.mode, ValueId(m)), component.modes[m].constraint});
       location.functions = Functions(component, ModeId(m), first).run();
-      if (component.modes[m].fault) modelled.faults.emplace_back(m);
       location.label = component.name + " = " + component.modes[m].name;
       location.origin = component.modes[m].origin;
       if (component.initial[m] > 0) draw.branches.push_back({component.initial[m], {LocationId(first.index() + m)}});
@@ -172,21 +187,8 @@ class Embedding {
 
 }  // namespace
 
-std::optional<Obstacle> obstacle_to_model(const Component& component) {
-  for (const Transition& transition : component.transitions) {
-    if (transition.timing) return Obstacle{"has a transition that takes time", transition.origin};
-    if (transition.weight.kind == Weight::Kind::rate) return Obstacle{"has a fault with a rate", transition.origin};
-  }
-  for (std::size_t m = 0; m < component.modes.size(); ++m) {
-    if (guards_of(component, ModeId(m)).size() <= most_guards) continue;
-    return Obstacle{"has a mode with more than " + std::to_string(most_guards) + " different guards",
-                    component.modes[m].origin};
-  }
-  return std::nullopt;
-}
-
 ModelProgram as_model_program(const Plant& plant, std::span<const ModelComponent> models) {
   return Embedding().run(plant, models);
 }
 
-}  // namespace rmpl::automata
+}  // namespace rmpl::reference

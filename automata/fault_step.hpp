@@ -1,0 +1,20 @@
+// Which changes of mode are faults.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "automata/plant.hpp"
+
+namespace rmpl::automata {
+
+/// Whether a component that goes from one mode to another has a fault: it goes into a fault mode, and not as a
+/// consequence of the one that it is in.
+inline bool is_fault_step(const Component& component, ModeId from, ModeId to) {
+  if (from == to || !component.modes[to.index()].fault) return false;
+  return !component.software ||
+         std::none_of(component.transitions.begin(), component.transitions.end(),
+                      [&](const Transition& t) { return t.from == from && t.to == to && t.consequence; });
+}
+
+}  // namespace rmpl::automata

@@ -1,0 +1,46 @@
+// Modes of software by what they tell.
+// SPDX-License-Identifier: MIT
+#include "compiler/lower/software_mode.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "compiler/check/vocabulary.hpp"
+
+namespace rmpl::compiler {
+
+using automata::Assignment;
+
+std::vector<Assignment> modes_that_tell(const automata::Plant& plant, Assignment told, SoftwareMoment moment) {
+  std::vector<Assignment> result;
+  const automata::Formula wanted = automata::is(told.variable, told.value);
+  for (const automata::Component& component : plant.components) {
+    if (!component.software) continue;
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      const bool meant = moment == SoftwareMoment::start ? component.initial[m] > 0 : component.modes[m].fault;
+      if (!meant) continue;
+      const std::vector<automata::Formula> parts = automata::conjuncts_of(component.modes[m].constraint);
+      if (std::find(parts.begin(), parts.end(), wanted) == parts.end()) continue;
+      result.push_back({component.mode, automata::ValueId(m)});
+    }
+  }
+  return result;
+}
+
+std::optional<Assignment> the_one(const Part& part, Assignment told, const std::vector<Assignment>& telling,
+                                  grammar::Span span, grammar::Diagnostics& diagnostics) {
+  if (telling.size() == 1) return telling.front();
+  const automata::Variables& variables = part.plant.variables;
+  std::vector<std::string> names;
+  names.reserve(telling.size());
+  for (const Assignment& one : telling) names.push_back(variables.name(one.variable) + " = " + variables.value(one));
+  auto& error = diagnostics.error(grammar::Code::scenario_not_a_mode, span,
+                                  std::to_string(telling.size()) + " modes of software tell that " +
+                                      backquoted(variables.name(told.variable)) + " is " +
+                                      backquoted(variables.value(told)) + ", expected one of them");
+  error.suggestion = "name the mode: " + one_of(names);
+  return std::nullopt;
+}
+
+}  // namespace rmpl::compiler
