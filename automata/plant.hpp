@@ -21,6 +21,8 @@ struct Mode {
   Formula constraint = constant(true);
   double reward = 0;
   Origin origin;
+  /// Of software, where this is a fault mode: the mode of the same marking into which no improbable draw leads.
+  std::optional<ModeId> usual = {};
   bool operator==(const Mode&) const = default;
 };
 

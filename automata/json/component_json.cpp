@@ -106,18 +106,19 @@ Json transition_to_json(const Transition& t, const Component& component, const V
   return json;
 }
 
+ModeId mode_from_json(const Node& node, const Component& component) {
+  const std::string name = node.text();
+  for (std::size_t m = 0; m < component.modes.size(); ++m) {
+    if (component.modes[m].name == name) return ModeId(m);
+  }
+  node.fail("a mode of '" + component.name + "', not '" + name + "'");
+}
+
 Transition transition_from_json(const Node& node, const Component& component, const Variables& variables) {
   node.only({"from", "to", "guard", "timing", "probability", "rate", "restart", "consequence", "branch", "origin"});
-  const auto mode = [&](const char* key) {
-    const std::string name = node.at(key).text();
-    for (std::size_t m = 0; m < component.modes.size(); ++m) {
-      if (component.modes[m].name == name) return ModeId(m);
-    }
-    node.at(key).fail("a mode of '" + component.name + "', not '" + name + "'");
-  };
   Transition t;
-  t.from = mode("from");
-  t.to = mode("to");
+  t.from = mode_from_json(node.at("from"), component);
+  t.to = mode_from_json(node.at("to"), component);
   if (node.has("guard")) t.guard = formula_from_json(node.at("guard"), variables);
   if (!is_of_states(t.guard)) node.at("guard").fail("a guard without clocks or knowledge");
   if (node.has("timing")) t.timing = timing_from_json(node.at("timing"));
@@ -145,11 +146,12 @@ Transition transition_from_json(const Node& node, const Component& component, co
 Json component_to_json(const Component& component, const Variables& variables) {
   Json modes = Json::array();
   for (const Mode& mode : component.modes) {
-    Json& json = modes.emplace_back(object_with_room(5));
+    Json& json = modes.emplace_back(object_with_room(6));
     json["name"] = mode.name;
     if (mode.fault) json["fault"] = true;
     if (!mode.constraint.is_true()) json["constraint"] = to_json(mode.constraint, variables);
     if (mode.reward != 0) json["reward"] = mode.reward;
+    if (mode.usual) json["usual"] = component.modes[mode.usual->index()].name;
     json["origin"] = to_json(mode.origin);
   }
   Json transitions = Json::array();
@@ -190,13 +192,14 @@ Component component_from_json(const Node& node, const Variables& variables) {
   component.mode = *mode_variable;
   const auto& names = variables[component.mode].values;
   for (const Node& item : node.at("modes").items()) {
-    item.only({"name", "fault", "constraint", "reward", "origin"});
+    item.only({"name", "fault", "constraint", "reward", "usual", "origin"});
     Mode mode;
     mode.name = item.at("name").text();
     mode.fault = item.has("fault") && item.at("fault").truth();
     if (item.has("constraint")) mode.constraint = formula_from_json(item.at("constraint"), variables);
     if (!is_of_states(mode.constraint)) item.at("constraint").fail("a constraint without clocks or knowledge");
     if (item.has("reward")) mode.reward = item.at("reward").number();
+    if (item.has("usual")) mode.usual = mode_from_json(item.at("usual"), component);
     mode.origin = origin_from_json(item.at("origin"));
     if (component.modes.size() >= names.size() || names[component.modes.size()] != mode.name) {
       item.at("name").fail("the modes in the order of the values of '" + component.name + "'");
@@ -210,6 +213,7 @@ Component component_from_json(const Node& node, const Variables& variables) {
     component.transitions.push_back(transition_from_json(item, component, variables));
   }
   component.progress = node.has("progress") && node.at("progress").truth();
+  component.software = node.has("software") && node.at("software").truth();
   component.origin = origin_from_json(node.at("origin"));
   return component;
 }

@@ -3,12 +3,17 @@
 #include "automata/software/as_components.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "automata/software/marking_modes.hpp"
 #include "automata/software/names.hpp"
 #include "automata/software/threads.hpp"
 #include "automata/software/untold.hpp"
@@ -64,20 +69,35 @@ Guards settle(Thread& thread, VariableId variable, Untold& untold) {
   return guards;
 }
 
-void add_transitions(Component& component, const Thread& thread, const Guards& guards) {
-  for (std::size_t m = 0; m < thread.markings.size(); ++m) {
+/// Faults that are certain leave nothing, as rounding must not do.
+void make_certain(std::vector<Transition>& faults) {
+  const auto sum = [&] {
+    return std::accumulate(faults.begin(), faults.end(), 0.0,
+                           [](double all, const Transition& t) { return all + t.weight.value; });
+  };
+  double& greatest = std::max_element(faults.begin(), faults.end(), [](const Transition& a, const Transition& b) {
+                       return a.weight.value < b.weight.value;
+                     })->weight.value;
+  while (sum() < 1) greatest = std::nextafter(greatest, 2);
+}
+
+/// The transitions out of all modes; `component` has no others.
+void add_transitions(Component& component, const Thread& thread, const MarkingModes& modes, const Guards& guards) {
+  for (std::size_t from = 0; from < modes.all().size(); ++from) {
+    const std::size_t m = modes.all()[from].marking;
     for (std::size_t s = 0; s < guards[m].size(); ++s) {
       std::vector<Transition> nominal, faults;
       for (const ThreadOutcome& outcome : thread.markings[m].steps[s].outcomes) {
-        Transition t{ModeId(m), ModeId(outcome.target), guards[m][s], {}, {}, 0, component.modes[m].origin};
-        const bool into_fault = component.modes[outcome.target].fault;
-        t.consequence = into_fault && (outcome.rarity == 1 || outcome.target == m);
+        Transition t{
+            ModeId(from), modes.after(ModeId(from), outcome), guards[m][s], {}, {}, 0, component.modes[from].origin};
+        t.consequence = component.modes[t.to.index()].fault && outcome.rarity == 1;
         const bool certain = outcome.probability == 1 && !component.is_fault(t);
         if (!certain) t.weight = {Weight::Kind::probability, outcome.probability};
         (component.is_fault(t) ? faults : nominal).push_back(std::move(t));
       }
+      if (nominal.empty()) make_certain(faults);
       // What stays where it is, whatever the faults leave, needs no transition.
-      if (nominal.size() == 1 && nominal.front().to == ModeId(m)) nominal.clear();
+      if (nominal.size() == 1 && nominal.front().to == ModeId(from)) nominal.clear();
       for (auto* kind : {&nominal, &faults}) {
         std::move(kind->begin(), kind->end(), std::back_inserter(component.transitions));
       }
@@ -95,20 +115,20 @@ class Software {
     for (std::size_t m = 0; m < whole_.models.size(); ++m) add_modes(m);
     const Plant told = made_;
     Untold untold(told);
-    std::vector<std::vector<bool>> met;
     const std::size_t first = whole_.plant.components.size();
+    std::vector<Guards> guards;
+    std::vector<MarkingModes> modes;
     for (std::size_t t = 0; t < threads_.size(); ++t) {
-      Component& component = made_.components[first + t];
-      const Guards guards = settle(threads_[t], component.mode, untold);
-      auto& own = met.emplace_back();
-      for (std::size_t m = 0; m < component.modes.size(); ++m) {
-        const double way = threads_[t].markings[m].way;
-        own.push_back(way > 0);
-        component.modes[m].fault = way < 1;
-      }
-      add_transitions(component, threads_[t], guards);
+      guards.push_back(settle(threads_[t], made_.components[first + t].mode, untold));
+      modes.emplace_back(threads_[t]);
     }
-    leave_out(met);
+    tell_apart(modes);
+    for (std::size_t t = 0; t < threads_.size(); ++t) {
+      for (std::vector<Formula>& steps : guards[t]) {
+        for (Formula& guard : steps) guard = over_modes(guard, modes);
+      }
+      add_transitions(made_.components[first + t], threads_[t], modes[t], guards[t]);
+    }
     return {std::move(made_), std::move(markings_)};
   }
 
@@ -149,57 +169,52 @@ class Software {
     }
   }
 
-  /// Modes have other numbers then: of variables, transitions and guards.
-  void leave_out(const std::vector<std::vector<bool>>& met) {
-    std::vector<std::vector<ValueId>> renumbered(made_.variables.size());
+  /// Gives each marking its modes.
+  void tell_apart(const std::vector<MarkingModes>& all) {
     Variables variables;
     for (std::size_t v = 0; v < whole_.plant.variables.size(); ++v) variables.add(made_.variables[VariableId(v)]);
-    const std::size_t first = whole_.plant.components.size();
-    for (std::size_t t = 0; t < met.size(); ++t) {
-      Component& component = made_.components[first + t];
-      auto& numbers = renumbered[component.mode.index()];
-      Variable variable{component.name, {}};
+    for (std::size_t t = 0; t < all.size(); ++t) {
+      Component& component = made_.components[whole_.plant.components.size() + t];
       std::vector<Mode> modes;
       std::vector<double> initial;
-      for (std::size_t m = 0; m < met[t].size(); ++m) {
-        numbers.emplace_back(modes.size());
-        if (!met[t][m]) continue;
-        variable.values.push_back(component.modes[m].name);
-        markings_[t].markings.push_back(threads_[t].markings[m].marked);
-        initial.push_back(component.initial[m]);
-        modes.push_back(std::move(component.modes[m]));
+      std::set<std::string> taken;
+      for (const Mode& mode : component.modes) taken.insert(mode.name);
+      for (const MarkingModes::Of& one : all[t].all()) {
+        const ThreadMarking& marking = threads_[t].markings[one.marking];
+        Mode& mode = modes.emplace_back(component.modes[one.marking]);
+        if (one.usual) {
+          mode.name += "_improbable";
+          for (std::size_t n = 2; !taken.insert(mode.name).second; ++n) {
+            mode.name = component.modes[one.marking].name + "_improbable_" + std::to_string(n);
+          }
+        }
+        mode.usual = one.usual;
+        mode.fault = one.usual || marking.way < 1;
+        initial.push_back(one.usual ? 0 : component.initial[one.marking]);
+        markings_[t].markings.push_back(marking.marked);
       }
       component.modes = std::move(modes);
       component.initial = std::move(initial);
-      std::erase_if(component.transitions, [&](const Transition& one) { return !met[t][one.from.index()]; });
-      for (Transition& transition : component.transitions) {
-        transition.from = ModeId(numbers[transition.from.index()].index());
-        transition.to = ModeId(numbers[transition.to.index()].index());
-      }
+      Variable variable{component.name, {}};
+      for (const Mode& mode : component.modes) variable.values.push_back(mode.name);
       variables.add(std::move(variable));
-    }
-    for (std::size_t t = 0; t < met.size(); ++t) {
-      for (Transition& transition : made_.components[first + t].transitions) {
-        transition.guard = without_dropped(transition.guard, met, first, renumbered);
-      }
     }
     made_.variables = std::move(variables);
   }
 
-  /// The formula over the modes that are left; it is asked of states that have no others.
-  [[nodiscard]] Formula without_dropped(const Formula& formula, const std::vector<std::vector<bool>>& met,
-                                        std::size_t first, const std::vector<std::vector<ValueId>>& renumbered) const {
+  /// A formula over markings as one over modes.
+  [[nodiscard]] Formula over_modes(const Formula& formula, const std::vector<MarkingModes>& all) const {
     Formula result = formula;
-    if (formula.kind == Formula::Kind::member && !renumbered[formula.variable.index()].empty()) {
+    if (formula.kind == Formula::Kind::member && formula.variable.index() >= whole_.plant.variables.size()) {
       std::size_t t = 0;
-      while (made_.components[first + t].mode != formula.variable) ++t;
+      while (made_.components[whole_.plant.components.size() + t].mode != formula.variable) ++t;
       std::vector<ValueId> values;
-      for (const ValueId v : formula.values) {
-        if (met[t][v.index()]) values.push_back(renumbered[formula.variable.index()][v.index()]);
+      for (const ValueId marking : formula.values) {
+        for (const ModeId mode : all[t].of(marking.index())) values.emplace_back(mode.index());
       }
       return values.empty() ? constant(false) : member(formula.variable, std::move(values));
     }
-    for (Formula& operand : result.operands) operand = without_dropped(operand, met, first, renumbered);
+    for (Formula& operand : result.operands) operand = over_modes(operand, all);
     return result;
   }
 

@@ -12,7 +12,8 @@ class PlantResolver final : public Resolver {
  public:
   PlantResolver(const automata::Plant& plant, const std::vector<grammar::Span>* declared,
                 grammar::Diagnostics& diagnostics)
-      : Resolver({plant.variables, declared, "plant " + backquoted(plant.name), grammar::Code::not_in_plant},
+      : Resolver({plant.variables, declared, "plant " + backquoted(plant.name), grammar::Code::not_in_plant,
+                  software_of(plant)},
                  diagnostics),
         plant_(plant) {}
 

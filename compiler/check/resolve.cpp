@@ -142,12 +142,13 @@ Formula Resolver::clock(const grammar::ClockBound& bound) {
 }
 
 Formula Resolver::is_value(VariableId variable, ValueId value, bool equal) {
-  if (equal) return automata::is(variable, value);
+  std::vector<ValueId> meant = vocabulary_.meant(variable, value);
+  if (equal) return automata::member(variable, std::move(meant));
   const std::size_t size = vocabulary_.variables[variable].values.size();
-  if (!closed() || size > small_domain) return automata::negation(automata::is(variable, value));
+  if (!closed() || size > small_domain) return automata::negation(automata::member(variable, std::move(meant)));
   std::vector<ValueId> rest;
   for (std::size_t v = 0; v < size; ++v) {
-    if (ValueId(v) != value) rest.emplace_back(v);
+    if (!std::binary_search(meant.begin(), meant.end(), ValueId(v))) rest.emplace_back(v);
   }
   return automata::member(variable, std::move(rest));
 }
@@ -202,7 +203,9 @@ Formula Resolver::membership(const grammar::Membership& membership) {
     const auto meant = meaning(name);
     const auto value = meant ? find_value(*left, meant->text) : std::nullopt;
     if (meant && !value) report_value(*left, *meant);
-    if (value) values.push_back(*value);
+    if (value) {
+      for (const ValueId one : vocabulary_.meant(*left, *value)) values.push_back(one);
+    }
     complete = complete && value;
   }
   return complete ? automata::member(*left, std::move(values)) : automata::constant(true);

@@ -7,9 +7,31 @@
 
 namespace rmpl::compiler {
 
-std::optional<grammar::Span> Vocabulary::declaration(automata::VariableId id) const {
+using automata::ValueId;
+using automata::VariableId;
+
+std::optional<grammar::Span> Vocabulary::declaration(VariableId id) const {
   if (declared == nullptr || id.index() >= declared->size()) return std::nullopt;
   return (*declared)[id.index()];
+}
+
+std::vector<ValueId> Vocabulary::meant(VariableId variable, ValueId value) const {
+  std::vector<ValueId> result{value};
+  for (const automata::Component* component : software) {
+    if (component->mode != variable) continue;
+    for (std::size_t m = 0; m < component->modes.size(); ++m) {
+      if (component->modes[m].usual == automata::ModeId(value.index())) result.emplace_back(m);
+    }
+  }
+  return result;
+}
+
+std::vector<const automata::Component*> software_of(const automata::Plant& plant) {
+  std::vector<const automata::Component*> result;
+  for (const automata::Component& component : plant.components) {
+    if (component.software) result.push_back(&component);
+  }
+  return result;
 }
 
 std::string backquoted(std::string_view name) { return "`" + std::string(name) + "`"; }

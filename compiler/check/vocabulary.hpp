@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "automata/logic/variables.hpp"
+#include "automata/plant.hpp"
 #include "grammar/source/codes.hpp"
 #include "grammar/source/diagnostic.hpp"
 #include "grammar/source/span.hpp"
@@ -20,10 +21,16 @@ struct Vocabulary {
   const std::vector<grammar::Span>* declared = nullptr;  ///< per variable, where its domain is written; none: no source
   std::string owner;                                     ///< for messages: "component `Engine`"
   grammar::Code unknown = grammar::Code::unknown_name;   ///< the error of a name that is not there
+  std::vector<const automata::Component*> software = {};  ///< of which the variables may be modes
 
   /// Where the domain of a variable is written, if it has a source.
   [[nodiscard]] std::optional<grammar::Span> declaration(automata::VariableId id) const;
+  /// The values that are meant by the name of one, ascending: a marking of software may have several modes.
+  [[nodiscard]] std::vector<automata::ValueId> meant(automata::VariableId variable, automata::ValueId value) const;
 };
+
+/// The components of a plant that are software.
+std::vector<const automata::Component*> software_of(const automata::Plant& plant);
 
 /// "`zero`, `low` or `high`"; of a long domain, the first few and how many more.
 std::string one_of(const std::vector<std::string>& names);

@@ -26,7 +26,8 @@ constexpr std::size_t open_domain_limit = 4096;
 Vocabulary vocabulary_of(const automata::Program& program, bool model, const Part* plant) {
   if (model) return {program.variables, &plant->declared, "the model program", Code::unknown_name};
   if (plant == nullptr) return {program.variables, nullptr, "the program", Code::unknown_name};
-  return {program.variables, &plant->declared, "plant " + backquoted(plant->plant.name), Code::not_in_plant};
+  return {program.variables, &plant->declared, "plant " + backquoted(plant->plant.name), Code::not_in_plant,
+          software_of(plant->plant)};
 }
 
 automata::Comparison comparison_of(grammar::ClockRelation relation) {
@@ -289,6 +290,7 @@ void ProgramResolver::add_comparison(const grammar::Comparison& comparison, cons
   if (!comparison.equal || !mode || other) return add_constraint(whole, goals);
   const auto assignment = this->assignment(comparison.left, comparison.right);
   if (!assignment) return;
+  if (vocabulary().meant(assignment->variable, assignment->value).size() > 1) return add_constraint(whole, goals);
   const auto [first, fresh] = goals.asked.emplace(assignment->variable, assignment->value);
   if (fresh) {
     goals.goal.modes.push_back(*assignment);

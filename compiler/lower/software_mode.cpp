@@ -13,7 +13,7 @@ namespace rmpl::compiler {
 using automata::Assignment;
 
 std::vector<Assignment> modes_that_tell(const automata::Plant& plant, Assignment told, SoftwareMoment moment) {
-  std::vector<Assignment> result;
+  std::vector<Assignment> result, others;
   const automata::Formula wanted = automata::is(told.variable, told.value);
   for (const automata::Component& component : plant.components) {
     if (!component.software) continue;
@@ -22,10 +22,13 @@ std::vector<Assignment> modes_that_tell(const automata::Plant& plant, Assignment
       if (!meant) continue;
       const std::vector<automata::Formula> parts = automata::conjuncts_of(component.modes[m].constraint);
       if (std::find(parts.begin(), parts.end(), wanted) == parts.end()) continue;
-      result.push_back({component.mode, automata::ValueId(m)});
+      const std::optional<automata::ModeId> usual = component.modes[m].usual;
+      const bool again = usual && m > 0 && component.modes[m - 1].usual == usual;
+      if (again) continue;
+      (usual ? others : result).push_back({component.mode, automata::ValueId(m)});
     }
   }
-  return result;
+  return result.empty() ? others : result;
 }
 
 std::optional<Assignment> the_one(const Part& part, Assignment told, const std::vector<Assignment>& telling,

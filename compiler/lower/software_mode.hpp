@@ -14,7 +14,8 @@ namespace rmpl::compiler {
 /// Which modes may be meant: those that software may start in, or its fault modes.
 enum class SoftwareMoment { start, fault };
 
-/// Modes of software that tell the value of a variable, as a conjunct of their own.
+/// Modes of software that tell the value of a variable, as a conjunct of their own. Of faults rather those whose
+/// marking only improbable draws lead to.
 std::vector<automata::Assignment> modes_that_tell(const automata::Plant& plant, automata::Assignment told,
                                                   SoftwareMoment moment);
 

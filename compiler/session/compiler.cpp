@@ -97,13 +97,16 @@ Compilation compile(std::span<const std::string> paths, const Options& options, 
 
 namespace {
 
-/// The resolver of a text of the command line, judged by a plant or a model program; `owner` says by which.
-Resolver resolver_of(const automata::Variables& variables, const std::string& owner, grammar::Findings& findings) {
-  return {{variables, nullptr, owner, grammar::Code::unknown_name}, findings.diagnostics};
+/// The resolver of a text of the command line, judged by a plant or a model program.
+Resolver resolver_of(const automata::Plant& plant, grammar::Findings& findings) {
+  const std::string owner = "plant " + backquoted(plant.name);
+  return {{plant.variables, nullptr, owner, grammar::Code::unknown_name, software_of(plant)}, findings.diagnostics};
 }
 
-std::string owner(const automata::Plant& plant) { return "plant " + backquoted(plant.name); }
-std::string owner(const automata::ModelProgram& program) { return "model program " + backquoted(program.name); }
+Resolver resolver_of(const automata::ModelProgram& program, grammar::Findings& findings) {
+  const std::string owner = "model program " + backquoted(program.name);
+  return {{program.variables, nullptr, owner, grammar::Code::unknown_name}, findings.diagnostics};
+}
 
 /// `make` makes the resolver, given where findings go.
 template <class Make>
@@ -119,8 +122,7 @@ CompiledFormula formula_by(std::string_view text, std::string_view where, const 
 
 template <class Model>
 CompiledFormula formula_over(std::string_view text, const Model& model, std::string_view where) {
-  return formula_by(text, where,
-                    [&](grammar::Findings& findings) { return resolver_of(model.variables, owner(model), findings); });
+  return formula_by(text, where, [&](grammar::Findings& findings) { return resolver_of(model, findings); });
 }
 
 }  // namespace
@@ -143,7 +145,7 @@ CompiledFormula compile_goal(std::string_view text, const automata::Plant& plant
   const std::uint32_t file = sources.add(std::string(where), std::string(text));
   const auto constraint = grammar::parse_constraint(sources, file, diagnostics);
   if (constraint.whole) {
-    Resolver resolver = resolver_of(plant.variables, owner(plant), result.findings);
+    Resolver resolver = resolver_of(plant, result.findings);
     resolver.ask_of_knowledge(goal_asks_no_knowledge);
     result.formula = resolver.resolve(constraint.tree);
   }
@@ -170,7 +172,7 @@ CompiledAssignments assignments_over(std::string_view text, const Model& model, 
   const std::uint32_t file = sources.add(std::string(where), std::string(text));
   const auto texts = grammar::parse_assignments(sources, file, diagnostics);
   if (texts.whole) {
-    Resolver resolver = resolver_of(model.variables, owner(model), result.findings);
+    Resolver resolver = resolver_of(model, result.findings);
     auto& assignments = result.assignments.emplace();
     for (const grammar::AssignmentText& one : texts.tree) {
       if (const auto assignment = resolver.assignment(one.variable, one.value)) assignments.push_back(*assignment);

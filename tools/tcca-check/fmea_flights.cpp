@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "automata/controls.hpp"
+#include "automata/fault_step.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/campaign/counterfactual.hpp"
 #include "runtime/executive/plant/luck.hpp"
@@ -38,8 +39,8 @@ bool is_forced(const CycleRecord& record, std::size_t component) {
 /// Whether a component goes into a fault mode by itself.
 bool fails_by_chance(const Plant& plant, const Modes& before, const CycleRecord& record) {
   for (std::size_t c = 0; c < before.size(); ++c) {
-    const automata::ModeId mode = (*record.truth)[c];
-    if (mode != before[c] && plant.components[c].modes[mode.index()].fault && !is_forced(record, c)) return true;
+    if (automata::is_fault_step(plant.components[c], before[c], (*record.truth)[c]) && !is_forced(record, c))
+      return true;
   }
   return false;
 }

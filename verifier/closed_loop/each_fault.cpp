@@ -18,13 +18,15 @@ using Kind = ProgramProperty::Kind;
 
 namespace {
 
-/// Every fault transition that can be drawn, in declaration order, each once.
+/// Every fault transition that can be drawn by itself, in declaration order, each once. A mode that has a usual one
+/// tells of a fault before.
 std::vector<FaultStep> faults_of(const automata::Plant& plant, const std::vector<automata::ComponentId>& of) {
   std::vector<FaultStep> faults;
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     if (!of.empty() && std::find(of.begin(), of.end(), automata::ComponentId(c)) == of.end()) continue;
     const automata::Component& component = plant.components[c];
     for (const automata::Transition& t : component.transitions) {
+      if (component.modes[t.from.index()].usual) continue;
       if (component.is_fault(t) && t.from != t.to && t.weight.value > 0) {
         faults.push_back({automata::ComponentId(c), t.from, t.to});
       }

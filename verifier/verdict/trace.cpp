@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "automata/assignment_text.hpp"
+#include "automata/fault_step.hpp"
 
 namespace rmpl::verifier {
 
@@ -21,6 +22,7 @@ struct Taken {
   const automata::Component& component;
   const automata::Mode& from;
   const automata::Mode& to;
+  bool fault;
 };
 
 std::vector<Taken> taken(const Plant& plant, const Event& before, const Event& event) {
@@ -28,7 +30,8 @@ std::vector<Taken> taken(const Plant& plant, const Event& before, const Event& e
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     if (before.modes[c] == event.modes[c]) continue;
     const automata::Component& component = plant.components[c];
-    result.push_back({component, component.modes[before.modes[c].index()], component.modes[event.modes[c].index()]});
+    result.push_back({component, component.modes[before.modes[c].index()], component.modes[event.modes[c].index()],
+                      automata::is_fault_step(component, before.modes[c], event.modes[c])});
   }
   return result;
 }
@@ -49,7 +52,7 @@ std::string changes_text(const Plant& plant, const Event& before, const Event& e
   std::string result;
   for (const Taken& t : taken(plant, before, event)) {
     result += (result.empty() ? "" : ", ") + t.component.name + ": " + t.from.name + " -> " + t.to.name;
-    if (t.to.fault) result += " (fault)";
+    if (t.fault) result += " (fault)";
   }
   for (const automata::ComponentId c : event.restarted) {
     result += (result.empty() ? "" : ", ") + plant[c].name + ": " +

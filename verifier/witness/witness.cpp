@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "verifier/witness/witness.hpp"
 
+#include "automata/fault_step.hpp"
+
 namespace rmpl::verifier {
 
 bool lacks_a_plan(const Cycle& cycle) {
@@ -12,8 +14,9 @@ std::size_t faults_in(const automata::Plant& plant, const Witness& witness) {
   std::size_t faults = 0;
   for (std::size_t e = 1; e < witness.events.size(); ++e) {
     for (std::size_t c = 0; c < plant.components.size(); ++c) {
-      const automata::ModeId mode = witness.events[e].modes[c];
-      faults += mode != witness.events[e - 1].modes[c] && plant.components[c].modes[mode.index()].fault ? 1 : 0;
+      const bool fault =
+          automata::is_fault_step(plant.components[c], witness.events[e - 1].modes[c], witness.events[e].modes[c]);
+      faults += fault ? 1 : 0;
     }
   }
   return faults;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "automata/fault_step.hpp"
+
 namespace rmpl::runtime {
 namespace {
 
@@ -33,8 +35,8 @@ bool Counterfactual::contradicted_by(const FlownStep& flown) {
                                  [&](const automata::Move& move) { return move.mode == flown.after[c]; });
     // A fault that befell the component by chance befalls the twin, if it can: it is no consequence of the one
     // injected.
-    const bool mischance = !injected && can && flown.after[c] != flown.before[c] &&
-                           step_.plant().components[c].modes[flown.after[c].index()].fault;
+    const bool mischance =
+        !injected && can && automata::is_fault_step(step_.plant().components[c], flown.before[c], flown.after[c]);
     const bool follows = mischance || (together && (can || is_forced(flown, c)));
     if (!follows) next[c] = most_likely(moves[c]);
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "automata/fault_step.hpp"
+
 namespace rmpl::runtime {
 
 namespace {
@@ -57,8 +59,7 @@ void CampaignWatch::look_for_symptoms(const CycleRecord& record) {
 
 void CampaignWatch::count_chance(const CycleRecord& record) {
   for (std::size_t c = 0; c < record.truth->size(); ++c) {
-    const automata::ModeId mode = (*record.truth)[c];
-    if (mode == before_.modes[c] || !plant_.components[c].modes[mode.index()].fault) continue;
+    if (!automata::is_fault_step(plant_.components[c], before_.modes[c], (*record.truth)[c])) continue;
     if (!is_forced(record, automata::ComponentId(c))) ++by_chance_;
   }
 }

@@ -3,6 +3,7 @@
 #include "runtime/reasoning/diagnose/snapshot.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -40,6 +41,13 @@ std::vector<double> ways_to_faults(const Component& component) {
       way[t.to.index()] = longer;
       changed = true;
     }
+    // Modes of one marking are one fault, or none.
+    for (std::size_t m = 0; m < way.size(); ++m) {
+      const std::optional<ModeId> usual = component.modes[m].usual;
+      if (!usual || way[m] <= way[usual->index()]) continue;
+      way[usual->index()] = way[m];
+      changed = true;
+    }
   }
   return way;
 }
@@ -49,6 +57,7 @@ std::vector<double> ways_to_faults(const Component& component) {
 Statuses statuses_of(const Component& component) {
   Statuses statuses;
   for (std::size_t m = 0; m < component.modes.size(); ++m) {
+    if (component.modes[m].usual) continue;
     (component.modes[m].fault ? statuses.faults : statuses.nominals).emplace_back(m);
   }
   double faulty_at_first = 0;
@@ -82,7 +91,7 @@ automata::Variables Snapshot::extend(const Plant& plant, std::size_t counted) {
   automata::Variables variables = plant.variables;
   for (const Component& component : plant.components) {
     Statuses statuses = statuses_of(component);
-    if (statuses.nominals.size() == 1) {
+    if (statuses.nominals.size() == 1 && statuses.faults.size() + 1 == component.modes.size()) {
       statuses.variable = component.mode;
       statuses.values.emplace_back(statuses.nominals.front().index());
       for (const ModeId fault : statuses.faults) statuses.values.emplace_back(fault.index());

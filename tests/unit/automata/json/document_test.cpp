@@ -37,6 +37,20 @@ ModelProgram sample_model() {
   return model;
 }
 
+Plant sample_software() {
+  Plant plant;
+  plant.name = "Software";
+  const auto mode = plant.variables.add({"task", {"Idle", "Odd", "Idle_improbable"}});
+  Component task{"task", "Task", mode, {}, {1, 0, 0}, {}, {"m.rmpl", 3, 1}, true, true};
+  task.modes = {{"Idle", false, constant(true), 0, {}},
+                {"Odd", true, constant(true), 0, {}},
+                {"Idle_improbable", true, constant(true), 0, {}, ModeId(0)}};
+  task.transitions = {{ModeId(0), ModeId(2), constant(true), {}, {Weight::Kind::probability, 0.01}, 0, {}},
+                      {ModeId(1), ModeId(1), constant(true), {}, {Weight::Kind::probability, 0.9}, 1, {}, false, true}};
+  plant.components.push_back(task);
+  return plant;
+}
+
 Document sample() {
   Plant plant;
   plant.name = "Sample";
@@ -88,13 +102,12 @@ Document sample() {
                                    "expect truth …",
                                    {"FDIR-12"},
                                    {}});
-  Document document{{plant}, {program}, {}, {scenario}};
+  Document document{{plant, sample_software()}, {program}, {}, {scenario}};
   add_model(document, sample_model());
-  ModelProgram flown = sample_model();
-  flown.components = {{flown.variables.find("x").value(), {ValueId(1)}}};
+  const ModelProgram flown = sample_model();
   Program bound = program;
   bound.variables = flown.variables;
-  bound.locations[1].goal = {{flown.components.front().mode, ValueId(1)}};
+  bound.locations[1].goal = {{flown.variables.find("x").value(), ValueId(1)}};
   bound.locations[1].arcs.clear();
   document.programs.push_back(bound);
   Scenario over_model;
@@ -142,13 +155,14 @@ TEST(Document, WhatIsWrongIsNamedWithItsPath) {
   refuses("/plants/0/instances/0/name", "a.b", "expected a name without dots");
   refuses("/plants/0/instances/1", {{"name", "pump"}, {"type", "Pump"}}, "expected a name that is new");
   refuses("/plants/0/instances/0/initial", {1, 0}, "expected a probability for each mode");
+  refuses("/plants/1/types/0/components/0/modes/2/usual", "Busy", "not 'Busy'");
   refuses("/plants/0/types/1", good["plants"][0]["types"][0], "/plants/0/types/1/name: expected a name that is new");
-  refuses("/programs/0/plant", 1, "/programs/0/plant: expected a whole number below 1");
+  refuses("/programs/0/plant", 2, "/programs/0/plant: expected a whole number below 2");
   refuses("/programs/0/variables", Json::array(), "expected a plant or variables, not both");
   refuses("/plants/0/name", "P\x1b[31m", "without control characters");
   refuses("/programs/0/locations/1/arcs/0/target", 3, "below 3");
   refuses("/programs/0/locations/1/parent", 0, "a composite that comes before");
-  refuses("/scenarios/0/plant", 1, "below 1");
+  refuses("/scenarios/0/plant", 2, "below 2");
   refuses("/scenarios/0/cycle", 0, "above 0");
   refuses("/scenarios/0/samples/0/value", true, "expected a number or a string");
   refuses("/scenarios/0/samples/0/text", 2.5, "expected a string");

@@ -12,6 +12,7 @@
 namespace rmpl::compiler {
 namespace {
 
+using automata::ValueId;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -64,12 +65,47 @@ model Odder() :: { x = c, choose { next Odd() with 0.9, next Idle() with 0.1 } }
   EXPECT_TRUE(task.software);
   EXPECT_TRUE(task.progress);
   EXPECT_THAT(modes(task, false), UnorderedElementsAre("Idle", "Busy"));
-  EXPECT_THAT(modes(task, true), UnorderedElementsAre("Odd", "Odder"));
+  EXPECT_THAT(modes(task, true), UnorderedElementsAre("Odd", "Odder", "Idle_improbable"));
   EXPECT_EQ(to_text(task.modes.front().constraint, plant.variables), "t.x = a");
-  EXPECT_THAT(transitions(plant, task),
-              UnorderedElementsAre("Idle -> Odd seldom: t.ask = none", "Idle -> Busy likely: t.ask = go",
-                                   "Idle -> Odd seldom: t.ask = go", "Busy -> Idle", "!Odd -> Odder",
-                                   "!Odder -> Odd likely", "Odder -> Idle seldom"));
+  EXPECT_THAT(
+      transitions(plant, task),
+      UnorderedElementsAre("Idle -> Odd seldom: t.ask = none", "Idle -> Busy likely: t.ask = go",
+                           "Idle -> Odd seldom: t.ask = go", "Busy -> Idle", "!Odd -> Odder", "!Odder -> Odd likely",
+                           "Odder -> Idle_improbable seldom", "Idle_improbable -> Idle likely: t.ask = none",
+                           "Idle_improbable -> Odd seldom: t.ask = none", "Idle_improbable -> Busy likely: t.ask = go",
+                           "Idle_improbable -> Odd seldom: t.ask = go"));
+}
+
+TEST_F(SoftwareInPlants, WhatIsDroppedIsAFault) {
+  const Compilation compilation = compiled(R"(
+variable ask : { none, go };
+variable x : { a, b };
+model Task() :: { Idle() }
+model Idle() :: { x = a, choose { if ask = go thennext Busy() elsenext Idle() with 0.9, next Idle() with 0.1 } }
+model Busy() :: { x = b, next Idle() }
+)",
+                                           "plant P { t : model Task; control t.ask default none; observe t.x; }");
+  ASSERT_THAT(findings(compilation), IsEmpty());
+  const automata::Plant& plant = compilation.document().plants.front();
+  const automata::Component& task = plant.components.front();
+  EXPECT_THAT(modes(task, false), ElementsAre("Idle", "Busy"));
+  EXPECT_THAT(modes(task, true), ElementsAre("Idle_improbable", "Idle_improbable_2"));
+  EXPECT_EQ(task.modes[2].usual, automata::ModeId(0));
+  EXPECT_EQ(task.modes[3].usual, automata::ModeId(0));
+  EXPECT_EQ(task.modes[3].constraint, task.modes[0].constraint);
+  EXPECT_THAT(
+      transitions(plant, task),
+      UnorderedElementsAre(
+          "Idle -> Busy likely: t.ask = go", "Idle -> Idle_improbable seldom: t.ask = go", "Busy -> Idle",
+          "Idle_improbable -> Idle: t.ask = none", "Idle_improbable -> Busy likely: t.ask = go",
+          "Idle_improbable -> Idle_improbable_2 seldom: t.ask = go", "Idle_improbable_2 -> Idle: t.ask = none",
+          "Idle_improbable_2 -> Busy likely: t.ask = go", "Idle_improbable_2 -> Idle_improbable seldom: t.ask = go"));
+  // The name of a marking stands for all of its modes.
+  const auto named = [&](const std::string& text) { return compile_formula(text, plant, "--target").formula; };
+  EXPECT_EQ(named("t = Idle"), automata::member(task.mode, {ValueId(0), ValueId(2), ValueId(3)}));
+  EXPECT_EQ(named("t in { Idle }"), named("t = Idle"));
+  EXPECT_EQ(named("t != Idle"), automata::is(task.mode, ValueId(1)));
+  EXPECT_EQ(named("t = Idle_improbable"), automata::is(task.mode, ValueId(2)));
 }
 
 TEST_F(SoftwareInPlants, WhatNobodyTellsIsAskedOfModes) {
