@@ -1,8 +1,9 @@
-// Which changes of mode are faults.
+// Which changes of mode are faults, and which fault modes come about by themselves.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "automata/plant.hpp"
 
@@ -15,6 +16,12 @@ inline bool is_fault_step(const Component& component, ModeId from, ModeId to) {
   return !component.software ||
          std::none_of(component.transitions.begin(), component.transitions.end(),
                       [&](const Transition& t) { return t.from == from && t.to == to && t.consequence; });
+}
+
+/// Whether a fault mode is that of an improbable draw right after another one: by itself it never comes about.
+inline bool is_second_in_a_row(const Component& component, ModeId mode) {
+  const std::optional<ModeId> usual = component.modes[mode.index()].usual;
+  return usual && component.modes[mode.index() - 1].usual == usual;
 }
 
 }  // namespace rmpl::automata

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 
+#include "automata/fault_step.hpp"
 #include "compiler/check/vocabulary.hpp"
 
 namespace rmpl::compiler {
@@ -22,10 +23,8 @@ std::vector<Assignment> modes_that_tell(const automata::Plant& plant, Assignment
       if (!meant) continue;
       const std::vector<automata::Formula> parts = automata::conjuncts_of(component.modes[m].constraint);
       if (std::find(parts.begin(), parts.end(), wanted) == parts.end()) continue;
-      const std::optional<automata::ModeId> usual = component.modes[m].usual;
-      const bool again = usual && m > 0 && component.modes[m - 1].usual == usual;
-      if (again) continue;
-      (usual ? others : result).push_back({component.mode, automata::ValueId(m)});
+      if (automata::is_second_in_a_row(component, automata::ModeId(m))) continue;
+      (component.modes[m].usual ? others : result).push_back({component.mode, automata::ValueId(m)});
     }
   }
   return result.empty() ? others : result;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "automata/fault_step.hpp"
 #include "runtime/executive/plant/random_source.hpp"
 
 namespace rmpl::runtime {
@@ -16,9 +17,10 @@ constexpr std::uint64_t injection_stream = 3;  // apart from those of the plant 
 std::vector<Fault> faults_of(const automata::Plant& plant) {
   std::vector<Fault> faults;
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
-    const auto& modes = plant.components[c].modes;
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-      if (modes[m].fault) faults.push_back({automata::ComponentId(c), automata::ModeId(m)});
+    const automata::Component& component = plant.components[c];
+    for (std::size_t m = 0; m < component.modes.size(); ++m) {
+      if (!component.modes[m].fault || automata::is_second_in_a_row(component, automata::ModeId(m))) continue;
+      faults.push_back({automata::ComponentId(c), automata::ModeId(m)});
     }
   }
   return faults;
