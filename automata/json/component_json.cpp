@@ -107,7 +107,7 @@ Json transition_to_json(const Transition& t, const Component& component, const V
 }
 
 ModeId mode_from_json(const Node& node, const Component& component) {
-  const std::string name = node.text();
+  const std::string& name = node.text();
   for (std::size_t m = 0; m < component.modes.size(); ++m) {
     if (component.modes[m].name == name) return ModeId(m);
   }

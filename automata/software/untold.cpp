@@ -103,7 +103,7 @@ std::optional<Untold::Decided> Untold::decide(Theory::Handle formula, std::size_
     if (same == groups.end()) {
       groups.emplace_back(branch->untold, std::vector<ValueId>{ValueId(v)});
     } else {
-      same->second.push_back(ValueId(v));
+      same->second.emplace_back(v);
     }
   }
   if (groups.empty()) return std::nullopt;

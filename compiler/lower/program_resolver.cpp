@@ -10,7 +10,6 @@
 
 namespace rmpl::compiler {
 
-using automata::Assignment;
 using automata::ClockId;
 using automata::Formula;
 using automata::ValueId;
