@@ -3,6 +3,7 @@
 #include "runtime/reasoning/game/strategist.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "runtime/reasoning/game/sorted_sets.hpp"
@@ -41,6 +42,24 @@ std::vector<ComponentId> moved_at_rest(const Game& game, std::uint32_t start) {
     }
   }
   return moved;
+}
+
+/// Components whose modes may let a component leave its mode while all controls are idle. Nothing where that is not
+/// known.
+std::optional<std::vector<ComponentId>> releasing(const NominalGraph& graph, ComponentId component,
+                                                  automata::ModeId mode) {
+  std::vector<ComponentId> found;
+  for (const NominalTransition& t : graph.transitions(component)) {
+    if (t.from != mode || t.to == mode || !t.possible) continue;
+    if (!t.all_preconditions) return std::nullopt;
+    for (std::size_t p = 0; p < t.preconditions.size(); ++p) {
+      for (const Requirement& r : t.preconditions[p]) {
+        const auto other = graph.component_of(r);
+        if (t.silent[p] && other && *other != component) insert(found, *other);
+      }
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -149,7 +168,7 @@ std::vector<ComponentId> Strategist::follow(Group& group, const Modes& modes) {
     for (const std::size_t i : arena.controls()) {
       if (action[i] != idle[i]) insert(group.commanded, i);
     }
-    // Where the goal is kept, what decides steps of the components that it reads keeps it.
+    // Where the goal is kept, a component keeps it whose modes may let those leave that the goal reads.
     const bool kept =
         group.solved && n != group.start() && group.solved->solution->at(n).purpose != GameDecision::Purpose::reach;
     const Position::Action* with = position.find(edge.action);
@@ -159,9 +178,13 @@ std::vector<ComponentId> Strategist::follow(Group& group, const Modes& modes) {
       if (commanded) insert(group.touched, arena.components()[m]);
       // What a first wait is for may come whatever else is done meanwhile: that is looked at apart.
       const bool goes_on = commanded || (n != group.start() && leaves(game, edge, n, m));
-      if (goes_on || (kept && std::binary_search(read.begin(), read.end(), arena.components()[m])))
-        part = joined(part,
-                      arena.deciding(arena.components()[m], position.modes[arena.components()[m].index()]).components);
+      const ComponentId c = arena.components()[m];
+      const automata::ModeId mode = position.modes[c.index()];
+      if (goes_on) part = joined(part, arena.deciding(c, mode).components);
+      if (kept && std::binary_search(read.begin(), read.end(), c)) {
+        const auto all = releasing(graph_, c, mode);
+        part = joined(part, all ? *all : arena.deciding(c, mode).components);
+      }
     }
     // The game may have been begun where components outside were in other modes.
     for (const ComponentId c : arena.components()) joint[c.index()] = position.modes[c.index()];
