@@ -109,41 +109,38 @@ class Answering {
       modes[course.game().arena().components()[m].index()] = course.mode(node, m);
   }
 
+  /// Whether a course that rests gives way to a reward whose game keeps its part of the goal.
+  static bool is_replaced(const Course& course, const std::vector<Course>& courses) {
+    const auto& own = course.game().arena().components();
+    return !course.under_way() && std::any_of(courses.begin(), courses.end(), [&](const Course& other) {
+      const auto& components = other.game().arena().components();
+      return other.solved() == nullptr && std::includes(components.begin(), components.end(), own.begin(), own.end());
+    });
+  }
+
   /// What follows if nothing fails: the first combination of outcomes that the model permits. Where all wait, what is
   /// awaited comes, where there is such a thing.
   std::optional<Modes> after(const std::vector<Course>& courses, const Course* awaited, const ControlAction& action) {
     using Change = std::vector<std::pair<ComponentId, ModeId>>;
     std::vector<std::vector<Change>> choices;
-    // A reward whose game keeps a part of the goal is pursued in place of resting for that part.
-    std::vector<const Course*> played(modes_.size(), nullptr);
-    for (const Course& course : courses) {
-      for (const ComponentId c : course.game().arena().components()) {
-        const Course*& by = played[c.index()];
-        if (by == nullptr || !by->under_way()) by = &course;
-      }
-    }
-    const auto plays = [&](const Course& course) {
-      const auto& components = course.game().arena().components();
-      return std::any_of(components.begin(), components.end(),
-                         [&](ComponentId c) { return played[c.index()] == &course; });
-    };
+    std::vector<bool> played(modes_.size());
     const auto add = [&](const Course& course) {
       auto& outcomes = choices.emplace_back();
       for (const Game::Outcome* outcome : course.outcomes(course.start())) {
         Change& change = outcomes.emplace_back();
-        for (std::size_t m = 0; m < course.game().arena().components().size(); ++m) {
-          const ComponentId c = course.game().arena().components()[m];
-          if (played[c.index()] == &course) change.emplace_back(c, course.mode(outcome->node, m));
-        }
+        for (std::size_t m = 0; m < course.game().arena().components().size(); ++m)
+          change.emplace_back(course.game().arena().components()[m], course.mode(outcome->node, m));
       }
       return !outcomes.empty();
     };
     for (const Course& course : courses) {
-      if (course.edge() != nullptr && !course.edge()->waits && plays(course) && !add(course)) return std::nullopt;
+      for (const ComponentId c : course.game().arena().components()) played[c.index()] = true;
+      const bool acts = course.edge() != nullptr && !course.edge()->waits && !is_replaced(course, courses);
+      if (acts && !add(course)) return std::nullopt;
     }
     // Components that no game is about do what they have to.
     for (const ComponentId c : graph_.components()) {
-      if (played[c.index()] != nullptr) continue;
+      if (played[c.index()]) continue;
       const automata::Enabled& enabled = step_.enabled(c, modes_, action);
       const auto& transitions = step_.plant()[c].transitions;
       std::vector<Change> options;
