@@ -31,14 +31,15 @@ void shift(std::vector<automata::GuardedArc>& arcs, std::size_t offset) {
 
 }  // namespace
 
-std::vector<std::vector<ValueId>> all_values(const automata::Variables& variables, const std::vector<VariableId>& of) {
-  std::vector<std::vector<ValueId>> all{{}};
+std::vector<std::vector<automata::Assignment>> all_assignments(const automata::Variables& variables,
+                                                               const std::vector<VariableId>& of) {
+  std::vector<std::vector<automata::Assignment>> all{{}};
   for (const VariableId variable : of) {
-    std::vector<std::vector<ValueId>> longer;
+    std::vector<std::vector<automata::Assignment>> longer;
     for (const auto& values : all) {
       for (std::size_t v = 0; v < variables[variable].values.size(); ++v) {
         longer.push_back(values);
-        longer.back().emplace_back(v);
+        longer.back().push_back({variable, ValueId(v)});
       }
     }
     all = std::move(longer);

@@ -15,6 +15,7 @@
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/property/generate_model_program.hpp"
+#include "tests/property/generate_software.hpp"
 #include "tests/reference/marking_reach.hpp"
 #include "tests/reference/model_program.hpp"
 
@@ -27,23 +28,6 @@ using automata::LocationId;
 using automata::ModelProgram;
 using automata::ValueId;
 using automata::VariableId;
-
-/// Every value of some variables, one choice after the other.
-std::vector<std::vector<Assignment>> choices(const automata::Variables& table,
-                                             const std::vector<VariableId>& variables) {
-  std::vector<std::vector<Assignment>> all{{}};
-  for (const VariableId variable : variables) {
-    std::vector<std::vector<Assignment>> more;
-    for (const auto& chosen : all) {
-      for (std::size_t value = 0; value < table[variable].values.size(); ++value) {
-        more.push_back(chosen);
-        more.back().push_back({variable, ValueId(value)});
-      }
-    }
-    all = std::move(more);
-  }
-  return all;
-}
 
 std::vector<VariableId> all_of(const automata::Variables& table) {
   std::vector<VariableId> all;
@@ -96,7 +80,7 @@ StoreCase store_case() {
 
 /// Every subset of what may be told, with every value of what is free.
 bool some_store_entails(const StoreCase& given) {
-  const auto worlds = choices(given.part.variables, all_of(given.part.variables));
+  const auto worlds = all_assignments(given.part.variables, all_of(given.part.variables));
   const auto& tellable = given.part.tellable;
   for (std::size_t subset = 0; subset < std::size_t{1} << tellable.size(); ++subset) {
     std::vector<Formula> store = given.part.standing;
@@ -107,7 +91,7 @@ bool some_store_entails(const StoreCase& given) {
       store.push_back(tellable[t].second);
     }
     if (!may) continue;
-    for (const auto& free : choices(given.part.variables, given.part.free)) {
+    for (const auto& free : all_assignments(given.part.variables, given.part.free)) {
       std::vector<Formula> commanded = store;
       commanded.push_back(conjunction_of(free));
       const auto [consistent, entailed] = judged(worlds, commanded, given.formula);
@@ -119,7 +103,7 @@ bool some_store_entails(const StoreCase& given) {
 
 RC_GTEST_PROP(LintOfModelPrograms, KnowsWhetherSomeStoreEntails, ()) {
   const StoreCase given = store_case();
-  const auto worlds = choices(given.part.variables, all_of(given.part.variables));
+  const auto worlds = all_assignments(given.part.variables, all_of(given.part.variables));
   compiler::Entailment entailment(given.part, given.formula);
   RC_ASSERT(entailment.may_fail() == !judged(worlds, given.part.standing, given.formula).second);
   RC_ASSERT(entailment.may_hold(given.marked) == some_store_entails(given));
@@ -132,7 +116,7 @@ RC_GTEST_PROP(LintOfModelPrograms, TakesForImpossibleOnlyWhatNeverIs, ()) {
   const std::vector<bool> reached = compiler::reachable_locations(program, stores);
   std::vector<VariableId> controls;
   for (const automata::CommandedVariable& control : program.controls) controls.push_back(control.variable);
-  const auto commands = choices(program.variables, controls);
+  const auto commands = all_assignments(program.variables, controls);
   const reference::ModelProgramStep slow(program);
   constexpr std::size_t steps = 4;
   const automata::MarkingRules rules(program);
@@ -159,7 +143,7 @@ RC_GTEST_PROP(LintOfModelPrograms, TakesForImpossibleOnlyWhatNeverIs, ()) {
 RC_GTEST_PROP(LintOfModelPrograms, BlamesWhatContradictsItself, ()) {
   const ModelProgram program = (*model_programs(5)).program;
   compiler::ToldStores stores(program);
-  const auto worlds = choices(program.variables, all_of(program.variables));
+  const auto worlds = all_assignments(program.variables, all_of(program.variables));
   if (stores.contradiction()) return;
   for (const auto& together : compiler::started_together(program)) {
     compiler::ToldContradiction all{together, {}};

@@ -70,10 +70,7 @@ class DrawsOfTheProgram {
     for (const automata::Interconnection& q : program.constraints) theory_.tell(q.constraint);
     std::vector<VariableId> controls;
     for (const auto& control : program.controls) controls.push_back(control.variable);
-    for (const auto& values : all_values(program.variables, controls)) {
-      auto& command = commands_.emplace_back();
-      for (std::size_t i = 0; i < values.size(); ++i) command.push_back({controls[i], values[i]});
-    }
+    commands_ = all_assignments(program.variables, controls);
   }
 
   std::optional<Fewest> run() {
@@ -183,7 +180,11 @@ RC_GTEST_PROP(Software, CountsImprobableDrawsAsTheProgramDoes, ()) {
   automata::PlantStep step(plant);
   std::vector<VariableId> controls;
   for (const automata::Control& control : plant.controls) controls.push_back(control.variable);
-  const auto commands = all_values(plant.variables, controls);
+  std::vector<automata::ControlAction> commands;
+  for (const auto& given : all_assignments(plant.variables, controls)) {
+    automata::ControlAction& action = commands.emplace_back();
+    for (const Assignment& a : given) action.push_back(a.value);
+  }
   const auto visit = [&](const std::vector<std::vector<automata::Move>>& moves, const auto& each) {
     base::for_each_combination(moves, [&](const std::vector<automata::Move>& taken) {
       automata::Modes modes;

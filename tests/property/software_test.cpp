@@ -56,11 +56,10 @@ RC_GTEST_PROP(Software, AsksOfModesAndCommandsWhatIsNotTold, ()) {
       theory.tell_if({component.mode, ValueId(m)}, component.modes[m].constraint);
     }
   }
-  for (const auto& mode_values : all_values(plant.variables, modes)) {
-    for (const auto& command : all_values(plant.variables, controls)) {
-      std::vector<Assignment> store;
-      for (std::size_t i = 0; i < modes.size(); ++i) store.push_back({modes[i], mode_values[i]});
-      for (std::size_t i = 0; i < controls.size(); ++i) store.push_back({controls[i], command[i]});
+  for (const auto& told_modes : all_assignments(plant.variables, modes)) {
+    for (const auto& command : all_assignments(plant.variables, controls)) {
+      std::vector<Assignment> store = told_modes;
+      store.insert(store.end(), command.begin(), command.end());
       if (!theory.consistent(store)) continue;
       const Formula answer = untold.of(asked, store.front());
       const bool told = theory.entails(store, theory.encode(asked));
