@@ -22,13 +22,17 @@ bool IslandStore::possible(const Modes& modes) {
 }
 
 std::vector<ComponentId> IslandStore::conflict(const Modes& modes) {
-  [[maybe_unused]] const bool consistent = theory_().consistent(theory_.assumptions(modes));
-  CHECK(!consistent);
-  std::vector<ComponentId> result;
-  for (const Assignment& a : theory_().minimal_conflict(theory_().conflict())) {
-    result.push_back(theory_.island().support.components[a.variable.index()]);
-  }
-  return result;
+  const Support support{theory_.island().support.components, {}};
+  if (!conflicts_) conflicts_.emplace(theory_.plant(), support);
+  return conflicts_->find(modes, ControlAction{}, [&] {
+    [[maybe_unused]] const bool consistent = theory_().consistent(theory_.assumptions(modes));
+    CHECK(!consistent);
+    std::vector<ComponentId> result;
+    for (const Assignment& a : theory_().minimal_conflict(theory_().conflict())) {
+      result.push_back(theory_.island().support.components[a.variable.index()]);
+    }
+    return result;
+  });
 }
 
 void IslandStore::observe(std::span<const Assignment> readings) {

@@ -54,6 +54,7 @@ class IslandStore {
 
   IslandTheory theory_;
   std::optional<Consistency> possible_;  ///< where something may contradict the island
+  std::optional<Memory<std::vector<ComponentId>>> conflicts_;  ///< once asked for
   std::vector<Assignment> readings_;     ///< of the theory's variables
   std::uint64_t seen_ = 0;               ///< a number that the readings have, and no others
   std::uint64_t seen_so_far_ = 0;
