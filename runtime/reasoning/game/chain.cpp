@@ -156,8 +156,32 @@ GameSet keeping_edges(const Game& game, const Backward& backward, const GameSet&
   return result;
 }
 
+GameSet sure_nodes(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& target) {
+  constexpr auto never = static_cast<std::uint32_t>(-1);
+  GameSet result(target);
+  std::vector<std::uint32_t> left(game.edges().size()), found;  // left: outcomes that have not led on
+  for (std::uint32_t e = 0; e < left.size(); ++e) {
+    const Game::Edge& edge = game.edges()[e];
+    left[e] = permitted[e] && edge.count > 0 && edge.ends ? edge.count : never;
+  }
+  for (std::uint32_t n = 0; n < target.size(); ++n) {
+    if (target[n]) found.push_back(n);
+  }
+  while (!found.empty()) {
+    const std::uint32_t n = found.back();
+    found.pop_back();
+    for (const auto& arc : backward.into[n]) {
+      const std::uint32_t from = backward.node_of[arc.edge];
+      if (left[arc.edge] == never || --left[arc.edge] > 0 || result[from]) continue;
+      result[from] = true;
+      found.push_back(from);
+    }
+  }
+  return result;
+}
+
 Chain::Chain(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& target,
-             const std::vector<Cost>& terminal, Rank last)
+             const std::vector<Cost>& terminal)
     : game_(game), backward_(backward), permitted_(permitted), target_(target), states_(game.nodes().size()) {
   for (std::uint32_t n = 0; n < target.size(); ++n) {
     if (target[n]) states_[n] = {Rank::sure, terminal.empty() ? Cost{} : terminal[n], GameDecision::no_edge};
@@ -165,7 +189,7 @@ Chain::Chain(const Game& game, const Backward& backward, const GameSet& permitte
   if (std::find(target.begin(), target.end(), true) == target.end()) return;
   solve(Rank::sure, nullptr);
   const bool all = std::none_of(states_.begin(), states_.end(), [](const State& s) { return s.rank == Rank::none; });
-  if (all || last == Rank::sure) return;
+  if (all) return;
   const GameSet fair = fair_nodes();
   solve(Rank::fair, &fair);
   solve(Rank::hoped, nullptr);

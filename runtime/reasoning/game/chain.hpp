@@ -33,6 +33,9 @@ GameSet kept_nodes(const Game& game, const Backward& backward, const GameSet& pe
 /// resting where that leads to one.
 GameSet keeping_edges(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& kept);
 
+/// From where permitted actions lead to the target on every run. Cost: the outcomes of the game.
+GameSet sure_nodes(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& target);
+
 /// Ranks are solved best first; where an outcome has a better one, its own cost counts there. Keeps references.
 class Chain {
  public:
@@ -42,10 +45,9 @@ class Chain {
     std::uint32_t edge = GameDecision::no_edge;  ///< none in the target
   };
 
-  /// `permitted`: by edge. `terminal`: by node, what a run costs that ends there; empty where nothing. `last`: no worse
-  /// ranks are looked at.
+  /// `permitted`: by edge. `terminal`: by node, what a run costs that ends there; empty where nothing.
   Chain(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& target,
-        const std::vector<Cost>& terminal, Rank last = Rank::hoped);
+        const std::vector<Cost>& terminal);
 
   [[nodiscard]] const State& at(std::uint32_t node) const { return states_[node]; }
 

@@ -102,8 +102,7 @@ Level GameWays::level(std::uint64_t commands) const {
 bool GameWays::have(std::uint64_t commands, Level best) const {
   if (best != Level{Rank::sure, true}) return level(commands) == best;
   const GameSet edges = permitted(commands);
-  return Chain(game_, backward_, edges, kept_nodes(game_, backward_, edges), {}, Rank::sure).at(start_).rank ==
-         Rank::sure;
+  return sure_nodes(game_, backward_, edges, kept_nodes(game_, backward_, edges))[start_];
 }
 
 /// Leaves out the last commands first, so that the way keeps those declared first.
