@@ -250,6 +250,7 @@ RC_GTEST_PROP(StrategyInForce, HasWhatTheTwinHas, ()) {
 std::string beside_the_best(const Engineered& drawn, reference::TickArena& ticks, const reference::Solution& best,
                             Knows knows) {
   ClosedLoop loop(drawn, ticks, knows);
+  if (loop.is_stuck()) return "stuck";  // resting may bring what the model excludes
   const auto cycles = best.level.lasts ? loop.until_it_lasts() : loop.until_it_holds();
   if (!cycles) return "never";
   return *cycles * second <= best.cost.time.ticks ? "as fast as can be" : "slower";

@@ -42,9 +42,11 @@ Game::Game(Board& board, Node start) : board_(board), all_([](Node, const Option
   kept_ = reference::kept(board_, all_);
   for (const auto& [node, options] : board_.nodes())
     if (board_.holds(node)) holding_.insert(node);
+  find_keeps();
   find_holds();
 
-  const bool rewards = has_rewards(board_.step().plant());
+  // Where the goal is kept nothing is to be reached.
+  const bool rewards = has_rewards(board_.step().plant()) && !kept_.contains(start);
   for (const Commands& way : rewards ? ways(start) : std::set<Commands>{{}}) {
     Chains found = chains(start, rewards ? counted(start, way) : std::set<std::size_t>{});
     const Level level = best(found, start);
@@ -194,24 +196,67 @@ const Option* Game::rest_option(Node node) const {
   return nullptr;
 }
 
-/// What is sent where nothing is wanted, if that keeps the goal; else the least by what it takes and moves at worst.
-const Option* Game::keeping(Node node) const {
-  const auto keeps = [&](const Option& option) {
-    return std::all_of(option.ways.begin(), option.ways.end(),
-                       [&](const Option::Way& way) { return kept_.contains(way.to); });
-  };
-  const auto cost = [](const Option& option) {
+bool Game::keeps(const Option& option) const {
+  return std::all_of(option.ways.begin(), option.ways.end(),
+                     [&](const Option::Way& way) { return kept_.contains(way.to); });
+}
+
+/// Of the options of a node that count the least by what it takes and moves at worst.
+template <class Counts>
+const Option* Game::least(Node node, const Counts& counts) const {
+  const auto key = [&](const Option& option) {
     std::tuple<std::size_t, std::size_t> worst;
     for (const Option::Way& way : option.ways) worst = std::max(worst, {way.cost.irreversible, way.cost.disturbed});
-    return worst;
+    return std::tuple(worst, board_.step().off_idle(option.action), option.action);
   };
-  const Option* best = rest_option(node);
-  if (best != nullptr && keeps(*best)) return best;
-  best = nullptr;
-  const auto key = [&](const Option& o) { return std::tuple(cost(o), board_.step().off_idle(o.action), o.action); };
+  const Option* best = nullptr;
   for (const Option& option : board_.options(node))
-    if (keeps(option) && (best == nullptr || key(option) < key(*best))) best = &option;
+    if (counts(option) && (best == nullptr || key(option) < key(*best))) best = &option;
   return best;
+}
+
+/// What is sent where nothing is wanted, if that keeps the goal; else the least that does.
+void Game::find_keeps() {
+  const auto rests = [&](Node node) {
+    const Option* rest = rest_option(node);
+    return rest != nullptr && keeps(*rest) ? rest : nullptr;
+  };
+  if (board_.arena().actions_take_time()) {
+    for (const Node node : kept_) {
+      const Option* rest = rests(node);
+      keeps_[node] = rest != nullptr ? rest : least(node, [&](const Option& option) { return keeps(option); });
+    }
+    return;
+  }
+  // What leads to a wait, step by step: by resting as long as that does, then where resting does not keep the goal,
+  // then where it goes round in circles.
+  const auto leads = [&](const Option& option) {
+    return keeps(option) && (option.waits || std::all_of(option.ways.begin(), option.ways.end(),
+                                                         [&](const auto& way) { return keeps_.contains(way.to); }));
+  };
+  const auto found = [&](const auto& choose) {
+    std::map<Node, const Option*> next;
+    for (const Node node : kept_) {
+      if (keeps_.contains(node)) continue;
+      if (const Option* option = choose(node)) next[node] = option;
+    }
+    keeps_.insert(next.begin(), next.end());
+    return !next.empty();
+  };
+  const auto by_rest = [&](Node node) {
+    const Option* rest = rests(node);
+    return rest != nullptr && leads(*rest) ? rest : nullptr;
+  };
+  const auto by_action = [&](Node node) { return rests(node) == nullptr ? least(node, leads) : nullptr; };
+  const auto out_of_circles = [&](Node node) { return least(node, leads); };
+  while (found(by_rest) || found(by_action) || found(out_of_circles)) {
+  }
+}
+
+/// What keeps the goal in a node of K.
+const Option* Game::keeping(Node node) const {
+  const auto at = keeps_.find(node);
+  return at == keeps_.end() ? nullptr : at->second;
 }
 
 /// The longest time for which the goal holds at worst, by steps more and more far-sighted.

@@ -77,8 +77,12 @@ class Game {
   [[nodiscard]] Chains chains(Node start, const std::set<std::size_t>& counted) const;
   [[nodiscard]] const Option* rest_option(Node node) const;
   [[nodiscard]] Decision decide(const Chains& chains, Node node, std::optional<Level> bound) const;
+  [[nodiscard]] bool keeps(const Option& option) const;
+  template <class Counts>
+  [[nodiscard]] const Option* least(Node node, const Counts& counts) const;
   [[nodiscard]] const Option* keeping(Node node) const;
   [[nodiscard]] const std::set<Node>& later(Node node) const;
+  void find_keeps();
   void find_holds();
   void follow(const Chains& chains, Node start);
 
@@ -86,6 +90,7 @@ class Game {
   May all_;
   std::set<Node> kept_;
   std::set<Node> holding_;
+  std::map<Node, const Option*> keeps_;    ///< of K
   std::map<Node, const Option*> longest_;  ///< where the goal holds and cannot be kept
   Solution solution_;
   std::optional<Chains> chains_;

@@ -3,6 +3,7 @@
 #include "runtime/reasoning/game/chain.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -75,8 +76,9 @@ void shrink(const Game& game, const Backward& backward, const GameSet& permitted
   }
 }
 
-/// Of edges in a set of nodes those that lead to a wait in it, whatever comes: first by resting, then by a wait at
-/// once, then by the fewest commands.
+/// Of edges in a set of nodes those that lead to a wait in it, whatever comes: of a node those by which it is nearest.
+/// Resting is no distance. A node in which the executive could rest does something else only if resting goes round in
+/// circles without a wait.
 GameSet edges_to_waits(const Game& game, const Backward& backward, const GameSet& permitted, const GameSet& keep) {
   constexpr auto never = static_cast<std::uint32_t>(-1);
   GameSet result(game.edges().size()), found(keep.size());
@@ -87,44 +89,43 @@ GameSet edges_to_waits(const Game& game, const Backward& backward, const GameSet
     for (std::uint32_t o = edge.first; o < edge.first + edge.count; ++o) stays = stays && keep[game.outcomes()[o].node];
     left[e] = stays ? edge.count : never;
   }
-  const auto rests = [&](std::uint32_t e) { return e == game.nodes()[backward.node_of[e]].first; };
+  const auto rest_of = [&](std::uint32_t e) { return game.nodes()[backward.node_of[e]].first; };
   const auto take = [&](std::uint32_t e) {
     const std::uint32_t n = backward.node_of[e];
     result[e] = true;
     if (!found[n]) open.push_back(n);
     found[n] = true;
   };
-  const auto spread = [&] {
+  for (std::uint32_t e = 0; e < result.size(); ++e) {
+    if (!game.edges()[e].waits || left[e] == never) continue;
+    if (e == rest_of(e)) {
+      take(e);
+    } else {
+      ready.push_back(e);
+    }
+  }
+  for (;;) {
     while (!open.empty()) {
       const std::uint32_t n = open.back();
       open.pop_back();
       for (const auto& arc : backward.into[n]) {
         if (left[arc.edge] == never || --left[arc.edge] > 0 || found[backward.node_of[arc.edge]]) continue;
-        if (rests(arc.edge)) {
+        if (arc.edge == rest_of(arc.edge)) {
           take(arc.edge);
         } else {
           ready.push_back(arc.edge);
         }
       }
     }
-  };
-  /// All at one distance at once: each is as good as another.
-  const auto take_all = [&](std::vector<std::uint32_t> edges) {
-    std::erase_if(edges, [&](std::uint32_t e) { return found[backward.node_of[e]]; });
-    for (const std::uint32_t e : edges) take(e);
-    spread();
-  };
-  std::vector<std::uint32_t> waits;
-  for (std::uint32_t e = 0; e < result.size(); ++e) {
-    if (game.edges()[e].waits && left[e] != never) waits.push_back(e);
+    // All at one distance at once: each is as good as another.
+    std::erase_if(ready, [&](std::uint32_t e) { return found[backward.node_of[e]]; });
+    std::vector<std::uint32_t> nearest;
+    std::copy_if(ready.begin(), ready.end(), std::back_inserter(nearest),
+                 [&](std::uint32_t e) { return left[rest_of(e)] == never; });
+    if (nearest.empty()) nearest = ready;
+    if (nearest.empty()) return result;
+    for (const std::uint32_t e : nearest) take(e);
   }
-  for (const std::uint32_t e : waits) {
-    if (rests(e)) take(e);
-  }
-  spread();
-  take_all(std::move(waits));
-  while (!ready.empty()) take_all(std::exchange(ready, {}));
-  return result;
 }
 
 }  // namespace
