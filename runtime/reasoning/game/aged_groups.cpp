@@ -69,7 +69,7 @@ bool Strategist::bounds_matter(const Group& group, const Modes& modes) const {
 
 /// Of a group that was solved over modes: over ages, too, where that can make a difference. Where the game over ages is
 /// too large, its part with few ages stands if its strategy is surer than what is known without bounds.
-void Strategist::count_ages(Group& group, const Played& over_modes, const Modes& modes) {
+void Strategist::count_ages(Group& group, const PlayedGame& over_modes, const Modes& modes) {
   if (!bounds_matter(group, modes) || rests_for_good(*group.solved)) {
     group.ages.reset();
     return;
@@ -95,7 +95,7 @@ void Strategist::count_ages(Group& group, const Played& over_modes, const Modes&
 bool Strategist::play_over_ages(Group& group, const MakeArena& make_arena, const Game::Limits& limits,
                                 const Modes& modes) {
   auto& games = aged_games_[{group.parts, group.played()}];
-  for (Played& played : games) {
+  for (PlayedGame& played : games) {
     if (played.best == limits.alike.has_value() || !in_context(*played.arena, modes)) continue;
     if (const auto start = played.game->find(modes, group.ages)) {
       if (played.game->too_large() && *start != 0) continue;
@@ -107,7 +107,7 @@ bool Strategist::play_over_ages(Group& group, const MakeArena& make_arena, const
   const std::shared_ptr<Arena> arena = make_arena();
   auto game = kept_with(arena, new Game(*arena, Game::Memory::ages, *cycle_, limits, modes, group.ages));
   if (games.size() >= games_remembered) games.erase(games.begin());
-  Played& played = games.emplace_back();
+  PlayedGame& played = games.emplace_back();
   played.arena = arena;
   played.game = std::move(game);
   played.best = !limits.alike;
@@ -125,7 +125,7 @@ bool Strategist::go_on(Group& group, const Modes& modes) {
     group.components = joined(whole, group.least);
   }
   if (!is_small(group, modes)) return false;
-  Played& played = game_of(group, modes, group.least.empty());
+  PlayedGame& played = game_of(group, modes, group.least.empty());
   if (played.game->too_large()) return false;
   group.solved = solved(played, *played.game->find(modes), group.parts);
   count_ages(group, played, modes);
@@ -155,7 +155,7 @@ std::vector<Strategist::Group> Strategist::first_groups(const Modes& modes, cons
 /// Whether the goal of a group is kept by resting from these modes on: what is known of ages makes nothing better.
 bool Strategist::rests_from(const SolvedGame& solved, const Modes& modes) {
   const Group group{.parts = solved.parts, .components = solved.game->arena().components()};
-  Played& played = game_of(group, modes);
+  PlayedGame& played = game_of(group, modes);
   if (played.game->too_large()) return false;
   return rests_for_good(this->solved(played, *played.game->find(modes), solved.parts));
 }

@@ -164,7 +164,7 @@ bool Strategist::solve_least(Group& group, const Modes& modes) {
   }
   bool aged = false;
   for (;;) {
-    Played* const played = is_small(few, modes) ? &game_of(few, modes, false) : nullptr;
+    PlayedGame* const played = is_small(few, modes) ? &game_of(few, modes, false) : nullptr;
     if (played == nullptr || played->game->too_large()) break;
     few.solved = solved(*played, *played->game->find(modes), few.parts);
     if (counts_ages_) count_ages(few, *played, modes);

@@ -9,7 +9,8 @@ namespace rmpl::runtime {
 using automata::ComponentId;
 using automata::Modes;
 
-PlantGames::PlantGames(const automata::PlantStep& step) : step_(step), excludes_(step.locality().islands().size()) {}
+PlantGames::PlantGames(automata::PlantStep& step, const NominalGraph& graph)
+    : step_(step), graph_(graph), excludes_(step.locality().islands().size()) {}
 
 bool PlantGames::excludes(std::size_t island) {
   auto& known = excludes_[island];
@@ -35,6 +36,11 @@ void PlantGames::note(const Game& game, const Modes& modes) {
   if (!game.beyond_limits()) return;
   if (large_.size() >= most_remembered) large_.clear();
   large_.insert(start_of(game.arena(), modes));
+}
+
+const GameGoal& PlantGames::no_goal() {
+  if (!no_goal_) no_goal_.emplace(automata::constant(true), step_, graph_);
+  return *no_goal_;
 }
 
 }  // namespace rmpl::runtime

@@ -37,7 +37,7 @@ Strategist::Group Strategist::reward_group(std::vector<ComponentId> components, 
 bool Strategist::pursue(Group& group, const Modes& modes, const std::vector<ComponentId>& taken) {
   for (;;) {
     if (!is_small(group, modes)) return false;
-    Played& played = game_of(group, modes);
+    PlayedGame& played = game_of(group, modes);
     if (played.game->too_large() || meet(played.arena->context(), taken)) return false;
     if (!played.rewards) played.rewards = std::make_shared<GameRewards>(*played.game);
     const std::uint32_t start = *played.game->find(modes);

@@ -22,6 +22,7 @@ constexpr std::size_t most_game_outcomes = std::size_t{1} << 21;  // solved in a
 constexpr std::size_t many_outcomes = std::size_t{1} << 16;       // beyond it a game is large
 constexpr std::size_t most_remembered = 3 * most_game_outcomes;   // beyond it large games are forgotten
 constexpr std::size_t most_combinations = std::size_t{1} << 16;   // of modes; beyond it no game is begun
+constexpr std::size_t some_combinations = std::size_t{1} << 8;    // beyond it a game takes long
 constexpr std::size_t few_combinations = std::size_t{1} << 6;     // the same of a least group
 constexpr std::size_t games_remembered = 16;                      // of one group, in different contexts
 constexpr std::size_t solutions_remembered = 64;                  // of one game
@@ -39,7 +40,7 @@ Strategist::Strategist(automata::PlantStep& step, const NominalGraph& graph, con
       least_(least),
       goal_(goal, step, graph),
       goal_text_(to_text(goal, step.plant().variables)),
-      common_(common ? std::move(common) : std::make_shared<PlantGames>(step)) {
+      common_(common ? std::move(common) : std::make_shared<PlantGames>(step, graph)) {
   for (std::size_t p = 0; p < goal_.parts(); ++p) {
     auto components = relevant == Relevant::read ? goal_.read_by(p) : graph.upstream(goal_.read_by(p));
     std::sort(components.begin(), components.end());
@@ -56,28 +57,41 @@ bool Strategist::in_context(const Arena& arena, const Modes& modes) {
 
 /// Forgets the large games of all groups where they have become many.
 void Strategist::forget_large() {
+  const auto for_each = [&](const auto& visit) {
+    for (auto& [key, games] : games_) visit(games);
+    for (auto& [components, games] : common_->games_without_goal()) visit(games);
+  };
   std::size_t outcomes = 0;
-  for (const auto& [key, games] : games_) {
-    for (const Played& played : games) outcomes += played.game->outcomes().size();
-  }
+  for_each([&](const std::vector<PlayedGame>& games) {
+    for (const PlayedGame& played : games) outcomes += played.game->outcomes().size();
+  });
   if (outcomes <= most_remembered) return;
-  for (auto& [key, games] : games_) {
-    std::erase_if(games, [](const Played& played) { return played.game->outcomes().size() > many_outcomes; });
-  }
+  for_each([](std::vector<PlayedGame>& games) {
+    std::erase_if(games, [](const PlayedGame& played) { return played.game->outcomes().size() > many_outcomes; });
+  });
+}
+
+/// Whether the goal asks for nothing in the group, and licenses nothing there: it speaks of none of its components.
+bool Strategist::is_left_alone(const Group& group) const {
+  const auto& components = group.played();
+  return group.parts.empty() &&
+         std::none_of(components.begin(), components.end(), [&](ComponentId c) { return goal_.reads(c); });
 }
 
 /// The components of the group, with all actions or with useful ones only.
 std::shared_ptr<Arena> Strategist::arena_of(const Group& group, const Modes& modes, bool all_actions) {
-  auto arena = std::make_shared<Arena>(step_, graph_, goal_, group.parts, group.played(), modes,
+  const GameGoal& goal = is_left_alone(group) ? common_->no_goal() : goal_;
+  auto arena = std::make_shared<Arena>(step_, graph_, goal, group.parts, group.played(), modes,
                                        [this](std::size_t island) { return common_->excludes(island); });
   if (!all_actions) arena->restrict_to_useful();
   return arena;
 }
 
 /// With all actions; where that is too large and `useful` is asked for, with useful ones.
-Strategist::Played& Strategist::game_of(const Group& group, const Modes& modes, bool useful) {
-  auto& games = games_[{group.parts, group.played()}];
-  const auto play = [&](Played& played, bool best) {
+PlayedGame& Strategist::game_of(const Group& group, const Modes& modes, bool useful) {
+  auto& games =
+      is_left_alone(group) ? common_->games_without_goal()[group.played()] : games_[{group.parts, group.played()}];
+  const auto play = [&](PlayedGame& played, bool best) {
     played.arena = arena_of(group, modes, best);
     Game::Limits limits{most_game_nodes, best ? few_outcomes : most_game_outcomes};
     if (best && common_->is_large(*played.arena, modes)) limits = {0, 0};
@@ -86,20 +100,20 @@ Strategist::Played& Strategist::game_of(const Group& group, const Modes& modes, 
     if (best) common_->note(*played.game, modes);
     played.best = best;
   };
-  for (Played& played : games) {
+  for (PlayedGame& played : games) {
     if (!in_context(*played.arena, modes) || !(played.game->too_large() || played.game->find(modes))) continue;
     if (useful && played.best && played.game->too_large()) play(played, false);
     return played;
   }
   if (games.size() >= games_remembered) games.erase(games.begin());
   forget_large();
-  Played& played = games.emplace_back();
+  PlayedGame& played = games.emplace_back();
   play(played, true);
   if (useful && played.game->too_large()) play(played, false);
   return played;
 }
 
-SolvedGame Strategist::solved(Played& played, std::uint32_t start, const std::vector<std::size_t>& parts) {
+SolvedGame Strategist::solved(PlayedGame& played, std::uint32_t start, const std::vector<std::size_t>& parts) {
   auto& known = played.solutions;
   const bool one = !known.empty() && known.begin()->second->is_of_all_nodes();
   if (!one && known.size() >= solutions_remembered) known.clear();
@@ -113,9 +127,8 @@ std::shared_ptr<const Game> Strategist::kept_with(std::shared_ptr<Arena> arena, 
   return {game, [arena = std::move(arena)](const Game* told) { delete told; }};
 }
 
-/// Whether a game is begun at all.
-bool Strategist::is_small(const Group& group, const Modes& modes) const {
-  const std::size_t most = group.least.empty() ? most_combinations : few_combinations;
+/// Whether its components may come to no more than so many combinations of modes, each by itself.
+bool Strategist::has_at_most(std::size_t most, const Group& group, const Modes& modes) const {
   std::size_t combinations = 1;
   for (const ComponentId c : group.played()) {
     std::size_t reached = 0;
@@ -127,17 +140,23 @@ bool Strategist::is_small(const Group& group, const Modes& modes) const {
   return true;
 }
 
+/// Whether a game is begun at all.
+bool Strategist::is_small(const Group& group, const Modes& modes) const {
+  return has_at_most(group.least.empty() ? most_combinations : few_combinations, group, modes);
+}
+
 /// Whether the group is small enough; then it is solved, with all that its strategy disturbs. Where that is too much to
-/// solve with all actions, it is solved with the least components that will do. Else the strategy stands without what
-/// it disturbs, if no harm can come of that; it is not proved best then.
+/// solve with all actions, or takes long, it is solved with the least components that will do. Else the strategy stands
+/// without what it disturbs, if no harm can come of that; it is not proved best then.
 bool Strategist::solve_group(Group& group, const Modes& modes) {
   bool tries_least = !holds_;
-  if (tries_least && least_ == Least::all && solve_least(group, modes)) return true;
+  const bool least_first = least_ == Least::all || !has_at_most(some_combinations, group, modes);
+  if (tries_least && least_first && solve_least(group, modes)) return true;
   std::optional<Group> smaller;   // solved, without what it disturbs
   std::vector<ComponentId> more;  // what it disturbs
   for (;;) {
     const bool small = is_small(group, modes);
-    Played* played = small ? &game_of(group, modes, !tries_least) : nullptr;
+    PlayedGame* played = small ? &game_of(group, modes, !tries_least) : nullptr;
     if (tries_least && (!small || played->game->too_large())) {
       if (solve_least(group, modes)) return true;
       tries_least = false;

@@ -18,6 +18,7 @@
 #include "runtime/reasoning/game/game.hpp"
 #include "runtime/reasoning/game/game_goal.hpp"
 #include "runtime/reasoning/game/plant_games.hpp"
+#include "runtime/reasoning/game/played_game.hpp"
 #include "runtime/reasoning/game/position.hpp"
 #include "runtime/reasoning/game/rewards.hpp"
 #include "runtime/reasoning/game/solve.hpp"
@@ -155,14 +156,8 @@ class Strategist {
       return edge == GameDecision::no_edge && at.count > 0 ? at.first : edge;
     }
   };
-  struct Played {
-    std::shared_ptr<Arena> arena;
-    std::shared_ptr<const Game> game;
-    std::unordered_map<std::uint32_t, std::shared_ptr<const Solution>> solutions = {};  ///< by start, where it counts
-    bool best = true;                           ///< else only useful actions were looked at
-    std::shared_ptr<GameRewards> rewards = {};  ///< once they were asked for
-  };
 
+  [[nodiscard]] bool has_at_most(std::size_t most, const Group& group, const automata::Modes& modes) const;
   [[nodiscard]] bool is_small(const Group& group, const automata::Modes& modes) const;
   bool solve_group(Group& group, const automata::Modes& modes);
   /// What is said of the answer of a group that is solved with few components.
@@ -192,16 +187,17 @@ class Strategist {
   Group reward_group(std::vector<automata::ComponentId> components, std::vector<std::size_t> parts,
                      const std::vector<automata::ComponentId>& taken);
   static bool in_context(const Arena& arena, const automata::Modes& modes);
+  [[nodiscard]] bool is_left_alone(const Group& group) const;
   void forget_large();
-  Played& game_of(const Group& group, const automata::Modes& modes, bool useful = true);
+  PlayedGame& game_of(const Group& group, const automata::Modes& modes, bool useful = true);
   static std::shared_ptr<const Game> kept_with(std::shared_ptr<Arena> arena, const Game* game);
-  static SolvedGame solved(Played& played, std::uint32_t start, const std::vector<std::size_t>& parts);
+  static SolvedGame solved(PlayedGame& played, std::uint32_t start, const std::vector<std::size_t>& parts);
   std::vector<Group> first_groups(const automata::Modes& modes, const StrategyPosition& position);
   bool go_on(Group& group, const automata::Modes& modes);
   [[nodiscard]] bool bounds_matter(const Group& group, const automata::Modes& modes) const;
   Answer answer(const automata::Modes& modes, const StrategyPosition& position);
   bool rests_from(const SolvedGame& solved, const automata::Modes& modes);
-  void count_ages(Group& group, const Played& over_modes, const automata::Modes& modes);
+  void count_ages(Group& group, const PlayedGame& over_modes, const automata::Modes& modes);
   using MakeArena = base::FunctionRef<std::shared_ptr<Arena>()>;
   bool play_over_ages(Group& group, const MakeArena& make_arena, const Game::Limits& limits,
                       const automata::Modes& modes);
@@ -231,8 +227,8 @@ class Strategist {
   std::string goal_text_;
   std::vector<std::vector<automata::ComponentId>> relevant_;  ///< by part
   using Key = std::pair<std::vector<std::size_t>, std::vector<automata::ComponentId>>;
-  std::map<Key, std::vector<Played>> games_;       ///< over modes
-  std::map<Key, std::vector<Played>> aged_games_;  ///< over modes and ages
+  std::map<Key, std::vector<PlayedGame>> games_;       ///< over modes, but for those that the goal leaves alone
+  std::map<Key, std::vector<PlayedGame>> aged_games_;  ///< over modes and ages
   std::shared_ptr<PlantGames> common_;
   std::set<Key> without_least_;  ///< groups, with their components, that have no least ones for the answer at hand
 };

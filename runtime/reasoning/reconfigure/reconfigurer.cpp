@@ -33,7 +33,7 @@ class StrategyReconfigurer : public Reconfigurer {
       : step_(step),
         cycle_(cycle),
         graph_(std::move(graph)),
-        common_(std::make_shared<PlantGames>(step)),
+        common_(std::make_shared<PlantGames>(step, *graph_)),
         interpreter_(step, *graph_),
         goals_(step) {}
 
