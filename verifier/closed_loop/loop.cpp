@@ -375,8 +375,10 @@ std::vector<Wait> Loop::waits(LoopStateId id) {
       intervals = std::move(both);
       restless = restless || (anew[c] ? leaves_anew(turn, state.modes, c) : !turn.exits.open[c].empty());
     }
-    // Time passes from the second round on with its clock at 0.
-    const auto stays_at_0 = [](const Interval& interval) { return interval.lower == 0 && interval.upper > 0; };
+    // Time passes from the second round on with its clock at 0: in sampled time a wait that begins there is a period.
+    const auto stays_at_0 = [&](const Interval& interval) {
+      return interval.lower == 0 && (interval.upper > 0 || !time_.is_dense());
+    };
     if (anew[c] && std::none_of(intervals.begin(), intervals.end(), stays_at_0)) return {};
     std::vector<Wait> longer;
     for (const Wait& wait : result) {
