@@ -96,6 +96,8 @@ bool Executive::fits(const automata::Modes& modes, const automata::Formula& goal
   // Of several actions where idling contradicts the model, any.
   const bool rests = !rest || *rest != step_.idle() || step_.actions()[*rest] == advice.action;
   if (goal.is_true()) return rests;
+  const auto resting = rest ? asked.arena.turn(node, *rest) : std::nullopt;
+  if (resting && resting->dead) return true;
   asked.explore(node);
   if (!asked.hopeful.contains(node)) return rests;
   if (advice.no_plan) return false;

@@ -25,9 +25,9 @@ struct Advice {
 
 /// Advice is fit
 /// - for no goal, and where permitted actions lead to no state in which the goal holds, commands that have nothing to
-/// do
-///   with it left out, which would at best pass the time: if it is what is sent where
-///   nothing is wanted; only there *no plan* is fit;
+///   do with it left out, which would at best pass the time: if it is what is sent where nothing is wanted; only there
+///   *no plan* is fit;
+/// - where the model excludes all that resting could bring, whatever it is;
 /// - else if the action is permitted: it does no harm that could not come anyway; and where the goal can be kept, if
 ///   the action keeps it, whatever comes of it.
 /// Which of several fit actions costs least is the question of the strategies.
