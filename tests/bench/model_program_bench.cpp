@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "tests/bench/processor_time.hpp"
 
 using namespace rmpl;

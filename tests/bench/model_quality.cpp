@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "automata/step/marking_step.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "tests/bench/example.hpp"
 
 using namespace rmpl;

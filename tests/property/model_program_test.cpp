@@ -16,7 +16,7 @@
 #include "automata/step/marking_step.hpp"
 #include "automata/step/plant_step.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/property/generate_model_program.hpp"

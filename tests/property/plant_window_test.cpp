@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "runtime/reasoning/estimate/plant_window.hpp"
+#include "runtime/reasoning/estimate/window/plant_window.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/reference/belief.hpp"

@@ -17,7 +17,7 @@
 #include "automata/store/plain_store.hpp"
 #include "base/limit_error.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "tests/property/draw.hpp"
 #include "tests/property/generate.hpp"
 #include "tests/property/generate_software.hpp"

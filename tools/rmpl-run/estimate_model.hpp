@@ -5,7 +5,7 @@
 #include <string>
 
 #include "automata/phca.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "tools/rmpl-run/log_options.hpp"
 #include "tools/shared/options.hpp"
 

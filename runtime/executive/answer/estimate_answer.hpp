@@ -11,7 +11,7 @@
 #include "runtime/executive/trace/json_line.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/plant_window.hpp"
+#include "runtime/reasoning/estimate/window/plant_window.hpp"
 
 namespace rmpl::runtime {
 

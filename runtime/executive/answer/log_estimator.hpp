@@ -15,7 +15,7 @@
 #include "runtime/executive/answer/estimate_answer.hpp"
 #include "runtime/executive/trace/log.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/plant_window.hpp"
+#include "runtime/reasoning/estimate/window/plant_window.hpp"
 
 namespace rmpl::runtime {
 

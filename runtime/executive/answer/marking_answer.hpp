@@ -10,7 +10,7 @@
 #include "automata/phca.hpp"
 #include "runtime/executive/answer/estimate_answer.hpp"
 #include "runtime/executive/trace/json_line.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 
 namespace rmpl::runtime {
 

@@ -12,7 +12,7 @@
 #include "runtime/executive/answer/log_estimator.hpp"
 #include "runtime/executive/answer/marking_answer.hpp"
 #include "runtime/executive/trace/log.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 
 namespace rmpl::runtime {
 

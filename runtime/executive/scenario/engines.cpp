@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "runtime/executive/plant/simulated_plant.hpp"
 #include "runtime/executive/plant/simulated_software.hpp"
-#include "runtime/reasoning/estimate/marked_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marked_estimator.hpp"
 #include "runtime/reasoning/reconfigure/marked_reconfigurer.hpp"
 #include "runtime/reasoning/reconfigure/one_step.hpp"
 

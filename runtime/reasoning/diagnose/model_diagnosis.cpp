@@ -11,7 +11,7 @@
 
 #include "automata/logic/theory.hpp"
 #include "runtime/reasoning/diagnose/threads.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "runtime/reasoning/ocsp/ocsp.hpp"
 
 namespace rmpl::runtime {

@@ -20,7 +20,7 @@ namespace {
 // Beyond these a game over ages is too large. None is tried where the one over modes has more outcomes.
 constexpr Game::Limits aged_limits{std::size_t{1} << 12, std::size_t{1} << 12};
 constexpr Game::Limits few_ages{std::size_t{1} << 11, std::size_t{1} << 13, std::size_t{16}};
-constexpr std::size_t games_remembered = 16;  // of one group
+constexpr std::size_t aged_games_remembered = 16;  // of one group
 
 }  // namespace
 
@@ -106,7 +106,7 @@ bool Strategist::play_over_ages(Group& group, const MakeArena& make_arena, const
   }
   const std::shared_ptr<Arena> arena = make_arena();
   auto game = kept_with(arena, new Game(*arena, Game::Memory::ages, *cycle_, limits, modes, group.ages));
-  if (games.size() >= games_remembered) games.erase(games.begin());
+  if (games.size() >= aged_games_remembered) games.erase(games.begin());
   PlayedGame& played = games.emplace_back();
   played.arena = arena;
   played.game = std::move(game);

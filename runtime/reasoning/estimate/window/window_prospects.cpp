@@ -1,6 +1,6 @@
 // Backwards through the updates, component by component.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/window_prospects.hpp"
+#include "runtime/reasoning/estimate/window/window_prospects.hpp"
 
 #include <algorithm>
 #include <cmath>

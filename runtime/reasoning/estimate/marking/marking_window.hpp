@@ -13,10 +13,10 @@
 #include "automata/dependencies/marking_groups.hpp"
 #include "automata/step/marking_stages.hpp"
 #include "automata/step/marking_step.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
-#include "runtime/reasoning/estimate/marking_filter.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_filter.hpp"
 #include "runtime/reasoning/estimate/reading.hpp"
-#include "runtime/reasoning/estimate/trellis.hpp"
+#include "runtime/reasoning/estimate/window/trellis.hpp"
 
 namespace rmpl::runtime {
 

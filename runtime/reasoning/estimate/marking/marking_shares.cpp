@@ -1,6 +1,6 @@
 // Shares of possible outcomes, backward over the stages of a step.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/marking_shares.hpp"
+#include "runtime/reasoning/estimate/marking/marking_shares.hpp"
 
 #include <cstddef>
 #include <span>

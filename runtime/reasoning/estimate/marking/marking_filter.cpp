@@ -1,6 +1,6 @@
 // Sums over stages where the ways are few, else a search.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/marking_filter.hpp"
+#include "runtime/reasoning/estimate/marking/marking_filter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/marking_search.hpp"
-#include "runtime/reasoning/estimate/marking_shares.hpp"
+#include "runtime/reasoning/estimate/marking/marking_search.hpp"
+#include "runtime/reasoning/estimate/marking/marking_shares.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
 #include "runtime/reasoning/estimate/product.hpp"
 

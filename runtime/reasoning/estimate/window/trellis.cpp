@@ -1,6 +1,6 @@
 // Forward sums and maxima, backward best first.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/trellis.hpp"
+#include "runtime/reasoning/estimate/window/trellis.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // A trellis, or a search, part by part; then the product of the parts.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/plant_window.hpp"
+#include "runtime/reasoning/estimate/window/plant_window.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@
 #include "runtime/reasoning/estimate/order.hpp"
 #include "runtime/reasoning/estimate/possible_share.hpp"
 #include "runtime/reasoning/estimate/set_aside.hpp"
-#include "runtime/reasoning/estimate/trellis.hpp"
-#include "runtime/reasoning/estimate/window_search.hpp"
+#include "runtime/reasoning/estimate/window/trellis.hpp"
+#include "runtime/reasoning/estimate/window/window_search.hpp"
 
 namespace rmpl::runtime {
 

@@ -1,6 +1,6 @@
 // Markings as modes of the facade and of its locations.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/marked_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marked_estimator.hpp"
 
 #include "base/error.hpp"
 

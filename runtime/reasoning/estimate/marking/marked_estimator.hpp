@@ -6,7 +6,7 @@
 
 #include "automata/step/marked_plant.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 
 namespace rmpl::runtime {
 

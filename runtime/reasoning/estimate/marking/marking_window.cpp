@@ -1,6 +1,6 @@
 // A trellis group by group; then the product of the groups.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/marking_window.hpp"
+#include "runtime/reasoning/estimate/marking/marking_window.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,8 +8,8 @@
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/best_tuples.hpp"
 #include "runtime/reasoning/estimate/estimator.hpp"
-#include "runtime/reasoning/estimate/marking_parts.hpp"
-#include "runtime/reasoning/estimate/marking_shares.hpp"
+#include "runtime/reasoning/estimate/marking/marking_parts.hpp"
+#include "runtime/reasoning/estimate/marking/marking_shares.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
 #include "runtime/reasoning/estimate/set_aside.hpp"
 

@@ -1,6 +1,6 @@
 // A queue over sources; each is an optimal constraint satisfaction problem over the parts of its step.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/marking_search.hpp"
+#include "runtime/reasoning/estimate/marking/marking_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Ways are opened best first; each takes its next step only when nothing else may be better.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/window_search.hpp"
+#include "runtime/reasoning/estimate/window/window_search.hpp"
 
 #include <algorithm>
 #include <cmath>

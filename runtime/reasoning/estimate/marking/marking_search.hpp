@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "runtime/reasoning/estimate/marking_filter.hpp"
+#include "runtime/reasoning/estimate/marking/marking_filter.hpp"
 
 namespace rmpl::runtime {
 

@@ -9,7 +9,7 @@
 
 #include "automata/step/marking_stages.hpp"
 #include "automata/step/marking_step.hpp"
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 #include "runtime/reasoning/estimate/set_aside.hpp"
 
 namespace rmpl::runtime {

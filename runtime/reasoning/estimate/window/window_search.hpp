@@ -27,7 +27,7 @@
 #include "runtime/reasoning/estimate/possible_share.hpp"
 #include "runtime/reasoning/estimate/reading.hpp"
 #include "runtime/reasoning/estimate/set_aside.hpp"
-#include "runtime/reasoning/estimate/window_prospects.hpp"
+#include "runtime/reasoning/estimate/window/window_prospects.hpp"
 
 namespace rmpl::runtime {
 

@@ -1,6 +1,6 @@
 // The estimators of model programs: one filter for each independent group of threads, and what they say together.
 // SPDX-License-Identifier: MIT
-#include "runtime/reasoning/estimate/marking_estimator.hpp"
+#include "runtime/reasoning/estimate/marking/marking_estimator.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -9,9 +9,9 @@
 #include "automata/dependencies/marking_groups.hpp"
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/best_tuples.hpp"
-#include "runtime/reasoning/estimate/marking_filter.hpp"
-#include "runtime/reasoning/estimate/marking_parts.hpp"
-#include "runtime/reasoning/estimate/marking_window.hpp"
+#include "runtime/reasoning/estimate/marking/marking_filter.hpp"
+#include "runtime/reasoning/estimate/marking/marking_parts.hpp"
+#include "runtime/reasoning/estimate/marking/marking_window.hpp"
 #include "runtime/reasoning/estimate/order.hpp"
 
 namespace rmpl::runtime {
