@@ -1,4 +1,4 @@
-# -DRMPL_UNITY=ON compiles the files of a folder as one, ten at most. Each unit is a file that includes its sources by
+# -DRMPL_UNITY=ON compiles the files of a folder as one, twenty at most. Each unit is a file that includes its sources by
 # their names from the root: a compiler cache then finds it again in any other clone.
 
 # rmpl_units(<result> <target> <sources…>): the sources as units; the sources themselves where RMPL_UNITY is off.
@@ -18,9 +18,9 @@ function(rmpl_units result target)
 
   set(units "")
   foreach(folder ${folders})
-    # Parts of nearly the same size: 11 files are 6 and 5.
+    # Parts of nearly the same size: 21 files are 11 and 10.
     list(LENGTH files_${folder} files)
-    math(EXPR parts "(${files} + 9) / 10")
+    math(EXPR parts "(${files} + 19) / 20")
     math(EXPR size "(${files} + ${parts} - 1) / ${parts}")
     foreach(part RANGE 1 ${parts})
       math(EXPR first "(${part} - 1) * ${size}")

@@ -21,7 +21,7 @@ using automata::VariableId;
 using style::Align;
 using Side = Wiring::Side;
 
-constexpr std::size_t constraint_width = 44;  // characters of a line of a constraint
+constexpr std::size_t label_width = 44;  // characters of a line of a constraint
 constexpr std::size_t between_width = 30;     // likewise, where the constraint stands in a line between two blocks
 constexpr std::size_t name_size = 11;         // points
 constexpr std::size_t port_size = 10;
@@ -230,7 +230,7 @@ void PlantDiagram::draw_notes_of(const std::string& module) {
     if (blocks_.module_of(ends) != module) continue;
     std::string rows;
     for (const std::size_t q : note.interconnections) {
-      const auto text = style::wrapped(to_text(plant_.interconnections[q].constraint, names_), constraint_width);
+      const auto text = style::wrapped(to_text(plant_.interconnections[q].constraint, names_), label_width);
       rows += std::string(rows.empty() ? "" : "<HR/>") + R"(<TR><TD BALIGN="LEFT" ALIGN="LEFT">)" +
               style::lines(text, Align::left) + "</TD></TR>";
     }

@@ -18,7 +18,7 @@ using automata::LocationId;
 using automata::Program;
 using style::Align;
 
-constexpr std::size_t guard_width = 28;  // characters of a line on an arrow
+constexpr std::size_t line_width = 28;  // characters of a line on an arrow
 constexpr std::size_t box_width = 60;    // and in the top of a box
 constexpr std::size_t goal_width = 14;   // and in a circle
 
@@ -169,13 +169,13 @@ void ProgramDiagram::draw_primitive(LocationId id) {
   }
   for (const automata::Formula& constraint : location.goal_constraints) {
     const std::string text = automata::to_text(constraint, program_.variables);
-    label += "<BR/>" + style::lines(style::wrapped(text, guard_width), Align::center);
+    label += "<BR/>" + style::lines(style::wrapped(text, line_width), Align::center);
   }
   const bool tells = !look_.told.empty() && !look_.told[id.index()].empty();
-  if (tells) label += "<BR/>" + style::lines(style::wrapped(look_.told[id.index()], guard_width), Align::center);
+  if (tells) label += "<BR/>" + style::lines(style::wrapped(look_.told[id.index()], line_width), Align::center);
   if (location.clock_start) label += "<BR/>" + escaped(program_.clocks[location.clock_start->index()]) + " = 0";
   if (!location.maintenance.is_trivial()) {
-    label += "<BR/>MAINTAIN<BR/>" + condition(location.maintenance, guard_width, Align::center);
+    label += "<BR/>MAINTAIN<BR/>" + condition(location.maintenance, line_width, Align::center);
   }
   const std::string_view fill = location.has_goal() || tells ? style::goal
                                 : location.clock_start       ? style::clock
@@ -251,7 +251,7 @@ void ProgramDiagram::draw_arc(LocationId from, std::size_t position) {
   if (shown_from == to && !(is_shown(from) && is_shown(arc.target))) return;  // inside a folded box
   DotAttributes attributes{{"id", dot_value("arc_" + number(from) + "_" + std::to_string(position + 1))}};
   std::string label;
-  if (!arc.guard.is_trivial()) label = condition(arc.guard, guard_width, Align::left);
+  if (!arc.guard.is_trivial()) label = condition(arc.guard, line_width, Align::left);
   // Graphviz draws no arrow between a box and what is inside it: one to an outer box ends at that box's dot, which is
   // where the box starts again, and one from a box into itself begins inside, and says where it comes from.
   const bool inward = is_open(shown_from) && is_within(to, shown_from);
@@ -281,7 +281,7 @@ void ProgramDiagram::draw_choice(LocationId id, const std::vector<DrawnFunction>
 std::string ProgramDiagram::guard(const std::vector<Condition>& conditions) const {
   std::string text;
   for (const Condition& one : conditions)
-    text += (text.empty() ? "" : "<BR/>") + condition(one, guard_width, Align::left);
+    text += (text.empty() ? "" : "<BR/>") + condition(one, line_width, Align::left);
   return text;
 }
 

@@ -29,7 +29,7 @@ namespace {
 using runtime::LiveResult;
 using runtime::ScenarioOptions;
 using runtime::TraceDetail;
-using Time = runtime::LiveOptions::Time;
+using LiveTime = runtime::LiveOptions::Time;
 
 struct ExecuteOptions {
   std::string program;
@@ -122,7 +122,7 @@ ExitStatus run(const ExecuteOptions& options, const Common& common) {
     const auto write = [&journal](std::string_view line) { journal->append(line); };
     observers.push_back(&trace.emplace(plant, program, write, options.detail, options.keyframe));
   }
-  const bool exact = options.run.plant.time == Time::lock_step;
+  const bool exact = options.run.plant.time == LiveTime::lock_step;
   constexpr automata::Ticks day = automata::Ticks::of_seconds(24L * 3600);
   const runtime::MomentColumn column(std::min(options.run.duration, day),
                                      exact ? options.run.cycle : automata::Ticks{1});
@@ -194,8 +194,9 @@ void add_execute(Program& program) {
       .option_text("FILE.mon");
   add_read(command, "--cycle", options->run.cycle, positive_duration, "length of a cycle (default: 0.5 s)")
       .option_text("TIME");
-  add_choice<Time>(command, "--clock", options->run.plant.time, {{"wall", Time::wall}, {"lock-step", Time::lock_step}},
-                   "a cycle takes real time, or ends when the plant answers,\nwith simulated time (default: wall)");
+  add_choice<LiveTime>(command, "--clock", options->run.plant.time,
+                       {{"wall", LiveTime::wall}, {"lock-step", LiveTime::lock_step}},
+                       "a cycle takes real time, or ends when the plant answers,\nwith simulated time (default: wall)");
   add_read(command, "--patience", options->run.plant.patience, positive_duration,
            "with lock-step: how long to wait for an answer (default: 10 s)")
       .option_text("TIME");

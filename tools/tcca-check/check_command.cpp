@@ -28,7 +28,7 @@ using verifier::Subject;
 
 namespace {
 
-struct CheckOptions {
+struct QuestionOptions {
   std::string model;
   std::string properties;         ///< a path, or `-`
   std::string program;            ///< a path; empty: none but what the model has
@@ -47,7 +47,7 @@ struct ReadProperties {
   std::vector<Stated> stated;  ///< of those that a search decides
 };
 
-compiler::CompiledProperties compiled_properties(const CheckOptions& options, const Common& common,
+compiler::CompiledProperties compiled_properties(const QuestionOptions& options, const Common& common,
                                                  const Subject& subject, bool under_program) {
   auto compiled = compiler::compile_properties(options.properties, subject.plant, under_program);
   tell_findings(compiled.findings, common);
@@ -55,7 +55,7 @@ compiler::CompiledProperties compiled_properties(const CheckOptions& options, co
   return compiled;
 }
 
-ReadProperties read_properties(const CheckOptions& options, const Common& common, const Subject& subject) {
+ReadProperties read_properties(const QuestionOptions& options, const Common& common, const Subject& subject) {
   // A claim on a program that is not asked for needs none.
   const bool under_program = subject.program != nullptr;
   auto compiled = compiled_properties(options, common, subject, under_program || !options.only.empty());
@@ -93,7 +93,7 @@ ReadProperties read_properties(const CheckOptions& options, const Common& common
 
 /// The program of the claims on one: that of the command line, or the one that comes with the plant; none where there
 /// is none, or where it could be any of several.
-const automata::Program* program_of(const automata::Document& document, const CheckOptions& options,
+const automata::Program* program_of(const automata::Document& document, const QuestionOptions& options,
                                     const std::string& paths) {
   if (!options.program.empty()) return &only_program(document, paths);
   return document.programs.size() == 1 ? &document.programs.front() : nullptr;
@@ -121,7 +121,7 @@ std::string coverage_of(const Subject& subject, const std::vector<runtime::Fligh
 }
 
 /// A file of properties alone is asked of what the project has for it.
-void take_subject(CheckOptions& options, const Settings& settings) {
+void take_subject(QuestionOptions& options, const Settings& settings) {
   if (!options.properties.empty()) return;
   if (!options.model.ends_with(".props")) {
     throw base::InputError("PROPERTIES is missing: the claims about " + options.model + ", a .props file");
@@ -138,7 +138,7 @@ void take_subject(CheckOptions& options, const Settings& settings) {
   if (options.entry.empty()) options.entry = std::move(subject.main);
 }
 
-ExitStatus run(const CheckOptions& options, const Common& common) {
+ExitStatus run(const QuestionOptions& options, const Common& common) {
   check_standard_input({options.model, options.properties});
   std::vector<std::string> models = {options.model};
   if (!options.program.empty()) models.push_back(options.program);
@@ -181,7 +181,7 @@ a limit or a signal ended the search, 4 an internal error, and nothing is claime
 
 void add_check(Program& program) {
   Command command = program.add_command("check", "check the properties in a file; the answer is a table of verdicts");
-  const auto options = std::make_shared<CheckOptions>();
+  const auto options = std::make_shared<QuestionOptions>();
   add_model(command, options->model);
   command.option("MODEL").description(
       "the plant: .tcca or compiled .json; - for standard input; not needed if an rmpl.toml names the property file");

@@ -14,7 +14,7 @@ namespace {
 /// What is so likely to come next is looked at before components are joined.
 constexpr Real looked_at = 1e-3L;
 /// Parts of rows are worked out for outcomes that are so much less likely than is asked for.
-constexpr Real finer_than_asked = 8;
+constexpr Real finer_in_rows = 8;
 
 }  // namespace
 
@@ -212,7 +212,7 @@ LoopProcess::Part& LoopProcess::part(const State& state, const Cycles& cycles, c
   std::unique_ptr<Part>& known = parts_[number];
   if (known == nullptr || known->less_likely_than > left_out.less_likely_than) {
     LeftOut finer = left_out;
-    finer.less_likely_than /= finer_than_asked;
+    finer.less_likely_than /= finer_in_rows;
     known = std::make_unique<Part>(work_out(cycles, ages, timed, finer));
   }
   return *known;

@@ -16,10 +16,10 @@ using automata::Modes;
 namespace {
 
 /// Modes, and choices of all modes together, beyond which nothing is told.
-constexpr std::size_t most_modes = 2048;
+constexpr std::size_t most_joint_modes = 2048;
 constexpr std::size_t most_choices = std::size_t{1} << 15;
 /// Likewise of what may be drawn, over all choices together.
-constexpr std::size_t most_outcomes = std::size_t{1} << 19;
+constexpr std::size_t most_joint_outcomes = std::size_t{1} << 19;
 /// So much work goes into finding bounds.
 constexpr std::size_t most_work = std::size_t{1} << 27;
 /// So often the bounds are made greater, until a step keeps them.
@@ -45,7 +45,7 @@ class Cut {
     for (const Draw& draw : initial_draws(step_, from, meter_).outcomes) number(draw.modes);
     const std::size_t starts = modes_.size();
     for (std::size_t m = 0; m < modes_.size(); ++m) {
-      if (modes_.size() > most_modes || choices_.size() + actions_.size() > most_choices) return std::nullopt;
+      if (modes_.size() > most_joint_modes || choices_.size() + actions_.size() > most_choices) return std::nullopt;
       if (!wanted_[m] && !explore(m)) return std::nullopt;
     }
     find_hopeless();
@@ -93,7 +93,7 @@ class Cut {
       if (extremes.empty()) return false;
       for (const Draws& draws : extremes) {
         outcomes_ += draws.outcomes.size();
-        if (outcomes_ > most_outcomes) return false;
+        if (outcomes_ > most_joint_outcomes) return false;
         Choice choice{m, draws.left_out, {}};
         for (const Draw& draw : draws.outcomes) {
           const std::size_t to = number(draw.modes);
@@ -209,8 +209,8 @@ Prospects::Prospects(const automata::Plant& plant, const Question& question, Met
   const std::vector<automata::Formula> target(1, question.target);
   const Cone cone = slices.cone(target);
   std::size_t modes = 1;
-  for (const automata::ComponentId c : cone) modes = std::min(modes * plant[c].modes.size(), 64 * most_modes);
-  if (modes > 16 * most_modes) return;
+  for (const automata::ComponentId c : cone) modes = std::min(modes * plant[c].modes.size(), 64 * most_joint_modes);
+  if (modes > 16 * most_joint_modes) return;
   const Part part = slices.part(cone, target);
   automata::PlantStep step(part.plant());
   auto known = Cut(step, question, part.into(question.target), meter).run(part.into(question.from));

@@ -16,7 +16,7 @@ using automata::VariableId;
 
 namespace {
 
-constexpr ValueId yes(1);
+constexpr ValueId told(1);
 
 /// The plant's variables, then one for each interconnection, then one for each mode.
 automata::Variables with_switches(const automata::Plant& plant) {
@@ -33,7 +33,7 @@ automata::Variables with_switches(const automata::Plant& plant) {
 Blame::Blame(const automata::Plant& plant, const ModeSets& modes) : plant_(plant), theory_(with_switches(plant)) {
   std::size_t next = plant.variables.size();
   for (const automata::Interconnection& q : plant.interconnections) {
-    told_.push_back({VariableId(next++), yes});
+    told_.push_back({VariableId(next++), told});
     theory_.tell_if(told_.back(), q.constraint);
   }
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
@@ -41,7 +41,7 @@ Blame::Blame(const automata::Plant& plant, const ModeSets& modes) : plant_(plant
     for (std::size_t m = 0; m < component.modes.size(); ++m) {
       const Assignment mode{component.mode, ValueId(m)};
       if (!component.modes[m].constraint.is_true()) theory_.tell_if(mode, component.modes[m].constraint);
-      const Assignment exclusion{VariableId(next++), yes};
+      const Assignment exclusion{VariableId(next++), told};
       theory_.tell_if(exclusion, negation(is(component.mode, ValueId(m))));
       if (modes[c][m]) continue;
       excluded_.push_back(exclusion);

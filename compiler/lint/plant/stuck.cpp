@@ -67,9 +67,9 @@ std::vector<ControlAction> single_commands(const Plant& plant) {
   return result;
 }
 
-class Search {
+class StuckSearch {
  public:
-  Search(const Plant& plant, std::size_t& work)
+  StuckSearch(const Plant& plant, std::size_t& work)
       : plant_(plant), step_(plant), period_(period_of(plant)), commands_(single_commands(plant)), work_(work) {
     for (const automata::Component& component : plant.components) {
       const std::vector<Ticks> bounds = bounds_of(component);
@@ -203,7 +203,7 @@ std::vector<StuckState> find_stuck_states(const Plant& plant) {
   std::size_t work = 0;
   for (const PlantPart& part : parts_of(plant)) {
     if (!excludes(part.plant)) continue;
-    std::optional<StuckState> state = Search(part.plant, work).run();
+    std::optional<StuckState> state = StuckSearch(part.plant, work).run();
     if (!state) continue;
     state->components = part.components;
     found.push_back(std::move(*state));
