@@ -3,6 +3,7 @@
 #include "runtime/reasoning/estimate/possible_share.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -19,6 +20,18 @@ namespace {
 constexpr std::size_t memory_limit = 1u << 14;
 
 constexpr std::size_t outcomes_between_looks = 256;
+
+/// Up to so many outcomes all are looked at.
+constexpr std::size_t few_outcomes = 256;
+/// Of all outcomes, the share that may be passed over.
+constexpr double too_little = 0x1p-53;
+
+/// Probabilities in steps of a sixteenth of a power of two, rounded up: what is passed over depends on these alone.
+constexpr double steps_of_two = 16;
+std::int64_t step_of(double probability) {
+  return static_cast<std::int64_t>(std::ceil(std::log2(probability) * steps_of_two));
+}
+double weight_of_step(std::int64_t step) { return std::exp2(static_cast<double>(step) / steps_of_two); }
 
 }  // namespace
 
@@ -79,29 +92,42 @@ PossibleShare::Share PossibleShare::of_cluster(std::size_t k, const Modes& from,
     for (const automata::Move& move : own) key_.push_back(move.mode.value);
   }
   if (stays) return {};  // `from` is possible
-  auto known = excluded_.find(key_);
-  if (known == excluded_.end()) {
-    if (excluded_.size() >= memory_limit) excluded_.clear();
-    Excluded found = excluded(cluster, from, moves);
-    known = excluded_.emplace(key_, std::move(found)).first;
-  }
-  double lost = 0;
   double all = 1;
   for (const std::size_t c : cluster) {
     double sum = 0;
     for (const automata::Move& move : moves(c)) sum += move.probability;
     all *= sum;
   }
-  // What is possible is summed where little is: a difference would have no digits left.
-  const Excluded& places = known->second;
-  if (places.size() / cluster.size() == outcomes) return {0};
-  for (std::size_t i = 0; i < places.size(); i += cluster.size()) {
-    if (i / cluster.size() % outcomes_between_looks == 0) go_on_();
-    double product = 1;
-    for (std::size_t j = 0; j < cluster.size(); ++j) product *= moves(cluster[j])[places[i + j]].probability;
-    lost += product;
-  }
+  const auto lost_with = [&](const Excluded& places) {
+    double lost = 0;
+    for (std::size_t i = 0; i < places.size(); i += cluster.size()) {
+      if (i / cluster.size() % outcomes_between_looks == 0) go_on_();
+      double product = 1;
+      for (std::size_t j = 0; j < cluster.size(); ++j) product *= moves(cluster[j])[places[i + j]].probability;
+      lost += product;
+    }
+    return lost;
+  };
   constexpr double little = 0.5;
+  if (outcomes > few_outcomes) {
+    const std::vector<std::uint64_t> key = key_;
+    double floor = too_little / static_cast<double>(outcomes);
+    for (const std::size_t c : cluster) {
+      double sum = 0;
+      for (const automata::Move& move : moves(c)) {
+        key_.push_back(static_cast<std::uint64_t>(step_of(move.probability)));
+        sum += weight_of_step(step_of(move.probability) - 1);
+      }
+      floor *= sum;
+    }
+    const double lost = lost_with(excluded(cluster, from, moves, floor));
+    if (lost <= little * all) return {all - lost};
+    key_ = key;
+  }
+  // What is possible is summed where little is: a difference would have no digits left.
+  const Excluded& places = excluded(cluster, from, moves, 0);
+  if (places.size() / cluster.size() == outcomes) return {0};
+  const double lost = lost_with(places);
   if (lost <= little * all) return {all - lost};
   double kept = 0;
   std::vector<std::uint32_t> place(cluster.size(), 0);
@@ -138,18 +164,49 @@ double PossibleShare::of_likeliest(const Cluster& cluster, const Modes& from, Mo
   return step_.possible(modes) ? probability : 0;
 }
 
-/// The other components stay where they are, which is possible: only islands of the cluster may exclude anything.
-PossibleShare::Excluded PossibleShare::excluded(const Cluster& cluster, const Modes& from, MovesOf moves) {
-  Excluded result;
-  Modes modes = from;
-  std::vector<std::uint32_t> place(cluster.size(), 0);
-  for (std::size_t seen = 1;; ++seen) {
-    if (seen % outcomes_between_looks == 0) go_on_();
-    for (std::size_t j = 0; j < cluster.size(); ++j) modes[cluster[j]] = moves(cluster[j])[place[j]].mode;
-    if (!step_.possible(modes)) result.insert(result.end(), place.begin(), place.end());
-    std::size_t j = cluster.size();
-    while (j > 0 && ++place[j - 1] == moves(cluster[j - 1]).size()) place[--j] = 0;
-    if (j == 0) return result;
+struct PossibleShare::Pass {
+  const Cluster& cluster;
+  MovesOf moves;
+  double floor;
+  std::vector<double> behind;  ///< by member: what those from there on weigh at most
+  Modes modes;
+  std::vector<std::uint32_t> place;
+  std::size_t seen = 0;
+  Excluded result = {};
+};
+
+/// Of the combinations of a cluster, in order, those that are excluded, without what weighs less than `floor`. The
+/// other components stay where they are, which is possible: only islands of the cluster may exclude anything. The key
+/// tells the moves, and their weights where the floor is not 0.
+const PossibleShare::Excluded& PossibleShare::excluded(const Cluster& cluster, const Modes& from, MovesOf moves,
+                                                       double floor) {
+  const auto known = excluded_.find(key_);
+  if (known != excluded_.end()) return known->second;
+  if (excluded_.size() >= memory_limit) excluded_.clear();
+  Pass pass{cluster, moves,
+            floor,   std::vector<double>(cluster.size() + 1, 1),
+            from,    std::vector<std::uint32_t>(cluster.size())};
+  for (std::size_t j = cluster.size(); j-- > 0;) {
+    double sum = 0;
+    for (const automata::Move& move : moves(cluster[j])) sum += weight_of_step(step_of(move.probability));
+    pass.behind[j] = pass.behind[j + 1] * sum;
+  }
+  exclude(pass, 0, 1);
+  return excluded_.emplace(key_, std::move(pass.result)).first->second;
+}
+
+void PossibleShare::exclude(Pass& pass, std::size_t member, double weight) {
+  if (weight * pass.behind[member] < pass.floor) return;
+  if (member == pass.cluster.size()) {
+    if (++pass.seen % outcomes_between_looks == 0) go_on_();
+    if (!step_.possible(pass.modes)) pass.result.insert(pass.result.end(), pass.place.begin(), pass.place.end());
+    return;
+  }
+  const auto own = pass.moves(pass.cluster[member]);
+  for (std::uint32_t m = 0; m < own.size(); ++m) {
+    pass.place[member] = m;
+    pass.modes[pass.cluster[member]] = own[m].mode;
+    exclude(pass, member + 1, weight * weight_of_step(step_of(own[m].probability)));
   }
 }
 

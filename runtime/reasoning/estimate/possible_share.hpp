@@ -2,7 +2,8 @@
 //
 // What cannot happen next is dropped from the outcomes of each state, and the rest is scaled to 1, state by state
 // (semantics 3). The share that is left is a product over clusters: components whose modes some island of the store can
-// exclude together. Which combinations of modes a cluster excludes is remembered by where its components may go.
+// exclude together. Which combinations of modes a cluster excludes is remembered by where its components may go. Of
+// many combinations those are passed over that together weigh less than a double can tell: several faults at once.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -51,12 +52,14 @@ class PossibleShare {
 
  private:
   using Cluster = std::vector<std::size_t>;  ///< components, ascending
+  struct Pass;
   /// Combinations of modes that are excluded, one after the other, each as places in the moves of its components.
   using Excluded = std::vector<std::uint32_t>;
 
   Share of_cluster(std::size_t cluster, const automata::Modes& from, MovesOf moves);
   double of_likeliest(const Cluster& cluster, const automata::Modes& from, MovesOf moves);
-  Excluded excluded(const Cluster& cluster, const automata::Modes& from, MovesOf moves);
+  const Excluded& excluded(const Cluster& cluster, const automata::Modes& from, MovesOf moves, double floor);
+  void exclude(Pass& pass, std::size_t member, double weight);
 
   automata::PlantStep& step_;
   std::size_t most_;
