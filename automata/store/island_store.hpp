@@ -53,10 +53,10 @@ class IslandStore {
   [[nodiscard]] double weigh(const Modes& modes);
 
   IslandTheory theory_;
-  std::optional<Consistency> possible_;  ///< where something may contradict the island
+  std::optional<Consistency> possible_;                        ///< where something may contradict the island
   std::optional<Memory<std::vector<ComponentId>>> conflicts_;  ///< once asked for
-  std::vector<Assignment> readings_;     ///< of the theory's variables
-  std::uint64_t seen_ = 0;               ///< a number that the readings have, and no others
+  std::vector<Assignment> readings_;                           ///< of the theory's variables
+  std::uint64_t seen_ = 0;                                     ///< a number that the readings have, and no others
   std::uint64_t seen_so_far_ = 0;
   base::BoundedCache<std::vector<std::uint64_t>, std::uint64_t> seen_before_{observations_remembered};
   Memory<double> factors_;  ///< by modes and readings
