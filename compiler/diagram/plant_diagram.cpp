@@ -21,9 +21,9 @@ using automata::VariableId;
 using style::Align;
 using Side = Wiring::Side;
 
-constexpr std::size_t label_width = 44;  // characters of a line of a constraint
-constexpr std::size_t between_width = 30;     // likewise, where the constraint stands in a line between two blocks
-constexpr std::size_t name_size = 11;         // points
+constexpr std::size_t label_width = 44;    // characters of a line of a constraint
+constexpr std::size_t between_width = 30;  // likewise, where the constraint stands in a line between two blocks
+constexpr std::size_t name_size = 11;      // points
 constexpr std::size_t port_size = 10;
 constexpr std::size_t rest_size = 9;
 constexpr std::size_t half_badge = 8;

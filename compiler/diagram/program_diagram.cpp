@@ -19,8 +19,8 @@ using automata::Program;
 using style::Align;
 
 constexpr std::size_t line_width = 28;  // characters of a line on an arrow
-constexpr std::size_t box_width = 60;    // and in the top of a box
-constexpr std::size_t goal_width = 14;   // and in a circle
+constexpr std::size_t box_width = 60;   // and in the top of a box
+constexpr std::size_t goal_width = 14;  // and in a circle
 
 class ProgramDiagram {
  public:
