@@ -51,7 +51,7 @@ class ProgramDiagram {
   void draw_arc(LocationId from, std::size_t position);
   void draw_choice(LocationId id, const std::vector<DrawnFunction>& functions);
   void draw_functions(LocationId id, const std::vector<DrawnFunction>& functions);
-  void draw_from_dot(const std::string& dot, LocationId choice, LocationId to, std::string guard, bool counts);
+  void draw_from_dot(const std::string& dot, LocationId choice, LocationId to, const std::string& guard, bool counts);
   /// Whether a box points to it: a choice that is drawn before time 0 is one, too.
   [[nodiscard]] bool is_start(LocationId id) const {
     const auto choice = look_.choices.find(id);
@@ -300,7 +300,7 @@ void ProgramDiagram::draw_functions(LocationId id, const std::vector<DrawnFuncti
 }
 
 /// `counts`: the target is not entered, but counts as started while the choice is drawn.
-void ProgramDiagram::draw_from_dot(const std::string& dot, LocationId choice, LocationId to, std::string guard,
+void ProgramDiagram::draw_from_dot(const std::string& dot, LocationId choice, LocationId to, const std::string& guard,
                                    bool counts) {
   const LocationId shown = shown_[to.index()];
   DotAttributes attributes;

@@ -30,6 +30,7 @@ std::vector<double> possible_shares(MarkingStages& stages, automata::MarkingStep
     for (std::size_t e = order[i].first; e < end; ++e) own += edges[e].probability * share[edges[e].to];
   }
   std::vector<double> result;
+  result.reserve(begins.size());
   for (const MarkingStages::Place place : begins) result.push_back(share[place]);
   return result;
 }
