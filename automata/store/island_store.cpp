@@ -22,8 +22,7 @@ bool IslandStore::possible(const Modes& modes) {
 }
 
 std::vector<ComponentId> IslandStore::conflict(const Modes& modes) {
-  const Support support{theory_.island().support.components, {}};
-  if (!conflicts_) conflicts_.emplace(theory_.plant(), support);
+  if (!conflicts_) conflicts_.emplace(theory_.plant(), Support{theory_.island().support.components, {}});
   return conflicts_->find(modes, ControlAction{}, [&] {
     [[maybe_unused]] const bool consistent = theory_().consistent(theory_.assumptions(modes));
     CHECK(!consistent);

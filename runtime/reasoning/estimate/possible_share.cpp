@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "automata/store/totality.hpp"
@@ -110,22 +111,14 @@ PossibleShare::Share PossibleShare::of_cluster(std::size_t k, const Modes& from,
   };
   constexpr double little = 0.5;
   if (outcomes > few_outcomes) {
-    const std::vector<std::uint64_t> key = key_;
-    double floor = too_little / static_cast<double>(outcomes);
-    for (const std::size_t c : cluster) {
-      double sum = 0;
-      for (const automata::Move& move : moves(c)) {
-        key_.push_back(static_cast<std::uint64_t>(step_of(move.probability)));
-        sum += weight_of_step(step_of(move.probability) - 1);
-      }
-      floor *= sum;
-    }
-    const double lost = lost_with(excluded(cluster, from, moves, floor));
+    const std::size_t without_weights = key_.size();
+    const Weights weights = weigh(cluster, moves, outcomes);
+    const double lost = lost_with(excluded(cluster, from, moves, weights));
     if (lost <= little * all) return {all - lost};
-    key_ = key;
+    key_.resize(without_weights);
   }
   // What is possible is summed where little is: a difference would have no digits left.
-  const Excluded& places = excluded(cluster, from, moves, 0);
+  const Excluded& places = excluded(cluster, from, moves, {});
   if (places.size() / cluster.size() == outcomes) return {0};
   const double lost = lost_with(places);
   if (lost <= little * all) return {all - lost};
@@ -164,10 +157,28 @@ double PossibleShare::of_likeliest(const Cluster& cluster, const Modes& from, Mo
   return step_.possible(modes) ? probability : 0;
 }
 
+/// Adds the steps that they depend on to the key.
+PossibleShare::Weights PossibleShare::weigh(const Cluster& cluster, MovesOf moves, std::size_t outcomes) {
+  Weights result;
+  result.floor = too_little / static_cast<double>(outcomes);
+  for (const std::size_t c : cluster) {
+    auto& own = result.of.emplace_back();
+    double least = 0;
+    for (const automata::Move& move : moves(c)) {
+      const std::int64_t step = step_of(move.probability);
+      key_.push_back(static_cast<std::uint64_t>(step));
+      own.push_back(weight_of_step(step));
+      least += weight_of_step(step - 1);
+    }
+    result.floor *= least;
+  }
+  return result;
+}
+
 struct PossibleShare::Pass {
   const Cluster& cluster;
   MovesOf moves;
-  double floor;
+  const Weights& weights;
   std::vector<double> behind;  ///< by member: what those from there on weigh at most
   Modes modes;
   std::vector<std::uint32_t> place;
@@ -175,28 +186,25 @@ struct PossibleShare::Pass {
   Excluded result = {};
 };
 
-/// Of the combinations of a cluster, in order, those that are excluded, without what weighs less than `floor`. The
-/// other components stay where they are, which is possible: only islands of the cluster may exclude anything. The key
-/// tells the moves, and their weights where the floor is not 0.
+/// Of the combinations of a cluster, in order, those that are excluded, without what is passed over. The other
+/// components stay where they are, which is possible: only islands of the cluster may exclude anything. Remembered by
+/// the key.
 const PossibleShare::Excluded& PossibleShare::excluded(const Cluster& cluster, const Modes& from, MovesOf moves,
-                                                       double floor) {
+                                                       const Weights& weights) {
   const auto known = excluded_.find(key_);
   if (known != excluded_.end()) return known->second;
   if (excluded_.size() >= memory_limit) excluded_.clear();
-  Pass pass{cluster, moves,
-            floor,   std::vector<double>(cluster.size() + 1, 1),
-            from,    std::vector<std::uint32_t>(cluster.size())};
-  for (std::size_t j = cluster.size(); j-- > 0;) {
-    double sum = 0;
-    for (const automata::Move& move : moves(cluster[j])) sum += weight_of_step(step_of(move.probability));
-    pass.behind[j] = pass.behind[j + 1] * sum;
-  }
+  Pass pass{cluster, moves, weights, {}, from, std::vector<std::uint32_t>(cluster.size())};
+  if (!weights.of.empty()) pass.behind.assign(cluster.size() + 1, 1);
+  for (std::size_t j = weights.of.size(); j-- > 0;)
+    pass.behind[j] = pass.behind[j + 1] * std::accumulate(weights.of[j].begin(), weights.of[j].end(), 0.0);
   exclude(pass, 0, 1);
   return excluded_.emplace(key_, std::move(pass.result)).first->second;
 }
 
 void PossibleShare::exclude(Pass& pass, std::size_t member, double weight) {
-  if (weight * pass.behind[member] < pass.floor) return;
+  const auto& weights = pass.weights.of;
+  if (!weights.empty() && weight * pass.behind[member] < pass.weights.floor) return;
   if (member == pass.cluster.size()) {
     if (++pass.seen % outcomes_between_looks == 0) go_on_();
     if (!step_.possible(pass.modes)) pass.result.insert(pass.result.end(), pass.place.begin(), pass.place.end());
@@ -206,7 +214,7 @@ void PossibleShare::exclude(Pass& pass, std::size_t member, double weight) {
   for (std::uint32_t m = 0; m < own.size(); ++m) {
     pass.place[member] = m;
     pass.modes[pass.cluster[member]] = own[m].mode;
-    exclude(pass, member + 1, weight * weight_of_step(step_of(own[m].probability)));
+    exclude(pass, member + 1, weights.empty() ? weight : weight * weights[member][m]);
   }
 }
 

@@ -58,7 +58,13 @@ class PossibleShare {
 
   Share of_cluster(std::size_t cluster, const automata::Modes& from, MovesOf moves);
   double of_likeliest(const Cluster& cluster, const automata::Modes& from, MovesOf moves);
-  const Excluded& excluded(const Cluster& cluster, const automata::Modes& from, MovesOf moves, double floor);
+  /// What combinations weigh at most, and what is passed over.
+  struct Weights {
+    double floor = 0;                     ///< what weighs less is not looked at
+    std::vector<std::vector<double>> of;  ///< by member of the cluster, by place in its moves; empty: all are looked at
+  };
+  Weights weigh(const Cluster& cluster, MovesOf moves, std::size_t outcomes);
+  const Excluded& excluded(const Cluster& cluster, const automata::Modes& from, MovesOf moves, const Weights& weights);
   void exclude(Pass& pass, std::size_t member, double weight);
 
   automata::PlantStep& step_;

@@ -9,6 +9,12 @@ namespace rmpl::runtime {
 using automata::ComponentId;
 using automata::Modes;
 
+namespace {
+
+constexpr std::size_t most_keys = 1024;  // starts of large games, and sets of components; beyond it all are forgotten
+
+}  // namespace
+
 PlantGames::PlantGames(automata::PlantStep& step, const NominalGraph& graph)
     : step_(step), graph_(graph), excludes_(step.locality().islands().size()) {}
 
@@ -32,10 +38,14 @@ bool PlantGames::is_large(const Arena& arena, const Modes& modes) const {
 }
 
 void PlantGames::note(const Game& game, const Modes& modes) {
-  constexpr std::size_t most_remembered = 1024;
   if (!game.beyond_limits()) return;
-  if (large_.size() >= most_remembered) large_.clear();
+  if (large_.size() >= most_keys) large_.clear();
   large_.insert(start_of(game.arena(), modes));
+}
+
+std::vector<PlayedGame>& PlantGames::games_without_goal(const std::vector<ComponentId>& components) {
+  if (games_without_goal_.size() >= most_keys && !games_without_goal_.contains(components)) games_without_goal_.clear();
+  return games_without_goal_[components];
 }
 
 const GameGoal& PlantGames::no_goal() {

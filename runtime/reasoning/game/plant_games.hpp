@@ -35,6 +35,8 @@ class PlantGames {
   /// Games over modes of components that a goal leaves alone are those of `no_goal()`, by their components.
   using Games = std::map<std::vector<automata::ComponentId>, std::vector<PlayedGame>>;
   Games& games_without_goal() { return games_without_goal_; }
+  /// Of these components. Beyond a number of such sets the games of all are forgotten.
+  std::vector<PlayedGame>& games_without_goal(const std::vector<automata::ComponentId>& components);
 
  private:
   /// Components of the arena, those on which it rests, the modes of both.

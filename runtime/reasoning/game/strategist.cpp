@@ -90,7 +90,7 @@ std::shared_ptr<Arena> Strategist::arena_of(const Group& group, const Modes& mod
 /// With all actions; where that is too large and `useful` is asked for, with useful ones.
 PlayedGame& Strategist::game_of(const Group& group, const Modes& modes, bool useful) {
   auto& games =
-      is_left_alone(group) ? common_->games_without_goal()[group.played()] : games_[{group.parts, group.played()}];
+      is_left_alone(group) ? common_->games_without_goal(group.played()) : games_[{group.parts, group.played()}];
   const auto play = [&](PlayedGame& played, bool best) {
     played.arena = arena_of(group, modes, best);
     Game::Limits limits{most_game_nodes, best ? few_outcomes : most_game_outcomes};
