@@ -24,11 +24,6 @@ class ToldEstimator final : public Estimator {
   }
   [[nodiscard]] const Belief& belief() const override { return belief_; }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
-  [[nodiscard]] std::optional<automata::Modes> likeliest_without(automata::ComponentId, automata::ModeId,
-                                                                 const std::vector<RefutedModes>&) const override {
-    return std::nullopt;
-  }
-  [[nodiscard]] bool tells_rivals() const override { return false; }
   [[nodiscard]] double probability_of(const automata::Modes& modes) const override {
     double all = 0, own = 0;
     for (const BeliefEntry& entry : belief_) {

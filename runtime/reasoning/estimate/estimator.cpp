@@ -148,6 +148,7 @@ class FactoredEstimator final : public Estimator {
     }
     return whole;
   }
+  [[nodiscard]] bool tells_rivals() const override { return true; }
   [[nodiscard]] double probability_of(const automata::Modes& modes) const override {
     double result = 1;
     for (const Part& part : parts_) {

@@ -145,9 +145,12 @@ class Estimator {
   /// Nothing where no step avoids all that, or before the first update. A search; for explanations
   /// (explain/explainer.hpp), not for every cycle. Of `refuted`, components of different groups are not looked at.
   [[nodiscard]] virtual std::optional<automata::Modes> likeliest_without(
-      automata::ComponentId component, automata::ModeId mode, const std::vector<RefutedModes>& refuted) const = 0;
+      automata::ComponentId /*component*/, automata::ModeId /*mode*/,
+      const std::vector<RefutedModes>& /*refuted*/) const {
+    return std::nullopt;
+  }
   /// Whether `likeliest_without` ever tells anything; where it does not, no diagnosis is explained.
-  [[nodiscard]] virtual bool tells_rivals() const { return true; }
+  [[nodiscard]] virtual bool tells_rivals() const { return false; }
   /// The share of the belief that is in these modes, summed over clocks.
   [[nodiscard]] virtual double probability_of(const automata::Modes& modes) const = 0;
   /// How many independent groups the belief is kept as.

@@ -29,11 +29,6 @@ class MarkedEstimator final : public Estimator {
   }
   [[nodiscard]] const Belief& belief() const override { return belief_; }
   [[nodiscard]] const Estimate& estimate() const override { return estimate_; }
-  [[nodiscard]] std::optional<automata::Modes> likeliest_without(automata::ComponentId, automata::ModeId,
-                                                                 const std::vector<RefutedModes>&) const override {
-    return std::nullopt;
-  }
-  [[nodiscard]] bool tells_rivals() const override { return false; }
   [[nodiscard]] double probability_of(const automata::Modes& modes) const override {
     double sum = 0;
     for (const BeliefEntry& entry : belief_) {
