@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +20,14 @@ struct ForcedMode {
   ComponentId component;
   ModeId mode;
   Origin origin;
+  /// Of software that was named by what it tells: that, and the other modes that would do as well.
+  std::optional<Assignment> told = {};
+  std::vector<ModeId> also = {};
   bool operator==(const ForcedMode&) const = default;
+
+  [[nodiscard]] bool is_met_by(ModeId other) const {
+    return other == mode || std::find(also.begin(), also.end(), other) != also.end();
+  }
 };
 
 /// `at T observe x = v [for d];` overrides a sensor from `at` on, for `duration` or for ever.
@@ -89,10 +96,9 @@ struct Expectation {
 
 struct Scenario {
   std::string name;
-  std::size_t program = 0;           ///< position in `Document::programs`; bound to the plant
-  std::size_t plant = 0;             ///< position in `Document::plants`; of no account where there is a `model`
-  std::optional<std::size_t> model;  ///< position in `Document::models`, of a plant that is, or holds, model programs
-  bool rules_only = false;           ///< the simulated plant follows the rules alone
+  std::size_t program = 0;  ///< position in `Document::programs`; bound to the plant
+  std::size_t plant = 0;    ///< position in `Document::plants`
+  bool rules_only = false;  ///< the simulated plant follows the rules alone
   Ticks cycle = {Ticks::per_second / 2};
   Ticks duration = Ticks::of_seconds(3600);
   std::uint64_t seed = 0;
@@ -115,17 +121,10 @@ struct Document {
   std::vector<Program> programs;
   std::vector<ModelProgram> models;
   std::vector<Scenario> scenarios;
-  /// By position in `models`: the facades of those that can be flown (facade.hpp). Not written, since they follow.
-  std::map<std::size_t, Plant> facades = {};
   bool operator==(const Document&) const = default;
 
   /// What a scenario's program, events and expectations are about.
-  [[nodiscard]] const Plant& plant_of(const Scenario& scenario) const {
-    return scenario.model ? facades.at(*scenario.model) : plants[scenario.plant];
-  }
+  [[nodiscard]] const Plant& plant_of(const Scenario& scenario) const { return plants[scenario.plant]; }
 };
-
-/// Adds a model program, and its facade where it can be flown; its position.
-std::size_t add_model(Document& document, ModelProgram model);
 
 }  // namespace rmpl::automata

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "automata/controls.hpp"
-#include "automata/facade.hpp"
 #include "base/error.hpp"
 
 namespace rmpl::automata {
@@ -42,7 +41,6 @@ std::vector<Assignment> assignments_of(const Plant& plant, const Modes& modes) {
 
 void append_known(const Plant& plant, const Modes& modes, std::vector<Assignment>& assignments) {
   for (std::size_t i = 0; i < plant.components.size(); ++i) {
-    if (is_open(plant, plant.components[i], modes[i])) continue;
     assignments.push_back({plant.components[i].mode, ValueId(modes[i].index())});
   }
 }

@@ -33,7 +33,7 @@ ControlAction idle_action(const Plant& plant);
 std::vector<Assignment> commanded(const Plant& plant, const ControlAction& action);
 /// All control variables with their values.
 std::vector<Assignment> assignments_of(const Plant& plant, const ControlAction& action);
-/// Mode variables with their values; without what is open, where the plant is a facade (facade.hpp).
+/// Mode variables with their values.
 std::vector<Assignment> assignments_of(const Plant& plant, const Modes& modes);
 /// The same, behind what `assignments` has.
 void append_known(const Plant& plant, const Modes& modes, std::vector<Assignment>& assignments);

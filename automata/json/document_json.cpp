@@ -59,7 +59,7 @@ Document document_of(const Json& json, std::vector<PlantReader> readers) {
     if (copied > variables_limit) item.fail("fewer programs of a plant of so many variables");
   }
   if (root.has("models")) {
-    for (const Node& item : root.at("models").items()) add_model(document, model_program_from_json(item));
+    for (const Node& item : root.at("models").items()) document.models.push_back(model_program_from_json(item));
   }
   for (const Node& item : root.at("scenarios").items()) {
     document.scenarios.push_back(scenario_from_json(item, document));

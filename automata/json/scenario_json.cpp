@@ -148,6 +148,10 @@ Json to_json(const Scenario& scenario, const Document& document) {
   for (const ForcedMode& f : scenario.forced) {
     const Assignment mode{plant[f.component].mode, ValueId(f.mode.index())};
     forced.push_back({{"at", to_json(f.at)}, {"mode", to_json(mode, plant.variables)}, {"origin", to_json(f.origin)}});
+    if (f.told) forced.back()["told"] = to_json(*f.told, plant.variables);
+    for (const ModeId m : f.also) {
+      forced.back()["also"].push_back(to_json(Assignment{mode.variable, ValueId(m.index())}, plant.variables));
+    }
   }
   Json overrides = Json::array();
   for (const SensorOverride& o : scenario.overrides) {
@@ -177,7 +181,7 @@ Json to_json(const Scenario& scenario, const Document& document) {
   for (const Expectation& e : scenario.expectations) expectations.push_back(expectation_to_json(e, plant));
   Json json = {{"name", scenario.name},
                {"program", scenario.program},
-               {scenario.model ? "model" : "plant", scenario.model.value_or(scenario.plant)},
+               {"plant", scenario.plant},
                {"rules_only", scenario.rules_only},
                {"cycle", to_json(scenario.cycle)},
                {"duration", to_json(scenario.duration)},
@@ -195,17 +199,12 @@ Json to_json(const Scenario& scenario, const Document& document) {
 }
 
 Scenario scenario_from_json(const Node& node, const Document& document) {
-  node.only({"name", "program", node.has("model") ? "model" : "plant", "rules_only", "cycle", "duration", "seed",
-             "truth", "forced", "overrides", "commands", "samples", "rules", "expectations", "requirements", "origin"});
+  node.only({"name", "program", "plant", "rules_only", "cycle", "duration", "seed", "truth", "forced", "overrides",
+             "commands", "samples", "rules", "expectations", "requirements", "origin"});
   Scenario scenario;
   scenario.name = node.at("name").text();
   scenario.program = node.at("program").index(document.programs.size());
-  if (node.has("model")) {
-    scenario.model = node.at("model").index(document.models.size());
-    if (!document.facades.contains(*scenario.model)) node.at("model").fail("a model whose controls have idle values");
-  } else {
-    scenario.plant = node.at("plant").index(document.plants.size());
-  }
+  scenario.plant = node.at("plant").index(document.plants.size());
   const Plant& plant = document.plant_of(scenario);
   scenario.rules_only = node.at("rules_only").truth();
   scenario.cycle = node.at("cycle").ticks();
@@ -219,10 +218,18 @@ Scenario scenario_from_json(const Node& node, const Document& document) {
   };
   for (const Node& item : node.at("truth").items()) scenario.truth.push_back(mode_of(item));
   for (const Node& item : node.at("forced").items()) {
-    item.only({"at", "mode", "origin"});
+    item.only({"at", "mode", "origin", "told", "also"});
     const Assignment mode = mode_of(item.at("mode"));
-    scenario.forced.push_back({item.at("at").ticks(), *plant.component_of(mode.variable), ModeId(mode.value.index()),
-                               origin_from_json(item.at("origin"))});
+    ForcedMode& forced = scenario.forced.emplace_back();
+    forced = {item.at("at").ticks(), *plant.component_of(mode.variable), ModeId(mode.value.index()),
+              origin_from_json(item.at("origin"))};
+    if (item.has("told")) forced.told = assignment_from_json(item.at("told"), plant.variables);
+    if (!item.has("also")) continue;
+    for (const Node& other : item.at("also").items()) {
+      const Assignment also = mode_of(other);
+      if (also.variable != mode.variable) other.fail("a mode of the same component");
+      forced.also.emplace_back(also.value.index());
+    }
   }
   for (const Node& item : node.at("overrides").items()) {
     item.only({"at", "duration", "reading", "origin"});

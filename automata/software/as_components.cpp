@@ -136,7 +136,7 @@ class Software {
   void add_modes(std::size_t position) {
     const ModelComponent& model = whole_.models[position];
     ModelProgram program = model.program;
-    program.name = model.name;
+    if (!model.name.empty()) program.name = model.name;
     program.variables = whole_.plant.variables;
     program.constraints = whole_.plant.interconnections;
     std::vector<Thread> threads = threads_of(program);
@@ -145,7 +145,11 @@ class Software {
       Component component;
       component.name = names[t];
       component.type = model.program.name;
-      if (threads.size() > 1) component.type += names[t].substr(model.name.size());
+      if (model.name.empty()) {
+        component.type = names[t];
+      } else if (threads.size() > 1) {
+        component.type += names[t].substr(model.name.size());
+      }
       component.origin = program.locations[threads[t].first.index()].origin;
       component.progress = true;
       component.software = true;
@@ -224,8 +228,48 @@ class Software {
   std::vector<SoftwareThread> markings_;
 };
 
+/// A control that commands `in_force`, or leaves it open.
+Control may_be_unknown(Plant& plant, Variable variable, VariableId in_force) {
+  const std::size_t values = variable.values.size();
+  std::string nothing = "unknown";
+  while (variable.find(nothing)) nothing += '_';
+  variable.values.push_back(std::move(nothing));
+  const VariableId commanded = plant.variables.add(std::move(variable));
+  for (std::size_t v = 0; v < values; ++v) {
+    plant.interconnections.emplace_back(implication(is(commanded, ValueId(v)), is(in_force, ValueId(v))));
+  }
+  return {commanded, ValueId(values)};
+}
+
 }  // namespace
 
 SoftwarePlant with_software(const PlantWithModels& whole) { return Software(whole).run(); }
+
+PlantWithModels plant_of(const ModelProgram& program) {
+  PlantWithModels whole;
+  Plant& plant = whole.plant;
+  plant.name = program.name;
+  plant.interconnections = program.constraints;
+  plant.observables = program.observables;
+  std::vector<VariableId> unknown;
+  for (const CommandedVariable& control : program.controls) {
+    if (!control.idle) unknown.push_back(control.variable);
+  }
+  for (std::size_t v = 0; v < program.variables.size(); ++v) {
+    Variable variable = program.variables[VariableId(v)];
+    const bool known = std::find(unknown.begin(), unknown.end(), VariableId(v)) == unknown.end();
+    if (!known) variable.name += ".in_force";
+    plant.variables.add(std::move(variable));
+  }
+  for (const CommandedVariable& control : program.controls) {
+    if (control.idle) {
+      plant.controls.push_back({control.variable, *control.idle});
+    } else {
+      plant.controls.push_back(may_be_unknown(plant, program.variables[control.variable], control.variable));
+    }
+  }
+  whole.models.push_back({"", program});
+  return whole;
+}
 
 }  // namespace rmpl::automata

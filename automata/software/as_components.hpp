@@ -29,4 +29,8 @@ struct SoftwarePlant {
 /// come to are left out. Throws base::LimitError where a thread has too many markings or conditions.
 SoftwarePlant with_software(const PlantWithModels& whole);
 
+/// The plant that a model program is by itself, as it is before its threads become components: they have the names of
+/// their definitions. A control without an idle value has one more value, `unknown`, which is idle and tells nothing.
+PlantWithModels plant_of(const ModelProgram& program);
+
 }  // namespace rmpl::automata

@@ -12,7 +12,7 @@ namespace rmpl::automata {
 
 /// A model program as a component: its formulas are over the variables of the plant, its own are not used.
 struct ModelComponent {
-  std::string name;  ///< instance path
+  std::string name;  ///< instance path; empty where the plant is the program alone
   ModelProgram program;
 };
 

@@ -113,12 +113,14 @@ std::vector<std::string> names_of_markings(const ModelProgram& program, const Th
 
 std::vector<std::string> names_of_threads(const ModelProgram& program, const std::vector<Thread>& threads,
                                           const std::string& instance, const Variables& variables) {
-  if (threads.size() == 1 && !variables.find(instance)) return {instance};
+  const bool alone = instance.empty();
+  const std::string& whole = alone ? program.name : instance;
+  if (threads.size() == 1 && !variables.find(whole)) return {whole};
   std::vector<std::string> names;
   names.reserve(threads.size());
   for (const Thread& thread : threads) {
     const std::string part = identifier(program.locations[thread.first.index()].label);
-    names.push_back(instance + '.' + (part.empty() ? "thread" : part));
+    names.push_back((alone ? "" : instance + '.') + (part.empty() ? "thread" : part));
     while (variables.find(names.back())) names.back() += '_';
   }
   number(names);

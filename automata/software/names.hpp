@@ -16,7 +16,8 @@ namespace rmpl::automata {
 std::vector<std::string> names_of_markings(const ModelProgram& program, const Thread& thread);
 
 /// A name for each thread of an instance: that of the instance, if it has one thread; else that and the definition that
-/// the thread begins with. None is the name of a variable.
+/// the thread begins with. Without an instance that of the program, or of the definition. None is the name of a
+/// variable.
 std::vector<std::string> names_of_threads(const ModelProgram& program, const std::vector<Thread>& threads,
                                           const std::string& instance, const Variables& variables);
 

@@ -31,7 +31,6 @@ struct Part {
   std::set<std::string, std::less<>> broken;  ///< names that an error left without meaning: no more is said of them
   std::size_t size = 0;                       ///< values, modes and transitions: what a copy costs
   std::vector<ModelPart> models = {};         ///< model programs as components
-  bool facade = false;                        ///< it is what a control program sees of a model program
 };
 
 /// How large a part may become, in values, modes and transitions.

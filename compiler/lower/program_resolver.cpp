@@ -274,13 +274,6 @@ void ProgramResolver::add_comparison(const grammar::Comparison& comparison, cons
                                      Goals& goals) {
   const auto id = variable(comparison.left);
   if (!id) return;
-  if (closed() && modes_.count(*id) == 0 && plant_->facade) {
-    auto& error = diagnostics().error(
-        Code::goal_out_of_reach, comparison.left.span,
-        "no location tells " + backquoted(program_.variables.name(*id)) + ", and a goal names what is told");
-    if (const auto place = vocabulary().declaration(*id)) error.notes.push_back({*place, "its domain is here"});
-    return annotate(error);
-  }
   const auto right = meaning(comparison.right);
   if (!right) return;
   // Attributes have values and no modes; `x = y` compares two components; and `x != v` assigns nothing.

@@ -115,7 +115,8 @@ class ScenarioLowering {
     report_no_truth(part.span, "`truth` sets modes of the plant",
                     "leave it out: the estimate starts with the initial modes of the plant");
     for (const grammar::AssignmentText& text : part.modes) {
-      const auto mode = mode_of(text, SoftwareMoment::start);
+      const std::vector<Assignment> meant = modes_of(text, SoftwareMoment::start);
+      const auto mode = the_one(text, meant);
       if (!mode) continue;
       const auto [first, fresh] = truths_.emplace(mode->variable, text.span);
       if (fresh) {
@@ -132,10 +133,17 @@ class ScenarioLowering {
     report_no_truth(event.span, "a fault sets a mode of the plant",
                     "give the readings that would show the fault: `at … observe x = v`");
     const auto at = time_of(event.at, event.span);
-    const auto mode = mode_of(event.mode, SoftwareMoment::fault);
+    const std::vector<Assignment> meant = modes_of(event.mode, SoftwareMoment::fault);
+    const bool same = std::all_of(meant.begin(), meant.end(),
+                                  [&](const Assignment& mode) { return mode.variable == meant.front().variable; });
+    const auto mode = same && !meant.empty() ? std::optional(meant.front()) : the_one(event.mode, meant);
     if (!at || !mode) return;
-    scenario_.forced.push_back(
-        {*at, components_.at(mode->variable), automata::ModeId(mode->value.index()), origin_of(sources_, event.span)});
+    automata::ForcedMode forced{*at, components_.at(mode->variable), automata::ModeId(mode->value.index()),
+                                origin_of(sources_, event.span)};
+    const auto told = resolver_->assignment(event.mode.variable, event.mode.value);
+    if (told != mode) forced.told = told;
+    for (std::size_t m = 1; m < meant.size(); ++m) forced.also.emplace_back(meant[m].value.index());
+    scenario_.forced.push_back(std::move(forced));
   }
 
   void add(const grammar::ObserveEvent& event) {
@@ -282,18 +290,32 @@ class ScenarioLowering {
         "the scenario ends after " + automata::format_seconds(scenario_.duration) + " s, before " + what);
   }
 
-  /// Of software also by what one mode alone tells, of those that it may start in, or that are faults.
-  std::optional<Assignment> mode_of(const grammar::AssignmentText& text, SoftwareMoment moment) {
-    if (!resolver_) return std::nullopt;
+  /// Of software also those that tell it by themselves, of those that it may start in, or that are faults. None where
+  /// that is wrong, which is reported.
+  std::vector<Assignment> modes_of(const grammar::AssignmentText& text, SoftwareMoment moment) {
+    if (!resolver_) return {};
     const auto mode = resolver_->assignment(text.variable, text.value);
-    if (!mode || components_.count(mode->variable) != 0) return mode;
-    const std::vector<Assignment> telling = modes_that_tell(plant_->plant, *mode, moment);
-    if (!telling.empty()) return the_one(*plant_, *mode, telling, text.variable.span, diagnostics_);
-    auto& error =
-        diagnostics_.error(Code::scenario_not_a_mode, text.variable.span,
-                           plant_->facade ? "no location tells " + backquoted(text.variable.text)
-                                          : backquoted(text.variable.text) + " is an attribute, expected a component");
+    if (!mode) return {};
+    if (components_.count(mode->variable) != 0) return {*mode};
+    std::vector<Assignment> telling = modes_that_tell(plant_->plant, *mode, moment);
+    if (!telling.empty()) return telling;
+    const bool software = std::any_of(plant_->plant.components.begin(), plant_->plant.components.end(),
+                                      [](const automata::Component& component) { return component.software; });
+    const std::string which = moment == SoftwareMoment::start ? "no start" : "no fault";
+    auto& error = diagnostics_.error(
+        Code::scenario_not_a_mode, text.variable.span,
+        backquoted(text.variable.text) + " is an attribute, expected a component" +
+            (software ? ": " + which + " of software tells that it is " + backquoted(text.value.text) : ""));
     note_domain(error, mode->variable);
+    return {};
+  }
+
+  /// If there are several, that is reported.
+  std::optional<Assignment> the_one(const grammar::AssignmentText& text, const std::vector<Assignment>& meant) {
+    if (meant.empty()) return std::nullopt;
+    if (meant.size() == 1) return meant.front();
+    const auto told = resolver_->assignment(text.variable, text.value);
+    report_several(*plant_, *told, meant, text.variable.span, diagnostics_);
     return std::nullopt;
   }
 

@@ -30,9 +30,8 @@ std::vector<Assignment> modes_that_tell(const automata::Plant& plant, Assignment
   return result.empty() ? others : result;
 }
 
-std::optional<Assignment> the_one(const Part& part, Assignment told, const std::vector<Assignment>& telling,
-                                  grammar::Span span, grammar::Diagnostics& diagnostics) {
-  if (telling.size() == 1) return telling.front();
+void report_several(const Part& part, Assignment told, const std::vector<Assignment>& telling, grammar::Span span,
+                    grammar::Diagnostics& diagnostics) {
   const automata::Variables& variables = part.plant.variables;
   std::vector<std::string> names;
   names.reserve(telling.size());
@@ -42,7 +41,6 @@ std::optional<Assignment> the_one(const Part& part, Assignment told, const std::
                                       backquoted(variables.name(told.variable)) + " is " +
                                       backquoted(variables.value(told)) + ", expected one of them");
   error.suggestion = "name the mode: " + one_of(names);
-  return std::nullopt;
 }
 
 }  // namespace rmpl::compiler

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "automata/plant.hpp"
@@ -19,9 +18,8 @@ enum class SoftwareMoment { start, fault };
 std::vector<automata::Assignment> modes_that_tell(const automata::Plant& plant, automata::Assignment told,
                                                   SoftwareMoment moment);
 
-/// The one mode that tells it; if there are several, that is reported.
-std::optional<automata::Assignment> the_one(const Part& part, automata::Assignment told,
-                                            const std::vector<automata::Assignment>& telling, grammar::Span span,
-                                            grammar::Diagnostics& diagnostics);
+/// Says that several modes tell it, and one is expected.
+void report_several(const Part& part, automata::Assignment told, const std::vector<automata::Assignment>& telling,
+                    grammar::Span span, grammar::Diagnostics& diagnostics);
 
 }  // namespace rmpl::compiler

@@ -26,7 +26,7 @@ struct ProgramPlaces;
 class Provider;
 
 struct Options {
-  std::string main;  ///< the entry definition of the control program; empty: the one that no other calls
+  std::string main = {};  ///< the entry definition of the control program; empty: the one that no other calls
   /// Whether `.props` files may be among the inputs. They speak of the plant of the inputs; of several, of each that
   /// they fit: in which all their names are known.
   bool properties = false;
@@ -35,6 +35,7 @@ struct Options {
   bool monitors = false;
   bool flown = false;           ///< a scenario with channels needs monitors: it is to be flown
   bool types_suffice = false;   ///< a model without a plant becomes one without a name, of an instance of each type
+  bool model_is_plant = false;  ///< a model program becomes the plant where there is no other
   bool entry_optional = false;  ///< that nothing says where execution starts is no error: a program is checked without
 };
 

@@ -57,14 +57,6 @@ bool is_model_program(const automata::Document& document) {
   return document.plants.empty() && !document.models.empty();
 }
 
-const automata::Plant& only_controlled_plant(const automata::Document& document, const std::string& paths) {
-  if (!is_model_program(document)) return only_plant(document, paths);
-  const automata::ModelProgram& program = only_model_program(document, paths);
-  const auto facade = document.facades.find(0);
-  if (facade != document.facades.end()) return facade->second;
-  throw base::InputError(paths + ": expected every control of '" + program.name + "' to have a default");
-}
-
 void refuse_start(const automata::ModelProgram& program, const std::string& paths) {
   throw base::InputError(paths + ": no start is consistent: what the start locations of '" + program.name +
                          "' tell contradicts itself, or the constraints for the whole model");

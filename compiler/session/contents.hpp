@@ -16,10 +16,6 @@ const automata::Plant& only_plant(const automata::Document& document, const std:
 const automata::Program& only_program(const automata::Document& document, const std::string& paths);
 const automata::ModelProgram& only_model_program(const automata::Document& document, const std::string& paths);
 
-/// The one plant that a control program runs on: of components, or what it sees of the one model program. Throws
-/// base::InputError as above, and where the program cannot be flown.
-const automata::Plant& only_controlled_plant(const automata::Document& document, const std::string& paths);
-
 /// Whether the files hold a model program and no plant.
 bool is_model_program(const automata::Document& document);
 

@@ -180,11 +180,6 @@ std::vector<const automata::Plant*> InputSet::all_plants() const {
 }
 
 const automata::Plant* InputSet::plant_of(const automata::Scenario& scenario) const {
-  if (scenario.model) {
-    const auto facade = facades_.find(*scenario.model);
-    return facade != facades_.end() && facade->second != nullptr ? &facade->second->plant
-                                                                 : &document_.facades.at(*scenario.model);
-  }
   for (const auto& [position, part] : lent_) {
     if (position == scenario.plant) return &part->plant;
   }

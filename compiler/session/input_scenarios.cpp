@@ -51,7 +51,6 @@ void InputSet::scenarios(const File& file) {
       }
     }
     if (plant.part == nullptr || !program.position) continue;
-    scenario.model = plant.model;
     scenario.plant = plant.position;
     scenario.program = *program.position;
     if (sampled) sampled_.back().scenario = document_.scenarios.size();
@@ -73,7 +72,7 @@ InputSet::Plant InputSet::flown(const File& scenarios, const grammar::PlantPart&
     const Program software = program({file}, entry, nullptr, path.span);
     if (software.position) report_no_plant();
     if (!software.model) return {};
-    result = {0, facade(*software.model, software.declared), software.model};
+    result = alone(*software.model, software.declared, path.span);
   } else if (file->kind == Kind::plant || file->kind == Kind::document) {
     if (part.main) {
       diagnostics_.error(Code::wrong_kind_of_name, part.main->span,
@@ -82,16 +81,6 @@ InputSet::Plant InputSet::flown(const File& scenarios, const grammar::PlantPart&
     result = plant({file}, path.span);
   } else {
     report_no_plant();
-  }
-  if (!result.model || result.part != nullptr) return result;
-  const automata::ModelProgram& model = document_.models[*result.model];
-  for (const automata::CommandedVariable& control : model.controls) {
-    if (control.idle) continue;
-    const std::string name = backquoted(model.variables.name(control.variable));
-    auto& error = diagnostics_.error(
-        Code::no_plant, path.span, backquoted(path.text) + " cannot be flown: its control " + name + " has no default");
-    error.suggestion = "say what it is where nothing is commanded: `control … default …;`";
-    break;
   }
   return result;
 }

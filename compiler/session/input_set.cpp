@@ -32,19 +32,26 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
     if (std::find(same.begin(), same.end(), file) == same.end()) same.push_back(file);
   }
   for (const File* file : roots[Kind::document]) adopt(*file);
+  Roots& programs = roots[Kind::program];
+  const Roots software = beside_control(programs);
+  const bool controlled = options.model_is_plant || !programs.empty() || !adopted_.empty();
   Plant plant;
   if (!roots[Kind::plant].empty()) {
     types_suffice_ = options.types_suffice;
     plant = this->plant(roots[Kind::plant], {roots[Kind::plant].front()->index, 0, 0});
   } else if (document_.plants.size() == 1) {
     plant = {0, &parts_.front()};
-  } else if (document_.plants.empty() && document_.models.size() == 1) {
-    plant = {0, facade(0, {}), 0};
+  } else if (!software.empty()) {
+    plant = alone(software, {}, {software.front()->index, 0, 0});
+  } else if (document_.plants.empty() && document_.models.size() == 1 && controlled) {
+    plant = alone(0, {}, {roots[Kind::document].front()->index, 0, 0});
   }
   if (plant.part != nullptr) bind_adopted(*plant.part);
-  if (!roots[Kind::program].empty()) {
-    program(roots[Kind::program], {options.main, std::nullopt}, plant.part,
-            {roots[Kind::program].front()->index, 0, 0});
+  if (!programs.empty()) {
+    const Span blame{programs.front()->index, 0, 0};
+    const Program made = program(programs, {options.main, std::nullopt}, plant.part, blame);
+    if (made.model && options.model_is_plant && document_.plants.empty())
+      plant = alone(*made.model, made.declared, blame);
   } else if (!options.main.empty()) {
     throw base::InputError("--main " + options.main + ": expected a control program (.rmpl) among the inputs");
   }
@@ -53,6 +60,22 @@ automata::Document InputSet::compile(std::span<const std::string> paths, const O
   monitors(roots[Kind::monitors], options.flown);
   for (const auto& [position, part] : lent_) document_.plants[position] = std::move(part->plant);
   return std::move(document_);
+}
+
+InputSet::Roots InputSet::beside_control(Roots& programs) {
+  const auto is_model = [](const File* file) {
+    if (!file->program) return false;
+    const auto& items = file->program->items;
+    return std::any_of(items.begin(), items.end(), [](const grammar::ProgramItem& item) {
+      const auto* definition = std::get_if<grammar::Definition>(&item);
+      return definition != nullptr ? definition->model : std::holds_alternative<grammar::VariableDeclaration>(item);
+    });
+  };
+  const auto control = std::stable_partition(programs.begin(), programs.end(), is_model);
+  if (control == programs.end()) return {};
+  Roots models(programs.begin(), control);
+  programs.erase(programs.begin(), control);
+  return models;
 }
 
 InputSet::Roots InputSet::opened(std::span<const std::string> paths, const Options& options) {
@@ -92,13 +115,11 @@ void InputSet::adopt(const File& file) {
     places_.emplace_back();
     adopted_.push_back({file.index, 0, 0});
   }
-  const std::size_t models = document_.models.size();
-  for (const automata::ModelProgram& model : more.models) automata::add_model(document_, model);
+  for (const automata::ModelProgram& model : more.models) document_.models.push_back(model);
   model_places_.resize(document_.models.size());
   for (const automata::Scenario& scenario : more.scenarios) {
     automata::Scenario& copy = document_.scenarios.emplace_back(scenario);
     copy.plant += plants;
-    if (copy.model) *copy.model += models;
     copy.program += programs;
     if (copy.samples.empty()) continue;
     sampled_.push_back({nullptr, {file.index, 0, 0}, nullptr, document_.scenarios.size() - 1});
@@ -112,9 +133,7 @@ void InputSet::bind_adopted(const Part& plant) {
     const bool has_plant =
         std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) { return is_its_own(part.plant); }) ||
         std::any_of(document_.plants.begin(), document_.plants.end(),
-                    [&](const automata::Plant& own) { return !own.components.empty() && is_its_own(own); }) ||
-        std::any_of(document_.facades.begin(), document_.facades.end(),
-                    [&](const auto& facade) { return is_its_own(facade.second); });
+                    [&](const automata::Plant& own) { return !own.components.empty() && is_its_own(own); });
     if (!has_plant) program = bound(program, &plant, adopted_[p]);
   }
 }
@@ -150,13 +169,24 @@ const Part& InputSet::add_part(std::size_t position, Part part) {
   return kept;
 }
 
-const Part* InputSet::facade(std::size_t model, const std::vector<Span>& declared) {
-  const auto [known, fresh] = facades_.try_emplace(model, nullptr);
-  const auto seen = document_.facades.find(model);
-  if (!fresh || seen == document_.facades.end()) return known->second;
-  Part& part = parts_.emplace_back(Part{seen->second, declared, {}, 0});
-  part.facade = true;
-  return known->second = &part;
+InputSet::Plant InputSet::alone(const Roots& roots, const Entry& entry, Span blame) {
+  const Program software = program(roots, entry, nullptr, blame);
+  return software.model ? alone(*software.model, software.declared, blame) : Plant{};
+}
+
+InputSet::Plant InputSet::alone(std::size_t model, const std::vector<Span>& declared, Span blame) {
+  const auto [known, fresh] = alone_.try_emplace(model);
+  if (!fresh) return known->second;
+  automata::PlantWithModels whole = automata::plant_of(document_.models[model]);
+  Part part{std::move(whole.plant), declared, {}, 0};
+  part.declared.resize(part.plant.variables.size(), blame);
+  part.models.push_back({std::move(whole.models.front()), blame});
+  const std::size_t position = document_.plants.size();
+  if (!lower_software(part, position)) return known->second;
+  with_models_.erase(position);  // the program stands by itself
+  software_places_.erase(position);
+  document_.plants.emplace_back();
+  return known->second = {position, &add_part(position, std::move(part))};
 }
 
 bool InputSet::lower_software(Part& part, std::size_t position) {
@@ -260,7 +290,8 @@ InputSet::Program InputSet::program(const Roots& roots, const Entry& entry, cons
     document_.programs.push_back(std::move(lowered.program->program));
     places_.push_back(std::move(lowered.program->places));
   } else if (lowered.model) {
-    result.model = automata::add_model(document_, std::move(*lowered.model));
+    result.model = document_.models.size();
+    document_.models.push_back(std::move(*lowered.model));
     result.declared = std::move(lowered.declared);
     model_places_.push_back(std::move(lowered.model_places));
   }
@@ -341,7 +372,7 @@ InputSet::Lowered InputSet::lower_definitions(const std::vector<ProgramSource>& 
 
 void InputSet::properties(const File& file, const Plant& plant) {
   if (!file.whole) return;
-  const Part* part = plant.model ? nullptr : plant.part;
+  const Part* part = plant.part;
   if (part == nullptr && parts_.size() == 1 && document_.plants.size() == 1) part = &parts_.front();
   if (part == nullptr && lent_.size() > 1) return properties_of_several(file);
   if (part == nullptr) {

@@ -50,9 +50,8 @@ class InputSet {
 
   /// A plant of the document; `part` is null where it has errors, so that what refers to it is not judged by it.
   struct Plant {
-    std::size_t position = 0;               ///< among the plants, where it is no model
-    const Part* part = nullptr;             ///< of a model, its facade; null too where it cannot be flown
-    std::optional<std::size_t> model = {};  ///< it is a model program: its position among the models
+    std::size_t position = 0;    ///< among the plants
+    const Part* part = nullptr;  ///< null too where there is none
   };
   /// Where execution of a program starts, as the user said it.
   struct Entry {
@@ -66,13 +65,17 @@ class InputSet {
   void bind_adopted(const Part& plant);
   automata::Program bound(const automata::Program& program, const Part* plant, grammar::Span blame);
 
+  /// Takes the files of model programs out of those that the user named, where others hold control programs.
+  static Roots beside_control(Roots& programs);
   /// The files that the user named. Throws base::InputError that tells of all that cannot be read.
   Roots opened(std::span<const std::string> paths, const Options& options);
   Plant plant(const Roots& roots, grammar::Span blame);
   /// Keeps the part of a plant of the document, and the plant itself until all is compiled: large ones are not copied.
   const Part& add_part(std::size_t position, Part part);
-  /// The facade of a model of the document as a part; null where it cannot be flown.
-  const Part* facade(std::size_t model, const std::vector<grammar::Span>& declared);
+  /// The plant that the model program of some files is.
+  Plant alone(const Roots& roots, const Entry& entry, grammar::Span blame);
+  /// The plant that a model program of the document is by itself; where it cannot be one that is reported at `blame`.
+  Plant alone(std::size_t model, const std::vector<grammar::Span>& declared, grammar::Span blame);
   /// The plant that a scenario flies.
   Plant flown(const File& scenarios, const grammar::PlantPart& part);
   /// Makes components of the model programs that a plant holds, which is to stand at a position; false where they are
@@ -138,7 +141,7 @@ class InputSet {
   std::deque<Part> parts_;                           ///< of plants without errors; a deque, for they are referred to
   std::vector<std::pair<std::size_t, Part*>> lent_;  ///< by position of the plant, which stays in its part till the end
   std::map<Roots, Plant> plants_;
-  std::map<std::size_t, const Part*> facades_;                                      ///< by position of the model
+  std::map<std::size_t, Plant> alone_;                                              ///< by position of the model
   std::map<std::pair<const File*, std::string>, std::optional<Part>> model_types_;  ///< by file and definition
   std::map<std::tuple<Roots, std::string, const Part*>, Program> programs_;
 };

@@ -1,4 +1,4 @@
-// What a model program can come to, by enumeration: the twin of verifier/marking.
+// What a model program can come to, by enumeration: the twin of a check of its threads as components.
 // SPDX-License-Identifier: MIT
 #pragma once
 

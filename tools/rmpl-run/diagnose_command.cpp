@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "automata/assignment_text.hpp"
-#include "automata/facade.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/answer/diagnosis_answer.hpp"
 #include "runtime/executive/trace/json_line.hpp"

@@ -103,13 +103,13 @@ ExitStatus status_of(LiveResult::End end) {
 }
 
 ExitStatus run(const ExecuteOptions& options, const Common& common) {
-  const compiler::Compilation compilation = load({options.program, options.plant}, common, {options.main});
+  const compiler::Compilation compilation =
+      load({options.program, options.plant}, common, {.main = options.main, .model_is_plant = true});
   const automata::Document& document = compilation.document();
   const automata::Program& program = only_program(document, options.program);
-  const automata::Plant& plant = only_controlled_plant(document, options.plant);
+  const automata::Plant& plant = only_plant(document, options.plant);
   automata::Scenario flown;  // for those who look on
   flown.name = program.name;
-  if (is_model_program(document)) flown.model = 0;
   flown.cycle = options.run.cycle;
   flown.duration = options.run.duration;
   std::vector<runtime::CycleObserver*> observers;
@@ -145,9 +145,8 @@ ExitStatus run(const ExecuteOptions& options, const Common& common) {
   const auto channel = make_channel(options);
   LiveResult result;
   if (options.address.empty() || channel->connected()) {
-    const auto engines = is_model_program(document) ? runtime::make_engines(document.models.front(), live.engines)
-                                                    : runtime::make_engines(plant, live.engines, live.cycle);
-    result = runtime::run_live(program, *engines, *channel, live, observers);
+    runtime::Engines engines(plant, live.engines, live.cycle);
+    result = runtime::run_live(program, engines, *channel, live, observers);
     if (screen) screen->finish();
     if (trace) trace->keep();
   } else {

@@ -191,7 +191,7 @@ ExitStatus print_strategy(const PlanOptions& options, automata::PlantStep& step,
 
 ExitStatus run(const PlanOptions& options, Common common) {
   if (options.format == PlanFormat::json) common.format = Format::json;
-  const compiler::Compilation compilation = load({options.plant}, common);
+  const compiler::Compilation compilation = load({options.plant}, common, {.model_is_plant = true});
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   if (options.policy) return print_policies(options, common, plant);
   if (options.goal.empty()) throw base::InputError("plan: expected --goal, or --policy");

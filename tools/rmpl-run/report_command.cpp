@@ -61,11 +61,11 @@ ReportedFlight models_of(const ReportOptions& options, const std::string& text, 
     flown.document.programs.push_back(std::move(named.program));
   } else {
     if (options.models.size() != 2) throw base::InputError("report: expected PROGRAM and PLANT, or neither");
-    const compiler::Compilation compilation = load(options.models, common, {options.main});
+    const compiler::Compilation compilation =
+        load(options.models, common, {.main = options.main, .model_is_plant = true});
     flown.document = compilation.document();
     only_program(flown.document, options.models.front());
-    only_controlled_plant(flown.document, options.models.back());
-    if (is_model_program(flown.document)) flown.scenario.model = 0;
+    only_plant(flown.document, options.models.back());
   }
   flown.scenario.name = options.trace.substr(options.trace.rfind('/') + 1);
   flown.scenario.cycle = {};

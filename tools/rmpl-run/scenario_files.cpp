@@ -142,7 +142,7 @@ std::vector<Task> tasks_of(const std::vector<ScenarioFile>& files, const FlightO
     for (const automata::Scenario& scenario : file.scenarios()) {
       if (!is_asked_for(scenario.name, options.only)) continue;
       std::shared_ptr<const runtime::NominalGraph> graph;
-      if (!scenario.model && !interrupted()) {
+      if (!interrupted()) {
         const automata::Plant& plant = document.plants[scenario.plant];
         auto& known = graphs[&plant];
         if (!known) known = runtime::reconfiguration_graph(plant);

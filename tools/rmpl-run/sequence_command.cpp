@@ -38,12 +38,12 @@ ExitStatus run(const SequenceOptions& options, const Common& common) {
   std::vector<std::string> paths{options.program};
   if (!options.plant.empty()) paths.push_back(options.plant);
   check_standard_input({options.program, options.plant, options.log});
-  const compiler::Compilation compilation = load(paths, common, {options.main});
+  const compiler::Compilation compilation = load(paths, common, {.main = options.main, .model_is_plant = true});
   const automata::Document& document = compilation.document();
   const automata::Program& program = only_program(document, options.program);
   base::InputFile input(options.log);
   const bool modelled = !options.plant.empty() || !document.plants.empty();
-  const automata::Plant* const plant = modelled ? &only_controlled_plant(document, options.plant) : nullptr;
+  const automata::Plant* const plant = modelled ? &only_plant(document, options.plant) : nullptr;
   // A file is checked in full before anything is answered; what can be read only once is answered as it comes.
   if (base::is_read_again(options.log)) {
     print_json(modelled ? runtime::sequence_log(program, *plant, input.stream(), input.name())

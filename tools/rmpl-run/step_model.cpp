@@ -30,7 +30,7 @@ constexpr const char* file_by_hand = "stepped-goals.rmpl";
 compiler::Compilation compiled(const std::vector<std::string>& paths, const std::string& main,
                                compiler::Provider& provider, const Common& common) {
   compiler::Compilation compilation =
-      compiler::compile(paths, {.main = main, .monitors = true, .flown = true}, provider);
+      compiler::compile(paths, {.main = main, .monitors = true, .flown = true, .model_is_plant = true}, provider);
   tell_findings(compilation.findings(), common);
   if (!compilation.ok()) throw Rejected{grammar::render_text(compilation.findings(), false)};
   return compilation;
@@ -111,12 +111,7 @@ void StepModel::choose_scenario() {
 automata::Scenario StepModel::own_scenario() const {
   automata::Scenario scenario;
   scenario.name = "stepped";
-  if (is_model_program(document())) {
-    (void)only_controlled_plant(document(), options_.files.back());
-    scenario.model = 0;
-  } else {
-    (void)only_plant(document(), options_.files.back());
-  }
+  (void)only_plant(document(), options_.files.back());
   constexpr automata::Ticks day = automata::Ticks::of_seconds(24L * 3600);
   scenario.cycle = options_.cycle.value_or(scenario.cycle);
   scenario.duration = options_.duration.value_or(day);

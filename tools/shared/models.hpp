@@ -22,7 +22,6 @@ compiler::Compilation load(const std::vector<std::string>& paths, const Common& 
 void tell_findings(const grammar::Findings& findings, const Common& common);
 
 using compiler::is_model_program;
-using compiler::only_controlled_plant;
 using compiler::only_model_program;
 using compiler::only_plant;
 using compiler::only_program;

@@ -142,7 +142,7 @@ ExitStatus run(const QuestionOptions& options, const Common& common) {
   check_standard_input({options.model, options.properties});
   std::vector<std::string> models = {options.model};
   if (!options.program.empty()) models.push_back(options.program);
-  const compiler::Compilation compilation = load(models, common, {options.entry});
+  const compiler::Compilation compilation = load(models, common, {.main = options.entry, .model_is_plant = true});
   const automata::Document& document = compilation.document();
   const std::string paths = options.model + (options.program.empty() ? "" : ", " + options.program);
   const automata::Plant& plant = only_plant(document, paths);

@@ -25,8 +25,7 @@ void add_freedom(Command& command, Freedom& freedom, bool formula) {
   add_read(command, "--time", freedom.period, period,
            "dense time (the default), or the period at whose multiples steps happen")
       .option_text("dense|T");
-  constexpr std::uint64_t most = 1'000'000;
-  add_whole_number(command, "--faults", freedom.faults, 0, most, "the most faults that may happen (default: 0)")
+  add_whole_number(command, "--faults", freedom.faults, 0, most_faults, "the most faults that may happen (default: 0)")
       .option_text("K");
   if (formula) {
     command.add_flag("--entailed", freedom.entailed,

@@ -27,6 +27,8 @@ struct Freedom {
   bool entailed = false;
   std::string from;  ///< assignments; empty: the initial distribution
 };
+/// As good as any number of them.
+inline constexpr unsigned most_faults = 1'000'000;
 /// `formula`: what is asked has one, to be read in either way.
 void add_freedom(Command& command, Freedom& freedom, bool formula = true);
 

@@ -86,7 +86,7 @@ void write(std::ostream& out, const automata::Plant& plant, verifier::ExportQues
 }
 
 ExitStatus run(const ExportOptions& options, const Common& common) {
-  const compiler::Compilation compilation = load({options.model}, common);
+  const compiler::Compilation compilation = load({options.model}, common, {.model_is_plant = true});
   const automata::Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::ExportQuestion question{
       options.never.empty() ? formula_option(options.target, plant, "--target", common)

@@ -51,7 +51,7 @@ std::string written(TreeForm form, const automata::Plant& plant, const verifier:
 
 ExitStatus run(const FaultTreeOptions& options, const Common& common) {
   const TreeForm form = form_of(options.output);
-  const compiler::Compilation compilation = load({options.model}, common);
+  const compiler::Compilation compilation = load({options.model}, common, {.model_is_plant = true});
   const automata::Plant& plant = only_plant(compilation.document(), options.model);
   constexpr unsigned default_order = 2;
   const Freedom& freedom = options.freedom;

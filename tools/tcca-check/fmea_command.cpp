@@ -71,7 +71,7 @@ ExitStatus run(const FmeaOptions& options, const Common& common) {
   const std::vector<std::string> paths =
       options.plant.empty() ? std::vector{options.program} : std::vector{options.program, options.plant};
   const std::string named = options.plant.empty() ? options.program : options.program + ", " + options.plant;
-  const compiler::Compilation compilation = load(paths, common, {options.entry});
+  const compiler::Compilation compilation = load(paths, common, {.main = options.entry, .model_is_plant = true});
   const automata::Program& program = only_program(compilation.document(), named);
   const automata::Plant& plant = only_plant(compilation.document(), named);
   const std::vector<verifier::NamedProperty> mission = mission_of(options, plant, common);

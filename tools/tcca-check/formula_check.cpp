@@ -6,28 +6,27 @@
 #include <string>
 
 #include "tools/shared/models.hpp"
-#include "tools/tcca-check/model_check.hpp"
 #include "tools/tcca-check/property_check.hpp"
 
 namespace rmpl::tools {
 namespace {
+
+constexpr const char* model_notes =
+    R"(MODEL may be a model program (.rmpl): its threads are the components of the plant, which takes steps of a second, or
+of --time T. Any number of faults is allowed it, unless --faults is given.)";
 
 struct FormulaCheckOptions : PropertyOptions, WindowOptions {
   std::string formula;
 };
 
 ExitStatus run(const FormulaCheck& check, const FormulaCheckOptions& options, const Common& common) {
-  const FormulaAsked asked{check.kind, options.formula, check.option, options.window};
-  return check_property(
-      options, common, std::string(check.name) + " " + options.formula,
-      [&](const automata::Plant& plant) -> verifier::Property {
-        auto formula = formula_option(options.formula, plant, check.option, common);
-        if (check.kind == verifier::MarkingQuestion::Kind::safety) {
-          return verifier::Safety{std::move(formula), options.window, options.fastest};
-        }
-        return verifier::Reachability{std::move(formula), options.window, options.fastest};
-      },
-      &asked);
+  return check_property(options, common, std::string(check.name) + " " + options.formula,
+                        [&](const automata::Plant& plant) -> verifier::Property {
+                          check_window(options.window, period_of(options.freedom, plant));
+                          auto formula = formula_option(options.formula, plant, check.option, common);
+                          if (check.never) return verifier::Safety{std::move(formula), options.window, options.fastest};
+                          return verifier::Reachability{std::move(formula), options.window, options.fastest};
+                        });
 }
 
 }  // namespace

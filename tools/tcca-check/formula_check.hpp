@@ -1,15 +1,14 @@
-// Whether a formula can come to hold: reachability and safety, of plants and of model programs.
+// Whether a formula can come to hold: reachability and safety.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include "tools/shared/program.hpp"
-#include "verifier/marking/question.hpp"
 
 namespace rmpl::tools {
 
 /// What the two subcommands differ in.
 struct FormulaCheck {
-  verifier::MarkingQuestion::Kind kind;
+  bool never;               ///< the formula is never to hold
   const char* name;         ///< of the subcommand
   const char* description;  ///< of the subcommand
   const char* option;       ///< that takes the formula

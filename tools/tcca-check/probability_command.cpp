@@ -69,7 +69,7 @@ ExitStatus run(const ProbabilityOptions& options, const Common& common) {
   if (!options.curve.empty() && !options.curve.ends_with(".svg") && !options.curve.ends_with(".csv")) {
     throw base::InputError("--curve " + options.curve + ": expected a name that ends in .csv or .svg");
   }
-  const compiler::Compilation compilation = load(paths, common, {options.entry});
+  const compiler::Compilation compilation = load(paths, common, {.main = options.entry, .model_is_plant = true});
   const automata::Document& document = compilation.document();
   const automata::Plant& plant = only_plant(document, named);
   const bool closed = !options.plant.empty() || !document.programs.empty();

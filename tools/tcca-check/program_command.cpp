@@ -276,7 +276,8 @@ ExitStatus run_check(const ProgramOptions& options, const Common& common, const 
 
 ExitStatus run(const ProgramOptions& options, const Common& common) {
   check_window(options.window.window, options.freedom.period);
-  const compiler::Compilation compilation = load(options.models(), common, {options.entry});
+  const compiler::Compilation compilation =
+      load(options.models(), common, {.main = options.entry, .model_is_plant = true});
   const automata::Document& document = compilation.document();
   const std::string paths = options.plant.empty() ? options.program : options.program + ", " + options.plant;
   const automata::Program& program = only_program(document, paths);

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "tools/tcca-check/property_check.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "tools/shared/models.hpp"
-#include "tools/tcca-check/model_check.hpp"
 #include "tools/tcca-check/witness_flight.hpp"
 #include "verifier/check/check.hpp"
 #include "verifier/verdict/report.hpp"
 #include "verifier/verdict/table.hpp"
 #include "verifier/verdict/wording.hpp"
+#include "verifier/zone/time_model.hpp"
 
 namespace rmpl::tools {
 
@@ -19,7 +21,7 @@ namespace {
 
 verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& options, const Common& common) {
   const Freedom& freedom = options.freedom;
-  verifier::CheckOptions result{.period = freedom.period,
+  verifier::CheckOptions result{.period = period_of(freedom, plant),
                                 .faults = freedom.faults.value_or(0),
                                 .commands = options.commands,
                                 .entailed = freedom.entailed,
@@ -27,7 +29,10 @@ verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& 
                                 .cut_sets = options.cut_sets.has_value(),
                                 .symmetry = !options.no_symmetry,
                                 .from = assignments_option(freedom.from, plant, "--from", common)};
+  const bool drawn = std::all_of(plant.components.begin(), plant.components.end(),
+                                 [](const automata::Component& component) { return component.software; });
   if (options.fewest_faults && !freedom.faults) result.faults.reset();
+  if (!options.fewest_faults && !freedom.faults && drawn) result.faults = most_faults;
   if (options.cut_sets) result.faults = options.cut_sets;
   return result;
 }
@@ -87,13 +92,13 @@ void check_window(const verifier::Window& window, std::optional<automata::Ticks>
   }
 }
 
+std::optional<automata::Ticks> period_of(const Freedom& freedom, const Plant& plant) {
+  return freedom.period || freedom.dense ? freedom.period : verifier::usual_period(plant);
+}
+
 ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,
-                          const std::function<verifier::Property(const Plant&)>& ask, const FormulaAsked* of_model) {
-  const compiler::Compilation compilation = load({options.model}, common);
-  if (of_model != nullptr && is_model_program(compilation.document())) {
-    return check_model(only_model_program(compilation.document(), options.model), options, common, title, *of_model);
-  }
-  if (of_model != nullptr) check_window(of_model->window, options.freedom.period);
+                          const std::function<verifier::Property(const Plant&)>& ask) {
+  const compiler::Compilation compilation = load({options.model}, common, {.model_is_plant = true});
   const Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::Property asked = ask(plant);
   if (common.verbose) {

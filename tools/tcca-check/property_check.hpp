@@ -42,13 +42,12 @@ inline constexpr const char* no_cut_sets_of_some_day =
     "finite "
     "time, or ask with --fewest-faults";
 
-struct FormulaAsked;
+/// The period of the steps that was asked for; else that of a plant that has no other reading of time.
+std::optional<automata::Ticks> period_of(const Freedom& freedom, const automata::Plant& plant);
 
 /// Checks the property that `ask` makes of the plant, and prints the answer. `title` is the property as it was asked.
-/// Of a model program it is asked as `of_model` says; where that is none, such a program is no input. Throws
-/// base::InputError, base::LimitError and Rejected.
+/// Throws base::InputError, base::LimitError and Rejected.
 ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,
-                          const std::function<verifier::Property(const automata::Plant&)>& ask,
-                          const FormulaAsked* of_model = nullptr);
+                          const std::function<verifier::Property(const automata::Plant&)>& ask);
 
 }  // namespace rmpl::tools

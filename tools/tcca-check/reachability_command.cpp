@@ -7,7 +7,7 @@ namespace rmpl::tools {
 
 void add_reachability(Program& program) {
   add_formula_check(
-      program, {.kind = verifier::MarkingQuestion::Kind::reachability,
+      program, {.never = false,
                 .name = "reachability",
                 .description = "can the plant reach a state in which a formula holds? if so, print a timed witness",
                 .option = "--target",

@@ -6,7 +6,7 @@
 namespace rmpl::tools {
 
 void add_safety(Program& program) {
-  add_formula_check(program, {.kind = verifier::MarkingQuestion::Kind::safety,
+  add_formula_check(program, {.never = true,
                               .name = "safety",
                               .description = "does a formula never hold? if not, print a timed counterexample",
                               .option = "--never",

@@ -32,6 +32,17 @@ std::vector<Ticks> finite_bounds(const automata::Plant& plant) {
 
 }  // namespace
 
+std::optional<Ticks> usual_period(const automata::Plant& plant) {
+  const auto is_timed = [](const automata::Component& component) {
+    return std::any_of(component.transitions.begin(), component.transitions.end(),
+                       [](const automata::Transition& t) { return t.timing.has_value(); });
+  };
+  const auto& all = plant.components;
+  const bool software = std::any_of(all.begin(), all.end(), [](const auto& component) { return component.software; });
+  if (!software || std::any_of(all.begin(), all.end(), is_timed)) return std::nullopt;
+  return Ticks::of_seconds(1);
+}
+
 void refuse_dense_time(const automata::Plant& plant) {
   for (const automata::Component& component : plant.components) {
     if (!component.software) continue;

@@ -11,6 +11,10 @@
 
 namespace rmpl::verifier {
 
+/// How long a step is where nothing says so: a second if software is a part of the plant and nothing in it has times.
+/// Nothing: time is dense.
+std::optional<automata::Ticks> usual_period(const automata::Plant& plant);
+
 /// Throws base::InputError where software is a part of the plant: it takes a step a cycle.
 void refuse_dense_time(const automata::Plant& plant);
 

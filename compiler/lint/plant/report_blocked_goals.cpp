@@ -19,7 +19,7 @@ void report_blocked_goals(PlantReport& report) {
     component_of.emplace(plant.components[c].mode, ComponentId(c));
   std::map<PlantMode, grammar::Span> asked;  // where it is asked for first
   for (const BoundProgram& bound : bound_programs(report.input())) {
-    if (bound.plant != &plant || bound.model != nullptr) continue;
+    if (bound.plant != &plant) continue;
     for (std::size_t l = 0; l < bound.program.locations.size(); ++l) {
       for (const automata::Assignment& goal : bound.program.locations[l].goal) {
         const auto component = component_of.find(goal.variable);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/lint/program/reachable_modes.hpp"
+
 namespace rmpl::compiler {
 
 namespace {
@@ -28,13 +30,9 @@ std::vector<BoundProgram> bound_programs(const LintInput& input) {
     BoundProgram bound{document.programs[p], plant_of(document, p), input.programs[p], {}, {}};
     for (const automata::Scenario& scenario : document.scenarios) {
       if (scenario.program != p) continue;
-      bound.model = scenario.model ? &document.models[*scenario.model] : nullptr;
       bound.cycle = std::max(bound.cycle, scenario.cycle);
-      bound.also.insert(bound.also.end(), scenario.truth.begin(), scenario.truth.end());
-      for (const automata::ForcedMode& forced : scenario.forced) {
-        const automata::Component& component = document.plant_of(scenario)[forced.component];
-        bound.also.push_back({component.mode, automata::ValueId(forced.mode.index())});
-      }
+      const auto added = added_modes(scenario, document.plant_of(scenario));
+      bound.also.insert(bound.also.end(), added.begin(), added.end());
     }
     if (bound.cycle == automata::Ticks{0}) bound.cycle = input.cycle;
     all.push_back(std::move(bound));

@@ -14,8 +14,6 @@ struct BoundProgram {
   const ProgramPlaces& places;             ///< empty where the program came compiled
   std::vector<automata::Assignment> also;  ///< modes that a scenario of the program starts in, or forces
   automata::Ticks cycle;                   ///< the longest of its scenarios'
-  /// Where the plant is the facade of a model program: what it comes to is not known.
-  const automata::ModelProgram* model = nullptr;
 };
 
 std::vector<BoundProgram> bound_programs(const LintInput& input);

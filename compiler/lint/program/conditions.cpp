@@ -53,7 +53,7 @@ class Judge {
     if (std::string control = undetermined(condition.formula); !control.empty()) {
       return {Verdict::never, &condition, {}, {}, std::move(control)};
     }
-    if (bound_.plant == nullptr || bound_.model != nullptr) return {Verdict::open, &condition, {}, {}};
+    if (bound_.plant == nullptr) return {Verdict::open, &condition, {}, {}};
     if (!reach_) reach_.emplace(*bound_.plant, bound_.also);
     std::string unreached = unreached_modes(condition.formula);
     if (unreached.empty() || possible_.can_hold(automata::conjunction({condition.formula, reach_->formula()}))) {
@@ -98,14 +98,10 @@ class Judge {
     return std::find(seen.begin(), seen.end(), variable) != seen.end() ||
            std::any_of(plant.interconnections.begin(), plant.interconnections.end(),
                        [&](const auto& q) { return speaks(q.constraint); }) ||
-           std::any_of(plant.components.begin(), plant.components.end(),
-                       [&](const automata::Component& component) {
-                         return std::any_of(component.modes.begin(), component.modes.end(),
-                                            [&](const automata::Mode& mode) { return speaks(mode.constraint); });
-                       }) ||
-           (bound_.model != nullptr &&
-            std::any_of(bound_.model->locations.begin(), bound_.model->locations.end(),
-                        [&](const automata::ModelLocation& location) { return speaks(location.told); }));
+           std::any_of(plant.components.begin(), plant.components.end(), [&](const automata::Component& component) {
+             return std::any_of(component.modes.begin(), component.modes.end(),
+                                [&](const automata::Mode& mode) { return speaks(mode.constraint); });
+           });
   }
 
   /// The modes that a formula speaks of, or that stand for what it speaks of, and that are never reached.

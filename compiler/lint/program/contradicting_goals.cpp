@@ -74,7 +74,7 @@ void lint_contradicting_goals(const LintInput& input, grammar::Diagnostics& foun
     limits.states = std::max<std::size_t>(200, limits.states / components.size());
     limits.steps = std::min(limits.steps, work / bound.program.locations.size()) / components.size();
     std::vector<automata::Formula> stages;
-    if (bound.plant != nullptr && bound.model == nullptr) stages = ReachableModes::by_cycle(*bound.plant, bound.also);
+    if (bound.plant != nullptr) stages = ReachableModes::by_cycle(*bound.plant, bound.also);
     FreeConditions conditions(bound.program, bound.plant, std::move(stages));
     for (const automata::VariableId component : components) {
       const auto relevant = goal_threads(bound.program, component);

@@ -23,7 +23,7 @@ namespace {
 
 /// Calls `visit(location, goal, component)` for each mode of a plant's component that a program asks for.
 void for_each_goal(const BoundProgram& bound, const auto& visit) {
-  if (bound.plant == nullptr || bound.model != nullptr) return;
+  if (bound.plant == nullptr) return;
   for (std::size_t l = 0; l < bound.program.locations.size(); ++l) {
     for (const Assignment& goal : bound.program.locations[l].goal) {
       if (const auto id = bound.plant->component_of(goal.variable)) {

@@ -41,7 +41,7 @@ void look_at(const BoundProgram& bound, std::map<Span, std::optional<std::string
   Possibilities possible(bound.program.variables, bound.plant);
   if (!possible.consistent()) return;
   std::optional<Formula> reachable;
-  if (bound.plant != nullptr && bound.model == nullptr) reachable = ReachableModes(*bound.plant, bound.also).formula();
+  if (bound.plant != nullptr) reachable = ReachableModes(*bound.plant, bound.also).formula();
   for (const PlacedCondition& condition : bound.places.conditions) {
     std::vector<Formula> atoms;
     collect_knowledge(condition.formula, atoms);
@@ -97,7 +97,7 @@ void report_empty_answers(const LintInput& input, grammar::Diagnostics& found) {
 
 /// Observed components, the first of each group, whose surprises a program lets pass while it asks for others'.
 void report_unasked(const BoundProgram& bound, std::set<Span>& told, grammar::Diagnostics& found) {
-  if (bound.plant == nullptr || bound.model != nullptr) return;
+  if (bound.plant == nullptr) return;
   std::vector<std::pair<automata::VariableId, Span>> asked;
   for (const PlacedCondition& condition : bound.places.conditions) {
     std::vector<Formula> atoms;

@@ -88,6 +88,9 @@ std::vector<automata::Assignment> added_modes(const automata::Scenario& scenario
   std::vector<automata::Assignment> also = scenario.truth;
   for (const automata::ForcedMode& forced : scenario.forced) {
     also.push_back({plant[forced.component].mode, automata::ValueId(forced.mode.index())});
+    for (const automata::ModeId mode : forced.also) {
+      also.push_back({plant[forced.component].mode, automata::ValueId(mode.index())});
+    }
   }
   return also;
 }

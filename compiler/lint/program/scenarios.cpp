@@ -109,7 +109,7 @@ class FineTimes {
 void lint_rules(const LintInput& input, grammar::Diagnostics& found) {
   std::map<std::size_t, Possibilities> by_plant;
   for (const Scenario& scenario : input.document.scenarios) {
-    if (scenario.rules.empty() || scenario.model) continue;
+    if (scenario.rules.empty()) continue;
     const automata::Plant& plant = input.document.plants[scenario.plant];
     Possibilities& possible = by_plant.try_emplace(scenario.plant, plant.variables, &plant).first->second;
     const ReachableModes reach(plant, added_modes(scenario, plant));
@@ -125,7 +125,7 @@ void lint_fine_times(const LintInput& input, grammar::Diagnostics& found) {
   FineTimes times(input, found);
   for (const Scenario& scenario : input.document.scenarios) {
     times.scenario(scenario);
-    if (!scenario.model) times.plant(input.document.plants[scenario.plant], scenario.cycle);
+    times.plant(input.document.plants[scenario.plant], scenario.cycle);
   }
   for (const BoundProgram& bound : bound_programs(input)) times.program(bound);
 }

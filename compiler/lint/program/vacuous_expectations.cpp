@@ -53,7 +53,7 @@ Vacuity vacuity_of(const Expectation& expectation, const Scenario& scenario, con
 void lint_vacuous_expectations(const LintInput& input, grammar::Diagnostics& found) {
   std::map<std::size_t, Possibilities> by_plant;
   for (const Scenario& scenario : input.document.scenarios) {
-    if (scenario.expectations.empty() || scenario.model) continue;
+    if (scenario.expectations.empty()) continue;
     const automata::Plant& plant = input.document.plants[scenario.plant];
     Possibilities& possible = by_plant.try_emplace(scenario.plant, plant.variables, &plant).first->second;
     if (!possible.consistent()) continue;

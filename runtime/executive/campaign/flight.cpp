@@ -41,10 +41,6 @@ std::string_view name_of(CampaignRun::Verdict verdict) {
 }
 
 void expect_faults(const automata::Document& document, const automata::Scenario& scenario, std::size_t faults) {
-  if (scenario.model) {
-    throw base::InputError("scenario '" + scenario.name + "': '" + document.plant_of(scenario).name +
-                           "' is a model program, which does not say what its faults are");
-  }
   if (scenario.rules_only) {
     throw base::InputError("scenario '" + scenario.name +
                            "': its plant follows the rules only, and has no faults to inject");

@@ -12,8 +12,8 @@ namespace rmpl::runtime {
 
 LiveResult run_live(const automata::Program& program, Engines& engines, Channel& channel, const LiveRun& options,
                     const std::vector<CycleObserver*>& observers) {
-  LivePlant plant(engines.model(), channel, options.cycle, options.plant);
-  Executive executive(program, engines.model(), engines.estimator(), engines.reconfigurer(), plant, plant,
+  LivePlant plant(engines.plant(), channel, options.cycle, options.plant);
+  Executive executive(program, engines.plant(), engines.estimator(), engines.reconfigurer(), plant, plant,
                       options.cycle);
   const auto look = [&](const CycleRecord& record) {
     for (CycleObserver* observer : observers) observer->observe(record);

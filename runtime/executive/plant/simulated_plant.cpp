@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "automata/assignment_text.hpp"
+#include "automata/place.hpp"
 #include "base/error.hpp"
 #include "base/partition.hpp"
 #include "base/product.hpp"
@@ -57,7 +58,7 @@ SimulatedPlant::SimulatedPlant(automata::PlantStep& step, const automata::Scenar
     const automata::Component& component = plant_[forced.component];
     return component.software && component.modes[forced.mode.index()].fault;
   };
-  std::copy_if(forced_.begin(), forced_.end(), std::back_inserter(awaited_), is_drawn);
+  std::copy_if(forced_.begin(), forced_.end(), std::back_inserter(owed_), is_drawn);
   std::erase_if(forced_, is_drawn);
   std::stable_sort(forced_.begin(), forced_.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
   std::reverse(forced_.begin(), forced_.end());
@@ -78,18 +79,30 @@ void SimulatedPlant::issue(const automata::ControlAction& action, automata::Tick
 
 bool SimulatedPlant::faults_are_due(automata::Ticks now) const {
   return (!forced_.empty() && forced_.back().at <= now) ||
-         std::any_of(awaited_.begin(), awaited_.end(), [&](const auto& fault) { return fault.at <= now; });
+         std::any_of(awaited_.begin(), awaited_.end(), [&](const auto& fault) { return fault.at <= now; }) ||
+         waits_for(now);
+}
+
+bool SimulatedPlant::waits_for(automata::Ticks now) const {
+  return std::any_of(owed_.begin(), owed_.end(), [&](const auto& fault) { return fault.at <= now; });
 }
 
 void SimulatedPlant::release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
-  std::erase_if(awaited_, [&](const automata::ForcedMode& fault) {
+  const auto is_released = [&](automata::ForcedMode fault) {
     auto& open = moves[fault.component.index()];
-    const bool due =
-        fault.at <= now && state_.modes[fault.component.index()] != fault.mode &&
-        std::any_of(open.begin(), open.end(), [&](const automata::Move& move) { return move.mode == fault.mode; });
-    if (due) force(open, fault);
-    return due;
-  });
+    if (fault.at > now || fault.is_met_by(state_.modes[fault.component.index()])) return false;
+    const automata::Move* likeliest = nullptr;
+    for (const automata::Move& move : open) {
+      if (!fault.is_met_by(move.mode)) continue;
+      if (likeliest == nullptr || move.probability > likeliest->probability) likeliest = &move;
+    }
+    if (likeliest == nullptr) return false;
+    fault.mode = likeliest->mode;
+    force(open, fault);
+    return true;
+  };
+  std::erase_if(awaited_, is_released);
+  std::erase_if(owed_, is_released);
 }
 
 void SimulatedPlant::force(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
@@ -185,6 +198,16 @@ void SimulatedPlant::give_up(automata::Ticks now, int draws) const {
   }
   throw base::InputError(message + "; each of " + std::to_string(draws) +
                          " drawn states contradicts the interconnections and mode constraints");
+}
+
+void SimulatedPlant::finish(automata::Ticks now) const {
+  const auto missed = std::find_if(owed_.begin(), owed_.end(), [&](const auto& fault) { return fault.at <= now; });
+  if (missed == owed_.end()) return;
+  const std::string mode =
+      missed->told ? to_text(plant_.variables, *missed->told) : to_text(plant_[missed->component], missed->mode);
+  throw base::InputError(to_text(missed->origin) + ": from " + automata::format_seconds(missed->at) +
+                         " s to the end at " + automata::format_seconds(now) + " s no draw led to " + mode +
+                         ": the scenario forces a mode that no draw could reach");
 }
 
 const automata::Observation& SimulatedPlant::sense(automata::Ticks now) {

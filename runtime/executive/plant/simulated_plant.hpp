@@ -17,7 +17,8 @@ namespace rmpl::runtime {
 /// Draws initial modes, transitions, faults and readings from the model: all components at once, and all again where
 /// the store of the drawn state is inconsistent. Faults that the scenario forces happen in the first step that ends at
 /// or after their time; those that are awaited in the first of these in which the model has them happen by chance, to
-/// a component that is not there yet. Sensors that the scenario dictates read what it says. Same seed, same plant.
+/// a component that is not there yet. So do those of software that the scenario forces. Sensors that the scenario
+/// dictates read what it says. Same seed, same plant.
 ///
 /// A plant that follows the luck of another one draws what that one drew, by step, component and sensor. Where the
 /// store is inconsistent only those components draw again that have to do, by it, with one of those to blame.
@@ -37,8 +38,10 @@ class SimulatedPlant final : public PlantInterface {
   [[nodiscard]] std::span<const Sample> samples() const override { return script_.samples(); }
   [[nodiscard]] const Monitors* monitors() const override { return script_.monitors(); }
   [[nodiscard]] bool more_to_come() const override {
-    return !forced_.empty() || !awaited_.empty() || script_.pending();
+    return !forced_.empty() || !awaited_.empty() || !owed_.empty() || script_.pending();
   }
+  [[nodiscard]] bool waits_for_occasion() const override { return waits_for(time_); }
+  void finish(automata::Ticks now) const override;
 
  private:
   void draw(const std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
@@ -47,6 +50,7 @@ class SimulatedPlant final : public PlantInterface {
   /// What is certain costs no number.
   automata::ModeId choose(const std::vector<automata::Move>& moves, std::size_t component);
   [[nodiscard]] bool faults_are_due(automata::Ticks now) const;
+  [[nodiscard]] bool waits_for(automata::Ticks now) const;
   // Faults whose time has come take the place of what else the components could do: those that are awaited, those that
   // the scenario forces.
   void release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now);
@@ -65,6 +69,7 @@ class SimulatedPlant final : public PlantInterface {
   SensorScript script_;
   std::vector<automata::ForcedMode> forced_;  ///< the next to happen stands last
   std::vector<automata::ForcedMode> awaited_;
+  std::vector<automata::ForcedMode> owed_;  ///< the same of software in the scenario, which are to happen
   automata::SystemState state_;
   automata::Ticks time_;
   automata::ControlAction action_;

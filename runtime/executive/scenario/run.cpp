@@ -22,7 +22,7 @@ ScenarioResult run_scenario(const automata::Document& document, const automata::
   ScenarioResult result;
   result.seed = options.seed.value_or(scenario.seed);
   ScenarioFlight flight(document, scenario, options);
-  Expectations expectations(flight.engines().model(), flight.engines().theory(), flight.program(), scenario);
+  Expectations expectations(flight.engines().plant(), flight.engines().theory(), flight.program(), scenario);
   Executive& executive = flight.executive();
   PlantInterface& plant = flight.plant();
   const auto look = [&](const CycleRecord& record) {

@@ -21,16 +21,15 @@ ScenarioFlight::ScenarioFlight(const automata::Document& document, const automat
   if (scenario.cycle.count <= 0) {
     throw base::InputError("scenario '" + scenario.name + "': expected a cycle above 0 s");
   }
-  engines_ = scenario.model ? make_engines(document.models[*scenario.model], options)
-                            : make_engines(document.plants[scenario.plant], options, scenario.cycle);
+  engines_.emplace(document.plant_of(scenario), options, scenario.cycle);
   if (scenario.rules_only) {
-    plant_ = std::make_unique<ScriptedPlant>(engines_->model(), scenario);
+    plant_ = std::make_unique<ScriptedPlant>(engines_->plant(), scenario);
   } else {
     plant_ = engines_->simulate(scenario, options.seed.value_or(scenario.seed));
   }
   clock_ = make_clock(options);
-  commands_ = std::make_unique<CommandScript>(engines_->model(), scenario);
-  executive_ = std::make_unique<Executive>(program_, engines_->model(), engines_->estimator(), engines_->reconfigurer(),
+  commands_ = std::make_unique<CommandScript>(engines_->plant(), scenario);
+  executive_ = std::make_unique<Executive>(program_, engines_->plant(), engines_->estimator(), engines_->reconfigurer(),
                                            *plant_, *clock_, scenario.cycle);
   if (!scenario.commands.empty()) executive_->obey(*commands_);
   if (options.measured) executive_->measure();

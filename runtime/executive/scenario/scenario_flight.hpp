@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "automata/scenario.hpp"
 #include "runtime/executive/cycle/clock.hpp"
@@ -28,7 +29,7 @@ class ScenarioFlight {
 
  private:
   const automata::Program& program_;
-  std::unique_ptr<Engines> engines_;
+  std::optional<Engines> engines_;
   std::unique_ptr<PlantInterface> plant_;
   std::unique_ptr<Clock> clock_;
   std::unique_ptr<CommandScript> commands_;

@@ -29,11 +29,6 @@ automata::Scenario with_choices(automata::Scenario scenario, const std::vector<C
   return scenario;
 }
 
-/// The modes of a plant. Behind those of the facade of a model program the executive has its locations.
-automata::Modes shown(const automata::Modes& modes, const automata::Plant& plant) {
-  return {modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(plant.components.size())};
-}
-
 /// The modes in which a state differs from the most likely one.
 std::string differences(const automata::Plant& plant, const automata::Modes& modes, const automata::Modes& best) {
   std::string text;
@@ -46,10 +41,10 @@ std::string differences(const automata::Plant& plant, const automata::Modes& mod
 
 /// The most likely combinations of modes, whatever their clocks; the first is the estimate.
 std::vector<Stop::Believed> believed(const CycleRecord& record, const automata::Plant& plant) {
-  const automata::Modes estimate = shown(record.estimate, plant);
+  const automata::Modes& estimate = record.estimate;
   std::vector<std::pair<automata::Modes, double>> sums;
   for (const BeliefEntry& entry : record.estimator->belief()) {
-    const automata::Modes modes = shown(entry.state.modes, plant);
+    const automata::Modes& modes = entry.state.modes;
     const auto known = std::find_if(sums.begin(), sums.end(), [&](const auto& sum) { return sum.first == modes; });
     if (known != sums.end()) {
       known->second += entry.probability;
@@ -77,11 +72,9 @@ FlightSteps::FlightSteps(const automata::Document& document, automata::Scenario 
       base_(std::move(scenario)),
       options_(std::move(options)),
       choices_(std::move(choices)),
-      theory_(automata::model_theory(document.plant_of(base_))) {
-  if (!base_.model) {
-    step_.emplace(document.plants[base_.plant]);
-    if (!options_.graph) options_.graph = reconfiguration_graph(document.plants[base_.plant]);
-  }
+      theory_(automata::model_theory(document.plant_of(base_))),
+      step_(document.plant_of(base_)) {
+  if (!options_.graph) options_.graph = reconfiguration_graph(document.plant_of(base_));
   assemble();
 }
 
@@ -103,13 +96,12 @@ void FlightSteps::look_at(const CycleRecord& record) {
   time_ = record.time;
   ended_ = flight_->executive().ended();
   last_ = record;
-  if (record.truth != nullptr) go_on(truth_, truth_since_, shown(*record.truth, plant()));
-  go_on(estimate_, estimate_since_, shown(record.estimate, plant()));
+  if (record.truth != nullptr) go_on(truth_, truth_since_, *record.truth);
+  go_on(estimate_, estimate_since_, record.estimate);
   for (std::size_t c = 0; c < diagnosed_.size(); ++c) {
     if (!plant().components[c].modes[estimate_[c].index()].fault) diagnosed_[c].reset();
   }
   for (const Evidence& evidence : record.evidence) {
-    if (evidence.component.index() >= diagnosed_.size()) continue;  // a location
     diagnosed_[evidence.component.index()] = to_text(evidence, record.estimate, plant());
   }
   story_->observe(record);
@@ -117,13 +109,10 @@ void FlightSteps::look_at(const CycleRecord& record) {
 
 /// To the modes at the end of a cycle, with when their clocks began.
 void FlightSteps::go_on(automata::Modes& modes, std::vector<Ticks>& since, automata::Modes now) {
-  since.resize(now.size(), time_);
-  if (step_ && !modes.empty()) {
-    since = step_->advance({std::move(modes), std::move(since)}, last_.command, now, time_).clock_starts;
+  if (modes.empty()) {
+    since.assign(now.size(), time_);
   } else {
-    for (std::size_t c = 0; c < now.size(); ++c) {
-      if (modes.empty() || now[c] != modes[c]) since[c] = time_;
-    }
+    since = step_.advance({std::move(modes), std::move(since)}, last_.command, now, time_).clock_starts;
   }
   modes = std::move(now);
 }
@@ -191,10 +180,9 @@ void FlightSteps::observe(automata::Assignment reading, Ticks duration) {
 std::vector<Prospect> FlightSteps::ahead() {
   if (time_ >= base_.duration) return {};
   const automata::ControlAction& action = flight_->executive().record().command;
-  if (!step_) return possible_commands(plant(), action);
   const bool true_modes = has_truth();
   const automata::SystemState state{true_modes ? truth_ : estimate_, true_modes ? truth_since_ : estimate_since_};
-  return prospects(*step_, state, action, time_, next_time());
+  return prospects(step_, state, action, time_, next_time());
 }
 
 Stop FlightSteps::stop() {

@@ -83,7 +83,7 @@ class FlightSteps final : public SteppedRun {
   std::vector<Choice> choices_;
   automata::Scenario scenario_;
   automata::Theory theory_;
-  std::optional<automata::PlantStep> step_;  ///< none of a model program
+  automata::PlantStep step_;
   std::unique_ptr<ScenarioFlight> flight_;
   std::unique_ptr<Story> story_;
   std::vector<std::string> lines_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "automata/controls.hpp"
 #include "automata/time/checked_ticks.hpp"
 
 namespace rmpl::runtime {
@@ -37,12 +36,18 @@ class Looking {
 
  private:
   void commands() {
-    for (Prospect& command : possible_commands(plant_, action_)) {
-      automata::ControlAction other = action_;
-      other[*automata::control_of(plant_, command.what.variable)] = command.what.value;
-      if (!step_.permits(state_.modes, other)) continue;
-      command.lets = let_by(other);
-      found_.push_back(std::move(command));
+    for (std::size_t i = 0; i < plant_.controls.size(); ++i) {
+      const automata::VariableId variable = plant_.controls[i].variable;
+      for (std::size_t v = 0; v < plant_.variables[variable].values.size(); ++v) {
+        automata::ControlAction other = action_;
+        other[i] = automata::ValueId(v);
+        if (other[i] == action_[i] || !step_.permits(state_.modes, other)) continue;
+        Prospect command;
+        command.kind = Prospect::Kind::command;
+        command.what = {variable, other[i]};
+        command.lets = let_by(other);
+        found_.push_back(std::move(command));
+      }
     }
   }
 
@@ -125,22 +130,6 @@ class Looking {
 };
 
 }  // namespace
-
-std::vector<Prospect> possible_commands(const automata::Plant& plant, const automata::ControlAction& action) {
-  std::vector<Prospect> result;
-  for (std::size_t i = 0; i < plant.controls.size(); ++i) {
-    const automata::VariableId variable = plant.controls[i].variable;
-    for (std::size_t v = 0; v < plant.variables[variable].values.size(); ++v) {
-      const automata::ValueId value(v);
-      if (value == action[i]) continue;
-      Prospect command;
-      command.kind = Prospect::Kind::command;
-      command.what = {variable, value};
-      result.push_back(std::move(command));
-    }
-  }
-  return result;
-}
 
 std::vector<Prospect> prospects(automata::PlantStep& step, const automata::SystemState& state,
                                 const automata::ControlAction& action, automata::Ticks begin, automata::Ticks end) {

@@ -40,8 +40,4 @@ struct Prospect {
 std::vector<Prospect> prospects(automata::PlantStep& step, const automata::SystemState& state,
                                 const automata::ControlAction& action, automata::Ticks begin, automata::Ticks end);
 
-/// The commands alone, whether or not the model tolerates them: of a plant that has no transitions of its own, since it
-/// is a model program.
-std::vector<Prospect> possible_commands(const automata::Plant& plant, const automata::ControlAction& action);
-
 }  // namespace rmpl::runtime

@@ -47,7 +47,7 @@ std::string scenario_text(const automata::Scenario& scenario, const automata::Pl
     events.emplace_back(s.at, "channel " + quoted_text(s.channel) + " = " + (s.number ? s.text : quoted_text(s.text)));
   }
   for (const automata::ForcedMode& f : scenario.forced) {
-    events.emplace_back(f.at, "fault " + to_text(plant[f.component], f.mode));
+    events.emplace_back(f.at, "fault " + (f.told ? to_text(variables, *f.told) : to_text(plant[f.component], f.mode)));
   }
   for (const automata::GivenCommand& c : scenario.commands) {
     const bool once = c.duration == scenario.cycle;

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "automata/assignment_text.hpp"
-#include "automata/facade.hpp"
 #include "automata/json/parse.hpp"
 #include "automata/place.hpp"
 #include "base/error.hpp"
@@ -272,21 +271,15 @@ class Reader {
 
   [[nodiscard]] std::string place(std::size_t line) const { return name_ + ":" + std::to_string(line); }
 
-  /// All modes; of a facade those that are not told are open.
   [[nodiscard]] automata::Modes modes_of(const std::vector<automata::Assignment>& told, const std::string& at) const {
     automata::Modes modes;
     for (const automata::Component& component : plant_.components) {
       const auto known = std::find_if(told.begin(), told.end(),
                                       [&](const automata::Assignment& one) { return one.variable == component.mode; });
-      if (known != told.end()) {
-        modes.push_back(automata::ModeId(known->value.index()));
-        continue;
-      }
-      const automata::ModeId last(component.modes.size() - 1);
-      if (!automata::is_open(plant_, component, last)) {
+      if (known == told.end()) {
         throw base::InputError(at + ": expected the mode of every component, and '" + component.name + "' has none");
       }
-      modes.push_back(last);
+      modes.push_back(automata::ModeId(known->value.index()));
     }
     return modes;
   }
@@ -295,7 +288,6 @@ class Reader {
     if (!names.is_object()) throw base::InputError(at + ": expected modes by the names of components");
     std::vector<automata::Assignment> told;
     for (const auto& [name, value] : names.items()) {
-      if (value.is_null()) continue;
       if (!value.is_string())
         throw base::InputError(std::string(at).append(": ").append(name).append(": expected a mode"));
       try {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include "automata/clock_use.hpp"
 
-#include "automata/facade.hpp"
 #include "base/check.hpp"
 #include "runtime/reasoning/estimate/rank.hpp"
 
@@ -140,9 +139,8 @@ JsonLine& JsonLine::assignments(std::span<const automata::Assignment> assignment
 
 JsonLine& JsonLine::modes(const automata::Modes& modes, const automata::Plant& plant) {
   open('{');
-  for (std::size_t i = 0; i < std::min(modes.size(), plant.components.size()); ++i) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
     const automata::Component& component = plant.components[i];
-    if (automata::is_open(plant, component, modes[i])) continue;
     key(component.name).string(component.modes[modes[i].index()].name);
   }
   return close('}');

@@ -48,7 +48,7 @@ class JsonLine {
 
   /// `{"variable":"value",…}` in the order given.
   JsonLine& assignments(std::span<const automata::Assignment> assignments, const automata::Variables& variables);
-  /// `{"component":"mode",…}` in declaration order; of a facade, without what is open.
+  /// `{"component":"mode",…}` in declaration order.
   JsonLine& modes(const automata::Modes& modes, const automata::Plant& plant);
   /// `[{"probability":…,"modes":{…},"clocks":{…}},…]`, clocks in seconds since they started; with `clocks`, only
   /// those that the table has for their component and mode. With `rank`, that of the best, each has a `rank` in place

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "automata/facade.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 
@@ -63,9 +62,7 @@ automata::ValueId value_of(const automata::Variable& variable, const std::string
 
 }  // namespace
 
-LogNames::LogNames(const automata::Plant& plant) : plant_(plant), index_(plant), observed_(plant.variables.size()) {
-  for (const automata::VariableId v : plant.observables) observed_[v.index()] = true;
-}
+LogNames::LogNames(const automata::Plant& plant) : plant_(plant), index_(plant) {}
 
 Assignment LogNames::resolve(Role role, const std::string& name, const std::string& value) const {
   const auto variable = plant_.variables.find(name);
@@ -84,8 +81,8 @@ bool LogNames::plays(Role role, automata::VariableId variable) const {
       return index_.control_of(variable).has_value();
     case Role::estimate:
       return index_.component_of(variable).has_value();
-    case Role::observations:  // what the software of a facade tells may be seen
-      return !index_.component_of(variable) || observed_[variable.index()];
+    case Role::observations:
+      return !index_.component_of(variable);
   }
   return false;
 }

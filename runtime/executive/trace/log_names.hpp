@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "automata/dependencies/plant_index.hpp"
 #include "automata/phca.hpp"
@@ -27,7 +26,6 @@ class LogNames {
 
   const automata::Plant& plant_;
   automata::PlantIndex index_;
-  std::vector<bool> observed_;  ///< by variable
 };
 
 /// The same over a model program.

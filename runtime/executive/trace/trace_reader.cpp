@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "automata/facade.hpp"
 #include "base/error.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/executive/trace/reasons.hpp"
@@ -289,21 +288,15 @@ void TraceReader::read_belief(const Json& line) {
   record_.probability = estimator_->estimate().probability;
 }
 
-/// All modes; of a facade those that are not told are open.
 automata::Modes TraceReader::modes_of(const std::vector<automata::Assignment>& told) const {
   automata::Modes modes;
   for (const automata::Component& component : plant_.components) {
     const auto known = std::find_if(told.begin(), told.end(),
                                     [&](const automata::Assignment& one) { return one.variable == component.mode; });
-    if (known != told.end()) {
-      modes.push_back(ModeId(known->value.index()));
-      continue;
-    }
-    const ModeId last(component.modes.size() - 1);
-    if (!automata::is_open(plant_, component, last)) {
+    if (known == told.end()) {
       throw base::InputError(" expected the mode of every component, and '" + component.name + "' has none");
     }
-    modes.push_back(last);
+    modes.push_back(ModeId(known->value.index()));
   }
   return modes;
 }
@@ -311,8 +304,7 @@ automata::Modes TraceReader::modes_of(const std::vector<automata::Assignment>& t
 automata::Modes TraceReader::named_modes(const Json& names) const {
   std::vector<automata::Assignment> told;
   for (const auto& [name, value] : names.items()) {
-    if (!value.is_null())
-      told.push_back(names_.resolve(LogReader::Role::estimate, name, value.get_ref<const std::string&>()));
+    told.push_back(names_.resolve(LogReader::Role::estimate, name, value.get_ref<const std::string&>()));
   }
   return modes_of(told);
 }

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "automata/facade.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/executive/trace/place.hpp"
 #include "runtime/executive/trace/reasons.hpp"
@@ -133,12 +132,7 @@ void write_changed(JsonLine& line, std::string_view key, const automata::Modes& 
   for (std::size_t c = 0; c < plant.components.size(); ++c) {
     if (now[c] == before[c]) continue;
     const automata::Component& component = plant.components[c];
-    line.key(component.name);
-    if (automata::is_open(plant, component, now[c])) {
-      line.null();
-    } else {
-      line.string(component.modes[now[c].index()].name);
-    }
+    line.key(component.name).string(component.modes[now[c].index()].name);
   }
   line.close('}');
 }

@@ -176,7 +176,8 @@ Impasse GoalInterpreter::impasse(const Modes& modes, const Goal& goal, const Rea
   result.why.component = result.component;
   if (result.component) result.why.aim = modes[result.component->index()];
   result.reason = "no reachable state implies the goal: " + result.reason +
-                  (rest ? " exclude it" : " exclude each other, and no other modes are reachable");
+                  (rest ? (theory.conflict().size() == 1 ? " excludes it" : " exclude it")
+                        : " exclude each other, and no other modes are reachable");
   return result;
 }
 

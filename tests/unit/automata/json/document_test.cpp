@@ -89,6 +89,8 @@ Document sample() {
   scenario.name = "story";
   scenario.truth = {{mode, ValueId(0)}};
   scenario.forced.push_back({Ticks::of_seconds(5), ComponentId(0), ModeId(2), {"a.scn", 2, 1}});
+  scenario.forced.push_back(
+      {Ticks::of_seconds(6), ComponentId(0), ModeId(2), {"a.scn", 3, 1}, Assignment{flow, ValueId(1)}, {ModeId(1)}});
   scenario.commands.push_back({Ticks{1}, Ticks{2}, {cmd, ValueId(1)}, {}});
   scenario.overrides.push_back({Ticks{1}, Ticks::infinite(), {flow, ValueId(1)}, {}});
   scenario.samples.push_back({Ticks{1}, "FLOW", 2.5, "2.50", {}});
@@ -103,19 +105,7 @@ Document sample() {
                                    {"FDIR-12"},
                                    {}});
   Document document{{plant, sample_software()}, {program}, {}, {scenario}};
-  add_model(document, sample_model());
-  const ModelProgram flown = sample_model();
-  Program bound = program;
-  bound.variables = flown.variables;
-  bound.locations[1].goal = {{flown.variables.find("x").value(), ValueId(1)}};
-  bound.locations[1].arcs.clear();
-  document.programs.push_back(bound);
-  Scenario over_model;
-  over_model.name = "software";
-  over_model.program = 1;
-  over_model.model = add_model(document, flown);
-  over_model.forced.push_back({Ticks::of_seconds(5), ComponentId(0), ModeId(1), {"a.scn", 9, 1}});
-  document.scenarios.push_back(over_model);
+  document.models.push_back(sample_model());
   return document;
 }
 

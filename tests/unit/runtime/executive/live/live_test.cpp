@@ -124,7 +124,8 @@ std::string day(std::uint64_t seed, LiveOptions::Time time, Ticks duration, Audi
   TraceWriter trace(model, program, path.string(), TraceDetail::cycles);
   std::vector<CycleObserver*> observers{&trace};
   if (auditor != nullptr) observers.push_back(auditor);
-  const LiveResult result = run_live(program, *make_engines(model, run.engines, run.cycle), plant, run, observers);
+  Engines engines(model, run.engines, run.cycle);
+  const LiveResult result = run_live(program, engines, plant, run, observers);
   EXPECT_EQ(result.end, LiveResult::End::duration);
   trace.keep();
   std::ifstream file(path);
