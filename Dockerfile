@@ -7,7 +7,7 @@ WORKDIR /source
 COPY cmake/install-packages cmake/install-packages
 RUN cmake/install-packages build && apt-get install --yes --no-install-recommends dpkg-dev
 COPY . .
-RUN cmake --preset release -DRMPL_TESTS=OFF -DRMPL_UNITY=ON && cmake --build --preset release
+RUN cmake --preset release -DRMPL_TESTS=OFF -DRMPL_UNITY=ON && cmake --build --preset release -j "$(nproc)"
 RUN cpack --config build/release/CPackConfig.cmake -B /packages
 
 FROM debian:12
