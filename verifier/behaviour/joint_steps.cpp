@@ -197,7 +197,8 @@ bool JointSteps::may_stay(const At& at, std::size_t component, BehaviourId behav
   const Behaviour& there = behaviours_[behaviour];
   if (there.restarts) return false;  // a step that leaves it in its mode is one
   if (there.free_to_stay() || there.stays_until < 0) return there.free_to_stay();
-  if (modes[component] != at.modes[component]) return true;
+  // What has to leave as soon as it comes is due in the next step of the instant.
+  if (modes[component] != at.modes[component]) return there.stays_until > 0;
   return behaviour == at.idling[component] &&
          std::find(at.late.begin(), at.late.end(), ComponentId(component)) == at.late.end();
 }
@@ -223,7 +224,7 @@ bool JointSteps::goes_first(const At& at, const Option& option) {
   for (std::size_t c = 0; c < next.size(); ++c) {
     const Behaviour& commanded = behaviours_[there_commanded_[c]];
     if (c == option.component) {
-      if (commanded.stays_until < 0) return false;
+      if (commanded.stays_until <= 0) return false;
       continue;
     }
     const bool same = then.behaviours[c] == at.idling[c] && there_commanded_[c] == at.here[c];
