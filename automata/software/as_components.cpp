@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "automata/software/like_markings.hpp"
 #include "automata/software/marking_modes.hpp"
 #include "automata/software/names.hpp"
 #include "automata/software/threads.hpp"
@@ -140,6 +141,7 @@ class Software {
     program.variables = whole_.plant.variables;
     program.constraints = whole_.plant.interconnections;
     std::vector<Thread> threads = threads_of(program);
+    for (Thread& thread : threads) like_.push_back(merge_like(program, thread));
     const std::vector<std::string> names = names_of_threads(program, threads, model.name, made_.variables);
     for (std::size_t t = 0; t < threads.size(); ++t) {
       Component component;
@@ -154,7 +156,7 @@ class Software {
       component.progress = true;
       component.software = true;
       component.initial.assign(threads[t].markings.size(), 0.0);
-      for (const ThreadOutcome& outcome : threads[t].start) component.initial[outcome.target] = outcome.probability;
+      for (const ThreadOutcome& outcome : threads[t].start) component.initial[outcome.target] += outcome.probability;
       std::vector<std::string> modes = names_of_markings(program, threads[t]);
       for (std::size_t m = 0; m < modes.size(); ++m) {
         const ThreadMarking& marking = threads[t].markings[m];
@@ -195,7 +197,7 @@ class Software {
         mode.usual = one.usual;
         mode.fault = one.usual || marking.way < 1;
         initial.push_back(one.usual ? 0 : component.initial[one.marking]);
-        markings_[t].markings.push_back(marking.marked);
+        markings_[t].markings.push_back(like_[t][one.marking]);
       }
       component.modes = std::move(modes);
       component.initial = std::move(initial);
@@ -225,6 +227,7 @@ class Software {
   const PlantWithModels& whole_;
   Plant made_;
   std::vector<Thread> threads_;
+  std::vector<std::vector<std::vector<Marking>>> like_;  ///< by thread and marking, all that it stands for
   std::vector<SoftwareThread> markings_;
 };
 

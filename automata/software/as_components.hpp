@@ -13,8 +13,8 @@ namespace rmpl::automata {
 
 /// A component that a thread became.
 struct SoftwareThread {
-  std::size_t model;              ///< the program that it is of, by position
-  std::vector<Marking> markings;  ///< per mode: primitive locations
+  std::size_t model;                           ///< the program that it is of, by position
+  std::vector<std::vector<Marking>> markings;  ///< per mode, all that it is of: primitive locations
 };
 
 struct SoftwarePlant {

@@ -54,22 +54,6 @@ void append(std::string& name, const std::string& part) {
   name += part;
 }
 
-std::string by_calls(const ModelProgram& program, const Marking& marking) {
-  if (marking.empty()) return "ended";
-  std::set<LocationId> calls;
-  for (const LocationId l : marking) {
-    if (const auto call = call_around(program, l)) calls.insert(*call);
-  }
-  std::string name;
-  std::size_t parts = 0;
-  for (const LocationId call : calls) {
-    const bool holds_another = std::any_of(
-        calls.begin(), calls.end(), [&](LocationId other) { return other != call && is_within(program, other, call); });
-    if (!holds_another && parts++ < most_parts) append(name, identifier(program.locations[call.index()].label));
-  }
-  return name.empty() ? "marked" : name;
-}
-
 std::string by_what_it_tells(const ModelProgram& program, const Marking& marking) {
   std::string name;
   std::size_t parts = 0;
@@ -96,12 +80,28 @@ void number(std::vector<std::string>& names) {
 
 }  // namespace
 
+std::string name_of(const ModelProgram& program, const Marking& marking) {
+  if (marking.empty()) return "ended";
+  std::set<LocationId> calls;
+  for (const LocationId l : marking) {
+    if (const auto call = call_around(program, l)) calls.insert(*call);
+  }
+  std::string name;
+  std::size_t parts = 0;
+  for (const LocationId call : calls) {
+    const bool holds_another = std::any_of(
+        calls.begin(), calls.end(), [&](LocationId other) { return other != call && is_within(program, other, call); });
+    if (!holds_another && parts++ < most_parts) append(name, identifier(program.locations[call.index()].label));
+  }
+  return name.empty() ? "marked" : name;
+}
+
 std::vector<std::string> names_of_markings(const ModelProgram& program, const Thread& thread) {
   std::vector<std::string> names;
   names.reserve(thread.markings.size());
   std::multiset<std::string> all;
   for (const ThreadMarking& marking : thread.markings) {
-    names.push_back(by_calls(program, marking.marked));
+    names.push_back(name_of(program, marking.marked));
     all.insert(names.back());
   }
   for (std::size_t m = 0; m < names.size(); ++m) {

@@ -11,6 +11,9 @@
 
 namespace rmpl::automata {
 
+/// The innermost definitions that a marking is in, as an identifier; of nothing, `ended`.
+std::string name_of(const ModelProgram& program, const Marking& marking);
+
 /// A name for each marking of a thread, each once: the innermost definitions that it is in; where that is not enough,
 /// what it tells; then a number. The marking of nothing is `ended`. All are identifiers.
 std::vector<std::string> names_of_markings(const ModelProgram& program, const Thread& thread);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/property/generate_software.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "tests/property/draw.hpp"
@@ -86,6 +88,35 @@ void add_software(PlantWithModels& whole, const std::string& name) {
     whole.plant.interconnections.emplace_back(automata::conjunction(std::move(ways)));
   }
   whole.models.push_back({name, std::move(program)});
+}
+
+LikeMarkings::LikeMarkings(const automata::SoftwarePlant& plant, const std::vector<std::size_t>& offsets) {
+  for (const automata::SoftwareThread& thread : plant.threads) {
+    const auto located = [&](const automata::Marking& marking) {
+      Marked result;
+      for (const automata::LocationId l : marking)
+        result.insert(automata::LocationId(l.index() + offsets[thread.model]));
+      return result;
+    };
+    Thread& known = threads_.emplace_back();
+    for (const std::vector<automata::Marking>& like : thread.markings) {
+      for (const automata::Marking& marking : like) {
+        known.first[located(marking)] = located(like.front());
+        known.all.merge(located(marking));
+      }
+    }
+  }
+}
+
+std::set<automata::LocationId> LikeMarkings::first(const std::set<automata::LocationId>& marked) const {
+  Marked result;
+  for (const Thread& thread : threads_) {
+    Marked own;
+    std::set_intersection(marked.begin(), marked.end(), thread.all.begin(), thread.all.end(),
+                          std::inserter(own, own.end()));
+    result.merge(Marked(thread.first.at(own)));
+  }
+  return result;
 }
 
 }  // namespace rmpl::property

@@ -155,7 +155,7 @@ RC_GTEST_PROP(Software, CountsImprobableDrawsAsTheProgramDoes, ()) {
     Marking marking;
     for (std::size_t t = 0; t < made->threads.size(); ++t) {
       const automata::SoftwareThread& thread = made->threads[t];
-      for (const LocationId l : thread.markings[modes[t].index()]) {
+      for (const LocationId l : thread.markings[modes[t].index()].front()) {
         marking.emplace_back(l.index() + offsets[thread.model]);
       }
     }
@@ -214,7 +214,14 @@ RC_GTEST_PROP(Software, CountsImprobableDrawsAsTheProgramDoes, ()) {
     const auto [known, fresh] = found.try_emplace(marked(modes), faults);
     if (!fresh) known->second = std::min(known->second, faults);
   }
-  RC_ASSERT(found == *expected);
+  const LikeMarkings like(*made, offsets);
+  Fewest first;
+  for (const auto& [marking, faults] : *expected) {
+    const std::set<LocationId> known_by = like.first({marking.begin(), marking.end()});
+    const auto [known, fresh] = first.try_emplace(Marking(known_by.begin(), known_by.end()), faults);
+    if (!fresh) known->second = std::min(known->second, faults);
+  }
+  RC_ASSERT(found == first);
   const auto has_faults = [](const auto& one) { return one.second > 0; };
   RC_CLASSIFY(std::any_of(found.begin(), found.end(), has_faults), "faults on the way");
   RC_CLASSIFY(by_modes->size() > found.size(), "markings with several modes");

@@ -113,6 +113,7 @@ RC_GTEST_PROP(Software, HasTheBeliefOfTheWholeProgram, ()) {
   const auto markings = runtime::make_marking_estimator(program, {.kind = runtime::MarkingOptions::Kind::exact});
   if (!markings->estimate().possible) return;
   const auto components = runtime::make_exact_estimator(step, {});
+  const LikeMarkings like(*made, offsets);
   const auto compare = [&] {
     std::map<State, double> expected, found;
     for (const auto& entry : components->belief()) {
@@ -120,7 +121,7 @@ RC_GTEST_PROP(Software, HasTheBeliefOfTheWholeProgram, ()) {
       for (std::size_t c = 0; c < own; ++c) state.first.push_back(entry.state.modes[c]);
       for (std::size_t t = 0; t < made->threads.size(); ++t) {
         const automata::SoftwareThread& thread = made->threads[t];
-        for (const LocationId l : thread.markings[entry.state.modes[own + t].index()]) {
+        for (const LocationId l : thread.markings[entry.state.modes[own + t].index()].front()) {
           state.second.insert(LocationId(l.index() + offsets[thread.model]));
         }
       }
@@ -135,9 +136,7 @@ RC_GTEST_PROP(Software, HasTheBeliefOfTheWholeProgram, ()) {
           state.first.emplace_back(l.index() - first);
         }
       }
-      for (const LocationId l : entry.marking) {
-        if (l.index() >= offsets.front() && !program.locations[l.index()].composite) state.second.insert(l);
-      }
+      state.second = like.first({entry.marking.begin(), entry.marking.end()});
       expected[state] += entry.probability;
     }
     RC_ASSERT(found.size() == expected.size());

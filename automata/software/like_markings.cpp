@@ -1,0 +1,128 @@
+// The coarsest partition that the steps respect, refined from names and what is told.
+// SPDX-License-Identifier: MIT
+#include "automata/software/like_markings.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "automata/software/names.hpp"
+
+namespace rmpl::automata {
+namespace {
+
+std::string joined(std::vector<std::string> parts) {
+  std::sort(parts.begin(), parts.end());
+  std::string text;
+  for (const std::string& part : parts) text.append(part).append("\n");
+  return text;
+}
+
+/// All digits.
+std::string text_of(double number) {
+  char digits[32];
+  const auto end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
+  return {std::begin(digits), end};
+}
+
+std::string told(const ModelProgram& program, const ThreadMarking& marking) {
+  std::vector<std::string> parts;
+  for (const LocationId l : marking.marked) {
+    for (const Formula& part : conjuncts_of(program.locations[l.index()].told)) {
+      if (!part.is_true()) parts.push_back(to_text(part, program.variables));
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return joined(std::move(parts)) + (marking.possible ? "" : "impossible");
+}
+
+std::string conditions(const ModelProgram& program, const ThreadStep& step) {
+  std::vector<std::string> parts;
+  parts.reserve(step.under.size());
+  for (const Condition& condition : step.under) {
+    parts.push_back((condition.entailed ? "+" : "-") + to_text(condition.constraint, program.variables));
+  }
+  return joined(std::move(parts));
+}
+
+class Partition {
+ public:
+  Partition(const ModelProgram& program, const Thread& thread) : thread_(thread) {
+    std::map<std::string, std::size_t> known;
+    for (const ThreadMarking& marking : thread.markings) {
+      const std::string key = name_of(program, marking.marked) + '\n' + told(program, marking);
+      classes_.push_back(known.try_emplace(key, known.size()).first->second);
+      auto& own = under_.emplace_back();
+      for (const ThreadStep& step : marking.steps) own.push_back(conditions(program, step));
+    }
+    count_ = known.size();
+    for (std::size_t before = 0; before != count_;) {
+      before = count_;
+      refine();
+    }
+  }
+
+  /// By marking; numbered in the order of the first of each.
+  [[nodiscard]] const std::vector<std::size_t>& classes() const { return classes_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+  /// The outcomes by class and rarity.
+  [[nodiscard]] std::vector<ThreadOutcome> merged(const std::vector<ThreadOutcome>& outcomes) const {
+    std::map<std::pair<std::size_t, double>, double> all;
+    for (const ThreadOutcome& outcome : outcomes) {
+      all[{classes_[outcome.target], outcome.rarity}] += outcome.probability;
+    }
+    std::vector<ThreadOutcome> result;
+    result.reserve(all.size());
+    for (const auto& [to, probability] : all) result.push_back({to.first, probability, to.second});
+    return result;
+  }
+
+ private:
+  void refine() {
+    std::map<std::pair<std::size_t, std::string>, std::size_t> known;
+    std::vector<std::size_t> finer;
+    for (std::size_t m = 0; m < thread_.markings.size(); ++m) {
+      std::vector<std::string> steps;
+      for (std::size_t s = 0; s < under_[m].size(); ++s) {
+        std::string step = under_[m][s];
+        for (const ThreadOutcome& outcome : merged(thread_.markings[m].steps[s].outcomes)) {
+          step +=
+              std::to_string(outcome.target) + ' ' + text_of(outcome.rarity) + ' ' + text_of(outcome.probability) + ' ';
+        }
+        steps.push_back(std::move(step));
+      }
+      finer.push_back(known.try_emplace({classes_[m], joined(std::move(steps))}, known.size()).first->second);
+    }
+    classes_ = std::move(finer);
+    count_ = known.size();
+  }
+
+  const Thread& thread_;
+  std::vector<std::vector<std::string>> under_;  ///< by marking and step
+  std::vector<std::size_t> classes_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::vector<Marking>> merge_like(const ModelProgram& program, Thread& thread) {
+  const Partition partition(program, thread);
+  std::vector<std::vector<Marking>> stands_for(partition.count());
+  std::vector<ThreadMarking> kept;
+  for (std::size_t m = 0; m < thread.markings.size(); ++m) {
+    const std::size_t to = partition.classes()[m];
+    stands_for[to].push_back(thread.markings[m].marked);
+    if (to < kept.size()) continue;
+    ThreadMarking& one = kept.emplace_back(thread.markings[m]);
+    for (ThreadStep& step : one.steps) step.outcomes = partition.merged(step.outcomes);
+  }
+  thread.start = partition.merged(thread.start);
+  thread.markings = std::move(kept);
+  return stands_for;
+}
+
+}  // namespace rmpl::automata
