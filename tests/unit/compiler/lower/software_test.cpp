@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "automata/assignment_text.hpp"
 #include "automata/plant.hpp"
+#include "automata/state.hpp"
 #include "tests/unit/compiler/workspace.hpp"
 
 namespace rmpl::compiler {
@@ -125,6 +127,46 @@ model Alarm() :: { always y = b }
   EXPECT_EQ(plant.components[0].name, "t.Speaker");
   EXPECT_EQ(plant.components[1].name, "t.Hearer");
   EXPECT_THAT(transitions(plant, plant.components[1]), ElementsAre("Hearer -> Alarm: t.Speaker = Silent"));
+}
+
+TEST_F(SoftwareInPlants, LikeMarkingsAreOneMode) {
+  const Compilation compilation = compiled(R"(
+variable x : { a, b, c };
+model Task() :: { A() }
+model A() :: { x = a, choose { next B() with 0.9, next Burnt() with 0.06, next Torn() with 0.04 } }
+model B() :: { x = b, choose { next A() with 0.9, next Burnt() with 0.1 } }
+model Burnt() :: { always x = c }
+model Torn() :: { always x = c }
+)",
+                                           "plant P { t : model Task; observe t.x; }");
+  ASSERT_THAT(findings(compilation), IsEmpty());
+  const automata::Component& task = compilation.document().plants.front().components.front();
+  EXPECT_THAT(modes(task, false), UnorderedElementsAre("A", "B"));
+  EXPECT_THAT(modes(task, true), UnorderedElementsAre("Burnt", "Torn")) << "two calls are one mode, two names are two";
+}
+
+TEST_F(SoftwareInPlants, AModelProgramIsAPlant) {
+  const Compilation compilation = compile_text("software.rmpl", R"(
+variable ask, now : { go, stop };
+variable x, y : { a, b };
+control ask;
+control now default stop;
+observe y;
+model Both() :: { One(), Other() }
+model One() :: { x = a, if ask = go thennext always x = b elsenext One() }
+model Other() :: { always y = a }
+)",
+                                               {.model_is_plant = true});
+  ASSERT_THAT(findings(compilation), IsEmpty());
+  const automata::Plant& plant = compilation.document().plants.at(0);
+  EXPECT_EQ(plant.name, "Both");
+  ASSERT_EQ(plant.components.size(), 2u);
+  EXPECT_EQ(plant.components[0].name, "One");
+  EXPECT_EQ(plant.components[1].name, "Other");
+  ASSERT_EQ(plant.controls.size(), 2u);
+  EXPECT_EQ(to_text(plant.variables, automata::assignments_of(plant, automata::idle_action(plant))),
+            "ask = unknown, now = stop");
+  EXPECT_THAT(transitions(plant, plant.components[0]), ElementsAre("One_x_a -> One_x_b: ask.in_force = go"));
 }
 
 TEST_F(SoftwareInPlants, TimeRatesAndSoftwareStandSideBySide) {
