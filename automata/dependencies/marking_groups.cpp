@@ -193,7 +193,7 @@ void add_guarded(const ModelProgram& program, LocationId location, std::set<Vari
 
 }  // namespace
 
-MarkingGroups::MarkingGroups(const ModelProgram& program) : program_(program), homes_(program.variables.size()) {
+MarkingGroups::MarkingGroups(const ModelProgram& program) : homes_(program.variables.size()) {
   Links links(program);
   std::map<std::size_t, Members> members;  // by root
   for (std::size_t l = 0; l < program.locations.size(); ++l) {
@@ -234,26 +234,6 @@ MarkingGroups::MarkingGroups(const ModelProgram& program) : program_(program), h
       groups_.back().program.constraints.emplace_back(extraction.formula(told.constraint), told.origin);
     }
   }
-}
-
-MarkingGroup MarkingGroups::joined(const std::vector<std::size_t>& groups) const {
-  std::set<LocationId> locations;
-  std::set<VariableId> variables;
-  for (const std::size_t g : groups) {
-    locations.insert(groups_[g].locations.begin(), groups_[g].locations.end());
-    variables.insert(groups_[g].variables.begin(), groups_[g].variables.end());
-  }
-  Extraction extraction(program_, {locations.begin(), locations.end()}, {variables.begin(), variables.end()});
-  MarkingGroup result = extraction.take();
-  result.variables.assign(variables.begin(), variables.end());
-  for (const Interconnection& constraint : program_.constraints) {
-    for (const Formula& conjunct : conjuncts_of(constraint.constraint)) {
-      const auto read = variables_of(conjunct);
-      const bool own = std::all_of(read.begin(), read.end(), [&](VariableId v) { return variables.contains(v); });
-      if (own) result.program.constraints.emplace_back(extraction.formula(conjunct), constraint.origin);
-    }
-  }
-  return result;
 }
 
 std::vector<Observation> MarkingGroups::divide(const Observation& observation) const {

@@ -27,7 +27,6 @@ struct MarkingGroup {
 /// in every group of theirs.
 class MarkingGroups {
  public:
-  /// Keeps a reference to the program.
   explicit MarkingGroups(const ModelProgram& program);
 
   [[nodiscard]] std::size_t size() const { return groups_.size(); }
@@ -40,21 +39,15 @@ class MarkingGroups {
   [[nodiscard]] std::vector<Observation> divide(const Observation& observation) const;
   [[nodiscard]] std::vector<Command> divide(const Command& command) const;
 
-  /// Some of the groups as one, as a program of its own.
-  [[nodiscard]] MarkingGroup joined(const std::vector<std::size_t>& groups) const;
-
+ private:
   /// Where a variable is.
   struct Home {
     std::size_t group = 0;
     VariableId variable;  ///< there
   };
-  /// None where no group tells anything of it.
-  [[nodiscard]] const std::optional<Home>& home(VariableId variable) const { return homes_[variable.index()]; }
 
- private:
-  const ModelProgram& program_;
   std::vector<MarkingGroup> groups_;
-  std::vector<std::optional<Home>> homes_;  ///< per variable
+  std::vector<std::optional<Home>> homes_;  ///< per variable; none where no group tells anything of it
   std::vector<Assignment> always_;
 };
 

@@ -262,6 +262,7 @@ PlantWithModels plant_of(const ModelProgram& program) {
     Variable variable = program.variables[VariableId(v)];
     const bool known = std::find(unknown.begin(), unknown.end(), VariableId(v)) == unknown.end();
     if (!known) variable.name += ".in_force";
+    while (!known && program.variables.find(variable.name)) variable.name += '_';
     plant.variables.add(std::move(variable));
   }
   for (const CommandedVariable& control : program.controls) {

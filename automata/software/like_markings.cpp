@@ -3,9 +3,9 @@
 #include "automata/software/like_markings.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "automata/software/names.hpp"
@@ -18,13 +18,6 @@ std::string joined(std::vector<std::string> parts) {
   std::string text;
   for (const std::string& part : parts) text.append(part).append("\n");
   return text;
-}
-
-/// All digits.
-std::string text_of(double number) {
-  char digits[32];
-  const auto end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
-  return {std::begin(digits), end};
 }
 
 std::string told(const ModelProgram& program, const ThreadMarking& marking) {
@@ -51,14 +44,16 @@ std::string conditions(const ModelProgram& program, const ThreadStep& step) {
 class Partition {
  public:
   Partition(const ModelProgram& program, const Thread& thread) : thread_(thread) {
-    std::map<std::string, std::size_t> known;
+    std::map<std::string, std::size_t> names, conditions_known;
     for (const ThreadMarking& marking : thread.markings) {
       const std::string key = name_of(program, marking.marked) + '\n' + told(program, marking);
-      classes_.push_back(known.try_emplace(key, known.size()).first->second);
+      classes_.push_back(names.try_emplace(key, names.size()).first->second);
       auto& own = under_.emplace_back();
-      for (const ThreadStep& step : marking.steps) own.push_back(conditions(program, step));
+      for (const ThreadStep& step : marking.steps) {
+        own.push_back(conditions_known.try_emplace(conditions(program, step), conditions_known.size()).first->second);
+      }
     }
-    count_ = known.size();
+    count_ = names.size();
     for (std::size_t before = 0; before != count_;) {
       before = count_;
       refine();
@@ -69,40 +64,47 @@ class Partition {
   [[nodiscard]] const std::vector<std::size_t>& classes() const { return classes_; }
   [[nodiscard]] std::size_t count() const { return count_; }
 
-  /// The outcomes by class and rarity.
+  /// One outcome for each class by likely draws, and one by improbable ones, as rare as the likeliest.
   [[nodiscard]] std::vector<ThreadOutcome> merged(const std::vector<ThreadOutcome>& outcomes) const {
-    std::map<std::pair<std::size_t, double>, double> all;
+    std::map<std::pair<std::size_t, bool>, ThreadOutcome> all;
     for (const ThreadOutcome& outcome : outcomes) {
-      all[{classes_[outcome.target], outcome.rarity}] += outcome.probability;
+      const std::size_t to = classes_[outcome.target];
+      ThreadOutcome& one = all.try_emplace({to, outcome.rarity < 1}, ThreadOutcome{to, 0, 0}).first->second;
+      one.probability += outcome.probability;
+      one.rarity = std::max(one.rarity, outcome.rarity);
     }
     std::vector<ThreadOutcome> result;
     result.reserve(all.size());
-    for (const auto& [to, probability] : all) result.push_back({to.first, probability, to.second});
+    for (const auto& [to, outcome] : all) result.push_back(outcome);
     return result;
   }
 
  private:
+  /// The conditions of a step, and where it leads.
+  using Step = std::pair<std::size_t, std::vector<std::tuple<std::size_t, double, double>>>;
+
   void refine() {
-    std::map<std::pair<std::size_t, std::string>, std::size_t> known;
+    std::map<std::pair<std::size_t, std::vector<Step>>, std::size_t> known;
     std::vector<std::size_t> finer;
+    finer.reserve(classes_.size());
     for (std::size_t m = 0; m < thread_.markings.size(); ++m) {
-      std::vector<std::string> steps;
+      std::vector<Step> steps;
+      steps.reserve(under_[m].size());
       for (std::size_t s = 0; s < under_[m].size(); ++s) {
-        std::string step = under_[m][s];
+        Step& step = steps.emplace_back(under_[m][s], Step::second_type{});
         for (const ThreadOutcome& outcome : merged(thread_.markings[m].steps[s].outcomes)) {
-          step +=
-              std::to_string(outcome.target) + ' ' + text_of(outcome.rarity) + ' ' + text_of(outcome.probability) + ' ';
+          step.second.emplace_back(outcome.target, outcome.probability, outcome.rarity);
         }
-        steps.push_back(std::move(step));
       }
-      finer.push_back(known.try_emplace({classes_[m], joined(std::move(steps))}, known.size()).first->second);
+      std::sort(steps.begin(), steps.end());
+      finer.push_back(known.try_emplace({classes_[m], std::move(steps)}, known.size()).first->second);
     }
     classes_ = std::move(finer);
     count_ = known.size();
   }
 
   const Thread& thread_;
-  std::vector<std::vector<std::string>> under_;  ///< by marking and step
+  std::vector<std::vector<std::size_t>> under_;  ///< by marking and step: its conditions, by number
   std::vector<std::size_t> classes_;
   std::size_t count_ = 0;
 };

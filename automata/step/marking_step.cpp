@@ -88,13 +88,6 @@ const std::vector<Assignment>& MarkingStep::values(Number number) {
   return *known;
 }
 
-bool MarkingStep::entails(Number marking, std::span<const Assignment> wanted) {
-  if (wanted.empty()) return true;
-  const std::vector<Assignment>& entailed = values(marking);
-  return std::all_of(wanted.begin(), wanted.end(),
-                     [&](const Assignment& one) { return std::binary_search(entailed.begin(), entailed.end(), one); });
-}
-
 bool MarkingStep::possible(Number marking) {
   Known& known = slot(possible_, marking);
   if (known == Known::open) known = store_.possible(markings_[marking]) ? Known::yes : Known::no;

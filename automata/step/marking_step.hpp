@@ -52,8 +52,6 @@ class MarkingStep {
 
   /// What the store of a possible marking entails, by variable. Lasts until the next call.
   const std::vector<Assignment>& values(Number marking);
-  /// Whether it entails all of these.
-  bool entails(Number marking, std::span<const Assignment> wanted);
   /// The start markings that are consistent; not normalised.
   Ways initial();
   /// Whether the store of the marking can hold, and whether it can together with the command.

@@ -202,8 +202,7 @@ void check_kinds(Definitions& definitions, grammar::Diagnostics& diagnostics) {
   error.suggestion =
       other->definition->name.span.file == first.name.span.file
           ? "write `model` before every definition, or keep the two kinds in files of their own"
-          : "files that are named together are one program; a control program flies a model program in a "
-            "scenario: `plant \"….rmpl\";`";
+          : "name a file of a model program beside the control program, without an import: it is the plant";
 }
 
 void declare(const grammar::Definition& definition, bool root, Uniqueness& names, Definitions& definitions,

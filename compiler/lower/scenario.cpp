@@ -7,14 +7,12 @@
 #include <set>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "base/overloaded.hpp"
-#include "compiler/check/mention.hpp"
-#include "compiler/check/plant_resolver.hpp"
+#include "compiler/check/vocabulary.hpp"
 #include "compiler/lower/requirements.hpp"
-#include "compiler/lower/software_mode.hpp"
+#include "compiler/lower/scenario_names.hpp"
 #include "compiler/lower/timing.hpp"
 
 namespace rmpl::compiler {
@@ -30,15 +28,8 @@ namespace {
 class ScenarioLowering {
  public:
   ScenarioLowering(const grammar::Sources& sources, const Part* plant, grammar::Diagnostics& diagnostics)
-      : sources_(sources), plant_(plant), diagnostics_(diagnostics) {
-    if (plant == nullptr) return;
-    const automata::Plant& p = plant->plant;
-    resolver_.emplace(p, &plant->declared, diagnostics);
-    for (std::size_t c = 0; c < p.components.size(); ++c) {
-      components_.emplace(p.components[c].mode, automata::ComponentId(c));
-    }
-    observables_.insert(p.observables.begin(), p.observables.end());
-    for (const automata::Control& control : p.controls) controls_.insert(control.variable);
+      : sources_(sources), diagnostics_(diagnostics) {
+    if (plant != nullptr) names_.emplace(*plant, diagnostics);
   }
 
   automata::Scenario run(const grammar::ScenarioDefinition& definition) {
@@ -115,8 +106,7 @@ class ScenarioLowering {
     report_no_truth(part.span, "`truth` sets modes of the plant",
                     "leave it out: the estimate starts with the initial modes of the plant");
     for (const grammar::AssignmentText& text : part.modes) {
-      const std::vector<Assignment> meant = modes_of(text, SoftwareMoment::start);
-      const auto mode = the_one(text, meant);
+      const auto mode = names_ ? names_->start_mode(text) : std::nullopt;
       if (!mode) continue;
       const auto [first, fresh] = truths_.emplace(mode->variable, text.span);
       if (fresh) {
@@ -133,23 +123,17 @@ class ScenarioLowering {
     report_no_truth(event.span, "a fault sets a mode of the plant",
                     "give the readings that would show the fault: `at … observe x = v`");
     const auto at = time_of(event.at, event.span);
-    const std::vector<Assignment> meant = modes_of(event.mode, SoftwareMoment::fault);
-    const bool same = std::all_of(meant.begin(), meant.end(),
-                                  [&](const Assignment& mode) { return mode.variable == meant.front().variable; });
-    const auto mode = same && !meant.empty() ? std::optional(meant.front()) : the_one(event.mode, meant);
-    if (!at || !mode) return;
-    automata::ForcedMode forced{*at, components_.at(mode->variable), automata::ModeId(mode->value.index()),
-                                origin_of(sources_, event.span)};
-    const auto told = resolver_->assignment(event.mode.variable, event.mode.value);
-    if (told != mode) forced.told = told;
-    for (std::size_t m = 1; m < meant.size(); ++m) forced.also.emplace_back(meant[m].value.index());
-    scenario_.forced.push_back(std::move(forced));
+    auto forced = names_ ? names_->fault(event.mode) : std::nullopt;
+    if (!at || !forced) return;
+    forced->at = *at;
+    forced->origin = origin_of(sources_, event.span);
+    scenario_.forced.push_back(std::move(*forced));
   }
 
   void add(const grammar::ObserveEvent& event) {
     const auto at = time_of(event.at, event.span);
     const auto length = event.duration ? ticks_of(*event.duration, diagnostics_) : Ticks::infinite();
-    const auto reading = reading_of(event.reading);
+    const auto reading = names_ ? names_->reading(event.reading) : std::nullopt;
     if (!at || !length || !reading) return;
     scenario_.overrides.push_back({*at, *length, *reading, origin_of(sources_, event.span)});
   }
@@ -157,7 +141,7 @@ class ScenarioLowering {
   void add(const grammar::CommandEvent& event) {
     const auto at = time_of(event.at, event.span);
     const auto length = event.duration ? ticks_of(*event.duration, diagnostics_) : scenario_.cycle;
-    const auto command = command_of(event.command);
+    const auto command = names_ ? names_->command(event.command) : std::nullopt;
     if (!at || !length || !command) return;
     scenario_.commands.push_back({*at, *length, *command, origin_of(sources_, event.span)});
   }
@@ -194,10 +178,10 @@ class ScenarioLowering {
       if (const auto* delay = std::get_if<grammar::Duration>(&*text.delay)) rule.delay = ticks_of(*delay, diagnostics_);
     }
     const auto length = text.duration ? ticks_of(*text.duration, diagnostics_) : Ticks::infinite();
-    if (resolver_) resolver_->ask_of_knowledge("in a rule: a rule describes the plant");
+    if (names_) names_->ask_of_knowledge("in a rule: a rule describes the plant");
     const auto trigger = condition(text.trigger);
-    const auto reading = reading_of(text.reading);
-    if (trigger) check_trigger(*trigger, command, text.trigger);
+    const auto reading = names_ ? names_->reading(text.reading) : std::nullopt;
+    if (trigger) names_->check_trigger(*trigger, command, text.trigger);
     if (!length || !trigger || !reading) return;
     rule.trigger = *trigger;
     rule.reading = *reading;
@@ -237,9 +221,9 @@ class ScenarioLowering {
       expectation.requirements = fresh_tags(text.requirement->tags, tagged, diagnostics_);
     }
     if (text.within) expectation.within = deadline_of(*text.within, text.span);
-    if (resolver_) {
-      resolver_->ask_of_knowledge(text.truth ? std::optional<std::string>("in `expect truth`: it reads the plant")
-                                             : std::nullopt);
+    if (names_) {
+      names_->ask_of_knowledge(text.truth ? std::optional<std::string>("in `expect truth`: it reads the plant")
+                                          : std::nullopt);
     }
     if (text.condition) {
       if (auto formula = condition(*text.condition)) expectation.condition = std::move(*formula);
@@ -263,8 +247,7 @@ class ScenarioLowering {
   }
 
   std::optional<Formula> condition(const grammar::Constraint& constraint) {
-    if (!resolver_) return std::nullopt;
-    return resolver_->resolve(constraint);
+    return names_ ? names_->condition(constraint) : std::nullopt;
   }
 
   /// A time of an event; one behind the end of the scenario gets a warning, since the event never comes.
@@ -290,95 +273,10 @@ class ScenarioLowering {
         "the scenario ends after " + automata::format_seconds(scenario_.duration) + " s, before " + what);
   }
 
-  /// Of software also those that tell it by themselves, of those that it may start in, or that are faults. None where
-  /// that is wrong, which is reported.
-  std::vector<Assignment> modes_of(const grammar::AssignmentText& text, SoftwareMoment moment) {
-    if (!resolver_) return {};
-    const auto mode = resolver_->assignment(text.variable, text.value);
-    if (!mode) return {};
-    if (components_.count(mode->variable) != 0) return {*mode};
-    std::vector<Assignment> telling = modes_that_tell(plant_->plant, *mode, moment);
-    if (!telling.empty()) return telling;
-    const bool software = std::any_of(plant_->plant.components.begin(), plant_->plant.components.end(),
-                                      [](const automata::Component& component) { return component.software; });
-    const std::string which = moment == SoftwareMoment::start ? "no start" : "no fault";
-    auto& error = diagnostics_.error(
-        Code::scenario_not_a_mode, text.variable.span,
-        backquoted(text.variable.text) + " is an attribute, expected a component" +
-            (software ? ": " + which + " of software tells that it is " + backquoted(text.value.text) : ""));
-    note_domain(error, mode->variable);
-    return {};
-  }
-
-  /// If there are several, that is reported.
-  std::optional<Assignment> the_one(const grammar::AssignmentText& text, const std::vector<Assignment>& meant) {
-    if (meant.empty()) return std::nullopt;
-    if (meant.size() == 1) return meant.front();
-    const auto told = resolver_->assignment(text.variable, text.value);
-    report_several(*plant_, *told, meant, text.variable.span, diagnostics_);
-    return std::nullopt;
-  }
-
-  std::optional<Assignment> reading_of(const grammar::AssignmentText& text) {
-    if (!resolver_) return std::nullopt;
-    const auto reading = resolver_->assignment(text.variable, text.value);
-    if (!reading || observables_.count(reading->variable) != 0) return reading;
-    std::vector<std::string> names;
-    for (const VariableId id : plant_->plant.observables) names.push_back(plant_->plant.variables.name(id));
-    const bool mode = components_.count(reading->variable) != 0;
-    auto& error =
-        diagnostics_.error(Code::scenario_not_observable, text.variable.span,
-                           backquoted(text.variable.text) +
-                               (mode ? " is a component, and no sensor reads its mode" : " is not observable") +
-                               (names.empty() ? "" : ", expected " + one_of(names)));
-    if (!mode) error.suggestion = "declare it in the plant: `observe " + text.variable.text + ";`";
-    return std::nullopt;
-  }
-
-  std::optional<Assignment> command_of(const grammar::AssignmentText& text) {
-    if (!resolver_) return std::nullopt;
-    const auto command = resolver_->assignment(text.variable, text.value);
-    if (!command || controls_.count(command->variable) != 0) return command;
-    report_no_control(command->variable, text.variable.span);
-    return std::nullopt;
-  }
-
-  void report_no_control(VariableId id, grammar::Span span) {
-    auto& error = diagnostics_.error(Code::scenario_not_a_command, span,
-                                     backquoted(plant_->plant.variables.name(id)) +
-                                         " is no control variable of plant " + backquoted(plant_->plant.name));
-    note_domain(error, id);
-  }
-
-  /// A command is judged by control variables, an estimate by modes.
-  void check_trigger(const Formula& trigger, bool command, const grammar::Constraint& text) {
-    for (const VariableId id : automata::variables_of(trigger)) {
-      if (command ? controls_.count(id) != 0 : components_.count(id) != 0) continue;
-      const std::string& name = plant_->plant.variables.name(id);
-      if (command) {
-        report_no_control(id, mention_of(name, text));
-        continue;
-      }
-      auto& error =
-          diagnostics_.error(Code::scenario_not_a_mode, mention_of(name, text),
-                             backquoted(name) + " is no component of plant " + backquoted(plant_->plant.name));
-      note_domain(error, id);
-    }
-  }
-
-  void note_domain(grammar::Diagnostic& error, VariableId id) {
-    if (id.index() < plant_->declared.size())
-      error.notes.push_back({plant_->declared[id.index()], "its domain is here"});
-  }
-
   const grammar::Sources& sources_;
-  const Part* plant_;
   grammar::Diagnostics& diagnostics_;
-  std::optional<PlantResolver> resolver_;
+  std::optional<ScenarioNames> names_;  ///< none where there is no plant
   automata::Scenario scenario_;
-  std::unordered_map<VariableId, automata::ComponentId> components_;  ///< by mode variable
-  std::unordered_set<VariableId> observables_;
-  std::unordered_set<VariableId> controls_;
   std::unordered_map<VariableId, grammar::Span> truths_;  ///< initial modes that are given, and where
   TagPlaces tagged_;                                      ///< requirements of the scenario as a whole
   std::map<std::pair<std::string, Ticks>, grammar::Span> sampled_;

@@ -15,9 +15,7 @@ namespace {
 /// none.
 std::string found_in(const automata::Document& document, bool program_expected) {
   if (!document.models.empty()) {
-    return "'" + document.models.front().name +
-           "' is a model program, which rmpl-run estimate, diagnose, scenario and execute, tcca-check reachability and "
-           "safety take";
+    return "'" + document.models.front().name + "' is a model program";
   }
   if (!program_expected && !document.programs.empty()) {
     return "'" + document.programs.front().name + "' is a control program";
@@ -54,7 +52,12 @@ const automata::ModelProgram& only_model_program(const automata::Document& docum
 }
 
 bool is_model_program(const automata::Document& document) {
-  return document.plants.empty() && !document.models.empty();
+  // A plant that a scenario made of it has its threads alone.
+  return !document.models.empty() &&
+         std::all_of(document.plants.begin(), document.plants.end(), [](const automata::Plant& plant) {
+           return std::all_of(plant.components.begin(), plant.components.end(),
+                              [](const automata::Component& component) { return component.software; });
+         });
 }
 
 void refuse_start(const automata::ModelProgram& program, const std::string& paths) {

@@ -16,7 +16,7 @@ const automata::Plant& only_plant(const automata::Document& document, const std:
 const automata::Program& only_program(const automata::Document& document, const std::string& paths);
 const automata::ModelProgram& only_model_program(const automata::Document& document, const std::string& paths);
 
-/// Whether the files hold a model program and no plant.
+/// Whether the files hold a model program and no plant of another kind.
 bool is_model_program(const automata::Document& document);
 
 /// Says that no start of a model program is consistent. Throws base::InputError.

@@ -66,7 +66,7 @@ class InputSet {
   automata::Program bound(const automata::Program& program, const Part* plant, grammar::Span blame);
 
   /// Takes the files of model programs out of those that the user named, where others hold control programs.
-  static Roots beside_control(Roots& programs);
+  [[nodiscard]] Roots beside_control(Roots& programs) const;
   /// The files that the user named. Throws base::InputError that tells of all that cannot be read.
   Roots opened(std::span<const std::string> paths, const Options& options);
   Plant plant(const Roots& roots, grammar::Span blame);

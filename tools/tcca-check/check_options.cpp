@@ -61,7 +61,9 @@ void add_report(Command& command, std::string& path) {
 }
 
 void add_model(Command& command, std::string& model) {
-  command.add_option("MODEL", model, "the plant: .tcca or compiled .json; - for standard input").required();
+  command
+      .add_option("MODEL", model, "the plant: .tcca, .rmpl (a model program) or compiled .json; - for standard input")
+      .required();
 }
 
 void add_commands(Command& command, Commands& commands) {

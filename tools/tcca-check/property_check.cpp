@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/tcca-check/property_check.hpp"
 
-#include <algorithm>
+#include <variant>
 
 #include "base/error.hpp"
 #include "tools/shared/models.hpp"
@@ -19,7 +19,9 @@ using automata::Plant;
 
 namespace {
 
-verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& options, const Common& common) {
+/// `drawn`: any number of faults is allowed.
+verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& options, const Common& common,
+                                     bool drawn) {
   const Freedom& freedom = options.freedom;
   verifier::CheckOptions result{.period = period_of(freedom, plant),
                                 .faults = freedom.faults.value_or(0),
@@ -29,8 +31,6 @@ verifier::CheckOptions check_options(const Plant& plant, const PropertyOptions& 
                                 .cut_sets = options.cut_sets.has_value(),
                                 .symmetry = !options.no_symmetry,
                                 .from = assignments_option(freedom.from, plant, "--from", common)};
-  const bool drawn = std::all_of(plant.components.begin(), plant.components.end(),
-                                 [](const automata::Component& component) { return component.software; });
   if (options.fewest_faults && !freedom.faults) result.faults.reset();
   if (!options.fewest_faults && !freedom.faults && drawn) result.faults = most_faults;
   if (options.cut_sets) result.faults = options.cut_sets;
@@ -108,8 +108,11 @@ ExitStatus check_property(const PropertyOptions& options, const Common& common, 
   verifier::Slices slices(plant);
   const verifier::Subject subject{plant};
   TraceReport report(options.report, subject);
+  // Every draw of a model program is free.
+  const bool drawn = !compilation.document().models.empty() && (std::holds_alternative<verifier::Reachability>(asked) ||
+                                                                std::holds_alternative<verifier::Safety>(asked));
   const std::vector<verifier::Question> questions{
-      {asked, check_options(plant, options, common), options.budget.bounds()}};
+      {asked, check_options(plant, options, common, drawn), options.budget.bounds()}};
   const verifier::Question& question = questions.front();
   auto warnings = warn_of_questions(questions, slices, nullptr, common);
   std::vector<verifier::Answer> answers{

@@ -34,7 +34,7 @@ void lint_plants(const LintInput& input, grammar::Diagnostics& found) {
     const bool software = std::all_of(plant.components.begin(), plant.components.end(),
                                       [](const automata::Component& component) { return component.software; });
     if (software || input.with_models.contains(p)) continue;  // what model programs tell is looked at as they stand
-    if (!plant.components.empty() && input.places.has(plant.components.front().origin)) lint_plant(input, plant, found);
+    if (input.places.has(plant.components.front().origin)) lint_plant(input, plant, found);
   }
 }
 

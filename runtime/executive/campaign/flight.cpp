@@ -67,8 +67,10 @@ std::optional<CampaignRun> fly_run(const automata::Document& document, const aut
   result.seed = seed_of_run(plan, run);
   automata::Scenario flown = scenario;
   const auto faults = injections(plan, plant, scenario.cycle, run);
-  auto& happening = plan.unmodelled ? flown.forced : options.awaited;
-  happening.insert(happening.end(), faults.begin(), faults.end());
+  for (const automata::ForcedMode& fault : faults) {
+    const bool at_once = plan.unmodelled && !plant[fault.component].software;
+    (at_once ? flown.forced : options.awaited).push_back(fault);
+  }
   options.seed = result.seed;
   CampaignWatch watch(plant, faults);
   std::vector<CycleObserver*> all = observers;

@@ -20,7 +20,7 @@ struct LiveRun {
   automata::Ticks duration = automata::Ticks::infinite();     ///< the run ends with the cycle that reaches it
   automata::Ticks give_up = automata::Ticks::of_seconds(60);  ///< without a plant for so long, the run ends
   LiveOptions plant;
-  ScenarioOptions engines;  ///< what `make_engines` is told
+  ScenarioOptions engines;  ///< what they are made with
 };
 
 struct LiveResult {

@@ -3,10 +3,8 @@
 #include "runtime/executive/plant/simulated_model.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 
-#include "automata/assignment_text.hpp"
 #include "base/error.hpp"
 #include "base/limit_error.hpp"
 
@@ -23,44 +21,34 @@ constexpr std::size_t most_tries = std::size_t{1} << 16;
 
 }  // namespace
 
-SimulatedModel::SimulatedModel(const automata::ModelProgram& program, std::uint64_t seed, const Wanted& wanted)
+SimulatedModel::SimulatedModel(const automata::ModelProgram& program, std::uint64_t seed)
     : step_(program), moves_(seed, 1), readings_(seed, 2) {
-  if (draw(step_.rules().initial(), step_.initial(), wanted)) return;
-  throw base::InputError(wanted.empty() ? "no start is consistent"
-                                        : "no start has " + to_text(program.variables, wanted));
+  if (!draw(step_.rules().initial(), step_.initial())) throw base::InputError("no start is consistent");
 }
 
-bool SimulatedModel::step(const automata::Command& command, const Wanted& wanted) {
+void SimulatedModel::step(const automata::Command& command) {
   step_.command(command);
   if (!step_.permits(marking_))
     throw base::InputError("the command contradicts the constraints that the model program tells");
-  if (draw(step_.moves(marking_), step_.ways(marking_), wanted)) return true;
-  if (wanted.empty()) throw base::InputError("deadlock: no consistent marking can follow");
-  return false;
+  if (!draw(step_.moves(marking_), step_.ways(marking_)))
+    throw base::InputError("deadlock: no consistent marking can follow");
 }
 
-bool SimulatedModel::draw(const MarkingMoves& moves, const MarkingStep::Ways& ways, const Wanted& wanted) {
+bool SimulatedModel::draw(const MarkingMoves& moves, const MarkingStep::Ways& ways) {
   if (ways) {
-    std::vector<MarkingStep::Way> fitting;
-    if (!wanted.empty()) {
-      std::copy_if(ways->begin(), ways->end(), std::back_inserter(fitting),
-                   [&](const MarkingStep::Way& way) { return step_.entails(way.target, wanted); });
-    }
-    const std::vector<MarkingStep::Way>& open = wanted.empty() ? *ways : fitting;
-    if (open.empty()) return false;
-    marking_ = drawn(open, moves_.uniform()).target;
+    if (ways->empty()) return false;
+    marking_ = drawn(*ways, moves_.uniform()).target;
   } else {
     MarkingStep::Number reached = 0;
     std::size_t tries = 0;
     do {
       if (tries++ == most_tries) {
-        if (!wanted.empty()) return false;
         throw base::LimitError("none of " + std::to_string(most_tries) + " draws led to a consistent marking");
       }
       std::vector<const MarkingOutcome*> outcomes;
       for (const auto& part : moves.parts) outcomes.push_back(&drawn(part, moves_.uniform()));
       reached = step_.number(united(moves, outcomes));
-    } while (!step_.possible(reached) || !step_.entails(reached, wanted));
+    } while (!step_.possible(reached));
     marking_ = reached;
   }
   if (step_.forget_but({marking_})) marking_ = 0;

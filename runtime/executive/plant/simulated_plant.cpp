@@ -88,9 +88,12 @@ bool SimulatedPlant::waits_for(automata::Ticks now) const {
 }
 
 void SimulatedPlant::release(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {
+  const auto is_met = [&](const automata::ForcedMode& fault) {
+    return fault.is_met_by(state_.modes[fault.component.index()]);
+  };
   const auto is_released = [&](automata::ForcedMode fault) {
     auto& open = moves[fault.component.index()];
-    if (fault.at > now || fault.is_met_by(state_.modes[fault.component.index()])) return false;
+    if (fault.at > now || is_met(fault)) return false;
     const automata::Move* likeliest = nullptr;
     for (const automata::Move& move : open) {
       if (!fault.is_met_by(move.mode)) continue;
@@ -102,7 +105,7 @@ void SimulatedPlant::release(std::vector<std::vector<automata::Move>>& moves, au
     return true;
   };
   std::erase_if(awaited_, is_released);
-  std::erase_if(owed_, is_released);
+  std::erase_if(owed_, [&](const auto& fault) { return (fault.at <= now && is_met(fault)) || is_released(fault); });
 }
 
 void SimulatedPlant::force(std::vector<std::vector<automata::Move>>& moves, automata::Ticks now) {

@@ -21,6 +21,8 @@ class Engines {
  public:
   /// Keeps a reference to the plant. `cycle`: of the executive.
   Engines(const automata::Plant& plant, const ScenarioOptions& options, automata::Ticks cycle);
+  Engines(const Engines&) = delete;
+  Engines& operator=(const Engines&) = delete;
 
   [[nodiscard]] const automata::Plant& plant() const { return plant_; }
   /// Of the plant.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "automata/assignment_text.hpp"
-#include "automata/store/model.hpp"
 #include "base/overloaded.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/reasoning/reconfigure/reason.hpp"
@@ -72,7 +71,6 @@ FlightSteps::FlightSteps(const automata::Document& document, automata::Scenario 
       base_(std::move(scenario)),
       options_(std::move(options)),
       choices_(std::move(choices)),
-      theory_(automata::model_theory(document.plant_of(base_))),
       step_(document.plant_of(base_)) {
   if (!options_.graph) options_.graph = reconfiguration_graph(document.plant_of(base_));
   assemble();

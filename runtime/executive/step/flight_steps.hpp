@@ -34,7 +34,7 @@ class FlightSteps final : public SteppedRun {
 
   [[nodiscard]] const automata::Plant& plant() const override { return document_.plant_of(base_); }
   [[nodiscard]] const automata::Program& program() const override { return document_.programs[base_.program]; }
-  [[nodiscard]] automata::Theory& theory() override { return theory_; }
+  [[nodiscard]] automata::Theory& theory() override { return step_.theory(); }
   [[nodiscard]] std::uint64_t position() const override { return done_; }
   [[nodiscard]] automata::Ticks time() const override { return time_; }
   [[nodiscard]] Stop stop() override;
@@ -82,7 +82,6 @@ class FlightSteps final : public SteppedRun {
   ScenarioOptions options_;
   std::vector<Choice> choices_;
   automata::Scenario scenario_;
-  automata::Theory theory_;
   automata::PlantStep step_;
   std::unique_ptr<ScenarioFlight> flight_;
   std::unique_ptr<Story> story_;

@@ -23,8 +23,7 @@ using automata::Observation;
 
 class FactoredMarkingEstimator final : public MarkingEstimator {
  public:
-  FactoredMarkingEstimator(const automata::ModelProgram& program, const MarkingOptions& options)
-      : options_(options), variables_(program.variables.size()) {
+  FactoredMarkingEstimator(const automata::ModelProgram& program, const MarkingOptions& options) : options_(options) {
     if (options.kind == MarkingOptions::Kind::beam) {
       filters_.emplace_back(program, options);
     } else {
@@ -124,12 +123,9 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
     if (conditioned.set_aside.empty()) return;
     if (!groups_) {
       estimate_.set_aside = conditioned.set_aside;
-      estimate_.surprised.assign(filters_[group].step().program().variables.size(), true);
       return;
     }
-    estimate_.surprised.resize(variables_, false);
     const std::vector<automata::VariableId>& variables = (*groups_)[group].variables;
-    for (const automata::VariableId v : variables) estimate_.surprised[v.index()] = true;
     for (const automata::Assignment& reading : conditioned.set_aside) {
       estimate_.set_aside.push_back({variables[reading.variable.index()], reading.value});
     }
@@ -154,7 +150,6 @@ class FactoredMarkingEstimator final : public MarkingEstimator {
   }
 
   MarkingOptions options_;
-  std::size_t variables_;                          ///< of the program
   std::optional<automata::MarkingGroups> groups_;  ///< none of the beam, which is one of whole markings
   std::deque<MarkingFilter> filters_;              ///< a filter stays where it is
   std::optional<MarkingWindow> window_;

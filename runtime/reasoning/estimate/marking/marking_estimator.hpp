@@ -37,8 +37,6 @@ struct MarkingEstimate {
   /// The readings that did not count, by variable: of each group a smallest set that nothing explains, as of
   /// `Estimate`.
   automata::Observation set_aside;
-  /// By variable: whether a reading of its group was set aside. Empty where none was.
-  std::vector<bool> surprised;
   bool cut = false;  ///< the limit of candidates ended the search early
   std::size_t checked = 0;
   /// k-best and beam: an upper bound of the probability that this update did not keep, as a share of the whole
