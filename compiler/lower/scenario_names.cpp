@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <string>
 
-#include "automata/fault_step.hpp"
 #include "compiler/check/mention.hpp"
 #include "compiler/check/vocabulary.hpp"
 
@@ -108,7 +107,7 @@ std::vector<Assignment> ScenarioNames::modes(const grammar::AssignmentText& text
 
 /// The modes of software that tell it, as a conjunct of their own.
 std::vector<Assignment> ScenarioNames::telling(Assignment told, Moment moment) const {
-  std::vector<Assignment> result, others;
+  std::vector<Assignment> result;
   const automata::Formula wanted = automata::is(told.variable, told.value);
   for (const automata::Component& component : plant_.components) {
     if (!component.software) continue;
@@ -117,11 +116,10 @@ std::vector<Assignment> ScenarioNames::telling(Assignment told, Moment moment) c
       if (!meant) continue;
       const std::vector<automata::Formula> parts = automata::conjuncts_of(component.modes[m].constraint);
       if (std::find(parts.begin(), parts.end(), wanted) == parts.end()) continue;
-      if (automata::is_second_in_a_row(component, automata::ModeId(m))) continue;
-      (component.modes[m].usual ? others : result).push_back({component.mode, automata::ValueId(m)});
+      result.push_back({component.mode, automata::ValueId(m)});
     }
   }
-  return result.empty() ? others : result;
+  return result;
 }
 
 void ScenarioNames::report_several(const grammar::AssignmentText& text, Assignment told,

@@ -24,7 +24,7 @@ class ScenarioNames {
   /// The mode that a component is in at first. Of software also by what one mode alone tells of those it may start in.
   std::optional<automata::Assignment> start_mode(const grammar::AssignmentText& text);
   /// The mode that a component is forced into, without time and place. Of software also by what fault modes of one
-  /// thread tell: rather those whose marking only improbable draws lead to.
+  /// thread tell.
   std::optional<automata::ForcedMode> fault(const grammar::AssignmentText& text);
   std::optional<automata::Assignment> reading(const grammar::AssignmentText& text);
   std::optional<automata::Assignment> command(const grammar::AssignmentText& text);

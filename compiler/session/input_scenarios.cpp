@@ -78,7 +78,9 @@ InputSet::Plant InputSet::flown(const File& scenarios, const grammar::PlantPart&
       diagnostics_.error(Code::wrong_kind_of_name, part.main->span,
                          "`main` names a definition of a model program, and " + backquoted(path.text) + " is a plant");
     }
-    result = plant({file}, path.span);
+    const automata::Document* compiled = file->document ? &*file->document : nullptr;
+    const bool software = compiled != nullptr && compiled->plants.empty() && compiled->models.size() == 1;
+    result = software ? alone(*file, path.span) : plant({file}, path.span);
   } else {
     report_no_plant();
   }

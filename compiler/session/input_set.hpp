@@ -74,6 +74,8 @@ class InputSet {
   const Part& add_part(std::size_t position, Part part);
   /// The plant that the model program of some files is.
   Plant alone(const Roots& roots, const Entry& entry, grammar::Span blame);
+  /// The plant that the model program of a compiled document is.
+  Plant alone(const File& document, grammar::Span blame);
   /// The plant that a model program of the document is by itself; where it cannot be one that is reported at `blame`.
   Plant alone(std::size_t model, const std::vector<grammar::Span>& declared, grammar::Span blame);
   /// The plant that a scenario flies.

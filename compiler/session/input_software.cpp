@@ -37,6 +37,14 @@ InputSet::Plant InputSet::alone(const Roots& roots, const Entry& entry, Span bla
   return software.model ? alone(*software.model, software.declared, blame) : Plant{};
 }
 
+InputSet::Plant InputSet::alone(const File& document, Span blame) {
+  if (const auto known = plants_.find({&document}); known != plants_.end()) return known->second;
+  const std::size_t model = document_.models.size();
+  document_.models.push_back(document.document->models.front());
+  model_places_.emplace_back();
+  return plants_.emplace(Roots{&document}, alone(model, {}, blame)).first->second;
+}
+
 InputSet::Plant InputSet::alone(std::size_t model, const std::vector<Span>& declared, Span blame) {
   const auto [known, fresh] = alone_.try_emplace(model);
   if (!fresh) return known->second;

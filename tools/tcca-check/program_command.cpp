@@ -158,9 +158,10 @@ ScenarioFrame frame_of(const ProgramOptions& options, const Subject& subject) {
     const fs::path path = fs::absolute(model).lexically_normal();
     const std::string extension = path.extension().string();
     if (extension != ".rmpl" && extension != ".tcca") {
-      throw base::InputError(model + ": a scenario refers to source files; give a .rmpl and a .tcca file");
+      throw base::InputError(model + ": a scenario refers to source files; give a .rmpl file, and the plant's");
     }
-    (extension == ".rmpl" ? frame.program : frame.plant) = path.lexically_proximate(folder).string();
+    const bool first = frame.program.empty() && extension == ".rmpl";
+    (first ? frame.program : frame.plant) = path.lexically_proximate(folder).string();
   }
   frame.name = verifier::title(subject);
   return frame;

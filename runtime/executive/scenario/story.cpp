@@ -233,10 +233,10 @@ void Story::tell_estimate(const CycleRecord& record) {
     const std::string change = component.name + ": " + component.modes[estimate_[c].index()].name + " -> " + to.name;
     const automata::ComponentId about(c);
     if (to.fault) {
-      line(record.time, "fault",
-           painter_.bad(change) + " (diagnosed with probability " +
-               three_digits(probability_of(*record.estimator, about, record.estimate[c])) + ")" +
-               why_diagnosed(record, about),
+      const double probability = probability_of(*record.estimator, about, record.estimate[c]);
+      // A trace need not have the belief.
+      const std::string with = probability > 0 ? " with probability " + three_digits(probability) : "";
+      line(record.time, "fault", painter_.bad(change) + " (diagnosed" + with + ")" + why_diagnosed(record, about),
            about);
     } else {
       line(record.time, "estimate", change, about);

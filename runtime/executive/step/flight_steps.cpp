@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "automata/assignment_text.hpp"
+#include "base/error.hpp"
 #include "base/overloaded.hpp"
 #include "runtime/executive/trace/evidence_line.hpp"
 #include "runtime/reasoning/reconfigure/reason.hpp"
@@ -164,6 +165,16 @@ void FlightSteps::choose(Choice choice) {
 }
 
 void FlightSteps::force(automata::ComponentId component, automata::ModeId mode) {
+  const automata::Component& forced = plant()[component];
+  if (forced.software && forced.modes[mode.index()].fault) {
+    // A mode of software comes by a draw, or later than asked for.
+    const auto& moves = step_.moves({truth_, truth_since_}, flight_->executive().record().command, time_, next_time());
+    const auto& open = moves[component.index()];
+    if (std::none_of(open.begin(), open.end(), [&](const automata::Move& move) { return move.mode == mode; })) {
+      throw base::InputError("fault: no draw of '" + forced.name + "' leads to '" + forced.modes[mode.index()].name +
+                             "' in this cycle");
+    }
+  }
   choose({done_, automata::ForcedMode{next_time(), component, mode, {}}});
 }
 

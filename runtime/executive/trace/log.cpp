@@ -81,7 +81,8 @@ LogReader::LogReader(std::istream& in, std::string name, const automata::ModelPr
       resolve_([&program](Role role, const std::string& variable, const auto& value) {
         return resolve(program, role, variable, value);
       }),
-      find_([&program](const std::string& variable) { return program.variables.find(variable); }) {}
+      find_([&program](const std::string& variable) { return program.variables.find(variable); }),
+      of_markings_(true) {}
 
 LogReader::LogReader(std::istream& in, std::string name, automata::Variables& variables)
     : in_(in),
@@ -217,6 +218,8 @@ bool LogReader::interpret(const std::string& text, LogLine& line) {
     } else if (key == "channels") {
       expect(value.is_object(), key, "an object of channels and samples", value);
       for (const auto& [name, sample] : value.items()) add_sample(name, sample, line);
+    } else if (key == "estimate" && of_markings_) {
+      expect(value.is_object(), key, "an object", value);
     } else if (key == "estimate") {
       if (!line.estimate) line.estimate.emplace();
       assign(Role::estimate, key, value, delta, *line.estimate);

@@ -106,6 +106,7 @@ class LogReader final : public LogSource {
   std::string name_;
   Resolve resolve_;
   Find find_;
+  bool of_markings_ = false;  ///< modes that a line estimates are not read: a model program has none
   const Monitors* monitors_ = nullptr;
   std::size_t number_ = 0;
   std::optional<std::string> ahead_;  ///< the line after the last that was handed out, where its time had to be known
