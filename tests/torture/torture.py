@@ -6,7 +6,8 @@ Besides: limits of memory, of file size and of descriptors, descriptors that are
 
 After each fault one of these must hold: exit code, standard output and files are those of the undisturbed run; or the exit
 code is 2 or 3, standard error has a message, every file is as it was before, and standard output is a beginning of what it
-would have been. A signal may also end the program, or its search, which then says what it has found.
+would have been. A signal may also end the program, before its files are written or after, or its search, which then says
+what it has found.
 --faults says how many calls fail in all, spread over commands, kinds of call and places, --moments how many limits and
 signals are tried; --all lets each call fail. Prints what was tried and each fault that was answered otherwise, as it goes
 on; exits 1 where there was one."""
@@ -148,7 +149,8 @@ class Torturer:
         if not seen.errors and not silent:
             return f"exit {seen.code} without a message"
         before = {name: data for name, data in honest.files.items() if pathlib.Path(name) in self.inputs} | {"old.json": b"old"}
-        if seen.files != before:
+        whole = kind == "signal" and seen.files == honest.files  # it came when all was written
+        if seen.files != before and not whole:
             return f"files: {sorted(name for name in seen.files.keys() | before.keys() if seen.files.get(name) != before.get(name))}"
         reason = "junit" in command and b"errors=\"1\"" in seen.out  # why there is no answer, for services
         if not honest.out.startswith(seen.out) and not (kind == "signal" and seen.code == 3) and not reason:
