@@ -22,6 +22,7 @@ using runtime::JsonLine;
 
 struct DiagnoseOptions {
   std::string plant;
+  std::string main;  ///< the definition that a model program starts with; empty: the one that no other calls
   std::string observe;
   std::string modes;
   std::string scenario;
@@ -84,7 +85,7 @@ ExitStatus run_model(const automata::ModelProgram& program, const DiagnoseOption
 
 ExitStatus run(DiagnoseOptions options, const Common& common) {
   check_standard_input({options.plant, options.scenario});
-  const compiler::Compilation compilation = load({options.plant}, common);
+  const compiler::Compilation compilation = load({options.plant}, common, {.main = options.main});
   if (is_model_program(compilation.document())) {
     return run_model(only_model_program(compilation.document(), options.plant), options, common);
   }
@@ -126,6 +127,10 @@ void add_diagnose(Program& program) {
   const auto options = std::make_shared<DiagnoseOptions>();
   command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
       .required();
+  command
+      .add_option("--main", options->main,
+                  "the definition that a model program starts with, if there are several that no other calls")
+      .option_text("NAME");
   Option observe = command.add_option("--observe", options->observe, "the observations: attributes and their values")
                        .option_text("'x = v, ...'");
   Option readings = command

@@ -29,6 +29,7 @@ using Engine = runtime::LogEstimatorOptions::Engine;
 
 struct EstimateOptions {
   std::string plant;
+  std::string main;  ///< the definition that a model program starts with; empty: the one that no other calls
   std::string log;
   std::string script;
   LogOptions reading;
@@ -159,7 +160,7 @@ ExitStatus run_model(const automata::ModelProgram& program, const EstimateOption
 ExitStatus run(EstimateOptions options, const Common& common) {
   const auto begin = std::chrono::steady_clock::now();
   check_standard_input({options.plant, options.log, options.reading.monitors_file});
-  const compiler::Compilation compilation = load({options.plant}, common);
+  const compiler::Compilation compilation = load({options.plant}, common, {.main = options.main});
   if (is_model_program(compilation.document())) {
     if (!options.reading.monitors_file.empty() || options.reading.period || options.reading.script) {
       throw base::InputError(options.plant +
@@ -218,6 +219,10 @@ void add_estimate(Program& program) {
   const auto options = std::make_shared<EstimateOptions>();
   command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
       .required();
+  command
+      .add_option("--main", options->main,
+                  "the definition that a model program starts with, if there are several that no other calls")
+      .option_text("NAME");
   Option log = command.add_option("--log", options->log, "commands and observations; - is standard input")
                    .option_text("IN.jsonl|IN.csv");
   Option script = command

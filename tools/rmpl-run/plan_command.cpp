@@ -31,6 +31,7 @@ enum class PlanFormat { text, json, dot };
 
 struct PlanOptions {
   std::string plant;
+  std::string main;  ///< the definition that a model program starts with; empty: the one that no other calls
   std::string from;
   std::string goal;
   bool policy = false;
@@ -191,7 +192,8 @@ ExitStatus print_strategy(const PlanOptions& options, automata::PlantStep& step,
 
 ExitStatus run(const PlanOptions& options, Common common) {
   if (options.format == PlanFormat::json) common.format = Format::json;
-  const compiler::Compilation compilation = load({options.plant}, common, {.model_is_plant = true});
+  const compiler::Compilation compilation =
+      load({options.plant}, common, {.main = options.main, .model_is_plant = true});
   const automata::Plant& plant = only_plant(compilation.document(), options.plant);
   if (options.policy) return print_policies(options, common, plant);
   if (options.goal.empty()) throw base::InputError("plan: expected --goal, or --policy");
@@ -225,7 +227,12 @@ ExitStatus run(const PlanOptions& options, Common common) {
 void add_plan(Program& program) {
   Command command = program.add_command("plan", "plan the commands that lead from a state to a goal");
   const auto options = std::make_shared<PlanOptions>();
-  command.add_option("PLANT", options->plant, "a .tcca model, or a compiled .json").required();
+  command.add_option("PLANT", options->plant, "a .tcca model, an .rmpl file with a model program, or a compiled .json")
+      .required();
+  command
+      .add_option("--main", options->main,
+                  "the definition that a model program starts with, if there are several that no other calls")
+      .option_text("NAME");
   command.add_option("--from", options->from, "the modes to start from").option_text("'x = m, ...'");
   const Option goal =
       command.add_option("--goal", options->goal, "a constraint over modes and attributes").option_text("'constraint'");

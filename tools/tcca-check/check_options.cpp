@@ -66,6 +66,12 @@ void add_model(Command& command, std::string& model) {
       .required();
 }
 
+void add_model(Command& command, std::string& model, std::string& main) {
+  add_model(command, model);
+  add_text(command, "--main", main, "NAME",
+           "the definition that a model program starts with (default: the one that no other calls)");
+}
+
 void add_commands(Command& command, Commands& commands) {
   add_choice<Commands>(command, "--commands", commands,
                        {{"none", Commands::none}, {"one", Commands::one}, {"any", Commands::any}},

@@ -48,6 +48,8 @@ verifier::Limits limits(const Budget& budget, const Common& common);
 /// Where to write a page with the traces.
 void add_report(Command& command, std::string& path);
 void add_model(Command& command, std::string& model);
+/// The same, with the definition that it starts with where it is a model program.
+void add_model(Command& command, std::string& model, std::string& main);
 void add_commands(Command& command, verifier::Commands& commands);
 /// An option that takes a formula or a name, and may be given several times where it fills a list.
 Option add_text(Command& command, const std::string& name, std::string& text, const char* type,

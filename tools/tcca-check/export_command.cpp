@@ -35,6 +35,7 @@ std::string name_of(Tool tool) {
 }
 
 struct ExportOptions {
+  std::string main;  ///< the definition that a model program starts with; empty: the one that no other calls
   std::string model;
   Tool tool = Tool::tchecker;
   std::string target, never;
@@ -93,7 +94,8 @@ void write(std::ostream& out, const automata::Plant& plant, verifier::ExportQues
 }
 
 ExitStatus run(const ExportOptions& options, const Common& common) {
-  const compiler::Compilation compilation = load({options.model}, common, {.model_is_plant = true});
+  const compiler::Compilation compilation =
+      load({options.model}, common, {.main = options.main, .model_is_plant = true});
   const automata::Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::ExportQuestion question{
       options.never.empty() ? formula_option(options.target, plant, "--target", common)
@@ -125,7 +127,7 @@ was whole: nothing is written, 4 an internal error.)";
 void add_export(Program& program) {
   Command command = program.add_command("export", "write the same question for another tool");
   const auto options = std::make_shared<ExportOptions>();
-  add_model(command, options->model);
+  add_model(command, options->model, options->main);
   add_choice<Tool>(
       command, "--format", options->tool,
       {{"tchecker", Tool::tchecker}, {"uppaal", Tool::uppaal}, {"prism", Tool::prism}, {"jani", Tool::jani}},

@@ -16,6 +16,7 @@ namespace rmpl::tools {
 namespace {
 
 struct FaultTreeOptions {
+  std::string main;  ///< the definition that a model program starts with; empty: the one that no other calls
   std::string model, top, output;
   std::optional<automata::Ticks> within;
   std::optional<std::size_t> listed;
@@ -51,7 +52,8 @@ std::string written(TreeForm form, const automata::Plant& plant, const verifier:
 
 ExitStatus run(const FaultTreeOptions& options, const Common& common) {
   const TreeForm form = form_of(options.output);
-  const compiler::Compilation compilation = load({options.model}, common, {.model_is_plant = true});
+  const compiler::Compilation compilation =
+      load({options.model}, common, {.main = options.main, .model_is_plant = true});
   const automata::Plant& plant = only_plant(compilation.document(), options.model);
   constexpr unsigned default_order = 2;
   const Freedom& freedom = options.freedom;
@@ -91,7 +93,7 @@ void add_fault_tree(Program& program) {
       "fault-tree",
       "find the minimal sets of faults that cause a formula, their probabilities, and the importance of each fault");
   const auto options = std::make_shared<FaultTreeOptions>();
-  add_model(command, options->model);
+  add_model(command, options->model, options->main);
   add_text(command, "--top", options->top, "FORMULA", "the top event").required();
   add_text(command, "-o,--output", options->output, "OUT.xml|OUT.svg|OUT.dot",
            "write the sets as a fault tree in the Open-PSA format, or draw it");

@@ -51,7 +51,7 @@ void add_choice_of_traces(Command& command, PropertyOptions& options) {
 }  // namespace
 
 void add_property_options(Command& command, PropertyOptions& options, Common& common, Asked asked) {
-  add_model(command, options.model);
+  add_model(command, options.model, options.main);
   add_freedom(command, options.freedom, asked == Asked::formula);
   add_commands(command, options.commands);
   if (asked == Asked::formula) add_choice_of_traces(command, options);
@@ -98,7 +98,8 @@ std::optional<automata::Ticks> period_of(const Freedom& freedom, const Plant& pl
 
 ExitStatus check_property(const PropertyOptions& options, const Common& common, const std::string& title,
                           const std::function<verifier::Property(const Plant&)>& ask) {
-  const compiler::Compilation compilation = load({options.model}, common, {.model_is_plant = true});
+  const compiler::Compilation compilation =
+      load({options.model}, common, {.main = options.main, .model_is_plant = true});
   const Plant& plant = only_plant(compilation.document(), options.model);
   const verifier::Property asked = ask(plant);
   if (common.verbose) {

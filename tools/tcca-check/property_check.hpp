@@ -12,6 +12,7 @@ namespace rmpl::tools {
 
 struct PropertyOptions {
   std::string model;
+  std::string main;  ///< the definition that a model program starts with; empty: the one that no other calls
   Freedom freedom;
   Budget budget;
   verifier::Commands commands = verifier::Commands::one;
