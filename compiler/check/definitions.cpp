@@ -271,6 +271,7 @@ std::optional<std::size_t> find_entry(const Definitions& definitions, const std:
     if (candidates.empty()) continue;
     if (!definitions.unknown.empty()) return std::nullopt;
     std::vector<std::string> names;
+    names.reserve(candidates.size());
     for (const std::size_t c : candidates) names.push_back(definitions.all[c].definition->name.text);
     auto& error =
         diagnostics.error(Code::ambiguous_entry, definitions.all[candidates[1]].definition->name.span,

@@ -17,7 +17,6 @@
 
 namespace rmpl::compiler {
 
-using automata::Assignment;
 using automata::Formula;
 using automata::Ticks;
 using automata::VariableId;

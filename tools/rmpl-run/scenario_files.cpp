@@ -98,7 +98,9 @@ void check_names(const std::vector<ScenarioFile>& files, const FlightOptions& op
   for (const std::string& name : options.only) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string where = files.size() == 1 ? files.front().path : std::to_string(files.size()) + " files";
-    throw base::InputError(where + ": no scenario is called '" + name + "'" + suggestion_or_list(name, names));
+    std::string message = where;
+    message.append(": no scenario is called '").append(name).append("'").append(suggestion_or_list(name, names));
+    throw base::InputError(message);
   }
 }
 

@@ -32,6 +32,7 @@ void report_blocked_goals(PlantReport& report) {
   }
   if (asked.empty()) return;
   std::vector<PlantMode> goals;
+  goals.reserve(asked.size());
   for (const auto& [goal, span] : asked) goals.push_back(goal);
   std::map<PlantMode, std::vector<PlantMode>> by_fault;
   for (const BlockedGoal& blocked : find_blocked_goals(report.analysis(), goals)) {

@@ -59,6 +59,10 @@ std::string text_of_time(const std::string& text, const Json& json) {
   return json.is_string() ? json.get<std::string>() : json.is_number() ? written(text, "time") : std::string();
 }
 
+[[noreturn]] void refuse_gone(const std::string& key, const std::string& name) {
+  throw base::InputError(" '" + key + "': there is no '" + name + "' that could be gone");
+}
+
 }  // namespace
 
 Ticks LogLine::time_of_unchanged(std::uint64_t cycle_left_out) const {
@@ -95,7 +99,7 @@ LogReader::LogReader(std::istream& in, std::string name, automata::Variables& va
       find_([&variables](const std::string& variable) { return variables.find(variable); }) {}
 
 void LogReader::read_times(LogTimeOptions options, OddSamples odd) {
-  times_ = LogTimes(std::move(options));
+  times_ = LogTimes(options);
   odd_ = odd;
 }
 
@@ -218,12 +222,11 @@ bool LogReader::interpret(const std::string& text, LogLine& line) {
     } else if (key == "channels") {
       expect(value.is_object(), key, "an object of channels and samples", value);
       for (const auto& [name, sample] : value.items()) add_sample(name, sample, line);
-    } else if (key == "estimate" && of_markings_) {
-      expect(value.is_object(), key, "an object", value);
-    } else if (key == "estimate") {
+    } else if (key == "estimate" && !of_markings_) {
       if (!line.estimate) line.estimate.emplace();
       assign(Role::estimate, key, value, delta, *line.estimate);
-    } else if (key == "goal" || key == "asserted_by" || key == "reason" || key == "truth" || key == "clocks") {
+    } else if (key == "estimate" || key == "goal" || key == "asserted_by" || key == "reason" || key == "truth" ||
+               key == "clocks") {
       expect(value.is_object(), key, "an object", value);
     } else if (key == "known") {
       line.known = names(key, value);
@@ -306,7 +309,7 @@ void LogReader::assign(Role role, const std::string& key, const Json& json, bool
     if (!gone) expect(value.is_string(), prefix + name, "a value as a string", value);
     if (delta) {
       const auto known = find_(name);
-      if (gone && !known) throw base::InputError(" '" + key + "': there is no '" + name + "' that could be gone");
+      if (gone && !known) refuse_gone(key, name);
       std::erase_if(into, [&](const Assignment& before) { return before.variable == known; });
     }
     if (!gone) into.push_back(resolve_(role, name, value.get_ref<const std::string&>()));

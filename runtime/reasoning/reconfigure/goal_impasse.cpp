@@ -77,15 +77,17 @@ Impasse GoalInterpreter::out_of_reach(const Modes& modes, const ReachableModes& 
     if (!upstream || visited[component.index()]) {
       why.obstacle = t == nullptr ? Reason::Obstacle::missing : Reason::Obstacle::unsupported;
       if (t != nullptr) why.step = TransitionOf{component, t->id};
-      return {component,
-              "no permitted nominal transitions lead '" + plant[component].name + "' from " +
-                  name(component, modes[component.index()]) + " to " + wanted + purpose +
-                  dead_guard(step_, component, modes[component.index()], asked),
-              why};
+      std::string reason = "no permitted nominal transitions lead '";
+      reason.append(plant[component].name).append("' from ").append(name(component, modes[component.index()]));
+      reason.append(" to ").append(wanted).append(purpose);
+      reason += dead_guard(step_, component, modes[component.index()], asked);
+      return {component, std::move(reason), why};
     }
     visited[component.index()] = true;
-    purpose = ", as '" + plant[component].name + "' needs to go from " + name(component, t->from) + " to " +
-              name(component, t->to) + purpose;
+    std::string needs = ", as '";
+    needs.append(plant[component].name).append("' needs to go from ").append(name(component, t->from));
+    needs.append(" to ").append(name(component, t->to)).append(purpose);
+    purpose = std::move(needs);
     component = *upstream;
     asked.assign(plant[component].modes.size(), false);
     for (const ValueId v : barrier.requirement->values) asked[v.index()] = true;
