@@ -68,7 +68,9 @@ class Search {
 
  private:
   void run() {
-    system_.initial([&](SymbolicState&& state, const Label& label) { add(state, label, Passed::none, 0); });
+    system_.initial([&](SymbolicState&& state, const Label& label) {
+      if (!found_) add(state, label, Passed::none, 0);
+    });
     while (!found_ && !queues_.empty()) {
       const auto queue = queues_.begin();
       if (queue->second.empty()) {
